@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "verification/check/findings.hpp"
+
+namespace talus::verification {
+
+/// How much is run: `quick` for every change, `full` with the long studies as well.
+enum class Tier { quick, full };
+
+/// The word for `tier` in the records: "quick" or "full".
+[[nodiscard]] const char* name_of(Tier tier);
+
+/// The tier called `name`; std::invalid_argument for any other word.
+[[nodiscard]] Tier tier_named(const std::string& name);
+
+/// What a case is asked to run: its right setup, or the same with one planted fault.
+struct Setup {
+  std::string fault{};      ///< Name of the planted fault; empty for the right setup.
+  bool coarse = false;      ///< Fewest points that still decide the checks which the faults name.
+  Tier tier = Tier::quick;  ///< Tier of the whole run.
+
+  /// Is `name` the planted fault?
+  [[nodiscard]] bool has(std::string_view name) const { return fault == name; }
+};
+
+/// A planted fault: a named wrong setup and the check that must turn red because of it.
+struct Fault {
+  std::string name;       ///< One word or snake_case, as in Setup::has.
+  std::string what;       ///< What is made wrong, in words.
+  std::string turns_red;  ///< Name of a check of the same case.
+};
+
+/// A verification case: one page of the manual and the function that fills it.
+struct Case {
+  std::string id;                         ///< snake_case; file, function and folder carry the same name.
+  std::string title;                      ///< One line.
+  std::vector<std::string> requirements;  ///< Ids from the closed lists: "Eq. 21", "law.NAME", "integrator.NAME", ...
+  std::string source;                     ///< Full citation with page or equation.
+  std::string page;           ///< Raw Markdown: problem, sketch, equations, parameters, what would break it.
+  std::vector<Fault> faults;  ///< At least one: a case that cannot turn red shows nothing.
+  Tier tier = Tier::quick;    ///< The lowest tier that runs this case.
+  double time_limit = 60.0;   ///< Wall-clock limit [s] for the whole case, its faulty setups included.
+  void (*run)(Findings&, const Setup&) = nullptr;  ///< Measures and compares; throws what it cannot handle.
+};
+
+}  // namespace talus::verification

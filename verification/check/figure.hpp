@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace talus::verification {
+
+/// One axis of a figure.
+struct Axis {
+  std::string label;          ///< What is plotted.
+  std::string unit = "1";     ///< Its unit; "1" for a pure number.
+  bool log = false;           ///< Logarithmic; points that are not positive are then left out, and counted.
+  std::optional<double> min;  ///< Lower end; chosen from the data if absent.
+  std::optional<double> max;  ///< Upper end; chosen from the data if absent.
+};
+
+/// How a series is drawn.
+enum class Style { points, lines, linespoints, errorbars, crosses };
+
+/// The word for `style` in the records.
+[[nodiscard]] const char* name_of(Style style);
+
+/// The style called `name`; std::invalid_argument for any other word.
+[[nodiscard]] Style style_named(const std::string& name);
+
+/// One curve or cloud of points. `y_low` and `y_high` are empty, or as long as `x` and `y` (bars from low to high).
+struct Series {
+  std::string label;
+  std::vector<double> x;
+  std::vector<double> y;
+  Style style = Style::linespoints;
+  std::vector<double> y_low{};
+  std::vector<double> y_high{};
+};
+
+/// A straight reference line y ~ x^order through (x, y), drawn dashed with its label, in a log-log figure.
+struct Slope {
+  double order = 1.0;
+  double x = 1.0;
+  double y = 1.0;
+  std::string label;
+};
+
+/// A thin line across the figure where x or y has the value `at`.
+struct Line {
+  char axis = 'y';  ///< 'x' or 'y'.
+  double at = 0.0;
+  std::string label;
+};
+
+/// A figure with its own data; recorded as one CSV file in long form.
+struct Figure {
+  std::string name;     ///< File stem, letters, digits and '_'; unique in its case.
+  std::string title;    ///< Short, above the figure.
+  std::string caption;  ///< What is seen and what it shows; Markdown.
+  Axis x;
+  Axis y;
+  std::vector<Series> series;
+  std::vector<Slope> slopes{};
+  std::vector<Line> lines{};
+};
+
+/// std::invalid_argument, naming figure and series, if names or captions are missing, if lengths differ, or if there is
+/// nothing to draw.
+void demand_well_formed(const Figure& figure);
+
+/// The figure without the points that cannot be drawn (not finite, or not positive on a logarithmic axis). If there
+/// were any, the caption ends with their number: they do not drop out in silence. Series left without points are
+/// removed.
+[[nodiscard]] Figure drawable(Figure figure);
+
+}  // namespace talus::verification

@@ -1,0 +1,68 @@
+#include "verification/check/findings.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace talus::verification {
+
+namespace {
+
+template <class Named>
+void demand_new(const std::vector<Named>& present, const std::string& name, const std::string& what) {
+  if (name.empty()) throw std::invalid_argument("a " + what + " needs a name");
+  const bool known = std::any_of(present.begin(), present.end(), [&](const Named& x) { return x.name == name; });
+  if (known) throw std::logic_error("a " + what + " named '" + name + "' exists already in this case");
+}
+
+}  // namespace
+
+bool Findings::add(Check check) {
+  demand_new(checks_, check.name, "check");
+  checks_.push_back(std::move(check));
+  return checks_.back().pass;
+}
+
+bool Findings::expect(std::string name, double measured, double reference, const Tolerance& tolerance,
+                      std::string unit) {
+  return add(compare(std::move(name), measured, reference, tolerance, std::move(unit)));
+}
+
+bool Findings::expect_between(std::string name, double measured, double low, double high, std::string why,
+                              std::string unit) {
+  return add(compare_between(std::move(name), measured, low, high, std::move(why), std::move(unit)));
+}
+
+bool Findings::expect_true(std::string name, bool holds, std::string why) {
+  Check check = compare(std::move(name), holds ? 1.0 : 0.0, 1.0, Tolerance::exact(std::move(why)), "1");
+  check.text_measured = holds ? "true" : "false";
+  return add(std::move(check));
+}
+
+bool Findings::expect_order(std::string name, const Convergence& convergence, double low, double high,
+                            std::string why) {
+  return expect_between(std::move(name), convergence.fit().order, low, high, std::move(why));
+}
+
+void Findings::figure(Figure figure) {
+  demand_well_formed(figure);
+  demand_new(figures_, figure.name, "figure");
+  figure = drawable(std::move(figure));
+  if (figure.series.empty()) return note("Figure `" + figure.name + "` is not drawn: no point of it is finite.");
+  figures_.push_back(std::move(figure));
+}
+
+void Findings::table(Table table) {
+  demand_well_formed(table);
+  demand_new(tables_, table.name, "table");
+  tables_.push_back(std::move(table));
+}
+
+void Findings::note(std::string markdown) { notes_.push_back(std::move(markdown)); }
+
+const Check* Findings::find(const std::string& name) const {
+  const auto found = std::find_if(checks_.begin(), checks_.end(), [&](const Check& c) { return c.name == name; });
+  return found == checks_.end() ? nullptr : &*found;
+}
+
+}  // namespace talus::verification

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "verification/check/check.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/check/figure.hpp"
+#include "verification/check/table.hpp"
+
+namespace talus::verification {
+
+/// What a case finds: checks, figures, tables and notes, in the order they were made.
+///
+/// Each `expect...` returns whether the check passed, and never throws because it failed. The programmer's mistakes
+/// throw: a name used twice is std::logic_error; missing words or a malformed figure std::invalid_argument.
+class Findings {
+ public:
+  /// Compares `measured` with `reference` within `tolerance`.
+  bool expect(std::string name, double measured, double reference, const Tolerance& tolerance, std::string unit = "1");
+
+  /// Demands `low <= measured <= high`; `why` says where both ends come from.
+  bool expect_between(std::string name, double measured, double low, double high, std::string why,
+                      std::string unit = "1");
+
+  /// Demands that `holds` is true: for identities that have no size (same bits, a refused scene).
+  bool expect_true(std::string name, bool holds, std::string why);
+
+  /// Demands that the order fitted to all points of `convergence` lies in [low, high]: too steep is a failure, too.
+  bool expect_order(std::string name, const Convergence& convergence, double low, double high, std::string why);
+
+  void figure(Figure figure);
+  void table(Table table);
+  /// A paragraph of Markdown for the page, e.g. what does not match and by how much.
+  void note(std::string markdown);
+  /// Adds to the number of force evaluations (or right-hand sides) that the case has spent.
+  void count(std::uint64_t evaluations) { evaluations_ += evaluations; }
+
+  [[nodiscard]] const std::vector<Check>& checks() const { return checks_; }
+  [[nodiscard]] const std::vector<Figure>& figures() const { return figures_; }
+  [[nodiscard]] const std::vector<Table>& tables() const { return tables_; }
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
+
+  /// The check called `name`, or nullptr.
+  [[nodiscard]] const Check* find(const std::string& name) const;
+
+ private:
+  bool add(Check check);
+
+  std::vector<Check> checks_;
+  std::vector<Figure> figures_;
+  std::vector<Table> tables_;
+  std::vector<std::string> notes_;
+  std::uint64_t evaluations_ = 0;
+};
+
+}  // namespace talus::verification

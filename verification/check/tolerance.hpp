@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+
+namespace talus::verification {
+
+/// What kind of argument stands behind a bound.
+enum class Kind {
+  exact,       ///< The two numbers must be equal: no rounding enters, or it is the same on both sides.
+  round_off,   ///< Only rounding separates them: so many operations, each half an epsilon of the largest term.
+  truncation,  ///< The step or mesh separates them: a predicted or measured constant times the step to its order.
+  model,       ///< The models differ: a stiffness for a rigid wall, a printed number with three digits.
+  interval,    ///< Two-sided range, e.g. for an observed order; not made from a Tolerance but by `expect_between`.
+};
+
+/// The word for `kind` in the records: "exact", "round_off", "truncation", "model", "interval".
+[[nodiscard]] const char* name_of(Kind kind);
+
+/// The kind called `name`; std::invalid_argument for any other word.
+[[nodiscard]] Kind kind_named(const std::string& name);
+
+/// A bound and the words why it holds.
+///
+/// There is no default and no plain number: each constructor demands the argument. Empty words, and a bound that is not
+/// finite and positive, throw std::invalid_argument.
+class Tolerance {
+ public:
+  /// Equality of two doubles; the bound is zero.
+  [[nodiscard]] static Tolerance exact(std::string why);
+
+  /// `bound` follows from counting roundings.
+  [[nodiscard]] static Tolerance round_off(double bound, std::string why);
+
+  /// The bound is `factor * predicted_error`, where the prediction is the next Taylor term or a measured constant times
+  /// the step to its order. `factor` lies in [1, 3]: a bound wider than three times the constant measured shows
+  /// nothing.
+  [[nodiscard]] static Tolerance truncation(double predicted_error, double factor, std::string why);
+
+  /// `bound` is the size of what one side models and the other does not, or half a unit of a last printed digit.
+  [[nodiscard]] static Tolerance model(double bound, std::string why);
+
+  /// The same bound on |measured - reference| / |reference|. (A reference of zero then fails the check.)
+  [[nodiscard]] Tolerance relative() const;
+
+  /// Largest admitted error, in the unit of the quantity, or a pure number when relative; zero only if exact.
+  [[nodiscard]] double bound() const { return bound_; }
+  [[nodiscard]] bool is_relative() const { return relative_; }
+  [[nodiscard]] Kind kind() const { return kind_; }
+  [[nodiscard]] const std::string& why() const { return why_; }
+
+ private:
+  Tolerance(Kind kind, double bound, std::string why);
+
+  Kind kind_;
+  double bound_;
+  bool relative_ = false;
+  std::string why_;
+};
+
+}  // namespace talus::verification
