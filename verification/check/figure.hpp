@@ -8,11 +8,11 @@ namespace talus::verification {
 
 /// One axis of a figure.
 struct Axis {
-  std::string label;          ///< What is plotted.
-  std::string unit = "1";     ///< Its unit; "1" for a pure number.
-  bool log = false;           ///< Logarithmic; points that are not positive are then left out, and counted.
-  std::optional<double> min;  ///< Lower end; chosen from the data if absent.
-  std::optional<double> max;  ///< Upper end; chosen from the data if absent.
+  std::string label;            ///< What is plotted.
+  std::string unit = "1";       ///< Its unit; "1" for a pure number.
+  bool log = false;             ///< Logarithmic; points that are not positive are then left out, and counted.
+  std::optional<double> min{};  ///< Lower end; chosen from the data if absent.
+  std::optional<double> max{};  ///< Upper end; chosen from the data if absent.
 };
 
 /// How a series is drawn.

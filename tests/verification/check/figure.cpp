@@ -1,0 +1,81 @@
+#define BOOST_TEST_MODULE figure
+#include "verification/check/figure.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <limits>
+#include <stdexcept>
+
+#include "verification/check/figure_data.hpp"
+
+using namespace talus::verification;
+
+namespace {
+
+const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+Figure two_series() {
+  return {.name = "error",
+          .title = "Error against step",
+          .caption = "It falls.",
+          .x = {.label = "step", .unit = "s", .log = true},
+          .y = {.label = "error", .unit = "m", .log = true},
+          .series = {{"Verlet, RMS", {0.1, 0.2}, {1.0, 1.0 / 3.0}},
+                     {"verlet rms", {0.1}, {2.0}, Style::errorbars, {1.5}, {2.5}}}};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(malformed_figures_are_refused) {
+  const auto refuse = [](auto&& spoil) {
+    Figure figure = two_series();
+    spoil(figure);
+    BOOST_CHECK_THROW(demand_well_formed(figure), std::invalid_argument);
+  };
+  BOOST_CHECK_NO_THROW(demand_well_formed(two_series()));
+  refuse([](Figure& f) { f.name = "a/b"; });
+  refuse([](Figure& f) { f.caption.clear(); });
+  refuse([](Figure& f) { f.series.clear(); });
+  refuse([](Figure& f) { f.series[0].x.pop_back(); });
+  refuse([](Figure& f) { f.series[1].y_low.clear(); });
+  refuse([](Figure& f) { f.lines = {{'z', 1.0, "none"}}; });
+}
+
+BOOST_AUTO_TEST_CASE(points_that_cannot_be_drawn_are_counted) {
+  Figure figure = two_series();
+  figure.series.push_back({"diverged", {0.1, 0.2, 0.3}, {not_a_number, 0.0, 1.0}});
+  figure.series.push_back({"nothing", {0.1}, {not_a_number}});
+  const Figure drawn = drawable(figure);
+  BOOST_TEST(drawn.series.size() == 3u);
+  BOOST_TEST(drawn.series[2].x == std::vector<double>({0.3}));
+  BOOST_TEST(drawn.caption.find("3 points are left out") != std::string::npos);
+  BOOST_TEST(drawable(two_series()).caption == "It falls.");
+}
+
+BOOST_AUTO_TEST_CASE(the_data_round_trip_through_csv_bit_by_bit) {
+  const Figure figure = two_series();
+  const auto keys = series_keys(figure);
+  BOOST_TEST(keys == std::vector<std::string>({"verlet_rms", "verlet_rms_2"}));
+  Figure back = figure;
+  for (auto& series : back.series)
+    series = {series.label, {}, {}, series.style, {}, {}};
+  read_points(csv_of(figure), keys, back);
+  BOOST_TEST(back.series[0].y == figure.series[0].y);
+  BOOST_TEST(back.series[1].y_high == figure.series[1].y_high);
+}
+
+BOOST_AUTO_TEST_CASE(broken_data_are_refused) {
+  const auto refuse = [](const std::string& csv) {
+    Figure figure = two_series();
+    figure.series = {{"a", {}, {}}};
+    BOOST_CHECK_THROW(read_points(csv, {"a"}, figure), std::invalid_argument);
+  };
+  refuse("");
+  refuse("series,x,y\n");
+  refuse("series,x,y\na,1,2");
+  refuse("series,x,y\na,1,nan\n");
+  refuse("series,x,y\na,1,\n");
+  refuse("series,x,y\na,1\n");
+  refuse("series,x,y\na,1,2x\n");
+  refuse("series,x,y\nb,1,2\n");
+  refuse("series,a,b\na,1,2\n");
+}

@@ -1,0 +1,58 @@
+#define BOOST_TEST_MODULE findings
+#include "verification/check/findings.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <limits>
+#include <stdexcept>
+
+#include "verification/check/case.hpp"
+
+using namespace talus::verification;
+
+BOOST_AUTO_TEST_CASE(a_failed_check_is_kept_and_does_not_throw) {
+  Findings findings;
+  BOOST_TEST(findings.expect("right", 1.0, 1.0, Tolerance::exact("same")));
+  BOOST_TEST(!findings.expect("wrong", 1.0, 2.0, Tolerance::exact("same"), "m"));
+  BOOST_TEST(!findings.expect_true("false", false, "an identity"));
+  BOOST_TEST(findings.checks().size() == 3u);
+  BOOST_TEST(findings.find("wrong")->unit == "m");
+  BOOST_TEST(findings.find("false")->text_measured == "false");
+  BOOST_TEST(findings.find("none") == nullptr);
+}
+
+BOOST_AUTO_TEST_CASE(names_are_unique_and_not_empty) {
+  Findings findings;
+  findings.expect_true("a", true, "why");
+  BOOST_CHECK_THROW(findings.expect_true("a", true, "why"), std::logic_error);
+  BOOST_CHECK_THROW(findings.expect_true("", true, "why"), std::invalid_argument);
+  const Table table{"t", "caption", {"x"}, {{"1"}}};
+  findings.table(table);
+  BOOST_CHECK_THROW(findings.table(table), std::logic_error);
+}
+
+BOOST_AUTO_TEST_CASE(an_order_is_gated_on_both_sides) {
+  const Convergence second({0.1, 0.05, 0.025}, {1e-2, 2.5e-3, 6.25e-4});
+  Findings findings;
+  BOOST_TEST(findings.expect_order("in", second, 1.85, 2.35, "second order"));
+  BOOST_TEST(!findings.expect_order("too steep", second, 0.85, 1.35, "first order"));
+  BOOST_TEST(!findings.expect_order("too flat", second, 3.85, 4.35, "fourth order"));
+  BOOST_TEST(!findings.expect_order("no points", Convergence(), 1.85, 2.35, "nothing measured"));
+}
+
+BOOST_AUTO_TEST_CASE(evaluations_are_summed) {
+  Findings findings;
+  findings.count(3);
+  findings.count(4);
+  BOOST_TEST(findings.evaluations() == 7u);
+}
+
+BOOST_AUTO_TEST_CASE(a_table_row_is_as_long_as_the_columns) {
+  Findings findings;
+  BOOST_CHECK_THROW(findings.table({"t", "caption", {"x", "y"}, {{"1"}}}), std::invalid_argument);
+  BOOST_CHECK_THROW(findings.table({"t", "", {"x"}, {{"1"}}}), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_setup_knows_its_fault) {
+  BOOST_TEST(Setup{.fault = "mass_halved"}.has("mass_halved"));
+  BOOST_TEST(!Setup{}.has("mass_halved"));
+}
