@@ -1,0 +1,135 @@
+#include "reports/document.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <set>
+
+#include "reports/error.hpp"
+#include "reports/file.hpp"
+#include "reports/process.hpp"
+
+namespace talus::reports {
+namespace {
+
+/// Raw TeX and HTML are off: a record's text must look the same in every format. Citations are off: `@` is a letter.
+constexpr const char* dialect =
+    "--from=markdown-raw_tex-raw_html-raw_attribute-native_divs-native_spans-citations-example_lists"
+    "-yaml_metadata_block-pandoc_title_block+gfm_auto_identifiers";
+
+struct Letter {
+  std::uint32_t code{};
+  std::size_t length{};  ///< bytes; 0 when the bytes are not UTF-8
+};
+
+Letter letter_at(const std::string& text, std::size_t place) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])) : 0U;
+  };
+  const std::uint32_t first = byte(place);
+  if (first < 0x80U) return {first, 1};
+  const std::size_t length = first >= 0xF0U ? 4 : first >= 0xE0U ? 3 : first >= 0xC0U ? 2 : 0;
+  std::uint32_t code = length == 0 ? 0U : first & (0x7FU >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(place + i) & 0xC0U) != 0x80U) return {first, 0};
+    code = (code << 6U) | (byte(place + i) & 0x3FU);
+  }
+  return {code, length};
+}
+
+std::set<std::uint32_t> declared_in(const std::string& header) {
+  const std::string mark = "\\DeclareUnicodeCharacter{";
+  std::set<std::uint32_t> codes;
+  for (std::size_t place = header.find(mark); place != std::string::npos; place = header.find(mark, place + 1)) {
+    codes.insert(static_cast<std::uint32_t>(std::stoul(header.substr(place + mark.size(), 5), nullptr, 16)));
+  }
+  return codes;
+}
+
+/// LaTeX's own inputenc knows Latin-1, most of Latin Extended-A, and the marks of typography.
+bool known_to_latex(std::uint32_t code) {
+  static const std::set<std::uint32_t> marks{0x2013, 0x2014, 0x2018, 0x2019, 0x201C, 0x201D, 0x2026, 0x2022, 0x20AC};
+  return code < 0x80U || (code >= 0xA0U && code <= 0x17EU && code != 0xB5U) || marks.count(code) > 0;
+}
+
+std::map<std::string, std::string> fixed_time(const Document& document) {
+  return {{"SOURCE_DATE_EPOCH", fmt::format("{}", document.epoch)}, {"FORCE_SOURCE_DATE", "1"}, {"LC_ALL", "C.UTF-8"}};
+}
+
+/// Not all of a log helps: what TeX complains about starts with `!`.
+std::string complaint_in(const std::string& log) {
+  const std::size_t place = log.find("\n!");
+  return place == std::string::npos ? log.substr(log.size() > 1500 ? log.size() - 1500 : 0)
+                                    : log.substr(place + 1, 900);
+}
+
+}  // namespace
+
+std::string printable(const std::string& markdown, const std::string& header) {
+  const std::set<std::uint32_t> declared = declared_in(header);
+  std::string result;
+  for (std::size_t place = 0; place < markdown.size();) {
+    const Letter letter = letter_at(markdown, place);
+    const std::size_t length = letter.length == 0 ? 1 : letter.length;
+    if (letter.length > 0 && (known_to_latex(letter.code) || declared.count(letter.code) > 0)) {
+      result += markdown.substr(place, length);
+    } else {
+      result += letter.length == 0 ? std::string("?") : fmt::format("U+{:04X}", letter.code);
+    }
+    place += length;
+  }
+  return result;
+}
+
+std::string make_html(const Document& d) {
+  return run_or_throw(
+             {"pandoc",
+              {dialect, "--to=html5", "--standalone", "--self-contained", "--mathml", "--no-highlight", "--toc",
+               "--toc-depth=1", "--columns=40", "--metadata=pagetitle:" + d.title, "--metadata=lang:en",
+               "--css=" + (d.resources / "report.css").string(), "--output=" + d.stem + ".html", d.stem + ".md"},
+              d.folder,
+              fixed_time(d)},
+             d.stem + ".html")
+      .messages;
+}
+
+std::string make_latex(const Document& d) {
+  const std::filesystem::path header = d.resources / "header.tex";
+  const std::string copy = d.stem + ".printable.md";
+  write_file(d.folder / copy, printable(read_file(d.folder / (d.stem + ".md")), read_file(header)));
+  return run_or_throw(
+             {"pandoc",
+              {dialect, "--to=latex", "--standalone", "--no-highlight", "--columns=40",
+               "--include-in-header=" + header.string(), "--lua-filter=" + (d.resources / "pdf.lua").string(),
+               "--variable=documentclass:article", "--variable=classoption:a4paper", "--variable=fontsize:10pt",
+               "--variable=geometry:top=24mm,bottom=22mm,left=18mm,right=18mm,headsep=6mm",
+               "--variable=colorlinks:true", "--variable=linkcolor:TalusLink", "--variable=urlcolor:TalusLink",
+               "--output=" + d.stem + ".tex", copy},
+              d.folder,
+              fixed_time(d)},
+             d.stem + ".tex")
+      .messages;
+}
+
+void make_pdf(const Document& d) {
+  Command latex{"pdflatex",
+                {"-interaction=nonstopmode", "-halt-on-error", "-no-shell-escape", d.stem + ".tex"},
+                d.folder,
+                fixed_time(d)};
+  latex.environment["max_print_line"] = "1000";
+  const auto pass = [&](const Command& command) {
+    const Finished finished = run(command);
+    if (finished.status != 0) {
+      throw OutputError(fmt::format("pdflatex failed on {}.tex (exit code {}):\n{}", d.stem, finished.status,
+                                    complaint_in(finished.output)));
+    }
+    return finished.output;
+  };
+  // The first pass only collects page numbers; it need not write pictures.
+  Command draft = latex;
+  draft.arguments.insert(draft.arguments.begin(), "-draftmode");
+  pass(draft);
+  if (pass(latex).find("Rerun to get") != std::string::npos) pass(latex);
+}
+
+}  // namespace talus::reports

@@ -1,0 +1,32 @@
+/// From Markdown to HTML and PDF: pandoc and pdfLaTeX.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace talus::reports {
+
+/// A Markdown document and what turning it into others needs.
+struct Document {
+  std::filesystem::path folder;     ///< holds the document and its pictures; results go there too
+  std::string stem;                 ///< of the Markdown file and of what is made from it
+  std::string title;                ///< of the browser's window
+  std::filesystem::path resources;  ///< reports/pandoc: header.tex, pdf.lua, report.css
+  long long epoch{};                ///< date of the document, seconds since 1970
+};
+
+/// Writes folder/stem.html, one file with all in it; returns pandoc's warnings. Throws OutputError as run_or_throw().
+std::string make_html(const Document& document);
+
+/// Writes folder/stem.tex (pictures need not exist yet); returns pandoc's warnings. Letters that pdfLaTeX has no sign
+/// for become their code point, U+hhhh.
+std::string make_latex(const Document& document);
+
+/// Writes folder/stem.pdf from folder/stem.tex, running pdfLaTeX until page numbers hold. The same text and pictures
+/// give the same bytes.
+void make_pdf(const Document& document);
+
+/// Markdown in which every letter outside ASCII and Latin-1 that `header` does not declare is written U+hhhh.
+[[nodiscard]] std::string printable(const std::string& markdown, const std::string& header);
+
+}  // namespace talus::reports

@@ -1,0 +1,35 @@
+/// Files that are whole or absent.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace talus::reports {
+
+/// The whole file; throws OutputError when it cannot be read.
+[[nodiscard]] std::string read_file(const std::filesystem::path& file);
+
+/// Writes the text; throws OutputError (the partial file is removed) when the disk refuses.
+void write_file(const std::filesystem::path& file, const std::string& text);
+
+/// A new folder beside the results-to-be, removed with all it holds at the end of its scope. What is finished is
+/// moved out of it by publish(), so that a reader of the target never sees half a file.
+class Workshop {
+ public:
+  /// Makes `target` (with its parents) and a fresh folder in it; throws OutputError when that cannot be.
+  explicit Workshop(std::filesystem::path target);
+  ~Workshop();
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+  /// Moves a finished file or folder into the target, in the place of an older one of that name.
+  void publish(const std::string& name) const;
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path folder_;
+};
+
+}  // namespace talus::reports

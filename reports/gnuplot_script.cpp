@@ -1,0 +1,248 @@
+#include "reports/gnuplot_script.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+namespace talus::reports {
+namespace {
+
+constexpr double centimetres_wide = 15.0;
+
+bool letter_or_digit(char letter) { return std::isalnum(static_cast<unsigned char>(letter)) != 0; }
+
+/// Length of what `^` or `_` applies to, from `place`: {...}, (...), a signed number, or a short word; 0 if nothing.
+std::size_t script_length(const std::string& text, std::size_t place) {
+  if (place >= text.size()) return 0;
+  if (text[place] == '{' || text[place] == '(') {
+    const std::size_t end = text.find(text[place] == '{' ? '}' : ')', place);
+    return end == std::string::npos ? 0 : end + 1 - place;
+  }
+  std::size_t end = place;
+  if (text[end] == '-' || text[end] == '+') ++end;
+  const std::size_t sign = end - place;
+  while (end < text.size() && (letter_or_digit(text[end]) ||
+                               (text[end] == '.' && end + 1 < text.size() && letter_or_digit(text[end + 1])))) {
+    ++end;
+  }
+  const std::size_t length = end - place;
+  return length > sign && length <= 5 ? length : 0;
+}
+
+/// `_` is a subscript's mark only after a symbol of one letter, so that names such as two_cable stay names.
+bool follows_symbol(const std::string& text, std::size_t place) {
+  if (place == 0) return false;
+  const bool ascii = static_cast<unsigned char>(text[place - 1]) < 0x80;
+  if (!ascii) return true;
+  return std::isalpha(static_cast<unsigned char>(text[place - 1])) != 0 &&
+         (place == 1 || (!letter_or_digit(text[place - 2]) && text[place - 2] != '_'));
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char letter : text) {
+    if (std::string("\\{}^_@&~").find(letter) != std::string::npos) result += '\\';
+    if (letter == '\'') result += '\'';
+    result += letter;
+  }
+  return result;
+}
+
+std::string curve_command(const Curve& curve, std::size_t index) {
+  const std::string title = curve.label.empty() ? "notitle" : "title " + gnuplot_text(curve.label);
+  const std::string with = curve.style == "errorbars" ? "yerrorbars"
+                           : curve.style == "crosses" ? "points"
+                                                      : curve.style;
+  const std::string columns = curve.style == "errorbars" ? "1:2:3:4" : "1:2";
+  const std::string crosses = curve.style == "crosses" ? " pt 2 ps 0.7" : "";
+  return fmt::format("$curve{} using {} with {} linetype {}{} {}", index + 1, columns, with, index + 1, crosses, title);
+}
+
+/// The part of a power law that lies in the plot: a third of the x axis to each side of its point, clipped.
+std::array<Point, 2> slope_ends(const Slope& slope, const Plot& plot) {
+  const double reach = std::pow(plot.x.high / plot.x.low, 1.0 / 3.0);
+  std::array<Point, 2> ends;
+  double low = std::max(slope.x / reach, plot.x.low);
+  double high = std::min(slope.x * reach, plot.x.high);
+  if (slope.order != 0.0) {
+    const auto x_at = [&](double y) { return slope.x * std::pow(y / slope.y, 1.0 / slope.order); };
+    const double one = x_at(plot.y.low);
+    const double other = x_at(plot.y.high);
+    low = std::max(low, std::min(one, other));
+    high = std::min(high, std::max(one, other));
+  }
+  const auto at = [&](double x) {
+    const double y = slope.y * std::pow(x / slope.x, slope.order);
+    return Point{x, y, y, y};
+  };
+  ends = {at(low), at(high)};
+  return ends;
+}
+
+std::string slope_commands(const Plot& plot, std::string& curves) {
+  std::string text;
+  int index = 0;
+  for (const Slope& slope : plot.figure.slopes) {
+    const std::array<Point, 2> ends = slope_ends(slope, plot);
+    if (!(ends[0].x < ends[1].x)) continue;  // the law passes outside the limits
+    ++index;
+    text += fmt::format("$slope{} << END\n{:.9g} {:.9g}\n{:.9g} {:.9g}\nEND\n", index, ends[0].x, ends[0].y, ends[1].x,
+                        ends[1].y);
+    const std::string label = slope.label.empty() ? fmt::format("slope {:g}", slope.order) : slope.label;
+    // Beside the middle of the line: right of it where it rises, so that the text stays off the line.
+    const double x = std::sqrt(ends[0].x * ends[1].x);
+    const double y = std::sqrt(ends[0].y * ends[1].y);
+    text += fmt::format("set label {} at {:.9g},{:.9g} left offset char 0.8,{} front textcolor rgb '#444444'\n",
+                        gnuplot_text(label), x, y, slope.order >= 0.0 ? "-0.7" : "0.7");
+    curves += fmt::format(", $slope{} with lines lc rgb '#555555' lw 1.4 dt 2 notitle", index);
+  }
+  return text;
+}
+
+std::string line_commands(const Plot& plot) {
+  std::string text;
+  for (const LimitLine& line : plot.figure.lines) {
+    const Extent& extent = line.axis == 'x' ? plot.x : plot.y;
+    if (line.at < extent.low || line.at > extent.high) continue;  // the record's own limits leave it out
+    const std::string from =
+        line.axis == 'x' ? fmt::format("{:.9g}, graph 0", line.at) : fmt::format("graph 0, {:.9g}", line.at);
+    const std::string to =
+        line.axis == 'x' ? fmt::format("{:.9g}, graph 1", line.at) : fmt::format("graph 1, {:.9g}", line.at);
+    text += fmt::format("set arrow from {} to {} nohead lc rgb '#333333' lw 1.2 dt 4 back\n", from, to);
+    if (line.label.empty()) continue;
+    text += line.axis == 'x'
+                ? fmt::format(
+                      "set label {} at {:.9g}, graph 0.98 right rotate by 90 offset char -0.7,0 front textcolor rgb "
+                      "'#333333'\n",
+                      gnuplot_text(line.label), line.at)
+                : fmt::format(
+                      "set label {} at graph 0.985, {:.9g} right offset 0,char 0.55 front textcolor rgb '#333333'\n",
+                      gnuplot_text(line.label), line.at);
+  }
+  return text;
+}
+
+std::string axis_commands(char name, const Axis& axis, const Extent& extent) {
+  const std::string unit = axis.unit.empty() || axis.unit == "1" || axis.unit == "-" ? "" : " [" + axis.unit + "]";
+  std::string text = fmt::format("set {}label {}\n", name, gnuplot_text(axis.label + unit));
+  text += fmt::format("set {}range [{:.12g}:{:.12g}]\n", name, extent.low, extent.high);
+  if (axis.log) {
+    text += fmt::format("set logscale {}\n", name) + log_tics(name, extent);
+  } else {
+    text += fmt::format("set format {} '%.8g'\n", name);
+  }
+  return text;
+}
+
+std::string data_block(const Curve& curve, std::size_t index) {
+  std::string text = fmt::format("$curve{} << END\n", index + 1);
+  for (const Point& point : curve.points) {
+    text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", point.x, point.y, point.low, point.high);
+  }
+  return text + "END\n";
+}
+
+/// Columns of the key that fit side by side below the plot, from the longest label.
+std::size_t key_columns(const Plot& plot) {
+  std::size_t longest = 8;
+  for (const Curve& curve : plot.curves)
+    longest = std::max(longest, curve.label.size());
+  return std::clamp<std::size_t>(84 / (longest + 7), 1, 4);
+}
+
+}  // namespace
+
+std::string gnuplot_quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char letter : text) {
+    if (letter == '\'') result += '\'';
+    result += letter;
+  }
+  return result + "'";
+}
+
+std::string gnuplot_text(const std::string& words) {
+  std::string text = words;
+  text.erase(std::remove(text.begin(), text.end(), '$'), text.end());
+  std::string result = "'";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool raises = text[i] == '^';
+    const bool lowers = text[i] == '_' && follows_symbol(text, i);
+    const std::size_t length = raises || lowers ? script_length(text, i + 1) : 0;
+    if (length == 0) {
+      result += escaped(text.substr(i, 1));
+      continue;
+    }
+    std::string script = text.substr(i + 1, length);
+    if (script.front() == '{' || script.front() == '(') script = script.substr(1, script.size() - 2);
+    result += fmt::format("{}{{{}}}", text[i], escaped(script));
+    i += length;
+  }
+  return result + "'";
+}
+
+std::string log_tics(char axis, const Extent& extent) {
+  const int first = static_cast<int>(std::ceil(std::log10(extent.low) - 1e-9));
+  const int last = static_cast<int>(std::floor(std::log10(extent.high) + 1e-9));
+  if (last - first >= 1) {
+    const double factor = std::pow(10.0, 1 + (last - first) / 9);
+    return fmt::format("set {0}tics {1:g}\nset format {0} '10^{{%T}}'\nset m{0}tics {2}\n", axis, factor,
+                       factor > 10.0 ? 1 : 10);
+  }
+  std::string places;
+  for (int decade = first - 1; decade <= last + 1; ++decade) {
+    for (const double digit : {1.0, 1.5, 2.0, 3.0, 5.0, 7.0}) {
+      const double value = digit * std::pow(10.0, decade);
+      if (value < extent.low || value > extent.high) continue;
+      places += fmt::format("{}{:g}", places.empty() ? "" : ", ", value);
+    }
+  }
+  return fmt::format("set {0}tics ({1})\nset format {0} '%g'\n", axis, places);
+}
+
+std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, const std::string& body,
+                                 double height) {
+  std::string text;
+  for (const std::string& format : canvas.formats) {
+    const std::string file = (canvas.folder / (stem + "." + format)).string();
+    if (format == "pdf") {
+      text += fmt::format("set terminal pdfcairo enhanced font 'DejaVu Sans,8' fontscale 1 size {}cm,{:.2f}cm\n",
+                          centimetres_wide, height);
+    } else if (format == "svg") {
+      text += fmt::format(
+          "set terminal svg enhanced font 'DejaVu Sans, Verdana, sans-serif,13' size 760,{:.0f} dynamic background "
+          "'#ffffff'\n",
+          760.0 * height / centimetres_wide);
+    } else {
+      text += fmt::format(
+          "set terminal pngcairo enhanced font 'DejaVu Sans,9' fontscale 1.6 linewidth 1.6 pointscale 1.6 size "
+          "1400,{:.0f}\n",
+          1400.0 * height / centimetres_wide);
+    }
+    text += fmt::format("set output {}\n{}\nunset output\n", gnuplot_quoted(file), body);
+  }
+  return text;
+}
+
+std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem) {
+  std::string text = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string()));
+  std::string curves;
+  std::size_t in_key = 0;
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+    if (plot.curves[i].points.empty()) continue;  // nothing of it fits a log axis; the caption counts such points
+    text += data_block(plot.curves[i], i);
+    curves += (curves.empty() ? "" : ", ") + curve_command(plot.curves[i], i);
+    if (!plot.curves[i].label.empty()) ++in_key;
+  }
+  text += axis_commands('x', plot.figure.x, plot.x) + axis_commands('y', plot.figure.y, plot.y);
+  text += slope_commands(plot, curves) + line_commands(plot);
+  const std::size_t columns = key_columns(plot);
+  const std::size_t rows = (in_key + columns - 1) / columns;
+  text += fmt::format("set key maxrows {}\n", std::max<std::size_t>(rows, 1));
+  return text + drawn_in_each_format(canvas, stem, "plot " + curves, 7.6 + 0.42 * static_cast<double>(rows));
+}
+
+}  // namespace talus::reports

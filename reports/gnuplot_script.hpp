@@ -1,0 +1,42 @@
+/// Figures as gnuplot scripts. A script holds its numbers and reads no other file than the preamble.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "reports/plot.hpp"
+
+namespace talus::reports {
+
+/// Where and in which formats (svg, pdf, png) a script draws.
+struct Canvas {
+  std::filesystem::path preamble;   ///< gnuplot/preamble.gp
+  std::filesystem::path folder;     ///< of the pictures
+  std::set<std::string> formats{};  ///< each picture is drawn once for each
+};
+
+/// A label for gnuplot's enhanced text, in single quotes. Words as in a record: `$` is dropped, `^` followed by a
+/// number or letters raises them, `_` after a single letter lowers what follows (`k_n`); any other mark stands for
+/// itself.
+[[nodiscard]] std::string gnuplot_text(const std::string& words);
+
+/// Text as a single-quoted gnuplot string, for file names.
+[[nodiscard]] std::string gnuplot_quoted(const std::string& text);
+
+/// `set xtics` (axis 'x' or 'y') for a log axis: powers of ten where there are two or more, else 1-2-5 numbers.
+[[nodiscard]] std::string log_tics(char axis, const Extent& extent);
+
+/// The commands that draw `body` (a complete `plot` command) as folder/stem.<format> in each format;
+/// height is in centimetres at 15 cm width.
+[[nodiscard]] std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, const std::string& body,
+                                               double height);
+
+/// The commands that draw the plot as folder/stem.<format>.
+[[nodiscard]] std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem);
+
+/// The commands that draw error/bound of all checks: a row a case, a dot a check, lines at 1 and 1/50; checks without
+/// error (exact ones among them) stand in a strip of their own at the left, infinite or NaN ones at the right.
+[[nodiscard]] std::string margin_script(const Results& results, const Canvas& canvas, const std::string& stem);
+
+}  // namespace talus::reports

@@ -1,0 +1,75 @@
+/// talus_report: records in; Markdown, HTML, PDF and pictures out.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <thread>
+
+#include "reports/error.hpp"
+#include "reports/report.hpp"
+
+namespace {
+
+struct Options {
+  std::string verify;
+  std::string report;
+  std::string plot;
+  std::vector<std::string> formats{"svg", "pdf", "png"};
+  unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
+};
+
+void describe(CLI::App& app, Options& options) {
+  app.description(
+      "Writes verification.md, verification.html and verification.pdf from the records of a verification run,\n"
+      "or the pictures of one run (--plot). Exit codes: 0 written, 2 wrong usage or record, 4 a file or tool failed.");
+  app.add_option("verify", options.verify, "folder with results.json and the cases' folders (build/verify)");
+  app.add_option("report", options.report, "folder to write the report to (build/report)");
+  app.add_option("--plot", options.plot, "a run's folder: draw the figures of its plot.json into its folder plots/");
+  app.add_option("--format", options.formats, "formats of --plot, from svg, pdf, png; default all")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"svg", "pdf", "png"}));
+  app.add_option("--jobs", options.jobs, "processes at a time; default the number of cores")
+      ->check(CLI::Range(1U, 1024U));
+}
+
+void work(const Options& options) {
+  const talus::reports::Workplace workplace{talus::reports::find_resources(), options.jobs};
+  if (!options.plot.empty()) {
+    const std::set<std::string> formats(options.formats.begin(), options.formats.end());
+    for (const auto& file : talus::reports::make_plots(options.plot, formats, workplace)) {
+      fmt::print("{}\n", file.string());
+    }
+    return;
+  }
+  const std::string warnings = talus::reports::make_report(options.verify, options.report, workplace);
+  if (!warnings.empty()) fmt::print(stderr, "{}", warnings);
+  fmt::print("{0}/verification.md\n{0}/verification.html\n{0}/verification.pdf\n", options.report);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app;
+  Options options;
+  describe(app, options);
+  try {
+    app.parse(argc, argv);
+    const bool folders = !options.verify.empty() && !options.report.empty();
+    if (options.plot.empty() ? !folders : !options.verify.empty()) {
+      throw CLI::ValidationError("give either two folders, VERIFY and REPORT, or --plot DIR");
+    }
+  } catch (const CLI::ParseError& wrong) {
+    return app.exit(wrong) == 0 ? 0 : 2;
+  }
+  try {
+    work(options);
+    return 0;
+  } catch (const talus::reports::RecordError& wrong) {
+    fmt::print(stderr, "talus_report: {}\n", wrong.what());
+    return 2;
+  } catch (const std::exception& wrong) {
+    fmt::print(stderr, "talus_report: {}\n", wrong.what());
+    return 4;
+  }
+}

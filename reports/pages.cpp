@@ -1,0 +1,360 @@
+#include "reports/pages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <kainjow/mustache.hpp>
+
+#include "reports/error.hpp"
+#include "reports/file.hpp"
+#include "reports/markdown.hpp"
+
+namespace talus::reports {
+namespace {
+
+namespace mustache = kainjow::mustache;
+using markdown::cell;
+using markdown::Column;
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string filled(const std::filesystem::path& file, const mustache::data& values) {
+  mustache::mustache page(read_file(file));
+  page.set_custom_escape([](const std::string& text) { return markdown::words(text); });
+  const std::string text = page.render(values);
+  if (!page.is_valid()) throw OutputError(fmt::format("{}: {}", file.string(), page.error_message()));
+  return text;
+}
+
+std::string case_heading(const CaseRecord& record) {
+  return record.title.empty() ? record.id : record.id + ": " + record.title;
+}
+
+std::string case_link(const CaseRecord& record) {
+  return fmt::format("[{}](#{})", markdown::words(record.id), markdown::heading_id(case_heading(record)));
+}
+
+std::string link_of(const Results& results, const std::string& id) {
+  for (const CaseRecord& record : results.cases) {
+    if (record.id == id) return case_link(record);
+  }
+  return cell(id);
+}
+
+std::string status_word(const std::string& status) { return status == "pass" ? "pass" : "**" + status + "**"; }
+
+std::string margin_text(const Check& check) {
+  if (!check.pass) return "**" + markdown::number(check.margin, 3) + "**";
+  return markdown::number(check.margin, 2) + (check.slack ? " (slack)" : "");
+}
+
+std::string measured_text(const Check& check) {
+  if (!check.text_measured.empty()) return cell(check.text_measured);
+  return markdown::number(check.measured, markdown::digits_to_tell(check.measured, check.reference));
+}
+
+std::string reference_text(const Check& check) {
+  if (std::isnan(check.reference)) return "–";
+  return markdown::number(check.reference, markdown::digits_to_tell(check.measured, check.reference));
+}
+
+std::string name_with_unit(const Check& check) {
+  const bool bare = check.unit.empty() || check.unit == "1" || check.unit == "-";
+  return cell(check.name + (bare ? "" : " [" + check.unit + "]"));
+}
+
+std::string reason(const Check& check) {
+  const std::string kind = check.kind == "round_off" ? "round-off" : check.kind;
+  return fmt::format("*{}.* {}", kind, cell(check.why));
+}
+
+/// The checks that stand for a case on the first pages: those the case marks, else the failed ones and the first few.
+std::vector<Check> main_checks(const CaseRecord& record) {
+  std::vector<Check> chosen;
+  const auto marked = [](const Check& check) { return check.main; };
+  const bool any = std::any_of(record.checks.begin(), record.checks.end(), marked);
+  for (std::size_t i = 0; i < record.checks.size(); ++i) {
+    const Check& check = record.checks[i];
+    if (!check.pass || (any ? check.main : i < 5)) chosen.push_back(check);
+  }
+  return chosen;
+}
+
+std::string failures(const Results& results) {
+  Rows checks;
+  Rows controls;
+  std::string others;
+  for (const CaseRecord& record : results.cases) {
+    for (const Check& check : record.checks) {
+      if (check.pass) continue;
+      checks.push_back({case_link(record), name_with_unit(check), measured_text(check), reference_text(check),
+                        margin_text(check), reason(check)});
+    }
+    for (const Control& control : record.controls) {
+      if (control.pass) continue;
+      controls.push_back({case_link(record), cell(control.name), cell(control.turns_red), cell(control.expected),
+                          "**" + cell(control.observed) + "**", cell(control.what)});
+    }
+    if (record.status != "pass" && !record.message.empty()) {
+      others += fmt::format("- {}: **{}**. {}\n", case_link(record), record.status, markdown::words(record.message));
+    } else if (record.status != "pass" && record.status != "fail") {
+      others += fmt::format("- {}: **{}**, without a message.\n", case_link(record), record.status);
+    }
+  }
+  std::string text = others.empty() ? "" : others + "\n";
+  if (!checks.empty()) {
+    text +=
+        markdown::table(
+            {{"case"}, {"check"}, {"measured", true}, {"reference", true}, {"error/bound", true}, {"why the bound"}},
+            checks, "Checks that failed.") +
+        "\n";
+  }
+  if (!controls.empty()) {
+    text += markdown::table({{"case"}, {"control"}, {"turns red"}, {"expected"}, {"observed"}, {"the planted fault"}},
+                            controls, "Controls that did not turn their check red.") +
+            "\n";
+  }
+  return text;
+}
+
+std::string provenance(const Provenance& p) {
+  std::string libraries;
+  for (const auto& [name, version] : p.libraries)
+    libraries += (libraries.empty() ? "" : ", ") + name + " " + version;
+  const Rows rows{{"date", cell(p.date)},
+                  {"revision", cell(p.revision) + (p.dirty ? " (**with uncommitted changes**)" : "")},
+                  {"compiler", cell(p.compiler + (p.build_type.empty() ? "" : ", " + p.build_type))},
+                  {"flags", p.flags.empty() ? "" : markdown::code(p.flags)},
+                  {"machine", cell(p.cpu + (p.cores > 0 ? fmt::format(", {} cores", p.cores) : "") +
+                                   (p.os.empty() ? "" : ", " + p.os))},
+                  {"libraries", cell(libraries)}};
+  return markdown::table({{"of these"}, {"results"}}, rows, "");
+}
+
+std::string case_summary(const Results& results) {
+  Rows rows;
+  for (const CaseRecord& record : results.cases) {
+    double worst = 0.0;
+    for (const Check& check : record.checks) {
+      if (!(check.margin <= worst)) worst = check.margin;
+    }
+    const auto green = std::count_if(record.checks.begin(), record.checks.end(), [](const Check& c) { return c.pass; });
+    const auto red =
+        std::count_if(record.controls.begin(), record.controls.end(), [](const Control& c) { return c.pass; });
+    rows.push_back({case_link(record), cell(record.title), status_word(record.status),
+                    fmt::format("{} of {}", green, record.checks.size()),
+                    fmt::format("{} of {}", red, record.controls.size()),
+                    record.checks.empty() ? "" : markdown::number(worst, 2), fmt::format("{:.2f}", record.seconds)});
+  }
+  return markdown::table({{"case"},
+                          {"title"},
+                          {"status"},
+                          {"checks passed", true},
+                          {"controls red", true},
+                          {"worst error/bound", true},
+                          {"seconds", true}},
+                         rows, "");
+}
+
+std::string main_check_table(const Results& results) {
+  Rows rows;
+  for (const CaseRecord& record : results.cases) {
+    std::string name = case_link(record);
+    for (const Check& check : main_checks(record)) {
+      rows.push_back({name, name_with_unit(check), measured_text(check), reference_text(check),
+                      markdown::number(check.error, 2) + (check.relative ? " rel." : ""), margin_text(check),
+                      check.pass ? "pass" : "**fail**"});
+      name = std::string(" ");
+    }
+    if (record.checks.empty()) rows.push_back({name, "none ran", "", "", "", "", status_word(record.status)});
+  }
+  return markdown::table({{"case"},
+                          {"check"},
+                          {"measured", true},
+                          {"reference", true},
+                          {"error", true},
+                          {"error/bound", true},
+                          {"result"}},
+                         rows, "");
+}
+
+std::string joined_links(const Results& results, const std::vector<std::string>& ids) {
+  std::string text;
+  for (const std::string& id : ids)
+    text += (text.empty() ? "" : ", ") + link_of(results, id);
+  return text;
+}
+
+std::string traceability(const Results& results) {
+  std::vector<std::string> groups;
+  for (const Requirement& requirement : results.requirements) {
+    if (std::find(groups.begin(), groups.end(), requirement.group) == groups.end()) groups.push_back(requirement.group);
+  }
+  std::string text;
+  for (const std::string& group : groups) {
+    Rows rows;
+    std::string bare;
+    std::size_t all = 0;
+    for (const Requirement& requirement : results.requirements) {
+      if (requirement.group != group) continue;
+      ++all;
+      if (requirement.cases.empty()) {
+        bare += (bare.empty() ? "" : "; ") + markdown::words(requirement.id);
+      } else {
+        rows.push_back({cell(requirement.id), cell(requirement.text), joined_links(results, requirement.cases),
+                        fmt::format("{}", requirement.checks)});
+      }
+    }
+    text += fmt::format("## Requirements: {}\n\n{} of {} have a case.\n\n", markdown::words(group), rows.size(), all);
+    if (!rows.empty())
+      text += markdown::table({{"requirement"}, {"what"}, {"cases"}, {"checks", true}}, rows, "") + "\n";
+    if (!bare.empty()) text += "**Without a case:** " + bare + ".\n\n";
+  }
+  return text;
+}
+
+std::string check_table(const CaseRecord& record) {
+  Rows rows;
+  for (const Check& check : record.checks) {
+    rows.push_back({name_with_unit(check) + (check.pass ? "" : " **FAIL**"), measured_text(check),
+                    reference_text(check), markdown::number(check.error, 2) + (check.relative ? " rel." : ""),
+                    markdown::number(check.bound, 2), margin_text(check), reason(check)});
+  }
+  return markdown::table({{"check"},
+                          {"measured", true},
+                          {"reference", true},
+                          {"error", true},
+                          {"bound", true},
+                          {"error/bound", true},
+                          {"kind and why of the bound"}},
+                         rows, "");
+}
+
+std::string control_table(const CaseRecord& record) {
+  Rows rows;
+  for (const Control& control : record.controls) {
+    rows.push_back({cell(control.name), cell(control.what), cell(control.turns_red),
+                    cell(control.expected.empty() ? "red" : control.expected),
+                    control.pass ? cell(control.observed) : "**" + cell(control.observed) + "**"});
+  }
+  return markdown::table({{"control"}, {"the planted fault"}, {"check that must turn red"}, {"expected"}, {"observed"}},
+                         rows, "");
+}
+
+std::string figures(const CaseRecord& record, std::size_t chapter, const Drawn& drawn) {
+  std::string text;
+  for (std::size_t i = 0; i < record.figures.size(); ++i) {
+    const Figure& figure = record.figures[i];
+    const std::string key = record.id + "/" + figure.name;
+    if (const auto why = drawn.undrawn.find(key); why != drawn.undrawn.end()) {
+      text += fmt::format("Figure {}.{} ({}) is not drawn: {}\n\n", chapter, i + 1, markdown::words(figure.title),
+                          markdown::words(why->second));
+      continue;
+    }
+    std::string caption = fmt::format("**Figure {}.{}. {}.** {}", chapter, i + 1, markdown::words(figure.title),
+                                      markdown::words(figure.caption));
+    if (const auto hidden = drawn.hidden.find(key); hidden != drawn.hidden.end() && hidden->second > 0) {
+      caption += fmt::format(" ({} points at or below zero have no place on a log axis.)", hidden->second);
+    }
+    text += fmt::format("![{}](figures/{}.svg)\n\n", caption, picture_stem(record, figure));
+  }
+  return text;
+}
+
+std::string tables(const CaseRecord& record, std::size_t chapter) {
+  std::string text;
+  for (std::size_t i = 0; i < record.tables.size(); ++i) {
+    const Table& table = record.tables[i];
+    std::vector<Column> columns;
+    for (const std::string& heading : table.columns)
+      columns.push_back({cell(heading), false});
+    Rows rows = table.rows;
+    for (auto& row : rows) {
+      for (std::string& entry : row)
+        entry = cell(entry);
+    }
+    const std::string caption = fmt::format("**Table {}.{}.** {}", chapter, i + 1, markdown::words(table.caption));
+    text += markdown::table(columns, rows, caption) + "\n";
+  }
+  return text;
+}
+
+std::string case_page(const CaseRecord& record, std::size_t chapter, const Drawn& drawn,
+                      const std::filesystem::path& templates) {
+  mustache::data values;
+  values.set("heading", case_heading(record));
+  values.set("status", record.status == "pass" ? "pass" : "**" + record.status + "**");
+  values.set("message", record.message);
+  values.set("seconds", fmt::format("{:.2f}", record.seconds));
+  values.set("tier", record.tier);
+  values.set("source", record.source);
+  values.set("requirements", fmt::format("{}", fmt::join(record.requirements, "; ")));
+  values.set("page", markdown::with_headings_below(record.page, 2));
+  values.set("checks", record.checks.empty() ? "No check ran.\n" : check_table(record));
+  values.set("controls", record.controls.empty() ? "" : control_table(record));
+  values.set("figures", figures(record, chapter, drawn));
+  values.set("tables", tables(record, chapter));
+  std::string notes;
+  for (const std::string& note : record.notes)
+    notes += markdown::with_headings_below(note, 3) + "\n";
+  values.set("notes", notes);
+  for (const char* part : {"message", "tier", "source", "requirements", "controls", "figures", "tables", "notes"}) {
+    values.set(std::string("has_") + part, !values.get(part)->string_value().empty());
+  }
+  return filled(templates / "case.mustache", values);
+}
+
+std::string front(const Results& results, const std::filesystem::path& templates) {
+  const Counts& c = results.counts;
+  mustache::data values;
+  values.set("verdict", results.verdict == "pass" ? "PASS" : "FAIL");
+  values.set(
+      "counts",
+      fmt::format("{} cases: {} passed, {} failed. {} checks: {} failed, {} slack. {} negative controls: "
+                  "{} failed.",
+                  c.cases, c.passed, c.failed, c.checks, c.checks_failed, c.slack, c.controls, c.controls_failed));
+  const std::string failed = failures(results);
+  values.set("has_failures", !failed.empty());
+  values.set("failures", failed);
+  values.set("cases", case_summary(results));
+  values.set("provenance", provenance(results.provenance));
+  values.set("checks", main_check_table(results));
+  values.set("traceability", traceability(results));
+  return filled(templates / "front.mustache", values);
+}
+
+std::string back(const Results& results, const std::filesystem::path& templates, const std::string& tools) {
+  Rows errata;
+  for (const Erratum& e : results.errata) {
+    errata.push_back({cell(e.id), cell(e.where), cell(e.printed), cell(e.corrected), cell(e.evidence),
+                      e.case_id.empty() ? "" : link_of(results, e.case_id)});
+  }
+  std::string references;
+  for (const Reference& r : results.references) {
+    references += fmt::format("- **{}**: {}\n", markdown::words(r.key), markdown::words(r.text));
+  }
+  mustache::data values;
+  values.set("errata", errata.empty()
+                           ? "None so far.\n"
+                           : markdown::table({{"no."}, {"where"}, {"printed"}, {"corrected"}, {"evidence"}, {"case"}},
+                                             errata, ""));
+  values.set("references", references.empty() ? "None.\n" : references);
+  values.set("tools", tools);
+  values.set("date", results.provenance.date);
+  return filled(templates / "back.mustache", values);
+}
+
+}  // namespace
+
+std::string picture_stem(const CaseRecord& record, const Figure& figure) { return record.id + "-" + figure.name; }
+
+std::string report_markdown(const Results& results, const Drawn& drawn, const std::filesystem::path& templates,
+                            const std::string& tools) {
+  std::string text = front(results, templates);
+  for (std::size_t i = 0; i < results.cases.size(); ++i) {
+    text += fmt::format("\n{}", case_page(results.cases[i], i + 1, drawn, templates));
+  }
+  return fmt::format("{}\n{}", text, back(results, templates, tools));
+}
+
+}  // namespace talus::reports

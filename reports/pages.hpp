@@ -1,0 +1,26 @@
+/// The report's text: records in, one Markdown document out.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "reports/record.hpp"
+
+namespace talus::reports {
+
+/// What is known of the pictures when the text is written.
+struct Drawn {
+  std::map<std::string, std::string> undrawn;  ///< "case/figure" -> why there is no picture of it
+  std::map<std::string, std::size_t> hidden;   ///< "case/figure" -> points that a log axis cannot show
+};
+
+/// The file stem of a figure's picture in the report's folder figures/.
+[[nodiscard]] std::string picture_stem(const CaseRecord& record, const Figure& figure);
+
+/// The whole report as Markdown, pictures linked as figures/<stem>.svg. `templates` is the folder of the Mustache
+/// templates; `tools` is a line naming the tools' versions. Throws OutputError when a template is missing or wrong.
+[[nodiscard]] std::string report_markdown(const Results& results, const Drawn& drawn,
+                                          const std::filesystem::path& templates, const std::string& tools);
+
+}  // namespace talus::reports

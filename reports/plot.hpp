@@ -1,0 +1,48 @@
+/// A figure with its numbers read and its limits found: all that drawing needs.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "reports/record.hpp"
+
+namespace talus::reports {
+
+/// One point; low and high are the ends of its error bar (equal to y without one).
+struct Point {
+  double x{}, y{}, low{}, high{};
+};
+
+/// One curve's points, in the order of the file.
+struct Curve {
+  std::string label;
+  std::string style;
+  std::vector<Point> points;
+};
+
+/// Limits of one axis, low < high.
+struct Extent {
+  double low{}, high{};
+};
+
+struct Plot {
+  Figure figure;
+  std::vector<Curve> curves;
+  Extent x;
+  Extent y;
+  std::size_t undrawn{};  ///< points at or below zero, which a log axis cannot show
+};
+
+/// Reads the figure's CSV file in `folder`. Throws RecordError (file, column, line) when file or column is missing, a
+/// cell is not a number, a series has no row, or nothing is left to draw.
+[[nodiscard]] Plot plot_of(const Figure& figure, const std::filesystem::path& folder);
+
+/// Limits that hold all values with a small margin; a single value gets a width. Values must be > 0 when log.
+[[nodiscard]] Extent extent_of(const std::vector<double>& values, bool log);
+
+/// The curve with at most about `limit` points: of each run of neighbours only its lowest and highest point is kept,
+/// so that the drawn line covers the same pixels.
+[[nodiscard]] std::vector<Point> thinned(const std::vector<Point>& points, std::size_t limit);
+
+}  // namespace talus::reports

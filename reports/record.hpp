@@ -1,0 +1,172 @@
+/// The records that a verification run or a simulation leaves, as values. Reading them is the only input of a report.
+///
+/// Schema version 1. Texts are of two sorts: *Markdown* (`page`, `notes`), taken as it is, and *words* (everything
+/// else), plain text in which only `$maths$` and `` `code` `` spans mean anything. Unknown keys are passed over: a
+/// later writer may add some within one schema version.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace talus::reports {
+
+/// One comparison of a number with its reference.
+struct Check {
+  std::string name;
+  std::string unit;
+  double measured{};  ///< may be NaN or infinite; such a check has failed
+  double reference{};
+  double error{};
+  double bound{};
+  double margin{};  ///< error/bound; 0 when both are 0, infinite when only the bound is 0
+  bool relative{};  ///< error and bound are relative
+  bool pass{};
+  bool slack{};      ///< error/bound below 1/50: the bound may be too wide
+  bool main{};       ///< belongs to the table on the first pages
+  std::string kind;  ///< exact, round_off, truncation, model or interval
+  std::string why;
+  std::string text_measured;  ///< shown in place of the number when not empty
+};
+
+/// A planted fault and the check it must turn red.
+struct Control {
+  std::string name;
+  std::string what;
+  std::string turns_red;
+  std::string expected;
+  std::string observed;
+  bool pass{};
+};
+
+/// One axis of a figure; min and max override the limits found from the data.
+struct Axis {
+  std::string label;
+  std::string unit;
+  bool log{};
+  std::optional<double> min;
+  std::optional<double> max;
+};
+
+/// One curve: columns of the figure's CSV file, and how they are drawn.
+struct Series {
+  std::string label;
+  std::string x;
+  std::string y;
+  std::string style;   ///< points, lines, linespoints, errorbars or crosses
+  std::string y_low;   ///< column of the lower end of the error bar
+  std::string y_high;  ///< column of its upper end
+  std::string where;   ///< when not empty: only the rows whose column `series` holds this
+};
+
+/// A power law y ~ x^order through (x, y), drawn in a log-log figure to compare with.
+struct Slope {
+  double order{};
+  double x{};
+  double y{};
+  std::string label;
+};
+
+/// A straight line at a fixed x or y: a limit, a published value.
+struct LimitLine {
+  char axis{};  ///< 'x' or 'y': the coordinate that `at` is a value of
+  double at{};
+  std::string label;
+};
+
+/// What a figure shows, without how it is drawn.
+struct Figure {
+  std::string name;  ///< file stem
+  std::string title;
+  std::string caption;
+  Axis x;
+  Axis y;
+  std::string csv;  ///< file beside the record
+  std::vector<Series> series;
+  std::vector<Slope> slopes;
+  std::vector<LimitLine> lines;
+};
+
+struct Table {
+  std::string caption;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;  ///< as many cells as columns
+};
+
+/// One verification case as it ran.
+struct CaseRecord {
+  std::string id;
+  std::string title;
+  std::vector<std::string> requirements;
+  std::string source;
+  std::string page;
+  std::string status;  ///< pass, fail, error, timeout or missing
+  std::string message;
+  std::string tier;
+  double seconds{};
+  std::vector<Check> checks;
+  std::vector<Control> controls;
+  std::vector<Figure> figures;
+  std::vector<Table> tables;
+  std::vector<std::string> notes;
+};
+
+struct Provenance {
+  std::string revision, compiler, flags, build_type, cpu, os, date;
+  bool dirty{};
+  int cores{};
+  std::map<std::string, std::string> libraries;  ///< name -> version
+};
+
+struct Counts {
+  int cases{}, passed{}, failed{}, checks{}, checks_failed{}, slack{}, controls{}, controls_failed{};
+};
+
+struct Requirement {
+  std::string id;
+  std::string group;
+  std::string text;
+  std::vector<std::string> cases;
+  int checks{};
+};
+
+struct Erratum {
+  std::string id, where, printed, corrected, evidence, case_id;
+};
+
+struct Reference {
+  std::string key, text;
+};
+
+/// All that a verification report is made from.
+struct Results {
+  Provenance provenance;
+  std::vector<std::string> registered;
+  Counts counts;
+  std::string verdict;
+  std::vector<Requirement> requirements;
+  std::vector<CaseRecord> cases;
+  std::vector<Erratum> errata;
+  std::vector<Reference> references;
+};
+
+/// A run's wish to be drawn (`plot.json`).
+struct Plots {
+  std::string title;
+  std::vector<Figure> figures;
+};
+
+/// Reads results.json. Throws OutputError when the file cannot be read, RecordError (file and field) when it is not
+/// what the schema says or contradicts itself: counts, verdict, and every registered case has exactly one record.
+[[nodiscard]] Results read_results(const std::filesystem::path& file);
+
+/// Reads plot.json; throws as read_results() does.
+[[nodiscard]] Plots read_plots(const std::filesystem::path& file);
+
+/// Seconds since 1970 of an ISO date such as 2026-03-01T12:00:00Z (UTC; the time may be left out).
+/// Throws RecordError when it is none.
+[[nodiscard]] long long epoch_seconds(const std::string& iso_date);
+
+}  // namespace talus::reports

@@ -1,0 +1,124 @@
+#include "reports/report.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "reports/document.hpp"
+#include "reports/drawing.hpp"
+#include "reports/error.hpp"
+#include "reports/file.hpp"
+#include "reports/gnuplot_script.hpp"
+#include "reports/pages.hpp"
+#include "reports/parallel.hpp"
+#include "reports/process.hpp"
+
+namespace talus::reports {
+namespace fs = std::filesystem;
+namespace {
+
+bool broke_off(const CaseRecord& record) { return record.status != "pass" && record.status != "fail"; }
+
+/// One script for each case and one for the margin chart.
+std::vector<Drawing> drawings_of(const Results& results, const fs::path& verify, const Canvas& canvas, Drawn& drawn) {
+  std::vector<Drawing> drawings{{"the margin chart", margin_script(results, canvas, "margins")}};
+  for (const CaseRecord& record : results.cases) {
+    std::string script;
+    for (const Figure& figure : record.figures) {
+      const std::string key = record.id + "/" + figure.name;
+      try {
+        const Plot plot = plot_of(figure, verify / record.id);
+        drawn.hidden[key] = plot.undrawn;
+        script += figure_script(plot, canvas, picture_stem(record, figure));
+      } catch (const RecordError& wrong) {
+        if (!broke_off(record)) throw;
+        drawn.undrawn[key] = wrong.what();
+      }
+    }
+    if (!script.empty()) drawings.push_back({"case " + record.id, script});
+  }
+  return drawings;
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+std::string tool_versions() {
+  const auto version = [](const char* tool) {
+    return first_line(run_or_throw({tool, {"--version"}, {}, {}}, "--version").output);
+  };
+  return fmt::format("Tools: {}; {}; {}.", version("gnuplot"), version("pandoc"), version("pdflatex"));
+}
+
+void date_pictures(const fs::path& folder, long long epoch) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".pdf") date_pdf(entry.path(), epoch);
+  }
+}
+
+}  // namespace
+
+fs::path find_resources() {
+  std::error_code failure;
+  const fs::path here = fs::read_symlink("/proc/self/exe", failure).parent_path();
+  const fs::path installed = here / ".." / "share" / "talus";
+  for (const fs::path& folder : {installed, fs::path(TALUS_REPORTS_SOURCE)}) {
+    if (fs::exists(folder / "templates" / "front.mustache")) return fs::weakly_canonical(folder);
+  }
+  throw OutputError(fmt::format("templates are neither in {} nor in {}", installed.lexically_normal().string(),
+                                TALUS_REPORTS_SOURCE));
+}
+
+std::string make_report(const fs::path& verify, const fs::path& report, const Workplace& workplace) {
+  const Results results = read_results(verify / "results.json");
+  const Workshop workshop(report);
+  const fs::path figures = workshop.folder() / "figures";
+  fs::create_directory(figures);
+  const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", figures, {"pdf", "svg"}};
+  Drawn drawn;
+  const std::vector<Drawing> drawings = drawings_of(results, verify, canvas, drawn);
+
+  const Document document{workshop.folder(), "verification", "Talus verification report",
+                          workplace.resources / "pandoc", epoch_seconds(results.provenance.date)};
+  write_file(workshop.folder() / "verification.md",
+             report_markdown(results, drawn, workplace.resources / "templates", tool_versions()));
+  std::string html_warnings;
+  std::string latex_warnings;
+  std::string picture_warnings;
+  // LaTeX source needs no pictures, HTML and PDF do.
+  in_parallel({[&] { latex_warnings = make_latex(document); },
+               [&] {
+                 picture_warnings = draw(drawings, workshop.folder(), workplace.jobs);
+                 date_pictures(figures, document.epoch);
+               }},
+              workplace.jobs);
+  in_parallel({[&] { make_pdf(document); }, [&] { html_warnings = make_html(document); }}, workplace.jobs);
+  for (const char* name : {"figures", "verification.md", "verification.html", "verification.pdf"})
+    workshop.publish(name);
+  return picture_warnings + html_warnings + latex_warnings;
+}
+
+std::vector<fs::path> make_plots(const fs::path& run, const std::set<std::string>& formats,
+                                 const Workplace& workplace) {
+  const Plots plots = read_plots(run / "plot.json");
+  const Workshop workshop(run / "plots");
+  const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", workshop.folder(), formats};
+  std::vector<Drawing> drawings;
+  std::vector<std::string> names;
+  for (const Figure& figure : plots.figures) {
+    drawings.push_back({"figure " + figure.name, figure_script(plot_of(figure, run), canvas, figure.name)});
+    for (const std::string& format : formats)
+      names.push_back(figure.name + "." + format);
+  }
+  const std::string warnings = draw(drawings, workshop.folder(), workplace.jobs);
+  if (!warnings.empty()) fmt::print(stderr, "{}", warnings);
+  std::vector<fs::path> files;
+  for (const std::string& name : names) {
+    // A run has no date of its own; the same numbers still give the same bytes.
+    if (fs::path(name).extension() == ".pdf") date_pdf(workshop.folder() / name, 0);
+    workshop.publish(name);
+    files.push_back(run / "plots" / name);
+  }
+  return files;
+}
+
+}  // namespace talus::reports
