@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace talus {
+
+/// Position of a body in Model::bodies. A type of its own, so that it cannot be mixed up with the index of anything
+/// else.
+enum class BodyId : std::uint32_t {};
+/// Position of a cable in Model::cables.
+enum class CableId : std::uint32_t {};
+/// Position of a contact in Model::contacts.
+enum class ContactId : std::uint32_t {};
+
+/// The plain array index of an id.
+template <class Id>
+constexpr std::size_t index(Id id) {
+  return static_cast<std::size_t>(id);
+}
+
+}  // namespace talus

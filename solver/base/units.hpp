@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/base/dimension.hpp"
+
+namespace talus {
+
+/// A consistent system of units: the tag that a scene carries for labels and for conversion at the edge. The solver
+/// itself has no units.
+struct UnitSystem {
+  std::string_view name;  ///< as written in a scene
+  std::string_view mass;  ///< unit symbols
+  std::string_view length;
+  std::string_view time;
+  std::string_view force;
+  double mass_in_kg{};   ///< size of one unit of mass
+  double length_in_m{};  ///< size of one unit of length; time is in seconds in all systems
+
+  friend constexpr bool operator==(const UnitSystem&, const UnitSystem&) = default;
+};
+
+/// Exact by definition (international agreement of 1959; CGPM 1901 for g_n), as expressions so that nothing is rounded
+/// twice.
+namespace exact {
+inline constexpr double foot_in_m = 0.3048;
+inline constexpr double pound_in_kg = 0.45359237;
+inline constexpr double standard_gravity = 9.80665;  ///< [m/s^2]
+inline constexpr double pound_force_in_N = pound_in_kg * standard_gravity;
+inline constexpr double slug_in_kg = pound_force_in_N / foot_in_m;
+}  // namespace exact
+
+inline constexpr UnitSystem si{"SI", "kg", "m", "s", "N", 1.0, 1.0};
+inline constexpr UnitSystem us{"US", "slug", "ft", "s", "lbf", exact::slug_in_kg, exact::foot_in_m};
+
+/// The system of that name. Errors: InputError listing the names known.
+[[nodiscard]] UnitSystem unit_system(std::string_view name);
+
+/// Size in SI of one consistent unit of a dimension in the system, e.g. 4.448 for force in US.
+[[nodiscard]] double si_size(const UnitSystem& system, Dimension dimension);
+
+/// Symbol of the consistent unit of a dimension, e.g. "lbf/ft" for stiffness in US; "1" for pure numbers.
+[[nodiscard]] std::string symbol(const UnitSystem& system, Dimension dimension);
+
+/// Words for a dimension as they stand in messages: "a mass", "an angular velocity", ...
+[[nodiscard]] std::string words(Dimension dimension);
+
+/// Symbols of all units that quantities may use.
+[[nodiscard]] std::vector<std::string> unit_symbols();
+
+/// Reads a quantity such as "65 ft/s", "85.42 slug ft^2" or "-9.81 m/s^2" and returns it in consistent units of
+/// `system`. Units are products and quotients of symbols with integer powers; lb is a mass, lbf a force. Errors:
+/// InputError with what was found and what is allowed: no number, no unit, an unknown unit (with the nearest known), or
+/// a unit of another dimension than `wanted`.
+[[nodiscard]] double parse_quantity(std::string_view text, Dimension wanted, const UnitSystem& system);
+
+}  // namespace talus

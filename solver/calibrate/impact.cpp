@@ -1,0 +1,205 @@
+#include "solver/calibrate/impact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+
+#include "solver/base/error.hpp"
+#include "solver/dynamics/springs.hpp"
+#include "solver/model/model_builder.hpp"
+#include "solver/run/simulate.hpp"
+
+namespace talus {
+namespace {
+
+/// Follows the first impact of a contact: watches the speed of its gap before, and after its law has ceased to act.
+class ImpactWatch {
+ public:
+  ImpactWatch(const Dynamics& dynamics, ContactId contact)
+      : dynamics_{&dynamics}, contact_{contact}, work_{dynamics.workspace()} {}
+
+  void operator()(const State& seen, const StepInfo&) {
+    if (stage_ == Stage::after) return;
+    State state = seen;
+    dynamics_->update(state, work_);
+    dynamics_->settle(state, work_);
+    const std::size_t first = dynamics_->layout().contact_slots[index(contact_)].mode;
+    const std::size_t last = first + dynamics_->layout().contact_instances[index(contact_)];
+    bool acts = false;
+    std::size_t deepest = first;
+    for (std::size_t i = first; i < last; ++i) {
+      acts = acts || state.mode[i] == UnilateralSpring::acting;
+      if (work_.gaps[i].depth > work_.gaps[deepest].depth) deepest = i;
+    }
+    if (stage_ == Stage::before && !acts) {
+      approach_ = work_.rates[deepest];
+      start_ = state.t;
+      return;
+    }
+    if (acts) {
+      if (stage_ == Stage::before && approach_ == 0.0) approach_ = work_.rates[deepest];
+      stage_ = Stage::during;
+      double force = 0.0;
+      for (std::size_t i = first; i < last; ++i)
+        force += dynamics_->contacts().force(state, work_, i);
+      impact_.largest_force = std::max(impact_.largest_force, force);
+      impact_.least_force = std::min(impact_.least_force, force);
+      impact_.largest_overlap = std::max(impact_.largest_overlap, work_.gaps[deepest].depth);
+      return;
+    }
+    stage_ = Stage::after;
+    impact_.restitution = -work_.rates[deepest] / approach_;
+    impact_.contact_time = state.t - start_;
+  }
+
+  bool over() const { return stage_ == Stage::after; }
+  bool begun() const { return stage_ != Stage::before; }
+  const Impact& impact() const { return impact_; }
+
+ private:
+  enum class Stage { before, during, after };
+
+  const Dynamics* dynamics_;
+  ContactId contact_;
+  Workspace work_;
+  Stage stage_{Stage::before};
+  double approach_{};
+  double start_{};
+  Impact impact_;
+};
+
+void set_damping(Scene& scene, ContactId contact, double damping) {
+  std::visit([damping](auto& law) { law.damping = damping; }, scene.model.contacts[index(contact)].law);
+}
+
+/// 2 sqrt(k m_eff) of a contact as the scene starts [F T/L]: the scale of dampings worth trying.
+double critical_damping(const Scene& scene, ContactId contact) {
+  const Dynamics dynamics{scene.model};
+  const std::size_t first = dynamics.layout().contact_slots[index(contact)].mode;
+  const Spring spring = springs(dynamics, scene.initial)[first];
+  return 2.0 * std::sqrt(spring.stiffness * spring.effective_mass);
+}
+
+constexpr int phase_count = 32;
+
+}  // namespace
+
+Impact simulate_impact(const Scene& scene, ContactId contact) {
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, false};
+  ImpactWatch watch{dynamics, contact};
+  State state = scene.initial;
+  Integrator integrator = scene.integrator;
+  const Observer observer = std::ref(watch);
+  const Outcome outcome =
+      simulate(system, integrator, state, scene.plan, {&observer, 1}, [&watch](const State&) { return watch.over(); });
+  const std::string& name = scene.model.contacts[index(contact)].name;
+  if (!outcome) throw InputError{fmt::format("contact '{}': the run {}", name, outcome.words)};
+  if (!watch.begun()) {
+    throw InputError{
+        fmt::format("contact '{}': its bodies do not meet before the scene's end at t = {}", name, scene.plan.end)};
+  }
+  if (!watch.over()) {
+    throw InputError{
+        fmt::format("contact '{}': its bodies do not part before the scene's end at t = {}", name, scene.plan.end)};
+  }
+  return watch.impact();
+}
+
+Impact simulate_impact(const LinearSpringDashpot& law, double effective_mass, double speed, double step, double phase,
+                       const Integrator& integrator) {
+  const double time = largest_overlap(law, effective_mass, speed) / speed;
+  ModelBuilder builder;
+  const double radius = 1e3 * speed * time;
+  const BodyId ball = builder.add({.name = "ball",
+                                   .mobility = Mobility::particle,
+                                   .mass = effective_mass,
+                                   .inertia = 0.0,
+                                   .shape = Circle{radius},
+                                   .p_WB = {0.0, radius + phase * speed * step}});
+  const BodyId plane = builder.add({.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  const ContactId contact = builder.add(Contact{.name = "impact", .a = ball, .b = plane, .law = law});
+  const Model model = builder.build();
+  State initial = rest_state(model);
+  set_velocity(model, initial, ball, {0.0, -speed}, 0.0);
+  // The undamped contact lasts pi m_eff-periods; heavy damping draws the attractive end out, so allow a generous
+  // multiple.
+  const double ending = contact_time(law, effective_mass);
+  if (!std::isfinite(ending)) {
+    throw InputError{"a contact damped beyond critical (damping ratio >= 1) never parts under the attractive end rule"};
+  }
+  Scene scene{"impact", model, initial, integrator, {step, 3.0 * ending + 4.0 * step, step, false}};
+  return simulate_impact(scene, contact);
+}
+
+ImpactStep advise_impact_step(const LinearSpringDashpot& law, double effective_mass, double bound,
+                              const Integrator& integrator) {
+  if (!(bound > 0.0)) throw InputError{fmt::format("error bound is {}; it must be > 0", bound)};
+  const double time = contact_time(law, effective_mass);
+  const double xi = law.damping / (2.0 * std::sqrt(law.stiffness * effective_mass));
+  const double exact = restitution(xi, law.end_rule);
+  for (int n = 3; n <= 18; ++n) {
+    ImpactStep found{time / (std::ldexp(1.0, n) + 0.381966), 0.0, 0.0};
+    for (int i = 0; i < phase_count; ++i) {
+      const double phase = (i + 0.5) / phase_count;
+      const double e = simulate_impact(law, effective_mass, 1.0, found.step, phase, integrator).restitution;
+      found.restitution += e / phase_count;
+      found.largest_error = std::max(found.largest_error, std::abs(e - exact));
+    }
+    if (found.largest_error <= bound) return found;
+  }
+  throw InputError{
+      fmt::format("an error of e below {} is not reached with 2^18 steps in a contact; ask for less", bound)};
+}
+
+Calibration calibrate(const Scene& scene, ContactId contact, double e, double tolerance) {
+  if (!(e > 0.0 && e <= 1.0)) throw InputError{fmt::format("restitution is {}; it must be in (0, 1]", e)};
+  Scene varied = scene;
+  Calibration found;
+  const auto excess = [&](double damping) {
+    set_damping(varied, contact, damping);
+    ++found.runs;
+    return simulate_impact(varied, contact).restitution - e;
+  };
+  const std::string& name = scene.model.contacts[index(contact)].name;
+  const double undamped = excess(0.0);
+  if (std::abs(undamped) <= tolerance) {
+    found.restitution = undamped + e;
+    return found;
+  }
+  if (undamped < 0.0) {
+    throw InputError{
+        fmt::format("contact '{}': restitution {} is not reachable; without any damping the scene gives {:.6g}", name,
+                    e, undamped + e)};
+  }
+  double low = 0.0, high = critical_damping(scene, contact) * damping_ratio(e, EndRule::attractive);
+  double at_low = undamped, at_high = excess(high);
+  for (int doubling = 0; at_high > 0.0; ++doubling) {
+    if (doubling == 20) {
+      throw InputError{
+          fmt::format("contact '{}': restitution {} is not reached with a damping of {:.6g}", name, e, high)};
+    }
+    low = high, at_low = at_high;
+    high *= 2.0, at_high = excess(high);
+  }
+  // The simulated e jumps a little where the end of the contact passes from one step to the next: the search stops at
+  // the asked tolerance in e, or when the bracket is as narrow as numbers allow.
+  std::uintmax_t most = 100;
+  double best = high, best_excess = at_high;
+  const auto watched = [&](double damping) {
+    const double now = excess(damping);
+    if (std::abs(now) < std::abs(best_excess)) best = damping, best_excess = now;
+    return std::abs(now) <= tolerance ? 0.0 : now;
+  };
+  if (at_high != 0.0) {
+    boost::math::tools::toms748_solve(watched, low, high, at_low, at_high,
+                                      boost::math::tools::eps_tolerance<double>(50), most);
+  }
+  found.damping = best;
+  found.restitution = e + best_excess;
+  return found;
+}
+
+}  // namespace talus

@@ -1,0 +1,103 @@
+#include "solver/calibrate/step_advice.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "solver/calibrate/restitution.hpp"
+#include "solver/integrate/integrator_list.hpp"
+
+namespace talus {
+namespace {
+
+/// Names of all springs in the order of springs(): contact instances, then cables.
+std::vector<std::string> spring_names(const Dynamics& dynamics) {
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < dynamics.model().contacts.size(); ++c) {
+    const std::size_t instances = dynamics.layout().contact_instances[c];
+    const std::string& name = dynamics.model().contacts[c].name;
+    for (std::size_t i = 0; i < instances; ++i)
+      names.push_back(instances == 1 ? name : fmt::format("{}#{}", name, i + 1));
+  }
+  for (const Cable& cable : dynamics.model().cables)
+    names.push_back(cable.name);
+  return names;
+}
+
+/// Largest growth of rk4 on x'' + 2 xi w x' + w^2 x = 0: |R(z)| with z = h w (-xi +- sqrt(xi^2 - 1)), R the Taylor
+/// polynomial.
+double rk4_growth(double hw, double xi) {
+  const std::complex<double> root = std::sqrt(std::complex<double>{xi * xi - 1.0, 0.0});
+  double largest = 0.0;
+  for (const std::complex<double> z : {hw * (-xi + root), hw * (-xi - root)}) {
+    largest = std::max(largest, std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))));
+  }
+  return largest;
+}
+
+double rk4_limit(double xi) {
+  // The limit lies within (0, 3); the first crossing is bracketed on a grid and then bisected.
+  double stable = 0.0;
+  double h = 0.001;
+  while (rk4_growth(h, xi) <= 1.0 + 1e-12)
+    stable = h, h += 0.001;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (stable + h);
+    (rk4_growth(middle, xi) <= 1.0 + 1e-12 ? stable : h) = middle;
+  }
+  return stable;
+}
+
+}  // namespace
+
+StepAdvice advise_step(const Dynamics& dynamics, const State& state) {
+  StepAdvice advice;
+  advice.shortest_contact = std::numeric_limits<double>::infinity();
+  const std::vector<std::string> names = spring_names(dynamics);
+  std::vector<Spring> found = springs(dynamics, state);
+  const auto n = static_cast<Eigen::Index>(state.q.size());
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd damping = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t s = 0; s < found.size(); ++s) {
+    Spring& spring = found[s];
+    // Scaled by 1/sqrt(inertia), g turns K and C into the symmetric matrices of mass-normalised coordinates.
+    Eigen::VectorXd g(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      g[i] = spring.gradient[static_cast<std::size_t>(i)] / std::sqrt(dynamics.inertias()[static_cast<std::size_t>(i)]);
+    }
+    stiffness += spring.stiffness * g * g.transpose();
+    damping += spring.damping * g * g.transpose();
+    const bool contact = s < dynamics.contacts().size();
+    const double frequency = std::sqrt(spring.stiffness / spring.effective_mass);
+    const double ratio = spring.damping / (2.0 * std::sqrt(spring.stiffness * spring.effective_mass));
+    // A spring across which nothing can move (a cable that runs straight over its bodies' path) has no frequency of its
+    // own.
+    const double time = std::isfinite(spring.effective_mass)
+                            ? contact_time(LinearSpringDashpot{spring.stiffness, spring.damping, EndRule::clamped},
+                                           spring.effective_mass)
+                            : std::numeric_limits<double>::infinity();
+    if (contact) advice.shortest_contact = std::min(advice.shortest_contact, time);
+    advice.springs.push_back({names[s], contact, std::move(spring), frequency, ratio, time});
+  }
+  if (n == 0 || found.empty()) return advice;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes{stiffness};
+  const double highest = std::max(0.0, modes.eigenvalues()[n - 1]);
+  advice.highest_frequency = std::sqrt(highest);
+  const Eigen::VectorXd top = modes.eigenvectors().col(n - 1);
+  if (highest > 0.0) advice.damping_ratio = top.dot(damping * top) / (2.0 * advice.highest_frequency);
+  return advice;
+}
+
+std::optional<double> linear_limit(std::string_view integrator, double damping_ratio) {
+  const double xi = damping_ratio;
+  if (integrator == CentralDifference::name || integrator == VelocityVerlet::name || integrator == EulerCromer::name) {
+    return 2.0 * (std::sqrt(1.0 + xi * xi) - xi);
+  }
+  if (integrator == RungeKutta4::name) return rk4_limit(xi);
+  return std::nullopt;
+}
+
+}  // namespace talus

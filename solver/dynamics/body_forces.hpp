@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "solver/dynamics/energies.hpp"
+#include "solver/dynamics/workspace.hpp"
+#include "solver/model/layout.hpp"
+#include "solver/state/state.hpp"
+
+namespace talus {
+
+/// The bodies of a model, compiled into one array for each mobility: poses, weights, and the step from wrench to
+/// acceleration.
+class BodyForces {
+ public:
+  BodyForces(const Model& model, const Layout& layout);
+
+  /// Poses of the bodies that cannot move: once, when the workspace is made.
+  void place_fixed(Workspace& work) const;
+  /// Poses of all others.
+  void update(const State& state, Workspace& work) const;
+  /// Accelerations from the wrenches in `work` (contacts and cables), the weights and the applied forces; with `ledger`
+  /// also the impulse from outside: weights, applied forces and the reactions of whatever holds a body.
+  void rates(Workspace& work, Rates& out, bool ledger) const;
+  /// Kinetic energy and the potentials of weights and applied forces.
+  [[nodiscard]] Energies energies(const State& state, const Workspace& work) const;
+  [[nodiscard]] Momenta momenta(const Workspace& work) const;
+
+ private:
+  /// What an evaluation needs of one body.
+  struct Compiled {
+    std::size_t body{};
+    std::size_t first{};  ///< its first coordinate
+    double mass{};
+    double inertia{};  ///< about the centre of mass
+    double inverse_mass{};
+    double inverse_inertia{};  ///< of the centre of mass, or of the pin
+    Vec2 load;                 ///< weight and applied force [F]
+    double moment{};           ///< applied moment [F L]
+    Vec2 force;                ///< applied force alone [F]
+    Vec2 p_WB;                 ///< reference position [L]
+    double angle{};            ///< reference orientation [rad]
+    Rotation R_WB;             ///< the same
+    Vec2 p_WPin;               ///< pin in the world [L]
+    Vec2 p_PinB;               ///< from the pin to the centre of mass, body coordinates [L]
+  };
+
+  void pinned_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const;
+
+  Vec2 gravity_;
+  std::vector<Compiled> free_;
+  std::vector<Compiled> particles_;
+  std::vector<Compiled> pinned_;
+  std::vector<Compiled> fixed_;
+};
+
+}  // namespace talus

@@ -1,0 +1,94 @@
+#include "solver/dynamics/dynamics.hpp"
+
+#include <algorithm>
+
+namespace talus {
+namespace {
+
+double inertia(const Model& model, const Coordinate& coordinate) {
+  const Body& body = model.bodies[index(coordinate.body)];
+  if (coordinate.axis != Axis::angle) return body.mass;
+  return body.mobility == Mobility::pinned ? inertia_about_pin(body) : body.inertia;
+}
+
+}  // namespace
+
+Dynamics::Dynamics(const Model& model)
+    : model_{model}, layout_{model}, bodies_{model_, layout_}, contacts_{model_, layout_}, cables_{model_, layout_} {
+  for (const Coordinate& coordinate : layout_.coordinates)
+    inertias_.push_back(inertia(model_, coordinate));
+}
+
+Workspace Dynamics::workspace() const {
+  Workspace work;
+  work.poses.resize(model_.bodies.size());
+  work.wrenches.resize(model_.bodies.size());
+  work.gaps.resize(contacts_.size());
+  work.rates.resize(contacts_.size());
+  work.paths.resize(cables_.size());
+  bodies_.place_fixed(work);
+  return work;
+}
+
+void Dynamics::update(const State& state, Workspace& work) const {
+  bodies_.update(state, work);
+  contacts_.update(work);
+  cables_.update(work);
+}
+
+void Dynamics::settle(State& state, const Workspace& work) const {
+  contacts_.settle(state, work);
+  cables_.settle(state, work);
+}
+
+void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledger) const {
+  out.work.fill(0.0);
+  out.impulse.fill(0.0);
+  std::fill(out.z.begin(), out.z.end(), 0.0);
+  std::fill(work.wrenches.begin(), work.wrenches.end(), Wrench{});
+  Rates* const accounts = ledger ? &out : nullptr;
+  contacts_.add(state, work, accounts);
+  cables_.add(state, work, accounts);
+  bodies_.rates(work, out, ledger);
+}
+
+void Dynamics::guards(const State& state, const Workspace& work, std::span<double> out) const {
+  contacts_.guards(state, work, out);
+  cables_.guards(state, work, out);
+}
+
+Energies Dynamics::energies(const State& state, const Workspace& work) const {
+  Energies sum = bodies_.energies(state, work);
+  sum.contacts = contacts_.stored_energy(state, work);
+  sum.cables = cables_.stored_energy(state, work);
+  return sum;
+}
+
+Momenta Dynamics::momenta(const Workspace& work) const { return bodies_.momenta(work); }
+
+Vec2 Dynamics::contact_force(const State& state, const Workspace& work, ContactId contact) const {
+  const std::size_t first = layout_.contact_slots[index(contact)].mode;
+  Vec2 on_b;
+  for (std::size_t i = first; i < first + layout_.contact_instances[index(contact)]; ++i) {
+    const Vec2 force = contacts_.force(state, work, i) * work.gaps[i].n_AB;
+    // An instance may have the contact's bodies the other way round: nodes of b inside a, or a circle named second.
+    on_b += contacts_.pairs()[i].b == model_.contacts[index(contact)].b ? force : -force;
+  }
+  return on_b;
+}
+
+double Dynamics::contact_depth(const Workspace& work, ContactId contact) const {
+  const auto first = work.gaps.begin() + static_cast<std::ptrdiff_t>(layout_.contact_slots[index(contact)].mode);
+  const auto last = first + static_cast<std::ptrdiff_t>(layout_.contact_instances[index(contact)]);
+  return std::max_element(first, last, [](const Gap& a, const Gap& b) { return a.depth < b.depth; })->depth;
+}
+
+double Dynamics::tension(const State& state, const Workspace& work, CableId cable) const {
+  return cables_.tension(state, work, index(cable));
+}
+
+double Dynamics::elongation(const Workspace& work, CableId cable) const {
+  return cables_.elongation(work, index(cable));
+}
+
+}  // namespace talus

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "solver/dynamics/body_forces.hpp"
+#include "solver/dynamics/cable_forces.hpp"
+#include "solver/dynamics/contact_forces.hpp"
+#include "solver/dynamics/energies.hpp"
+#include "solver/dynamics/workspace.hpp"
+#include "solver/model/layout.hpp"
+#include "solver/model/model.hpp"
+#include "solver/state/state.hpp"
+
+namespace talus {
+
+/// The rules that turn a Model and a State into rates of change: pure functions of both. Compiles the model once into
+/// flat arrays, one for each kind of body, geometry and law, so that an evaluation dispatches once an array.
+class Dynamics {
+ public:
+  explicit Dynamics(const Model& model);
+  Dynamics(const Dynamics&) = delete;
+  Dynamics& operator=(const Dynamics&) = delete;
+
+  const Model& model() const { return model_; }
+  const Layout& layout() const { return layout_; }
+  const ContactForces& contacts() const { return contacts_; }
+  const CableForces& cables() const { return cables_; }
+  /// Inertia of each coordinate: m, m, I, or I about the pin.
+  const std::vector<double>& inertias() const { return inertias_; }
+
+  [[nodiscard]] Workspace workspace() const;
+
+  /// Poses, gaps and paths of the state: what every function below reads.
+  void update(const State& state, Workspace& work) const;
+  /// Brings each law's mode up to date and books the energy released by those changes.
+  void settle(State& state, const Workspace& work) const;
+  /// Rates of change in the state's modes; with `ledger` off the powers and impulses are left at zero.
+  void rates(const State& state, Workspace& work, Rates& out, bool ledger = true) const;
+  /// Guards of all law instances in the state's modes, by mode slot; positive while the mode lasts.
+  void guards(const State& state, const Workspace& work, std::span<double> out) const;
+
+  [[nodiscard]] Energies energies(const State& state, const Workspace& work) const;
+  [[nodiscard]] Momenta momenta(const Workspace& work) const;
+  /// Normal force on body b of a contact, summed over its law instances, world components [F].
+  [[nodiscard]] Vec2 contact_force(const State& state, const Workspace& work, ContactId contact) const;
+  /// Largest overlap of a contact [L]; negative while its bodies are apart.
+  [[nodiscard]] double contact_depth(const Workspace& work, ContactId contact) const;
+  /// Tension [F] and elongation [L] (negative while slack) of a cable.
+  [[nodiscard]] double tension(const State& state, const Workspace& work, CableId cable) const;
+  [[nodiscard]] double elongation(const Workspace& work, CableId cable) const;
+
+ private:
+  Model model_;
+  Layout layout_;
+  BodyForces bodies_;
+  ContactForces contacts_;
+  CableForces cables_;
+  std::vector<double> inertias_;
+};
+
+}  // namespace talus

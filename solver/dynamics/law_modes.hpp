@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+
+#include "solver/dynamics/workspace.hpp"
+#include "solver/laws/law_list.hpp"
+#include "solver/model/layout.hpp"
+#include "solver/state/state.hpp"
+
+namespace talus {
+
+/// Memory of one law instance in a state.
+template <class L>
+std::span<const double> memory(const State& state, Slot slot) {
+  return std::span{state.z}.subspan(slot.memory, L::memory_size);
+}
+
+/// Brings the mode of one law instance up to date: while its guard is not positive, the law's reset takes over. A reset
+/// that keeps the mode ends the search; no law passes through more than all of its modes at one instant.
+template <Law L>
+void settle_mode(const L& law, Slot slot, Kinematics x, State& state, Mechanism released) {
+  Mode& mode = state.mode[slot.mode];
+  for (std::size_t pass = 0; pass < L::modes.size(); ++pass) {
+    if (law.guard(x, memory<L>(state, slot), mode) > 0.0) return;
+    const Reset next = law.reset(x, std::span{state.z}.subspan(slot.memory, L::memory_size), mode);
+    if (next.mode == mode) return;
+    mode = next.mode;
+    state.work[static_cast<std::size_t>(released)] += next.released;
+  }
+}
+
+/// Adds a force [F] that acts at world point p_WP to the wrench of a body whose centre of mass is at p_WB.
+inline void add_force(Wrench& wrench, Vec2 p_WB, Vec2 p_WP, Vec2 force) {
+  wrench.force += force;
+  wrench.moment += cross(p_WP - p_WB, force);
+}
+
+}  // namespace talus

@@ -1,0 +1,38 @@
+#include "solver/dynamics/rigid_body_system.hpp"
+
+#include "solver/integrate/advance.hpp"
+#include "solver/integrate/concepts.hpp"
+
+namespace talus {
+
+static_assert(Splittable<RigidBodySystem> && Differentiable<RigidBodySystem>);
+
+RigidBodySystem::RigidBodySystem(const Dynamics& dynamics, bool ledger)
+    : dynamics_{&dynamics}, work_{dynamics.workspace()}, rates_{rest_state(dynamics.model())}, ledger_{ledger} {}
+
+void RigidBodySystem::drift(State& state, double h) const { drift_coordinates(state, h); }
+
+void RigidBodySystem::kick(State& state, double h) {
+  evaluate(state, rates_);
+  advance_rates(state, rates_, h);
+}
+
+void RigidBodySystem::settle(State& state) {
+  dynamics_->update(state, work_);
+  dynamics_->settle(state, work_);
+}
+
+void RigidBodySystem::derivative(const State& state, Rates& out) {
+  ++evaluations_;
+  dynamics_->update(state, work_);
+  dynamics_->rates(state, work_, out, ledger_);
+}
+
+void RigidBodySystem::evaluate(State& state, Rates& out) {
+  ++evaluations_;
+  dynamics_->update(state, work_);
+  dynamics_->settle(state, work_);
+  dynamics_->rates(state, work_, out, ledger_);
+}
+
+}  // namespace talus

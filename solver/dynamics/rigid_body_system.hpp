@@ -1,0 +1,32 @@
+#pragma once
+
+#include "solver/dynamics/dynamics.hpp"
+
+namespace talus {
+
+/// A Dynamics with its scratch: the system that integrators advance. Models both Splittable and Differentiable, and
+/// counts its force evaluations.
+class RigidBodySystem {
+ public:
+  /// `ledger` off leaves work and impulse of the states untouched. The Dynamics must outlive the system.
+  explicit RigidBodySystem(const Dynamics& dynamics, bool ledger = true);
+
+  void drift(State& state, double h) const;
+  void kick(State& state, double h);
+  void settle(State& state);
+  void derivative(const State& state, Rates& out);
+  void evaluate(State& state, Rates& out);
+
+  const Dynamics& dynamics() const { return *dynamics_; }
+  /// Force evaluations so far: one for each kick, derivative or evaluate.
+  long evaluations() const { return evaluations_; }
+
+ private:
+  const Dynamics* dynamics_;
+  Workspace work_;
+  Rates rates_;
+  bool ledger_;
+  long evaluations_{0};
+};
+
+}  // namespace talus

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "solver/geometry/pose.hpp"
+#include "solver/geometry/shape.hpp"
+
+namespace talus {
+
+/// How two bodies A and B stand to each other where they are closest.
+struct Gap {
+  double depth{};  ///< overlap along the normal [L]: > 0 when the bodies interpenetrate, < 0 when they are apart
+  Vec2 n_AB;       ///< unit normal from A to B, world components
+  Vec2 p_WC;       ///< contact point, world [L]: where one force acts on both bodies, so that moments balance
+};
+
+/// Rate at which the overlap grows [L/T]: the speed of approach of the bodies' points at the contact, along the normal.
+constexpr double depth_rate(const Gap& gap, const Pose& A, const Pose& B) {
+  return dot(velocity_at(A, gap.p_WC) - velocity_at(B, gap.p_WC), gap.n_AB);
+}
+
+/// Where a point lies with respect to a shape: its depth below the nearest surface (> 0 inside) and that surface's
+/// outward unit normal, both in the shape's own frame.
+struct Depth {
+  double depth{};
+  Vec2 normal;
+};
+[[nodiscard]] Depth depth_below(const Circle& shape, Vec2 p);
+[[nodiscard]] Depth depth_below(const Rectangle& shape, Vec2 p);
+[[nodiscard]] Depth depth_below(const HalfPlane& shape, Vec2 p);
+
+/// A ball of radius `radius` about the point p_A of body A: a circular body (its centre) or one boundary node (radius
+/// 0).
+struct Ball {
+  Vec2 center_A;    ///< centre in A's coordinates [L]
+  double radius{};  ///< [L] >= 0
+};
+
+/// Gap between a ball on A and the shape of B. Exact for a ball outside and for one whose centre is inside.
+template <class Target>
+[[nodiscard]] Gap gap(const Ball& ball, const Pose& A, const Target& target, const Pose& B) {
+  const Vec2 center = world_point(A, ball.center_A);
+  const Depth found = depth_below(target, unrotate(B.R_WB, center - B.p_WB));
+  const double depth = ball.radius + found.depth;
+  const Vec2 n = B.R_WB * found.normal;
+  // Half-way through the overlap; any point of the normal's line gives the same forces and moments.
+  return {depth, -n, center - (ball.radius - 0.5 * depth) * n};
+}
+
+/// Gap between a rectangle and a half-plane: at the lowest corner, half-way along the side when two are equally low.
+[[nodiscard]] Gap gap(const Rectangle& a, const Pose& A, const HalfPlane& b, const Pose& B);
+
+/// Gap between two rectangles along the side normal of least overlap (separating axes); found without a vertex inside,
+/// too. The force acts at the deepest point of the other rectangle's side, at the middle of the common part when it
+/// lies flat. When the rectangles are apart corner to corner, -depth is a lower bound of their distance.
+[[nodiscard]] Gap gap(const Rectangle& a, const Pose& A, const Rectangle& b, const Pose& B);
+
+}  // namespace talus

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "solver/base/vec.hpp"
+
+namespace talus {
+
+/// The straight line of a cable between its ends A and B.
+struct Path {
+  double length{};       ///< [L]
+  double length_rate{};  ///< [L/T], > 0 while lengthening
+  Vec2 pull_A;           ///< in-plane part of the unit vector from A to B: the direction in which tension pulls end A
+};
+
+/// Path between two points in space whose velocities lie in the plane of motion.
+/// Errors: none; ends that coincide have no direction and give a zero pull (a model with such ends is refused when
+/// built).
+[[nodiscard]] inline Path path(Vec3 p_WA, Vec2 v_WA, Vec3 p_WB, Vec2 v_WB) {
+  const Vec3 r = p_WB - p_WA;
+  const double length = norm(r);
+  if (length == 0.0) return {};
+  const Vec2 pull = (1.0 / length) * in_plane(r);
+  return {length, dot(v_WB - v_WA, pull), pull};
+}
+
+}  // namespace talus

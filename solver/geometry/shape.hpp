@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "solver/base/fields.hpp"
+#include "solver/base/vec.hpp"
+
+namespace talus {
+
+/// No outline: a body that touches nothing.
+struct NoShape {
+  static constexpr std::string_view name = "none";
+  static constexpr std::array<Field<NoShape>, 0> fields() { return {}; }
+  friend constexpr bool operator==(const NoShape&, const NoShape&) = default;
+};
+
+/// A circle about the body's centre of mass.
+struct Circle {
+  static constexpr std::string_view name = "circle";
+  double radius{};  ///< [L] > 0
+
+  static constexpr std::array<Field<Circle>, 1> fields() {
+    return {{{"radius", dimension::length, &Circle::radius, Range::positive, "radius about the centre of mass"}}};
+  }
+  friend constexpr bool operator==(const Circle&, const Circle&) = default;
+};
+
+/// A rectangle centred on the body's centre of mass, sides along the body's axes.
+struct Rectangle {
+  static constexpr std::string_view name = "rectangle";
+  double half_width{};   ///< along the body's x axis [L] > 0
+  double half_height{};  ///< along the body's y axis [L] > 0
+
+  static constexpr std::array<Field<Rectangle>, 2> fields() {
+    return {
+        {{"half_width", dimension::length, &Rectangle::half_width, Range::positive, "half the side along body x"},
+         {"half_height", dimension::length, &Rectangle::half_height, Range::positive, "half the side along body y"}}};
+  }
+  friend constexpr bool operator==(const Rectangle&, const Rectangle&) = default;
+};
+
+/// Everything below the body's x axis: the surface passes through the body's origin, its outward normal is the body's
+/// y.
+struct HalfPlane {
+  static constexpr std::string_view name = "half_plane";
+  static constexpr std::array<Field<HalfPlane>, 0> fields() { return {}; }
+  friend constexpr bool operator==(const HalfPlane&, const HalfPlane&) = default;
+};
+
+using Shape = std::variant<NoShape, Circle, Rectangle, HalfPlane>;
+
+/// Names of all shapes, in the list's order.
+[[nodiscard]] std::vector<std::string> shape_names();
+
+/// Boundary nodes of a shape in body coordinates: `count` points at equal spacing from body x for a circle, the four
+/// corners for a rectangle (FENCE 1993 gave each such node a spring and a dashpot of its own), none for a half-plane.
+[[nodiscard]] std::vector<Vec2> boundary_nodes(const Shape& shape, int count);
+
+}  // namespace talus

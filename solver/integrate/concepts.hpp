@@ -1,0 +1,45 @@
+#pragma once
+
+#include <concepts>
+
+#include "solver/state/state.hpp"
+
+namespace talus {
+
+/// A system whose motion can be advanced in two halves, each of them exact for its own part.
+///   drift(state, h)  moves the coordinates with the present velocities; no force is evaluated
+///   kick(state, h)   brings the modes up to date, evaluates the forces once, advances velocities, memory, work and
+///   impulse
+template <class S>
+concept Splittable = requires(S& system, State& state, double h) {
+  system.drift(state, h);
+  system.kick(state, h);
+};
+
+/// A system that gives its rates of change.
+///   settle(state)           brings the modes up to date with coordinates and velocities
+///   derivative(state, out)  rates in the state's present modes; one force evaluation; the same bits each time
+///   evaluate(state, out)    both at once, for one force evaluation
+template <class S>
+concept Differentiable = requires(S& system, State& state, const State& fixed, Rates& rates) {
+  system.settle(state);
+  system.derivative(fixed, rates);
+  system.evaluate(state, rates);
+};
+
+/// A method of integration: it knows its system by one of the concepts above and nothing of bodies, files or observers.
+///   name, order, settling           its name in scenes; its order on smooth motion; when it brings modes up to date
+///   start(system, state, h)         once before the first step of length h (a staggered method shifts the state here)
+///   step(system, state, h)          advances state by h, time included
+///   synchronized(state, h)          the state with all parts at the same time, state.t; what observers see
+template <class I, class S>
+concept IntegratorFor = requires(I integrator, S& system, State& state, const State& fixed, double h) {
+  { I::name } -> std::convertible_to<std::string_view>;
+  { I::order } -> std::convertible_to<int>;
+  { I::settling } -> std::convertible_to<Settling>;
+  integrator.start(system, state, h);
+  integrator.step(system, state, h);
+  { integrator.synchronized(fixed, h) } -> std::convertible_to<State>;
+};
+
+}  // namespace talus

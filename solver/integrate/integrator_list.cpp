@@ -1,0 +1,66 @@
+#include "solver/integrate/integrator_list.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "solver/base/error.hpp"
+
+namespace talus {
+namespace {
+
+constexpr std::size_t count = std::variant_size_v<Integrator>;
+
+/// Calls visit with each alternative of the list, default-made, in order.
+template <class Visit, std::size_t... I>
+void for_each(Visit&& visit, std::index_sequence<I...>) {
+  (visit(std::variant_alternative_t<I, Integrator>{}), ...);
+}
+
+template <class T>
+Integrator with_tolerance(T integrator, double tolerance) {
+  if constexpr (requires { integrator.tolerance; }) {
+    integrator.tolerance = tolerance;
+    if (T::needs_tolerance && tolerance == 0.0) {
+      throw InputError{fmt::format("integrator '{}' has no fixed step; it needs a tolerance > 0", T::name)};
+    }
+    if (!T::has_step_control && tolerance != 0.0) {
+      throw InputError{fmt::format("integrator '{}' has no step control; its tolerance must be left out", T::name)};
+    }
+  } else if (tolerance != 0.0) {
+    throw InputError{fmt::format("integrator '{}' has no step control; its tolerance must be left out", T::name)};
+  }
+  return integrator;
+}
+
+}  // namespace
+
+std::vector<std::string> integrator_names() {
+  std::vector<std::string> names;
+  for_each([&](const auto& integrator) { names.emplace_back(integrator.name); }, std::make_index_sequence<count>{});
+  return names;
+}
+
+Integrator make_integrator(std::string_view wanted, double tolerance) {
+  Integrator made;
+  bool known = false;
+  for_each(
+      [&](const auto& integrator) {
+        if (integrator.name != wanted) return;
+        made = with_tolerance(integrator, tolerance);
+        known = true;
+      },
+      std::make_index_sequence<count>{});
+  if (!known) throw unknown_name("integrator", wanted, integrator_names());
+  return made;
+}
+
+std::string_view name(const Integrator& integrator) {
+  return std::visit([](const auto& i) { return i.name; }, integrator);
+}
+
+int order(const Integrator& integrator) {
+  return std::visit([](const auto& i) { return i.order; }, integrator);
+}
+
+}  // namespace talus

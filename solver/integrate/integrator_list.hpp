@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "solver/integrate/central_difference.hpp"
+#include "solver/integrate/euler_cromer.hpp"
+#include "solver/integrate/odeint_steppers.hpp"
+#include "solver/integrate/rk4.hpp"
+#include "solver/integrate/velocity_verlet.hpp"
+
+namespace talus {
+
+/// The closed list of integrators. One line here makes a method selectable, tested and documented.
+using Integrator =
+    std::variant<CentralDifference, VelocityVerlet, EulerCromer, RungeKutta4, Odeint<OdeintMethod::dopri5>,
+                 Odeint<OdeintMethod::cash_karp54>, Odeint<OdeintMethod::fehlberg78>,
+                 Odeint<OdeintMethod::adams_bashforth_moulton8>, Odeint<OdeintMethod::bulirsch_stoer>>;
+
+/// Names of all integrators, in the list's order.
+[[nodiscard]] std::vector<std::string> integrator_names();
+
+/// The integrator of that name; `tolerance` > 0 asks for step control.
+/// Errors: InputError for an unknown name, a tolerance where the method has no step control, none where it needs one.
+[[nodiscard]] Integrator make_integrator(std::string_view name, double tolerance = 0.0);
+
+/// Name and order on smooth motion of an integrator.
+[[nodiscard]] std::string_view name(const Integrator& integrator);
+[[nodiscard]] int order(const Integrator& integrator);
+
+}  // namespace talus

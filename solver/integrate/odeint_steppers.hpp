@@ -1,0 +1,98 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "solver/integrate/concepts.hpp"
+
+namespace talus {
+
+/// The steppers of Boost.odeint that scenes can name.
+enum class OdeintMethod { dopri5, cash_karp54, fehlberg78, adams_bashforth_moulton8, bulirsch_stoer };
+
+/// Any of odeint's steppers behind one door: a state is one vector of numbers, of which the first `controlled` count in
+/// step control (work and impulse ride along outside of it).
+class OdeintStepper {
+ public:
+  using Vector = std::vector<double>;
+  /// Writes dx/dt at (x, t) to the second argument.
+  using Derivative = std::function<void(const Vector& x, Vector& dxdt, double t)>;
+  /// Called after each accepted internal step with the vector and its time; may change the vector.
+  using Accepted = std::function<void(Vector& x, double t)>;
+
+  /// tolerance > 0: relative and absolute error allowed in each step, step control on; 0: steps of fixed length. That
+  /// the method has what is asked for (see has_step_control, needs_tolerance) is the caller's contract.
+  OdeintStepper(OdeintMethod method, double tolerance, std::size_t controlled);
+  ~OdeintStepper();
+  OdeintStepper(OdeintStepper&&) noexcept;
+  OdeintStepper& operator=(OdeintStepper&&) noexcept;
+
+  /// Advances x from t to t + h, by one step or by as many as the step control takes.
+  void advance(const Derivative& derivative, const Accepted& accepted, Vector& x, double t, double h);
+
+ private:
+  struct Method;
+  std::unique_ptr<Method> method_;
+};
+
+/// State as one vector for odeint: q, v, z, then work and impulse.
+void pack(const State& state, OdeintStepper::Vector& x);
+void unpack(const OdeintStepper::Vector& x, State& state);
+/// dx/dt in the same order: v, rates.v, rates.z, rates.work, rates.impulse.
+void pack(const State& state, const Rates& rates, OdeintStepper::Vector& dxdt);
+
+/// One of odeint's steppers as a Talus integrator. With tolerance > 0 the step h is the interval between outputs and
+/// the stepper chooses its own steps inside it; with tolerance 0 each step has length h.
+template <OdeintMethod method>
+class Odeint {
+ public:
+  static constexpr std::string_view name = method == OdeintMethod::dopri5                     ? "odeint_dopri5"
+                                           : method == OdeintMethod::cash_karp54              ? "odeint_cash_karp54"
+                                           : method == OdeintMethod::fehlberg78               ? "odeint_fehlberg78"
+                                           : method == OdeintMethod::adams_bashforth_moulton8 ? "odeint_abm8"
+                                                                                              : "odeint_bulirsch_stoer";
+  static constexpr int order = method == OdeintMethod::dopri5 || method == OdeintMethod::cash_karp54 ? 5 : 8;
+  static constexpr Settling settling = Settling::every_evaluation;
+  static constexpr bool needs_tolerance = method == OdeintMethod::bulirsch_stoer;
+  static constexpr bool has_step_control = method != OdeintMethod::adams_bashforth_moulton8;
+
+  double tolerance{};  ///< relative and absolute error of a step; 0: fixed steps
+
+  template <Differentiable System>
+  void start(System& system, State& state, double) {
+    stepper_ = std::make_shared<OdeintStepper>(method, tolerance, state.q.size() + state.v.size() + state.z.size());
+    system.settle(state);
+    scratch_ = state;
+    rates_ = Rates{state};
+  }
+
+  template <Differentiable System>
+  void step(System& system, State& state, double h) {
+    pack(state, x_);
+    const auto derivative = [&](const OdeintStepper::Vector& x, OdeintStepper::Vector& dxdt, double) {
+      unpack(x, scratch_);
+      scratch_.mode = state.mode;
+      system.evaluate(scratch_, rates_);
+      pack(scratch_, rates_, dxdt);
+    };
+    const auto accepted = [&](OdeintStepper::Vector& x, double t) {
+      unpack(x, state);
+      state.t = t;
+      system.settle(state);
+      pack(state, x);
+    };
+    stepper_->advance(derivative, accepted, x_, state.t, h);
+  }
+
+  const State& synchronized(const State& state, double) const { return state; }
+
+ private:
+  std::shared_ptr<OdeintStepper> stepper_;
+  State scratch_;
+  Rates rates_;
+  OdeintStepper::Vector x_;
+};
+
+}  // namespace talus

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string_view>
+
+#include "solver/integrate/advance.hpp"
+#include "solver/integrate/concepts.hpp"
+
+namespace talus {
+
+/// Velocity Verlet (Swope et al. 1982): half a kick, a drift, half a kick, with one force evaluation a step.
+///
+///   v' = v + h/2 a_n;   q += h v';   a_{n+1} = a(q, v');   v = v' + h/2 a_{n+1}
+///
+/// Its memory is a_n, evaluated at the half-step velocity v': dashpots see that velocity.
+class VelocityVerlet {
+ public:
+  static constexpr std::string_view name = "velocity_verlet";
+  static constexpr int order = 2;
+  static constexpr Settling settling = Settling::every_evaluation;
+
+  template <Differentiable System>
+  void start(System& system, State& state, double) {
+    rates_ = Rates{state};
+    system.evaluate(state, rates_);
+  }
+
+  template <Differentiable System>
+  void step(System& system, State& state, double h) {
+    advance_rates(state, rates_, 0.5 * h);
+    drift_coordinates(state, h);
+    system.evaluate(state, rates_);
+    advance_rates(state, rates_, 0.5 * h);
+    state.t += h;
+  }
+
+  const State& synchronized(const State& state, double) const { return state; }
+
+ private:
+  Rates rates_;
+};
+
+}  // namespace talus

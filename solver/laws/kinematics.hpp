@@ -1,0 +1,35 @@
+#pragma once
+
+#include "solver/state/mode.hpp"
+
+namespace talus {
+
+/// What a one-dimensional law sees of its surroundings: how far it is stretched or pressed, and how fast.
+/// A contact passes its overlap (`depth`, > 0 when the surfaces interpenetrate), a cable its elongation (> 0 when
+/// taut).
+struct Kinematics {
+  double extent{};       ///< overlap or elongation [L]
+  double extent_rate{};  ///< its rate [L/T]; > 0 while the contact closes or the cable lengthens
+};
+
+/// The force of a law, split by what becomes of its work: `elastic` can be had back, `dissipative` cannot.
+struct LawForce {
+  double elastic{};      ///< [F]; > 0 pushes the surfaces of a contact apart, pulls the ends of a cable together
+  double dissipative{};  ///< [F]; same sign
+
+  constexpr double total() const { return elastic + dissipative; }
+};
+
+/// The stiffest linear piece of a law while it acts: what step limits are made of.
+struct Tangent {
+  double stiffness{};  ///< [F/L]
+  double damping{};    ///< [F T/L]
+};
+
+/// What follows when a mode ends.
+struct Reset {
+  Mode mode{};        ///< the mode to go on with; the present one again if the kinematics say so
+  double released{};  ///< stored energy that the bodies never get back through this change [F L]
+};
+
+}  // namespace talus

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <concepts>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "solver/laws/linear_spring_dashpot.hpp"
+#include "solver/laws/tension_only.hpp"
+
+namespace talus {
+
+/// A law of force along one line. What it is: a small value that turns kinematics, memory and mode into a force.
+/// It sees no body, no time step and no other law, remembers nothing itself, and is smooth inside a mode.
+///   name, modes, memory_size  its name in scenes, the names of its modes (mode 0 is "not acting"), doubles of memory
+///   fields()                  its parameters with dimension and range
+///   law(x, memory, mode)      the force; calling it twice gives the same bits
+///   stored_energy             what it holds; in a mode, d(stored)/d(extent) is the elastic force
+///   guard                     positive while the mode lasts
+///   tangent()                 the stiffest linear piece while it acts
+///   reset                     the mode that follows, and the memory it starts with
+template <class L>
+concept Law = std::equality_comparable<L> &&
+    requires(const L law, Kinematics x, std::span<const double> memory, std::span<double> writable, Mode mode) {
+  { L::name } -> std::convertible_to<std::string_view>;
+  { L::modes[0] } -> std::convertible_to<std::string_view>;
+  { L::memory_size } -> std::convertible_to<std::size_t>;
+  L::fields();
+  { law(x, memory, mode) } -> std::same_as<LawForce>;
+  { law.stored_energy(x, memory, mode) } -> std::same_as<double>;
+  { law.guard(x, memory, mode) } -> std::same_as<double>;
+  { law.reset(x, writable, mode) } -> std::same_as<Reset>;
+  { law.tangent() } -> std::same_as<Tangent>;
+};
+
+/// A closed list of law types: parsers, tests, the command line and the report iterate over it.
+template <Law... Laws>
+struct LawList {
+  using Variant = std::variant<Laws...>;
+  /// The same list with each law L wrapped as Wrap<L>.
+  template <template <class> class Wrap>
+  using Tuple = std::tuple<Wrap<Laws>...>;
+
+  static std::vector<std::string> names() { return {std::string{Laws::name}...}; }
+  /// Calls visit(L{}) for each law type L, in the list's order.
+  template <class Visit>
+  static void for_each(Visit&& visit) {
+    (visit(Laws{}), ...);
+  }
+};
+
+using ContactLaws = LawList<LinearSpringDashpot>;
+using ContactLaw = ContactLaws::Variant;
+using CableLaws = LawList<TensionOnly>;
+using CableLaw = CableLaws::Variant;
+
+}  // namespace talus

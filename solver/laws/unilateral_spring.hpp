@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "solver/base/fields.hpp"
+#include "solver/laws/kinematics.hpp"
+
+namespace talus {
+
+/// How a contact with a dashpot ends.
+enum class EndRule {
+  attractive,  ///< the law acts as long as the surfaces overlap; before they part it pulls (FENCE 1993, Eq. 17)
+  clamped,     ///< the law never pulls: it ends when the force has fallen to zero
+};
+template <>
+struct Names<EndRule> {
+  static constexpr std::array<std::string_view, 2> list{"attractive", "clamped"};
+};
+
+/// A spring and a dashpot side by side that act in one direction only:
+///
+///   F = k s + c ds/dt   while acting,   0 otherwise,      s = extent [L]
+///
+/// Modes and what ends them (a mode lasts while its guard is > 0):
+///
+///   open      guard -s             -> acting, unless the gap is just opening
+///   acting    guard s              (attractive)  -> open
+///             guard min(s, F)      (clamped)     -> released where s > 0, else open
+///   released  guard min(s, -F)     (clamped)     -> acting where the force would push again, else open
+///
+/// In `released` the surfaces still overlap but the dashpot holds the spring back: what the spring stores there is lost
+/// to the bodies, so the change into it counts s^2 k/2 as released, and the change back counts it in again.
+struct UnilateralSpring {
+  enum : Mode { open, acting, released };
+
+  double stiffness{};  ///< k [F/L] > 0
+  double damping{};    ///< c [F T/L] >= 0
+  EndRule end_rule{EndRule::clamped};
+
+  constexpr LawForce operator()(Kinematics x, Mode mode) const {
+    if (mode != acting) return {};
+    return {stiffness * x.extent, damping * x.extent_rate};
+  }
+
+  /// Energy that the spring would give back if the law stayed in this mode [F L]; the elastic force is its derivative.
+  constexpr double stored_energy(Kinematics x, Mode mode) const { return mode == acting ? energy(x) : 0.0; }
+
+  /// Positive while the mode lasts.
+  constexpr double guard(Kinematics x, Mode mode) const {
+    if (mode == open) return -x.extent;
+    if (end_rule == EndRule::attractive) return x.extent;
+    return std::min(x.extent, mode == acting ? pull(x) : -pull(x));
+  }
+
+  /// The mode that follows `mode` when its guard is no longer positive.
+  constexpr Reset reset(Kinematics x, Mode mode) const {
+    if (mode == open) return {x.extent > 0.0 || x.extent_rate >= 0.0 ? acting : open, 0.0};
+    if (x.extent == 0.0 && x.extent_rate >= 0.0) return {acting, 0.0};
+    if (x.extent <= 0.0) return {open, 0.0};
+    return mode == acting ? Reset{released, energy(x)} : Reset{acting, -energy(x)};
+  }
+
+ private:
+  constexpr double pull(Kinematics x) const { return stiffness * x.extent + damping * x.extent_rate; }
+  constexpr double energy(Kinematics x) const { return 0.5 * stiffness * x.extent * x.extent; }
+};
+
+}  // namespace talus

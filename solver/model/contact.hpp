@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "solver/base/ids.hpp"
+#include "solver/laws/law_list.hpp"
+
+namespace talus {
+
+/// How the overlap of two outlines becomes forces.
+enum class ContactMethod {
+  resultant,  ///< one force for a pair, from the exact gap of the two shapes: does not depend on any discretisation
+  nodes,      ///< the law acts at each boundary node of one body inside the other, both ways (FENCE 1993): the answer
+          ///< depends on the number of nodes and does not converge with it
+};
+template <>
+struct Names<ContactMethod> {
+  static constexpr std::array<std::string_view, 2> list{"resultant", "nodes"};
+};
+
+/// Two bodies that may touch, and the law by which they do.
+struct Contact {
+  std::string name{};  ///< unique in the model
+  BodyId a{};
+  BodyId b{};
+  ContactLaw law{};
+  ContactMethod method{ContactMethod::resultant};
+  int nodes{12};  ///< boundary nodes of a circle when method is `nodes`
+};
+
+}  // namespace talus

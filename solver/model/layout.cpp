@@ -1,0 +1,128 @@
+#include "solver/model/layout.hpp"
+
+#include <fmt/format.h>
+
+#include <variant>
+
+#include "solver/base/error.hpp"
+
+namespace talus {
+namespace {
+
+std::size_t memory_size(const auto& law) {
+  return std::visit([](const auto& l) { return l.memory_size; }, law);
+}
+
+/// Law instances of a contact: one for a resultant, one for each boundary node of either body otherwise.
+std::size_t instances(const Model& model, const Contact& contact) {
+  if (contact.method == ContactMethod::resultant) return 1;
+  return boundary_nodes(model.bodies[index(contact.a)].shape, contact.nodes).size() +
+         boundary_nodes(model.bodies[index(contact.b)].shape, contact.nodes).size();
+}
+
+std::size_t first_coordinate(const Model& model, BodyId body) {
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < index(body); ++i) {
+    const Mobility mobility = model.bodies[i].mobility;
+    first += mobility == Mobility::free       ? 3U
+             : mobility == Mobility::particle ? 2U
+             : mobility == Mobility::pinned   ? 1U
+                                              : 0U;
+  }
+  return first;
+}
+
+}  // namespace
+
+Layout::Layout(const Model& model) {
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    const auto body = static_cast<BodyId>(i);
+    const Mobility mobility = model.bodies[i].mobility;
+    first.push_back(coordinates.size());
+    if (mobility == Mobility::free || mobility == Mobility::particle) {
+      coordinates.push_back({body, Axis::x});
+      coordinates.push_back({body, Axis::y});
+    }
+    if (mobility == Mobility::free || mobility == Mobility::pinned) coordinates.push_back({body, Axis::angle});
+  }
+  first.push_back(coordinates.size());
+  for (const Contact& contact : model.contacts) {
+    contact_slots.push_back({mode_count, memory_count});
+    contact_instances.push_back(instances(model, contact));
+    mode_count += contact_instances.back();
+    memory_count += contact_instances.back() * memory_size(contact.law);
+  }
+  for (const Cable& cable : model.cables) {
+    cable_slots.push_back({mode_count, memory_count});
+    mode_count += 1;
+    memory_count += memory_size(cable.law);
+  }
+}
+
+State rest_state(const Model& model) {
+  const Layout layout{model};
+  State state;
+  for (const Coordinate& coordinate : layout.coordinates) {
+    const Body& body = model.bodies[index(coordinate.body)];
+    state.q.push_back(coordinate.axis == Axis::x ? body.p_WB.x : coordinate.axis == Axis::y ? body.p_WB.y : body.angle);
+  }
+  state.v.assign(state.q.size(), 0.0);
+  state.z.assign(layout.memory_count, 0.0);
+  state.mode.assign(layout.mode_count, Mode{0});
+  return state;
+}
+
+void set_velocity(const Model& model, State& state, BodyId body, Vec2 v_WB, double w_WB) {
+  const Body& moved = model.bodies[index(body)];
+  const std::size_t first = first_coordinate(model, body);
+  const bool translates = moved.mobility == Mobility::free || moved.mobility == Mobility::particle;
+  const bool turns = moved.mobility == Mobility::free || moved.mobility == Mobility::pinned;
+  if (!translates && !(v_WB == Vec2{})) {
+    throw InputError{fmt::format("body '{}' is {} and has no velocity of its own; give {}", moved.name,
+                                 Names<Mobility>::list[static_cast<std::size_t>(moved.mobility)],
+                                 turns ? "its angular velocity" : "none")};
+  }
+  if (!turns && w_WB != 0.0) {
+    throw InputError{fmt::format("body '{}' is {} and cannot turn; give no angular velocity", moved.name,
+                                 Names<Mobility>::list[static_cast<std::size_t>(moved.mobility)])};
+  }
+  if (translates) {
+    state.v[first] = v_WB.x;
+    state.v[first + 1] = v_WB.y;
+  }
+  if (turns) state.v[first + (translates ? 2 : 0)] = w_WB;
+}
+
+double angle(const Model& model, const State& state, BodyId body) {
+  const Body& turned = model.bodies[index(body)];
+  const std::size_t first = first_coordinate(model, body);
+  if (turned.mobility == Mobility::free) return state.q[first + 2];
+  return turned.mobility == Mobility::pinned ? state.q[first] : turned.angle;
+}
+
+Pose pose(const Model& model, const State& state, BodyId body) {
+  const Body& placed = model.bodies[index(body)];
+  const std::size_t first = first_coordinate(model, body);
+  const Rotation R_WB = rotation(angle(model, state, body));
+  switch (placed.mobility) {
+    case Mobility::free:
+      return {{state.q[first], state.q[first + 1]}, R_WB, {state.v[first], state.v[first + 1]}, state.v[first + 2]};
+    case Mobility::particle:
+      return {{state.q[first], state.q[first + 1]}, R_WB, {state.v[first], state.v[first + 1]}, 0.0};
+    case Mobility::pinned: {
+      const Vec2 from_pin = R_WB * (-placed.p_BPin);
+      return {pin(placed) + from_pin, R_WB, cross(state.v[first], from_pin), state.v[first]};
+    }
+    case Mobility::fixed:
+      break;
+  }
+  return {placed.p_WB, R_WB, {}, 0.0};
+}
+
+std::string name(const Model& model, const Coordinate& coordinate) {
+  constexpr std::array<std::string_view, 3> axes{"x", "y", "angle"};
+  return fmt::format("{}.{}", model.bodies[index(coordinate.body)].name,
+                     axes[static_cast<std::size_t>(coordinate.axis)]);
+}
+
+}  // namespace talus

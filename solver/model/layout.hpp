@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "solver/geometry/pose.hpp"
+#include "solver/model/model.hpp"
+#include "solver/state/state.hpp"
+
+namespace talus {
+
+/// What a generalised coordinate measures.
+enum class Axis { x, y, angle };
+
+/// One generalised coordinate of the scene: q[i] is this measure of this body.
+struct Coordinate {
+  BodyId body{};
+  Axis axis{};
+};
+
+/// The places of a point contact or a cable in State::mode and State::z.
+struct Slot {
+  std::size_t mode{};
+  std::size_t memory{};
+};
+
+/// Where everything of a Model stands in a State: coordinates body by body, then one slot for each law instance (the
+/// instances of contacts in order, then the cables).
+struct Layout {
+  explicit Layout(const Model& model);
+
+  std::vector<Coordinate> coordinates;         ///< of q and v
+  std::vector<std::size_t> first;              ///< first coordinate of each body; one more at the end
+  std::vector<Slot> contact_slots;             ///< first slot of each contact; an instance follows the other
+  std::vector<std::size_t> contact_instances;  ///< number of law instances of each contact
+  std::vector<Slot> cable_slots;               ///< slot of each cable
+  std::size_t mode_count{};
+  std::size_t memory_count{};
+};
+
+/// The state in which all bodies rest at their reference positions, all laws in mode 0 and all memory zero.
+[[nodiscard]] State rest_state(const Model& model);
+
+/// Sets the velocity of a body's centre of mass [L/T] and its angular velocity [rad/T].
+/// Errors: InputError if the body cannot move that way (a pinned body takes the angular velocity only, a particle
+/// none).
+void set_velocity(const Model& model, State& state, BodyId body, Vec2 v_WB, double w_WB);
+
+/// Pose of one body in a state.
+[[nodiscard]] Pose pose(const Model& model, const State& state, BodyId body);
+
+/// Angle of a body [rad], counter-clockwise > 0, not reduced to one turn.
+[[nodiscard]] double angle(const Model& model, const State& state, BodyId body);
+
+/// "rock.x", "column.angle", ...: the name of a coordinate.
+[[nodiscard]] std::string name(const Model& model, const Coordinate& coordinate);
+
+}  // namespace talus

@@ -1,0 +1,31 @@
+#include "solver/model/model.hpp"
+
+#include <algorithm>
+
+#include "solver/geometry/pose.hpp"
+
+namespace talus {
+namespace {
+
+template <class Id, class Item>
+std::optional<Id> find(const std::vector<Item>& items, std::string_view name) {
+  const auto found = std::find_if(items.begin(), items.end(), [name](const Item& item) { return item.name == name; });
+  if (found == items.end()) return std::nullopt;
+  return static_cast<Id>(found - items.begin());
+}
+
+}  // namespace
+
+std::optional<BodyId> find_body(const Model& model, std::string_view name) { return find<BodyId>(model.bodies, name); }
+std::optional<CableId> find_cable(const Model& model, std::string_view name) {
+  return find<CableId>(model.cables, name);
+}
+std::optional<ContactId> find_contact(const Model& model, std::string_view name) {
+  return find<ContactId>(model.contacts, name);
+}
+
+double inertia_about_pin(const Body& body) { return body.inertia + body.mass * dot(body.p_BPin, body.p_BPin); }
+
+Vec2 pin(const Body& body) { return body.p_WB + rotation(body.angle) * body.p_BPin; }
+
+}  // namespace talus

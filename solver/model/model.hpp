@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "solver/base/units.hpp"
+#include "solver/model/body.hpp"
+#include "solver/model/cable.hpp"
+#include "solver/model/contact.hpp"
+
+namespace talus {
+
+/// What exists in a scene. Made by ModelBuilder, which checks it; never changed afterwards.
+struct Model {
+  std::vector<Body> bodies;
+  std::vector<Cable> cables;
+  std::vector<Contact> contacts;
+  Vec2 gravity;          ///< acceleration of free fall, world [L/T^2]
+  UnitSystem units{si};  ///< a tag for labels; the solver does not use it
+};
+
+/// The body, cable or contact of that name, if there is one.
+[[nodiscard]] std::optional<BodyId> find_body(const Model& model, std::string_view name);
+[[nodiscard]] std::optional<CableId> find_cable(const Model& model, std::string_view name);
+[[nodiscard]] std::optional<ContactId> find_contact(const Model& model, std::string_view name);
+
+/// Inertia of a pinned body about its pin: I + m |p_BPin|^2 [M L^2].
+[[nodiscard]] double inertia_about_pin(const Body& body);
+
+/// World position of a pinned body's pin [L].
+[[nodiscard]] Vec2 pin(const Body& body);
+
+}  // namespace talus

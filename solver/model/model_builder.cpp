@@ -1,0 +1,133 @@
+#include "solver/model/model_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <variant>
+
+#include "solver/base/error.hpp"
+#include "solver/geometry/pose.hpp"
+
+namespace talus {
+namespace {
+
+void check_name(std::string_view kind, const std::string& name, bool used) {
+  if (name.empty()) throw InputError{fmt::format("a {} has no name; each needs one of its own", kind)};
+  if (used) throw InputError{fmt::format("{} '{}' exists already; names must differ", kind, name)};
+}
+
+void check_number(std::string_view kind, std::string_view name, std::string_view field, Range range, double value) {
+  if (std::isfinite(value) && contains(range, value)) return;
+  throw InputError{fmt::format("{} '{}': {} is {}; it must be {}", kind, name, field, value, words(range))};
+}
+
+template <class T>
+void check_fields(std::string_view kind, std::string_view name, const T& value) {
+  for (const auto& field : T::fields())
+    check_number(kind, name, field.name, field.range, value.*field.member);
+}
+
+void check_vector(std::string_view kind, std::string_view name, std::string_view field, Vec2 value) {
+  check_number(kind, name, field, Range::any, value.x);
+  check_number(kind, name, field, Range::any, value.y);
+}
+
+/// Whether the solver has a gap function for the two shapes by the given method.
+bool has_gap(const Shape& a, const Shape& b, ContactMethod method) {
+  const auto is_box = [](const Shape& s) { return std::holds_alternative<Rectangle>(s); };
+  const auto is_plane = [](const Shape& s) { return std::holds_alternative<HalfPlane>(s); };
+  const auto is_round = [](const Shape& s) { return std::holds_alternative<Circle>(s); };
+  const bool outlined = !std::holds_alternative<NoShape>(a) && !std::holds_alternative<NoShape>(b);
+  if (method == ContactMethod::nodes) return outlined && !(is_plane(a) && is_plane(b));
+  return outlined &&
+         (is_round(a) || is_round(b) || (is_box(a) && (is_box(b) || is_plane(b))) || (is_plane(a) && is_box(b)));
+}
+
+std::string_view shape_name(const Shape& shape) {
+  return std::visit([](const auto& s) { return s.name; }, shape);
+}
+
+/// World position of a cable's end in the reference positions.
+Vec3 reference_point(const Model& model, const CableEnd& end) {
+  if (!end.body) return end.p;
+  const Body& body = model.bodies[index(*end.body)];
+  const Vec2 p = body.p_WB + rotation(body.angle) * Vec2{end.p.x, end.p.y};
+  return {p.x, p.y, end.p.z};
+}
+
+}  // namespace
+
+BodyId ModelBuilder::add(Body body) {
+  check_name("body", body.name, find_body(model_, body.name).has_value());
+  const bool moves = body.mobility != Mobility::fixed;
+  const bool turns = body.mobility == Mobility::free || body.mobility == Mobility::pinned;
+  if (moves) check_number("body", body.name, "mass", Range::positive, body.mass);
+  if (turns) check_number("body", body.name, "inertia", Range::positive, body.inertia);
+  check_number("body", body.name, "angle", Range::any, body.angle);
+  check_number("body", body.name, "moment", Range::any, body.moment);
+  check_vector("body", body.name, "position", body.p_WB);
+  check_vector("body", body.name, "pin", body.p_BPin);
+  check_vector("body", body.name, "force", body.force);
+  std::visit([&](const auto& shape) { check_fields("body", body.name, shape); }, body.shape);
+  if (moves && std::holds_alternative<HalfPlane>(body.shape)) {
+    throw InputError{fmt::format("body '{}': a half_plane cannot move; its mobility must be fixed", body.name)};
+  }
+  model_.bodies.push_back(std::move(body));
+  return static_cast<BodyId>(model_.bodies.size() - 1);
+}
+
+CableId ModelBuilder::add(Cable cable) {
+  check_name("cable", cable.name, find_cable(model_, cable.name).has_value());
+  for (const CableEnd& end : {cable.a, cable.b}) {
+    TALUS_DEMAND(!end.body || index(*end.body) < model_.bodies.size());
+    check_vector("cable", cable.name, "end", in_plane(end.p));
+    check_number("cable", cable.name, "end", Range::any, end.p.z);
+  }
+  check_number("cable", cable.name, "rest_length", Range::non_negative, cable.rest_length);
+  std::visit([&](const auto& law) { check_fields("cable", cable.name, law); }, cable.law);
+  const auto moves = [this](const CableEnd& end) {
+    return end.body && model_.bodies[index(*end.body)].mobility != Mobility::fixed;
+  };
+  if (!moves(cable.a) && !moves(cable.b)) {
+    throw InputError{
+        fmt::format("cable '{}': neither end can move; at least one must be on a body that does", cable.name)};
+  }
+  if (norm(reference_point(model_, cable.b) - reference_point(model_, cable.a)) == 0.0) {
+    throw InputError{fmt::format("cable '{}': both ends are at the same point; they must be apart", cable.name)};
+  }
+  model_.cables.push_back(std::move(cable));
+  return static_cast<CableId>(model_.cables.size() - 1);
+}
+
+ContactId ModelBuilder::add(Contact contact) {
+  check_name("contact", contact.name, find_contact(model_, contact.name).has_value());
+  TALUS_DEMAND(index(contact.a) < model_.bodies.size() && index(contact.b) < model_.bodies.size());
+  const Body& a = model_.bodies[index(contact.a)];
+  const Body& b = model_.bodies[index(contact.b)];
+  if (contact.a == contact.b) {
+    throw InputError{fmt::format("contact '{}': body '{}' against itself; name two bodies", contact.name, a.name)};
+  }
+  if (a.mobility == Mobility::fixed && b.mobility == Mobility::fixed) {
+    throw InputError{fmt::format("contact '{}': neither '{}' nor '{}' can move", contact.name, a.name, b.name)};
+  }
+  if (!has_gap(a.shape, b.shape, contact.method)) {
+    throw InputError{
+        fmt::format("contact '{}': no contact between shapes '{}' and '{}' by method '{}'; known pairs: circle "
+                    "with circle, rectangle, half_plane; rectangle with rectangle, half_plane",
+                    contact.name, shape_name(a.shape), shape_name(b.shape),
+                    Names<ContactMethod>::list[static_cast<std::size_t>(contact.method)])};
+  }
+  if (contact.method == ContactMethod::nodes && contact.nodes < 3) {
+    throw InputError{fmt::format("contact '{}': nodes is {}; it must be >= 3", contact.name, contact.nodes)};
+  }
+  std::visit([&](const auto& law) { check_fields("contact", contact.name, law); }, contact.law);
+  model_.contacts.push_back(std::move(contact));
+  return static_cast<ContactId>(model_.contacts.size() - 1);
+}
+
+Model ModelBuilder::build() const {
+  if (model_.bodies.empty()) throw InputError{"the scene has no body; it needs at least one"};
+  return model_;
+}
+
+}  // namespace talus

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "solver/model/model.hpp"
+
+namespace talus {
+
+/// Puts a Model together and checks it. All errors are InputError: "body 'rock': mass is -3; it must be > 0".
+class ModelBuilder {
+ public:
+  explicit ModelBuilder(UnitSystem units = si) { model_.units = units; }
+
+  /// Acceleration of free fall, world [L/T^2].
+  void gravity(Vec2 acceleration) { model_.gravity = acceleration; }
+
+  /// Adds a body. Errors: an empty or used name, a mass or inertia that is not > 0 where the mobility needs one, a
+  /// shape with a size that is not > 0, a half-plane that can move, a number that is not finite.
+  BodyId add(Body body);
+
+  /// Adds a cable. Errors: as above; ends that coincide in the reference positions, both ends fixed, a rest length < 0.
+  CableId add(Cable cable);
+
+  /// Adds a contact. Errors: as above; a body against itself, two bodies that cannot move, a pair of shapes without a
+  /// gap, fewer than 3 nodes on a circle.
+  ContactId add(Contact contact);
+
+  /// The finished model. Errors: InputError if it has no body.
+  [[nodiscard]] Model build() const;
+
+ private:
+  Model model_;
+};
+
+}  // namespace talus

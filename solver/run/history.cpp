@@ -1,0 +1,92 @@
+#include "solver/run/history.hpp"
+
+#include <fmt/format.h>
+
+namespace talus {
+namespace {
+
+bool turns(const Body& body) { return body.mobility == Mobility::free || body.mobility == Mobility::pinned; }
+
+std::vector<Column> columns(const Model& model) {
+  std::vector<Column> found{{"time", dimension::time}};
+  for (const Body& body : model.bodies) {
+    if (body.mobility == Mobility::fixed) continue;
+    found.push_back({body.name + ".x", dimension::length});
+    found.push_back({body.name + ".y", dimension::length});
+    found.push_back({body.name + ".vx", dimension::velocity});
+    found.push_back({body.name + ".vy", dimension::velocity});
+    if (!turns(body)) continue;
+    found.push_back({body.name + ".angle", dimension::angle});
+    found.push_back({body.name + ".spin", dimension::angular_velocity});
+  }
+  for (const Contact& contact : model.contacts) {
+    found.push_back({contact.name + ".depth", dimension::length});
+    found.push_back({contact.name + ".force", dimension::force});
+  }
+  for (const Cable& cable : model.cables) {
+    found.push_back({cable.name + ".elongation", dimension::length});
+    found.push_back({cable.name + ".tension", dimension::force});
+  }
+  for (const std::string_view part : {"kinetic", "gravity", "applied", "contacts", "cables"}) {
+    found.push_back({fmt::format("energy.{}", part), dimension::energy});
+  }
+  for (const std::string_view mechanism : mechanism_names) {
+    found.push_back({fmt::format("lost.{}", mechanism), dimension::energy});
+  }
+  found.push_back({"closure.energy", dimension::energy});
+  found.push_back({"closure.momentum_x", dimension::momentum});
+  found.push_back({"closure.momentum_y", dimension::momentum});
+  found.push_back({"closure.angular_momentum", dimension::angular_momentum});
+  return found;
+}
+
+}  // namespace
+
+Recorder::Recorder(const Dynamics& dynamics, const State& start)
+    : dynamics_{&dynamics}, work_{dynamics.workspace()}, ledger_{dynamics, start} {
+  history_.columns = columns(dynamics.model());
+}
+
+void Recorder::operator()(const State& state, const StepInfo& info) {
+  accounts_ = ledger_.accounts(state);
+  fill_row(state);
+  if (extremes_.empty()) {
+    for (const double value : row_)
+      extremes_.push_back({value, state.t, value, state.t});
+  }
+  for (std::size_t i = 0; i < row_.size(); ++i) {
+    Extreme& extreme = extremes_[i];
+    if (row_[i] < extreme.least) extreme.least = row_[i], extreme.least_time = state.t;
+    if (row_[i] > extreme.largest) extreme.largest = row_[i], extreme.largest_time = state.t;
+  }
+  if (info.due) history_.rows.push_back(row_);
+}
+
+void Recorder::fill_row(const State& state) {
+  const Model& model = dynamics_->model();
+  dynamics_->update(state, work_);
+  row_.assign({state.t});
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    if (model.bodies[i].mobility == Mobility::fixed) continue;
+    const Pose& pose = work_.poses[i];
+    row_.insert(row_.end(), {pose.p_WB.x, pose.p_WB.y, pose.v_WB.x, pose.v_WB.y});
+    if (turns(model.bodies[i])) row_.insert(row_.end(), {angle(model, state, static_cast<BodyId>(i)), pose.w_WB});
+  }
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    const auto contact = static_cast<ContactId>(i);
+    row_.push_back(dynamics_->contact_depth(work_, contact));
+    row_.push_back(norm(dynamics_->contact_force(state, work_, contact)));
+  }
+  for (std::size_t i = 0; i < model.cables.size(); ++i) {
+    const auto cable = static_cast<CableId>(i);
+    row_.push_back(dynamics_->elongation(work_, cable));
+    row_.push_back(dynamics_->tension(state, work_, cable));
+  }
+  const Energies& energies = accounts_.energies;
+  row_.insert(row_.end(), {energies.kinetic, energies.gravity, energies.applied, energies.contacts, energies.cables});
+  row_.insert(row_.end(), accounts_.lost.begin(), accounts_.lost.end());
+  row_.insert(row_.end(), {accounts_.energy_closure, accounts_.momentum_closure.x, accounts_.momentum_closure.y,
+                           accounts_.angular_momentum_closure});
+}
+
+}  // namespace talus

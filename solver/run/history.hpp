@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/base/dimension.hpp"
+#include "solver/run/energy_ledger.hpp"
+#include "solver/run/simulate.hpp"
+
+namespace talus {
+
+/// One quantity of a history: its name, e.g. "rock.vx", "top.tension", "energy.kinetic", and its dimension.
+struct Column {
+  std::string name;
+  Dimension dimension;
+};
+
+/// Quantities of a run over time, row by row, in the scene's consistent units. The first column is "time".
+struct History {
+  std::vector<Column> columns;
+  std::vector<std::vector<double>> rows;
+};
+
+/// Fills a history and keeps the extreme values of every step: for each body that moves x, y, vx, vy and, if it turns,
+/// angle and spin; for each contact depth and force; for each cable elongation and tension; energies, losses and
+/// closures.
+class Recorder {
+ public:
+  /// `start` is the run's first state. The Dynamics must outlive the recorder.
+  Recorder(const Dynamics& dynamics, const State& start);
+
+  /// Writes a row when one is due; the ledger and the extremes are brought up to date with every step.
+  void operator()(const State& state, const StepInfo& info);
+
+  const History& history() const { return history_; }
+  const EnergyLedger& ledger() const { return ledger_; }
+  /// The accounts at the last step seen.
+  const Accounts& accounts() const { return accounts_; }
+
+  /// Smallest and largest value of each column over all steps, with their times.
+  struct Extreme {
+    double least{};
+    double least_time{};
+    double largest{};
+    double largest_time{};
+  };
+  const std::vector<Extreme>& extremes() const { return extremes_; }
+
+ private:
+  void fill_row(const State& state);
+
+  const Dynamics* dynamics_;
+  Workspace work_;
+  EnergyLedger ledger_;
+  Accounts accounts_;
+  History history_;
+  std::vector<double> row_;
+  std::vector<Extreme> extremes_;
+};
+
+}  // namespace talus

@@ -1,0 +1,72 @@
+#include "solver/run/simulate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/base/error.hpp"
+#include "solver/integrate/concepts.hpp"
+
+namespace talus {
+namespace {
+
+/// Index of the first coordinate that is not finite, in position or velocity; the number of coordinates if all are.
+std::size_t first_not_finite(const State& state) {
+  for (std::size_t i = 0; i < state.q.size(); ++i) {
+    if (!std::isfinite(state.q[i]) || !std::isfinite(state.v[i])) return i;
+  }
+  return state.q.size();
+}
+
+Outcome diverged(const RigidBodySystem& system, const State& state, std::size_t coordinate, double h) {
+  const Dynamics& dynamics = system.dynamics();
+  const std::string which = name(dynamics.model(), dynamics.layout().coordinates[coordinate]);
+  return {Outcome::Kind::diverged, state.t,
+          fmt::format("diverged at t = {:.6g}: '{}' is not finite (step {:.6g}); a smaller step is needed", state.t,
+                      which, h)};
+}
+
+template <class Method>
+Outcome run(RigidBodySystem& system, Method& method, State& state, const RunPlan& plan,
+            std::span<const Observer> observers, const StopCondition& stop) {
+  static_assert(IntegratorFor<Method, RigidBodySystem>);
+  const double start = state.t;
+  const long steps = step_count(plan);
+  const long every = std::max(1L, std::lround(plan.interval / plan.step));
+  system.settle(state);
+  for (const Observer& observe : observers)
+    observe(state, {0, system.evaluations(), true});
+  method.start(system, state, plan.step);
+  for (long n = 1; n <= steps; ++n) {
+    method.step(system, state, plan.step);
+    // n h rather than a sum of h: the time of a step does not collect round-off.
+    state.t = start + static_cast<double>(n) * plan.step;
+    if (const std::size_t bad = first_not_finite(state); bad < state.q.size())
+      return diverged(system, state, bad, plan.step);
+    if (observers.empty() && !stop) continue;
+    const State& seen = method.synchronized(state, plan.step);
+    const bool last = n == steps || (stop && stop(seen));
+    for (const Observer& observe : observers)
+      observe(seen, {n, system.evaluations(), last || n % every == 0});
+    if (last) break;
+  }
+  state = State{method.synchronized(state, plan.step)};
+  system.settle(state);
+  return {Outcome::Kind::finished, state.t, {}};
+}
+
+}  // namespace
+
+long step_count(const RunPlan& plan) {
+  TALUS_DEMAND(plan.step > 0.0 && plan.end > 0.0);
+  // The share of a step forgives the round-off of end/step when end is meant as a whole number of steps.
+  return static_cast<long>(std::ceil(plan.end / plan.step - 1e-9));
+}
+
+Outcome simulate(RigidBodySystem& system, Integrator& integrator, State& state, const RunPlan& plan,
+                 std::span<const Observer> observers, const StopCondition& stop) {
+  return std::visit([&](auto& method) { return run(system, method, state, plan, observers, stop); }, integrator);
+}
+
+}  // namespace talus

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "solver/state/mode.hpp"
+
+namespace talus {
+
+/// Ways in which mechanical energy leaves or enters the bodies and springs of a scene.
+enum class Mechanism : std::size_t {
+  contact_damping,  ///< dashpots of contacts: dissipated > 0
+  contact_release,  ///< spring energy left in a contact that stops acting before its surfaces part: dissipated > 0
+  cable_damping,    ///< dashpots of cables: dissipated > 0
+  cable_release,    ///< spring energy left in a cable whose dashpot lets it go before it is slack: dissipated > 0
+};
+inline constexpr std::array<std::string_view, 4> mechanism_names{"contact_damping", "contact_release", "cable_damping",
+                                                                 "cable_release"};
+inline constexpr std::size_t mechanism_count = mechanism_names.size();
+
+/// Impulses that come from outside the moving bodies: x and y components [M L/T], and moment about the world's origin
+/// [M L^2/T], counter-clockwise > 0.
+using Impulse = std::array<double, 3>;
+
+/// All that changes during a run; numbers only. What they belong to is known to the model's layout.
+struct State {
+  double t{0.0};                               ///< time [T]
+  std::vector<double> q;                       ///< generalised coordinates [L or rad]
+  std::vector<double> v;                       ///< their rates [1/T of q]
+  std::vector<double> z;                       ///< memory of the laws (each law says what it keeps)
+  std::vector<Mode> mode;                      ///< one for each law instance
+  std::array<double, mechanism_count> work{};  ///< energy dissipated so far by each mechanism [F L]
+  Impulse impulse{};                           ///< impulse received so far from supports and gravity
+
+  friend bool operator==(const State&, const State&) = default;
+};
+
+/// Rates of change of a State in its present modes; dq/dt is v itself.
+struct Rates {
+  std::vector<double> v;                       ///< accelerations
+  std::vector<double> z;                       ///< memory rates
+  std::array<double, mechanism_count> work{};  ///< powers dissipated [F L/T]
+  Impulse impulse{};                           ///< forces and moment from outside
+
+  explicit Rates(const State& like) : v(like.v.size()), z(like.z.size()) {}
+  Rates() = default;
+};
+
+}  // namespace talus
