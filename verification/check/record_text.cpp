@@ -124,7 +124,8 @@ std::string text_of(const Record& record) {
                   {"figures", array_of(record.figures)},
                   {"tables", array_of(record.tables)},
                   {"notes", record.notes}};
-  return json.dump(1) + "\n";
+  // Words of a foreign exception need not be UTF-8: what is not is replaced, so that the record is still written.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace talus::verification

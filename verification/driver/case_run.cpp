@@ -1,0 +1,131 @@
+#include "verification/driver/case_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <string>
+
+namespace talus::verification {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Runs `setup`; returns what was thrown, in words, or nothing.
+std::string thrown_by(const Case& verification_case, Findings& findings, const Setup& setup) {
+  try {
+    verification_case.run(findings, setup);
+    return "";
+  } catch (const std::exception& fault) {
+    return std::string("exception: ") + fault.what();
+  } catch (...) {
+    return "exception of unknown type";
+  }
+}
+
+Control untried(const Fault& fault) {
+  Control control;
+  control.name = fault.name;
+  control.what = fault.what;
+  control.turns_red = fault.turns_red;
+  return control;
+}
+
+Colour colour_of(const Check* check) {
+  if (check == nullptr) return Colour::missing;
+  return check->pass ? Colour::green : Colour::red;
+}
+
+std::string message_of(const Control& control, const std::string& thrown) {
+  std::string words;
+  if (control.observed == Colour::green) words = "the check stayed green with the fault";
+  if (control.observed == Colour::missing) words = "the check was not made with the fault";
+  if (control.observed == Colour::red && control.unplanted != Colour::green) {
+    words = fmt::format("the check is {} at this resolution without the fault, too",
+                        control.unplanted == Colour::red ? "red" : "missing");
+  }
+  if (!thrown.empty()) words += (words.empty() ? "" : "; ") + thrown;
+  return words;
+}
+
+/// Plants `fault` and looks at the check it names. An exception after that check was made is told, but does not count.
+Control plant(const Case& verification_case, const Fault& fault, const Findings& unplanted, Tier tier) {
+  Findings findings;
+  const std::string thrown =
+      thrown_by(verification_case, findings, {.fault = fault.name, .coarse = true, .tier = tier});
+  Control control = untried(fault);
+  const Check* check = findings.find(fault.turns_red);
+  control.observed = colour_of(check);
+  control.unplanted = colour_of(unplanted.find(fault.turns_red));
+  if (check != nullptr) {
+    control.measured = check->measured;
+    control.reference = check->reference;
+    control.error = check->error;
+    control.bound = check->bound;
+  }
+  control.message = message_of(control, thrown);
+  return control;
+}
+
+void plant_all(const Case& verification_case, Tier tier, Record& record) {
+  Findings unplanted;
+  const std::string thrown = thrown_by(verification_case, unplanted, {.fault = "", .coarse = true, .tier = tier});
+  if (!thrown.empty()) record.notes.push_back("The right setup at coarse resolution threw an " + thrown);
+  for (const auto& fault : verification_case.faults) {
+    record.controls.push_back(plant(verification_case, fault, unplanted, tier));
+  }
+}
+
+}  // namespace
+
+Record run_case(const Case& verification_case, Tier tier) {
+  const auto start = Clock::now();
+  Record record = record_of(verification_case);
+  Findings findings;
+  const std::string thrown = thrown_by(verification_case, findings, {.fault = "", .coarse = false, .tier = tier});
+  record.evaluations = findings.evaluations();
+  record.checks = findings.checks();
+  record.figures = findings.figures();
+  record.tables = findings.tables();
+  record.notes = findings.notes();
+  if (thrown.empty()) {
+    plant_all(verification_case, tier, record);
+    judge(record);
+  } else {
+    record.status = Status::error;
+    record.message = thrown;
+    for (const auto& fault : verification_case.faults)
+      record.controls.push_back(untried(fault));
+  }
+  record.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return record;
+}
+
+Record unfinished(const Case& verification_case, Status status, const std::string& message) {
+  Record record = record_of(verification_case);
+  record.status = status;
+  record.message = message;
+  for (const auto& fault : verification_case.faults)
+    record.controls.push_back(untried(fault));
+  return record;
+}
+
+void judge(Record& record) {
+  const auto failed = std::count_if(record.checks.begin(), record.checks.end(), [](const Check& c) { return !c.pass; });
+  const auto unshown =
+      std::count_if(record.controls.begin(), record.controls.end(), [](const Control& c) { return !c.pass(); });
+  record.message.clear();
+  if (record.checks.empty()) record.message = "no check was made";
+  if (record.controls.empty())
+    record.message += record.message.empty() ? "no fault is planted" : "; no fault is planted";
+  if (failed > 0) record.message = fmt::format("{} of {} checks failed", failed, record.checks.size());
+  if (unshown > 0) {
+    record.message += fmt::format("{}{} of {} controls did not turn red", record.message.empty() ? "" : "; ", unshown,
+                                  record.controls.size());
+  }
+  record.status = record.message.empty() ? Status::pass : Status::fail;
+}
+
+}  // namespace talus::verification

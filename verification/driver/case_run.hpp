@@ -1,0 +1,17 @@
+#pragma once
+
+#include "verification/check/record.hpp"
+
+namespace talus::verification {
+
+/// Runs one case in this process: the right setup; the right setup again at the coarse resolution of the controls; then
+/// each planted fault at that resolution. What the case throws becomes Status::error with its words.
+[[nodiscard]] Record run_case(const Case& verification_case, Tier tier);
+
+/// The record of a case that could not be run to its end: nothing checked, every control missing.
+[[nodiscard]] Record unfinished(const Case& verification_case, Status status, const std::string& message);
+
+/// What checks and controls of a finished case add up to: fills `status` (pass or fail) and `message`.
+void judge(Record& record);
+
+}  // namespace talus::verification

@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "verification/driver/catalogue.hpp"
+#include "verification/driver/requirements.hpp"
+
+namespace talus::verification {
+
+namespace {
+
+bool is_snake_case(const std::string& word) {
+  const auto plain = [](unsigned char c) { return std::islower(c) != 0 || std::isdigit(c) != 0 || c == '_'; };
+  return !word.empty() && std::all_of(word.begin(), word.end(), plain);
+}
+
+std::string flaw_of_requirements(const Case& verification_case) {
+  const auto known = all_requirements();
+  if (verification_case.requirements.empty()) return "it names no requirement";
+  for (const auto& id : verification_case.requirements) {
+    const bool listed = std::any_of(known.begin(), known.end(), [&](const Requirement& r) { return r.id == id; });
+    if (!listed) return fmt::format("requirement '{}' is in no closed list", id);
+  }
+  return "";
+}
+
+std::string flaw_of_faults(const Case& verification_case) {
+  const auto& faults = verification_case.faults;
+  if (faults.empty()) return "it plants no fault: a case that cannot turn red shows nothing";
+  for (const auto& fault : faults) {
+    if (fault.name.empty() || fault.what.empty() || fault.turns_red.empty()) {
+      return fmt::format("fault '{}' needs a name, words and the check it turns red", fault.name);
+    }
+    const auto uses = std::count_if(faults.begin(), faults.end(), [&](const Fault& f) { return f.name == fault.name; });
+    if (uses > 1) return fmt::format("fault '{}' is listed twice", fault.name);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string flaw_of(const Case& verification_case, const std::vector<Case>& all) {
+  const Case& c = verification_case;
+  if (!is_snake_case(c.id)) return fmt::format("its id '{}' is not snake_case", c.id);
+  if (std::count_if(all.begin(), all.end(), [&](const Case& other) { return other.id == c.id; }) > 1) {
+    return "its id is used twice";
+  }
+  if (c.title.empty()) return "it has no title";
+  if (c.source.empty()) return "it cites no source";
+  if (c.page.empty()) return "its page is empty";
+  if (c.run == nullptr) return "it has nothing to run";
+  if (!(std::isfinite(c.time_limit) && c.time_limit > 0.0))
+    return "its time limit must be finite and greater than zero";
+  const std::string flaw = flaw_of_requirements(c);
+  return flaw.empty() ? flaw_of_faults(c) : flaw;
+}
+
+}  // namespace talus::verification

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verification/check/record.hpp"
+
+namespace talus::verification {
+
+/// The text as XML 1.0 character data or attribute value: markup escaped, characters that XML does not have replaced
+/// by '?'.
+[[nodiscard]] std::string escaped(const std::string& text);
+
+/// JUnit XML: one test suite for each case, one test case for each check and control, and one for the run itself.
+[[nodiscard]] std::string junit_of(const std::vector<Record>& records);
+
+}  // namespace talus::verification

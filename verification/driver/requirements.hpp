@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace talus::verification {
+
+/// Something that must be shown to work: an equation of the 1993 report, a law, an integrator or a shape.
+struct Requirement {
+  std::string id;     ///< "Eq. 21", "law.NAME", "integrator.NAME", "shape.NAME".
+  std::string group;  ///< "equation", "law", "integrator" or "shape".
+  std::string text;   ///< One line: what it says.
+};
+
+/// All requirements: the report's numbered equations and the solver's closed lists. A case may name these and no
+/// others; those that no case names are shown in the report as open.
+[[nodiscard]] std::vector<Requirement> all_requirements();
+
+}  // namespace talus::verification

@@ -1,0 +1,174 @@
+#include "verification/driver/runner.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+
+#include "verification/driver/case_run.hpp"
+
+namespace talus::verification {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr int exit_io = 4;
+constexpr auto poll_interval = std::chrono::milliseconds(5);
+
+/// A case that runs in a child process.
+struct Child {
+  std::size_t index = 0;  ///< Place in the list of cases.
+  pid_t pid = 0;
+  Clock::time_point start;
+  bool killed = false;  ///< At its time limit.
+};
+
+/// The child's side: does not return. What the case prints goes to output.txt, not between the driver's lines.
+[[noreturn]] void run_in_child(const Case& verification_case, const fs::path& folder, Tier tier) {
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // An interrupted driver leaves no cases running.
+  const int log = ::open((folder / "output.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  if (log >= 0) {
+    ::dup2(log, STDOUT_FILENO);
+    ::dup2(log, STDERR_FILENO);
+  }
+  int status = 0;
+  try {
+    write_record(run_case(verification_case, tier), folder);
+  } catch (const std::exception& fault) {
+    std::fprintf(stderr, "%s\n", fault.what());
+    status = exit_io;
+  }
+  std::fflush(nullptr);
+  ::_exit(status);
+}
+
+Child start(const Case& verification_case, std::size_t index, const RunPlan& plan) {
+  const fs::path folder = plan.out / verification_case.id;
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  std::fflush(nullptr);
+  const pid_t pid = ::fork();
+  if (pid < 0) throw std::runtime_error(std::string("no process for a case: ") + std::strerror(errno));
+  if (pid == 0) run_in_child(verification_case, folder, plan.tier);
+  ::setpgid(pid, pid);  // By both sides: whichever comes first.
+  return {index, pid, Clock::now()};
+}
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::string last_line(const fs::path& file) {
+  std::ifstream in(file);
+  std::string last;
+  for (std::string line; std::getline(in, line);) {
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+/// Reads the record of a child that ended by itself with status zero, and demands that it belongs to the case.
+Record read_back(const Case& verification_case, const fs::path& folder) {
+  if (!fs::exists(folder / "record.json")) {
+    return unfinished(verification_case, Status::missing, "the case ended without leaving a record");
+  }
+  try {
+    Record record = read_record(folder);
+    if (record.id != verification_case.id) throw RecordError("the record is of case '" + record.id + "'");
+    if (record.controls.size() != verification_case.faults.size()) {
+      throw RecordError("the record has another number of controls than the case has faults");
+    }
+    Record judged = record;
+    judge(judged);
+    if (record.status != judged.status && record.status != Status::error) {
+      throw RecordError("the record's status does not follow from its checks");
+    }
+    return record;
+  } catch (const RecordError& fault) {
+    return unfinished(verification_case, Status::error, fault.what());
+  }
+}
+
+Record outcome_of(const Child& child, int status, const Case& verification_case, const RunPlan& plan) {
+  const fs::path folder = plan.out / verification_case.id;
+  const double seconds = seconds_since(child.start);
+  Record record;
+  const auto failed = [&](Status how, std::string words) {
+    const std::string last = last_line(folder / "output.txt");
+    if (!last.empty()) words += "; its last words: " + last;
+    record = unfinished(verification_case, how, words);
+    record.seconds = seconds;
+  };
+  if (child.killed) {
+    failed(Status::timeout, fmt::format("stopped at its time limit of {:g} s", verification_case.time_limit));
+  } else if (WIFSIGNALED(status)) {
+    failed(Status::error, fmt::format("ended by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status))));
+  } else if (WEXITSTATUS(status) != 0) {
+    failed(Status::error, fmt::format("ended with exit status {}", WEXITSTATUS(status)));
+  } else {
+    record = read_back(verification_case, folder);
+  }
+  // The report reads the same from the folder as from results.json.
+  if (child.killed || WIFSIGNALED(status) || WEXITSTATUS(status) != 0) write_record(record, folder);
+  return record;
+}
+
+/// True if the child has ended; kills its process group at the time limit.
+bool has_ended(Child& child, double time_limit, int& status) {
+  const pid_t ended = ::waitpid(child.pid, &status, WNOHANG);
+  if (ended == child.pid) return true;
+  if (!child.killed && seconds_since(child.start) > time_limit) {
+    ::kill(-child.pid, SIGKILL);
+    child.killed = true;
+  }
+  return false;
+}
+
+std::vector<std::string> ids_of(const std::vector<Child>& children, const std::vector<Case>& cases) {
+  std::vector<std::string> ids;
+  for (const auto& child : children)
+    ids.push_back(cases[child.index].id);
+  return ids;
+}
+
+}  // namespace
+
+std::vector<Record> run_all(const std::vector<Case>& cases, const RunPlan& plan, const Progress& progress) {
+  std::vector<Record> records(cases.size());
+  std::vector<Child> running;
+  std::size_t next = 0;
+  while (next < cases.size() || !running.empty()) {
+    while (next < cases.size() && running.size() < std::max(1u, plan.jobs)) {
+      running.push_back(start(cases[next], next, plan));
+      ++next;
+    }
+    std::this_thread::sleep_for(poll_interval);
+    for (std::size_t i = 0; i < running.size();) {
+      Child& child = running[i];
+      int status = 0;
+      if (!has_ended(child, cases[child.index].time_limit, status)) {
+        ++i;
+        continue;
+      }
+      Record& record = records[child.index];
+      record = outcome_of(child, status, cases[child.index], plan);
+      running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
+      progress(record, ids_of(running, cases));
+    }
+  }
+  return records;
+}
+
+}  // namespace talus::verification

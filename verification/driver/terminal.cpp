@@ -1,0 +1,110 @@
+#include "verification/driver/terminal.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace talus::verification {
+
+namespace {
+
+constexpr const char* green = "\x1b[32m";
+constexpr const char* red = "\x1b[31m";
+constexpr const char* plain = "\x1b[0m";
+
+bool is_set(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+std::string with_unit(double value, const std::string& unit) {
+  return unit == "1" || unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
+}
+
+/// The check nearest to its bound or farthest over it; a NaN is farther than all.
+const Check* worst(const std::vector<Check>& checks) {
+  const auto badness = [](const Check& check) { return std::isnan(check.margin) ? HUGE_VAL : check.margin; };
+  const auto found = std::max_element(checks.begin(), checks.end(),
+                                      [&](const Check& a, const Check& b) { return badness(a) < badness(b); });
+  return found == checks.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string sentence(const std::string& id, const Check& check) {
+  std::string words =
+      fmt::format("{}.{}: {}, reference {}, error/bound {:.3g}", id, check.name,
+                  check.text_measured.empty() ? with_unit(check.measured, check.unit) : check.text_measured,
+                  with_unit(check.reference, check.unit), check.margin);
+  if (!check.message.empty()) words += "; " + check.message;
+  return words + " (" + check.why + ")";
+}
+
+std::string sentence(const std::string& id, const Control& control) {
+  return fmt::format("{}: control '{}' ({}) must turn '{}' red: {}", id, control.name, control.what, control.turns_red,
+                     control.message.empty() ? "it was not run" : control.message);
+}
+
+Terminal::Terminal(std::size_t total)
+    : total_(total),
+      colour_(::isatty(STDOUT_FILENO) != 0 && !is_set("NO_COLOR")),
+      progress_(::isatty(STDERR_FILENO) != 0) {}
+
+std::string Terminal::painted(const std::string& text, const char* colour) const {
+  return colour_ ? colour + text + plain : text;
+}
+
+void Terminal::report(const Record& record, const std::vector<std::string>& running) {
+  ++ended_;
+  clear_progress();
+  const bool pass = record.status == Status::pass;
+  const Check* const farthest = worst(record.checks);
+  const std::string margin =
+      farthest == nullptr ? "-" : fmt::format("worst error/bound {:.2g} ({})", farthest->margin, farthest->name);
+  fmt::print("{}  {:<18} {:>3} checks  {:>2} controls  {:>6.2f} s  {}\n",
+             painted(fmt::format("{:<7}", name_of(record.status)), pass ? green : red), record.id, record.checks.size(),
+             record.controls.size(), record.seconds, margin);
+  if (!pass) fmt::print("         {}: {}\n", record.id, record.message);
+  for (const auto& check : record.checks) {
+    if (!check.pass) fmt::print("         {}\n", sentence(record.id, check));
+  }
+  for (const auto& control : record.controls) {
+    if (!control.pass() && record.status == Status::fail) fmt::print("         {}\n", sentence(record.id, control));
+  }
+  std::fflush(stdout);
+  show_progress(running);
+}
+
+void Terminal::show_progress(const std::vector<std::string>& running) const {
+  if (!progress_ || running.empty()) return;
+  std::string ids;
+  for (const auto& id : running)
+    ids += " " + id;
+  fmt::print(stderr, "[{}/{}]{} ...", ended_, total_, ids);
+  std::fflush(stderr);
+}
+
+void Terminal::clear_progress() const {
+  if (!progress_) return;
+  fmt::print(stderr, "\r\x1b[K");
+  std::fflush(stderr);
+}
+
+void Terminal::summarise(const Results& results, const std::string& results_file) const {
+  const Counts counts = counts_of(results);
+  const bool pass = holds(results);
+  const std::size_t unselected = results.registered.size() - results.selected.size();
+  fmt::print("{}: {} of {} cases passed; {} checks, {} failed, {} slack; {} controls, {} not red{}\n",
+             painted(pass ? "PASS" : "FAIL", pass ? green : red), counts.passed, counts.cases, counts.checks,
+             counts.checks_failed, counts.slack, counts.controls, counts.controls_failed,
+             unselected == 0 ? "" : fmt::format("; {} registered but not selected", unselected));
+  if (results.selected.empty()) fmt::print("nothing was run: that is a failure\n");
+  fmt::print("results: {}\n", results_file);
+  std::fflush(stdout);
+}
+
+}  // namespace talus::verification
