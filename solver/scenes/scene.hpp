@@ -11,11 +11,11 @@ namespace talus {
 
 /// All that a run needs: what exists, how it starts, and by which method and plan it goes on.
 struct Scene {
-  std::string title;
-  Model model;
-  State initial;
-  Integrator integrator;
-  RunPlan plan;
+  std::string title{};
+  Model model{};
+  State initial{};
+  Integrator integrator{};
+  RunPlan plan{};
 };
 
 }  // namespace talus
