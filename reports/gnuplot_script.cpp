@@ -113,14 +113,9 @@ std::string line_commands(const Plot& plot) {
         line.axis == 'x' ? fmt::format("{:.9g}, graph 1", line.at) : fmt::format("graph 1, {:.9g}", line.at);
     text += fmt::format("set arrow from {} to {} nohead lc rgb '#333333' lw 1.2 dt 4 back\n", from, to);
     if (line.label.empty()) continue;
-    text += line.axis == 'x'
-                ? fmt::format(
-                      "set label {} at {:.9g}, graph 0.98 right rotate by 90 offset char -0.7,0 front textcolor rgb "
-                      "'#333333'\n",
-                      gnuplot_text(line.label), line.at)
-                : fmt::format(
-                      "set label {} at graph 0.985, {:.9g} right offset 0,char 0.55 front textcolor rgb '#333333'\n",
-                      gnuplot_text(line.label), line.at);
+    const std::string place = line.axis == 'x' ? fmt::format("{:.9g}, graph 1.035 center", line.at)
+                                               : fmt::format("graph 0.985, {:.9g} right offset 0,char 0.55", line.at);
+    text += fmt::format("set label {} at {} front textcolor rgb '#333333'\n", gnuplot_text(line.label), place);
   }
   return text;
 }
@@ -209,7 +204,7 @@ std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, 
   for (const std::string& format : canvas.formats) {
     const std::string file = (canvas.folder / (stem + "." + format)).string();
     if (format == "pdf") {
-      text += fmt::format("set terminal pdfcairo enhanced font 'DejaVu Sans,8' fontscale 1 size {}cm,{:.2f}cm\n",
+      text += fmt::format("set terminal pdfcairo enhanced font 'DejaVu Sans,12' fontscale 0.5 size {}cm,{:.2f}cm\n",
                           centimetres_wide, height);
     } else if (format == "svg") {
       text += fmt::format(
@@ -241,7 +236,8 @@ std::string figure_script(const Plot& plot, const Canvas& canvas, const std::str
   text += slope_commands(plot, curves) + line_commands(plot);
   const std::size_t columns = key_columns(plot);
   const std::size_t rows = (in_key + columns - 1) / columns;
-  text += fmt::format("set key maxrows {}\n", std::max<std::size_t>(rows, 1));
+  text += fmt::format("set key at screen 0.54, char 0.4 center bottom maxrows {}\nset bmargin {:.2f}\n",
+                      std::max<std::size_t>(rows, 1), 4.3 + 1.15 * static_cast<double>(rows));
   return text + drawn_in_each_format(canvas, stem, "plot " + curves, 7.6 + 0.42 * static_cast<double>(rows));
 }
 

@@ -51,7 +51,9 @@ std::string frame(const Results& results, std::size_t rows) {
     names += fmt::format("{}{} {}", row == 0 ? "" : ", ", gnuplot_text(results.cases[row].id), row + 1);
   }
   std::string text = fmt::format("set yrange [{}:0.4]\nset ytics ({})\n", static_cast<double>(rows) + 0.6, names);
-  text += "set lmargin 19\nset logscale x\nset grid noytics\nset xlabel 'error / bound'\n";
+  text +=
+      "set lmargin 19\nset bmargin 5.2\nset tmargin 2\nset key at screen 0.5, char 0.4 center bottom maxrows 1\nset "
+      "logscale x\nset grid noytics\nset xlabel 'error / bound'\n";
   text += fmt::format("set xrange [{:g}:{:g}]\n", strip_of_zero / 3.0, strip_of_infinity * 2.0);
   text += fmt::format(
       "set xtics ('0' {:g}, '≤10^{{-5}}' 1e-5, '10^{{-4}}' 1e-4, '10^{{-3}}' 1e-3, '1/50' 0.02, "

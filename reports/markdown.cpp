@@ -54,6 +54,19 @@ std::string escaped(const std::string& text, bool in_cell) {
   return result;
 }
 
+/// What is read of a cell: links without their targets, marks without their escapes.
+std::string visible(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text.compare(i, 3, "](#") == 0) {
+      i = std::min(text.find(')', i), text.size() - 1);
+    } else if (text[i] != '\\' && text[i] != '[') {
+      result += text[i];
+    }
+  }
+  return result;
+}
+
 /// Letters, not bytes: continuation bytes of UTF-8 do not count.
 std::size_t length_of(const std::string& text) {
   return static_cast<std::size_t>(
@@ -79,8 +92,8 @@ std::vector<std::size_t> widths_of(const std::vector<Column>& columns,
     least[c] = std::max<std::size_t>(longest_word(columns[c].heading), 3);
     wish[c] = length_of(columns[c].heading);
     for (const auto& row : rows) {
-      least[c] = std::max(least[c], std::min<std::size_t>(longest_word(row[c]), 24));
-      wish[c] = std::max(wish[c], length_of(row[c]));
+      least[c] = std::max(least[c], std::min<std::size_t>(longest_word(visible(row[c])), 24));
+      wish[c] = std::max(wish[c], length_of(visible(row[c])));
     }
     wish[c] = std::max(wish[c], least[c]) - least[c];
     ++least[c];

@@ -128,7 +128,7 @@ std::string provenance(const Provenance& p) {
                   {"machine", cell(p.cpu + (p.cores > 0 ? fmt::format(", {} cores", p.cores) : "") +
                                    (p.os.empty() ? "" : ", " + p.os))},
                   {"libraries", cell(libraries)}};
-  return markdown::table({{"of these"}, {"results"}}, rows, "");
+  return markdown::table({{"what"}, {"value"}}, rows, "");
 }
 
 std::string case_summary(const Results& results) {

@@ -21,3 +21,4 @@ set bars 0.6
 set key bmargin center vertical Left reverse samplen 2.5 spacing 1.05
 set lmargin 11
 set rmargin 4
+set tmargin 1.6

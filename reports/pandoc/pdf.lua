@@ -9,13 +9,14 @@ function Image(image)
   return image
 end
 
--- The first chapter is the front page and its title.
+-- The first chapter is the front page and its title; the last ones share a page.
 local chapters = 0
 function Header(header)
-  if header.level > 1 then return nil end
+  if header.level > 1 then return { latex_block('\\TalusRoom'), header } end
   chapters = chapters + 1
-  if chapters == 1 then return nil end
-  local contents = chapters == 2 and '\\vfill\\setcounter{tocdepth}{1}\\begingroup\\small\\tableofcontents\\endgroup' or ''
+  local title = pandoc.utils.stringify(header)
+  if chapters == 1 or title == 'References' or title == 'Colophon' then return nil end
+  local contents = chapters == 2 and '\\vfill\\setcounter{tocdepth}{1}\\begingroup\\small\\tableofcontents\\endgroup\\thispagestyle{plain}' or ''
   return { latex_block(contents .. '\\clearpage'), header }
 end
 

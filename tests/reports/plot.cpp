@@ -1,0 +1,109 @@
+#define BOOST_TEST_MODULE reports_plot
+#include "reports/plot.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <fstream>
+
+#include "reports/error.hpp"
+#include "reports/gnuplot_script.hpp"
+#include "tests/reports/scratch.hpp"
+
+using namespace talus::reports;
+
+namespace {
+
+Figure figure_of(bool log) {
+  Figure figure;
+  figure.name = "f";
+  figure.title = "F";
+  figure.x = {"step", "s", log, {}, {}};
+  figure.y = {"error", "1", log, {}, {}};
+  figure.csv = "f.csv";
+  figure.series = {{"two_cable", "h [s]", "e", "points", "", "", ""}};
+  return figure;
+}
+
+void write_csv(const Scratch& scratch, const std::string& text) { std::ofstream(scratch.folder / "f.csv") << text; }
+
+std::string complaint(const Figure& figure, const Scratch& scratch) {
+  try {
+    static_cast<void>(plot_of(figure, scratch.folder));
+  } catch (const RecordError& wrong) {
+    return wrong.what();
+  }
+  return {};
+}
+
+bool names(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(labels_are_text) {
+  BOOST_TEST(gnuplot_text("two_cable") == "'two\\_cable'");
+  BOOST_TEST(gnuplot_text("$h^2$") == "'h^{2}'");
+  BOOST_TEST(gnuplot_text("k_n^{-1/2}") == "'k_{n}^{-1/2}'");
+  BOOST_TEST(gnuplot_text("it's {a}") == "'it''s \\{a\\}'");
+  BOOST_TEST(gnuplot_quoted("a'b") == "'a''b'");
+}
+
+BOOST_AUTO_TEST_CASE(what_is_missing_is_named) {
+  const Scratch scratch("plot");
+  BOOST_TEST(names(complaint(figure_of(false), scratch), "f.csv: the file is missing"));
+  write_csv(scratch, "h [s],error\n1,2\n");
+  BOOST_TEST(names(complaint(figure_of(false), scratch), "has no column 'e'; its columns: h [s], error"));
+  write_csv(scratch, "h [s],e\n1,2\n3\n");
+  BOOST_TEST(names(complaint(figure_of(false), scratch), "f.csv:3: has 1 cells"));
+  write_csv(scratch, "h [s],e\n1,nan\n");
+  BOOST_TEST(names(complaint(figure_of(false), scratch), "f.csv:2: column 'e' holds 'nan'"));
+  write_csv(scratch, "h [s],e\n");
+  BOOST_TEST(names(complaint(figure_of(false), scratch), "has no row"));
+  write_csv(scratch, "h [s],e\n1,0\n");
+  BOOST_TEST(names(complaint(figure_of(true), scratch), "is empty: no point can be drawn"));
+}
+
+BOOST_AUTO_TEST_CASE(limits_hold_the_points) {
+  const Extent linear = extent_of({1.0, 3.0}, false);
+  BOOST_TEST(linear.low < 1.0);
+  BOOST_TEST(linear.high > 3.0);
+  const Extent single = extent_of({0.0}, false);
+  BOOST_TEST(single.low < single.high);
+  const Extent log = extent_of({1e-3, 1e-3}, true);
+  BOOST_TEST(log.low > 0.0);
+  BOOST_TEST(log.low < log.high);
+}
+
+BOOST_AUTO_TEST_CASE(thinning_keeps_ends_and_extremes) {
+  std::vector<Point> points;
+  for (int i = 0; i < 10000; ++i)
+    points.push_back({double(i), i == 5001 ? 9.0 : std::sin(i), 0.0, 0.0});
+  const std::vector<Point> kept = thinned(points, 1000);
+  BOOST_TEST(kept.size() < 1100U);
+  BOOST_TEST(kept.front().x == 0.0);
+  BOOST_TEST(kept.back().x == 9999.0);
+  BOOST_TEST(std::any_of(kept.begin(), kept.end(), [](const Point& p) { return p.y == 9.0; }));
+  BOOST_TEST(std::is_sorted(kept.begin(), kept.end(), [](const Point& a, const Point& b) { return a.x < b.x; }));
+}
+
+BOOST_AUTO_TEST_CASE(a_script_draws_points_slopes_and_lines) {
+  const Scratch scratch("plot");
+  write_csv(scratch, "series,h [s],e\na,0.1,1e-2\nb,0.1,7\na,0.001,1e-6\na,0.01,0\n");
+  Figure figure = figure_of(true);
+  figure.series[0].where = "a";
+  figure.slopes = {{2.0, 1e-2, 1e-4, "h^2"}};
+  figure.lines = {{'x', 0.02, "production"}};
+  const Plot plot = plot_of(figure, scratch.folder);
+  BOOST_TEST(plot.undrawn == 1U);
+  BOOST_TEST(plot.curves[0].points.size() == 2U);
+  const std::string script = figure_script(plot, {"/p/preamble.gp", "/out", {"pdf", "svg"}}, "stem");
+  for (const char* part : {"load '/p/preamble.gp'", "set logscale x", "set output '/out/stem.pdf'", "'/out/stem.svg'",
+                           "$slope1 with lines", "'h^{2}'", "'production'", "10^{%T}", "'step [s]'", "'error'"}) {
+    BOOST_TEST(names(script, part), part);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(narrow_log_axes_have_numbers) {
+  const std::string narrow = log_tics('y', {2.0, 6.0});
+  BOOST_TEST(names(narrow, "2, 3, 5"));
+  BOOST_TEST(names(log_tics('x', {1e-5, 1.0}), "10^{%T}"));
+}
