@@ -38,6 +38,9 @@ struct Child {
 
 /// The child's side: does not return. What the case prints goes to output.txt, not between the driver's lines.
 [[noreturn]] void run_in_child(const Case& verification_case, const fs::path& folder, Tier tier) {
+  // A crash ends the child as a crash, whatever handlers the parent has installed.
+  for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV})
+    ::signal(signal, SIG_DFL);
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // An interrupted driver leaves no cases running.
   const int log = ::open((folder / "output.txt").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
@@ -70,59 +73,62 @@ Child start(const Case& verification_case, std::size_t index, const RunPlan& pla
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+/// The last line that says something, with what is not printable ASCII replaced: it may be cut in the middle of
+/// anything.
 std::string last_line(const fs::path& file) {
   std::ifstream in(file);
   std::string last;
   for (std::string line; std::getline(in, line);) {
     if (!line.empty()) last = line;
   }
+  std::replace_if(
+      last.begin(), last.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return last;
 }
 
-/// Reads the record of a child that ended by itself with status zero, and demands that it belongs to the case.
+/// Reads the record of a child that ended by itself with status zero; RecordError if it is not that of this case.
 Record read_back(const Case& verification_case, const fs::path& folder) {
-  if (!fs::exists(folder / "record.json")) {
-    return unfinished(verification_case, Status::missing, "the case ended without leaving a record");
+  Record record = read_record(folder);
+  if (record.id != verification_case.id) throw RecordError("the record is of case '" + record.id + "'");
+  if (record.controls.size() != verification_case.faults.size()) {
+    throw RecordError("the record has another number of controls than the case has faults");
   }
-  try {
-    Record record = read_record(folder);
-    if (record.id != verification_case.id) throw RecordError("the record is of case '" + record.id + "'");
-    if (record.controls.size() != verification_case.faults.size()) {
-      throw RecordError("the record has another number of controls than the case has faults");
-    }
-    Record judged = record;
-    judge(judged);
-    if (record.status != judged.status && record.status != Status::error) {
-      throw RecordError("the record's status does not follow from its checks");
-    }
-    return record;
-  } catch (const RecordError& fault) {
-    return unfinished(verification_case, Status::error, fault.what());
+  Record judged = record;
+  judge(judged);
+  if (record.status != judged.status && record.status != Status::error) {
+    throw RecordError("the record's status does not follow from its checks");
   }
+  return record;
 }
 
 Record outcome_of(const Child& child, int status, const Case& verification_case, const RunPlan& plan) {
   const fs::path folder = plan.out / verification_case.id;
-  const double seconds = seconds_since(child.start);
-  Record record;
   const auto failed = [&](Status how, std::string words) {
     const std::string last = last_line(folder / "output.txt");
     if (!last.empty()) words += "; its last words: " + last;
-    record = unfinished(verification_case, how, words);
-    record.seconds = seconds;
+    Record record = unfinished(verification_case, how, words);
+    record.seconds = seconds_since(child.start);
+    write_record(record, folder);  // The folder says the same as results.json.
+    return record;
   };
   if (child.killed) {
-    failed(Status::timeout, fmt::format("stopped at its time limit of {:g} s", verification_case.time_limit));
-  } else if (WIFSIGNALED(status)) {
-    failed(Status::error, fmt::format("ended by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status))));
-  } else if (WEXITSTATUS(status) != 0) {
-    failed(Status::error, fmt::format("ended with exit status {}", WEXITSTATUS(status)));
-  } else {
-    record = read_back(verification_case, folder);
+    return failed(Status::timeout, fmt::format("stopped at its time limit of {:g} s", verification_case.time_limit));
   }
-  // The report reads the same from the folder as from results.json.
-  if (child.killed || WIFSIGNALED(status) || WEXITSTATUS(status) != 0) write_record(record, folder);
-  return record;
+  if (WIFSIGNALED(status)) {
+    return failed(Status::error,
+                  fmt::format("ended by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status))));
+  }
+  if (WEXITSTATUS(status) != 0) {
+    return failed(Status::error, fmt::format("ended with exit status {}", WEXITSTATUS(status)));
+  }
+  if (!fs::exists(folder / "record.json")) {
+    return failed(Status::missing, "the case ended without leaving a record");
+  }
+  try {
+    return read_back(verification_case, folder);
+  } catch (const RecordError& fault) {
+    return failed(Status::error, fault.what());
+  }
 }
 
 /// True if the child has ended; kills its process group at the time limit.

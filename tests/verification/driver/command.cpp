@@ -1,0 +1,266 @@
+// The driver from its command line to its exit status, on cases that misbehave in each way known.
+#define BOOST_TEST_MODULE command
+#include "verification/driver/command.hpp"
+
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "tests/verification/driver/synthetic_cases.hpp"
+
+using namespace talus::verification;
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// Where a case that spoils its own record finds it; set before the case's process is started.
+std::string spoiled_folder;
+
+/// Runs the driver in a folder of its own and keeps what it wrote.
+struct Run {
+  fs::path out;
+  int status = -1;
+  json results;
+
+  explicit Run(const std::vector<Case>& cases, std::vector<std::string> options = {}) {
+    static int number = 0;
+    out = fs::temp_directory_path() / ("talus_driver_" + std::to_string(::getpid()) + "_" + std::to_string(++number));
+    fs::create_directories(out);
+    spoiled_folder = out.string();
+    options.insert(options.begin(), {"talus_verify", "--out", out.string()});
+    std::vector<const char*> argv;
+    for (const auto& option : options)
+      argv.push_back(option.c_str());
+    status = verify(cases, static_cast<int>(argv.size()), argv.data());
+    if (fs::exists(out / "results.json")) results = json::parse(std::ifstream(out / "results.json"));
+  }
+  ~Run() { fs::remove_all(out); }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  json record(std::size_t i = 0) const { return results.at("cases").at(i); }
+  bool says(const std::string& words, std::size_t i = 0) const {
+    return record(i).at("message").get<std::string>().find(words) != std::string::npos;
+  }
+};
+
+/// One misbehaving case: exit status 1, its status, and words in its message; the sound case beside it still passes.
+void demand_failure(const Case& bad, const std::string& status, const std::string& words) {
+  const Run run({bad, synthetic("sound", sound)});
+  BOOST_TEST_CONTEXT(bad.id) {
+    BOOST_TEST(run.status == 1);
+    BOOST_TEST(run.results.at("verdict") == "fail");
+    BOOST_TEST(run.record().at("status") == status);
+    BOOST_TEST(run.says(words), run.record().at("message"));
+    BOOST_TEST(run.record().at("controls").size() == bad.faults.size());
+    BOOST_TEST(run.record(1).at("status") == "pass");
+    BOOST_TEST(fs::exists(run.out / "junit.xml"));
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_sound_case_passes) {
+  const Run run({synthetic("sound", sound)});
+  BOOST_TEST(run.status == 0);
+  BOOST_TEST(run.results.at("verdict") == "pass");
+  BOOST_TEST(run.record().at("status") == "pass");
+  const json control = run.record().at("controls").at(0);
+  BOOST_TEST(control.at("observed") == "red");
+  BOOST_TEST(control.at("unplanted") == "green");
+  BOOST_TEST(control.at("measured") == 2.0);
+  BOOST_TEST(run.results.at("counts").at("checks") == 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_failed_check_fails) {
+  demand_failure(synthetic("wrong", [](Findings& f,
+                                       const Setup&) { f.expect("value", 3.0, 1.0, Tolerance::model(0.1, "chosen")); }),
+                 "fail", "1 of 1 checks failed");
+}
+
+BOOST_AUTO_TEST_CASE(a_nan_fails) {
+  demand_failure(synthetic("lost",
+                           [](Findings& f, const Setup&) {
+                             f.expect("value", std::numeric_limits<double>::quiet_NaN(), 1.0,
+                                      Tolerance::model(0.1, "chosen"));
+                           }),
+                 "fail", "1 of 1 checks failed");
+}
+
+BOOST_AUTO_TEST_CASE(a_crash_fails) {
+  demand_failure(synthetic("crashing", [](Findings&, const Setup&) { std::raise(SIGSEGV); }), "error", "signal 11");
+}
+
+BOOST_AUTO_TEST_CASE(an_abort_tells_its_last_words) {
+  demand_failure(synthetic("aborting",
+                           [](Findings&, const Setup&) {
+                             std::fputs("the demand does not hold\n", stderr);
+                             std::abort();
+                           }),
+                 "error", "the demand does not hold");
+}
+
+BOOST_AUTO_TEST_CASE(an_exception_fails_and_keeps_what_was_checked) {
+  const Case thrower = synthetic("throwing", [](Findings& f, const Setup&) {
+    f.expect_true("before", true, "made before the exception");
+    throw std::runtime_error("no bracket \xff");
+  });
+  demand_failure(thrower, "error", "no bracket");
+  BOOST_TEST(Run({thrower}).record().at("checks").size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_case_that_hangs_is_stopped) {
+  Case hanging =
+      synthetic("hanging", [](Findings&, const Setup&) { std::this_thread::sleep_for(std::chrono::seconds(600)); });
+  hanging.time_limit = 1.0;
+  demand_failure(hanging, "timeout", "time limit of 1 s");
+}
+
+BOOST_AUTO_TEST_CASE(an_exit_without_record_fails) {
+  demand_failure(synthetic("leaving", [](Findings&, const Setup&) { std::_Exit(0); }), "missing", "without");
+  demand_failure(synthetic("exiting", [](Findings&, const Setup&) { std::_Exit(7); }), "error", "exit status 7");
+}
+
+BOOST_AUTO_TEST_CASE(a_broken_record_fails) {
+  demand_failure(synthetic("truncating",
+                           [](Findings&, const Setup&) {
+                             std::ofstream(spoiled_folder + "/truncating/record.json") << "{\"schema\": 1, \"id\"";
+                             std::_Exit(0);
+                           }),
+                 "error", "truncated");
+  demand_failure(synthetic("emptying",
+                           [](Findings&, const Setup&) {
+                             std::ofstream(spoiled_folder + "/emptying/record.json") << "";
+                             std::_Exit(0);
+                           }),
+                 "error", "is empty");
+}
+
+BOOST_AUTO_TEST_CASE(a_record_left_from_before_does_not_count) {
+  const Case leaving = synthetic("leaving", [](Findings&, const Setup&) { std::_Exit(0); });
+  const fs::path out = fs::temp_directory_path() / ("talus_stale_" + std::to_string(::getpid()));
+  const std::string folder = out.string();
+  const char* argv[] = {"talus_verify", "--out", folder.c_str()};
+  BOOST_TEST(verify({synthetic("leaving", sound)}, 3, argv) == 0);
+  BOOST_TEST(verify({leaving}, 3, argv) == 1);
+  fs::remove_all(out);
+}
+
+BOOST_AUTO_TEST_CASE(no_check_fails) {
+  demand_failure(synthetic("idle", [](Findings&, const Setup&) {}), "fail", "no check was made");
+}
+
+BOOST_AUTO_TEST_CASE(a_control_that_stays_green_fails) {
+  const Case blind = synthetic(
+      "blind", [](Findings& f, const Setup&) { f.expect("value", 1.05, 1.0, Tolerance::model(0.1, "chosen")); });
+  demand_failure(blind, "fail", "1 of 1 controls did not turn red");
+  BOOST_TEST(Run({blind}).record().at("controls").at(0).at("observed") == "green");
+}
+
+BOOST_AUTO_TEST_CASE(a_control_whose_check_is_not_made_fails) {
+  demand_failure(synthetic("silent",
+                           [](Findings& f, const Setup& setup) {
+                             if (setup.has("shifted")) throw std::runtime_error("diverged");
+                             sound(f, setup);
+                           }),
+                 "fail", "1 of 1 controls did not turn red");
+}
+
+BOOST_AUTO_TEST_CASE(an_exception_after_the_named_check_leaves_the_control_red) {
+  const Run run({synthetic("late", [](Findings& f, const Setup& setup) {
+    sound(f, setup);
+    if (setup.has("shifted")) throw std::runtime_error("diverged");
+  })});
+  BOOST_TEST(run.status == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_check_that_is_red_without_the_fault_proves_nothing) {
+  const Case coarse = synthetic("coarse", [](Findings& f, const Setup& setup) {
+    f.expect("value", setup.coarse ? 2.0 : 1.05, 1.0, Tolerance::model(0.1, "chosen"));
+  });
+  demand_failure(coarse, "fail", "1 of 1 controls did not turn red");
+  BOOST_TEST(Run({coarse}).record().at("controls").at(0).at("unplanted") == "red");
+}
+
+BOOST_AUTO_TEST_CASE(a_case_that_is_not_well_formed_fails_without_being_run) {
+  const auto refuse = [](auto&& spoil, const std::string& words) {
+    Case bad = synthetic("bad", sound);
+    spoil(bad);
+    const Run run({bad});
+    BOOST_TEST(run.status == 1);
+    BOOST_TEST(run.record().at("status") == "error");
+    BOOST_TEST(run.says(words), run.record().at("message"));
+  };
+  refuse([](Case& c) { c.faults.clear(); }, "plants no fault");
+  refuse([](Case& c) { c.source.clear(); }, "cites no source");
+  refuse([](Case& c) { c.requirements = {"Eq. 99"}; }, "'Eq. 99' is in no closed list");
+  refuse([](Case& c) { c.requirements.clear(); }, "names no requirement");
+  refuse([](Case& c) { c.page.clear(); }, "page is empty");
+  refuse([](Case& c) { c.run = nullptr; }, "nothing to run");
+  refuse([](Case& c) { c.time_limit = 0.0; }, "time limit");
+  refuse([](Case& c) { c.faults.push_back(c.faults[0]); }, "listed twice");
+  const Run twice({synthetic("same", sound), synthetic("same", sound)});
+  BOOST_TEST(twice.status == 1);
+}
+
+BOOST_AUTO_TEST_CASE(no_case_at_all_fails) {
+  const Run run({});
+  BOOST_TEST(run.status == 1);
+  BOOST_TEST(run.results.at("verdict") == "fail");
+}
+
+BOOST_AUTO_TEST_CASE(only_selects_and_says_so) {
+  const std::vector<Case> cases{synthetic("first", sound), synthetic("second", sound), synthetic("third", sound)};
+  const Run run(cases, {"--only", "third,first"});
+  BOOST_TEST(run.status == 0);
+  BOOST_TEST(run.results.at("registered").size() == 3u);
+  BOOST_TEST(run.results.at("selected") == json({"first", "third"}));
+  BOOST_TEST(run.results.at("cases").size() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_command_line_is_two) {
+  const std::vector<Case> cases{synthetic("first", sound)};
+  BOOST_TEST(Run(cases, {"--only", "frist"}).status == 2);
+  BOOST_TEST(Run(cases, {"--bogus"}).status == 2);
+  BOOST_TEST(Run(cases, {"--jobs", "0"}).status == 2);
+  BOOST_TEST(Run(cases, {"--jobs", "many"}).status == 2);
+  BOOST_TEST(Run(cases, {"--quick", "--full"}).status == 2);
+  BOOST_TEST(Run(cases, {"--help"}).status == 0);
+  BOOST_TEST(Run(cases, {"--list"}).status == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_case_of_the_full_tier_waits_for_it) {
+  Case longer = synthetic("longer", sound);
+  longer.tier = Tier::full;
+  const std::vector<Case> cases{synthetic("first", sound), longer};
+  BOOST_TEST(Run(cases).results.at("selected") == json({"first"}));
+  BOOST_TEST(Run(cases, {"--full"}).results.at("selected") == json({"first", "longer"}));
+  BOOST_TEST(Run(cases, {"--only", "longer"}).status == 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_four) {
+  const char* argv[] = {"talus_verify", "--out", "/dev/null/results"};
+  BOOST_TEST(verify({synthetic("first", sound)}, 3, argv) == 4);
+}
+
+BOOST_AUTO_TEST_CASE(the_results_do_not_depend_on_the_number_of_jobs) {
+  const std::vector<Case> cases{synthetic("first", sound), synthetic("second", sound), synthetic("third", sound)};
+  json one = Run(cases, {"--jobs", "1"}).results;
+  json three = Run(cases, {"--jobs", "3"}).results;
+  for (json* results : {&one, &three}) {
+    for (auto& record : results->at("cases"))
+      record.erase("seconds");
+    results->erase("provenance");
+  }
+  BOOST_TEST(one == three);
+}

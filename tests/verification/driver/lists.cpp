@@ -1,0 +1,60 @@
+#define BOOST_TEST_MODULE lists
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <set>
+
+#include "verification/driver/errata.hpp"
+#include "verification/driver/references.hpp"
+#include "verification/driver/requirements.hpp"
+
+using namespace talus::verification;
+
+BOOST_AUTO_TEST_CASE(requirements_are_unique_and_hold_all_equations) {
+  std::set<std::string> ids;
+  for (const auto& requirement : all_requirements()) {
+    BOOST_TEST(ids.insert(requirement.id).second, requirement.id);
+    BOOST_TEST(!requirement.text.empty());
+  }
+  for (int i = 1; i <= 30; ++i)
+    BOOST_TEST(ids.count("Eq. " + std::to_string(i)) == 1u);
+  BOOST_TEST(ids.count("law.linear_spring_dashpot") == 1u);
+  BOOST_TEST(ids.count("integrator.velocity_verlet") == 1u);
+  BOOST_TEST(ids.count("shape.circle") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(errata_and_references_are_whole) {
+  std::set<std::string> ids;
+  for (const auto& e : all_errata()) {
+    BOOST_TEST(ids.insert(e.id).second);
+    for (const auto& text : {e.where, e.printed, e.corrected, e.evidence, e.proved_by})
+      BOOST_TEST(!text.empty(), e.id);
+  }
+  for (const auto& reference : all_references())
+    BOOST_TEST(ids.insert(reference.key).second, reference.key);
+}
+
+// The numbers that the errata print, from the data of validation problem 2 (pivoted cylinder).
+BOOST_AUTO_TEST_CASE(the_numbers_of_the_errata_are_right) {
+  const double m = 14.92, l = 8.0, i_g = 85.42, M = 37.23, e = 0.5, v0 = 5.0;
+  const double g = 32.174;
+  const double quarter = l * l / 4.0;
+  const double printed_28 = M * (1.0 + e) * quarter / (i_g + (M + m) * quarter);
+  BOOST_TEST(printed_28 == 0.9714, boost::test_tools::tolerance(5e-5));
+  BOOST_TEST(printed_28 * v0 == 4.857, boost::test_tools::tolerance(1e-4));
+  const double w1 = 2.0 * printed_28 * v0 / l;
+  const double i_p = i_g + m * quarter;
+  const auto angle = [&](double factor) { return std::acos(1.0 - w1 * w1 * i_p / (factor * m * g * l)); };
+  BOOST_TEST(angle(2.0) == 0.3546, boost::test_tools::tolerance(2e-4));
+  BOOST_TEST(angle(1.0) == 0.5042, boost::test_tools::tolerance(2e-4));
+  BOOST_TEST(i_p / quarter == 20.26, boost::test_tools::tolerance(1e-4));
+  const auto inertia = [&](double mass, double r) { return mass * (3.0 * r * r + l * l) / 12.0; };
+  BOOST_TEST(inertia(m, 1.2) == 84.94, boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(inertia(m, 1.25) == 85.40, boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(inertia(14.9226, 1.25) == i_g, boost::test_tools::tolerance(1e-4));
+  // Eq. 21 with the particle masses on the pivoted body: xi = c/(2 sqrt(k m_eff)), e = exp(-pi xi/sqrt(1 - xi^2)).
+  const double L = std::log(1.0 / e), pi = std::acos(-1.0);
+  const double particles = m * M / (m + M), pivoted = (i_p / quarter) * M / (i_p / quarter + M);
+  const double xi = L / std::sqrt(pi * pi + L * L) * std::sqrt(particles / pivoted);
+  BOOST_TEST(std::exp(-pi * xi / std::sqrt(1.0 - xi * xi)) == 0.537, boost::test_tools::tolerance(1e-3));
+}

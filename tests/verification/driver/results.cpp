@@ -1,0 +1,86 @@
+#define BOOST_TEST_MODULE results
+#include "verification/driver/results.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "tests/verification/driver/synthetic_cases.hpp"
+#include "verification/driver/case_run.hpp"
+#include "verification/driver/junit.hpp"
+
+using namespace talus::verification;
+
+namespace {
+
+Results one_case() {
+  Results results;
+  results.registered = {"a", "pivoted_cylinder"};
+  results.selected = {"a"};
+  results.records = {run_case(synthetic("a", sound), Tier::quick)};
+  return results;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_date_follows_the_source_date) {
+  ::setenv("SOURCE_DATE_EPOCH", "86400", 1);
+  BOOST_TEST(provenance().date == "1970-01-02T00:00:00Z");
+  ::unsetenv("SOURCE_DATE_EPOCH");
+  BOOST_TEST(provenance().date > "2024");
+}
+
+BOOST_AUTO_TEST_CASE(the_provenance_names_build_and_machine) {
+  const Provenance from = provenance();
+  BOOST_TEST(!from.revision.empty());
+  BOOST_TEST(from.flags.find("-ffp-contract=off") != std::string::npos);
+  BOOST_TEST(!from.cpu.empty());
+  BOOST_TEST(from.cores >= 1u);
+  for (const auto& library : from.libraries)
+    BOOST_TEST(!library.second.empty(), library.first);
+}
+
+BOOST_AUTO_TEST_CASE(a_selected_case_without_its_record_fails) {
+  Results results = one_case();
+  BOOST_TEST(holds(results));
+  results.selected.push_back("b");
+  BOOST_TEST(!holds(results));
+  results.selected = {"b"};
+  BOOST_TEST(!holds(results));
+  results.selected.clear();
+  results.records.clear();
+  BOOST_TEST(!holds(results));
+}
+
+BOOST_AUTO_TEST_CASE(requirements_are_traced_and_open_ones_are_shown) {
+  const auto json = nlohmann::json::parse(text_of(one_case()));
+  bool traced = false;
+  bool open = false;
+  for (const auto& requirement : json.at("requirements")) {
+    if (requirement.at("id") == "Eq. 14") traced = requirement.at("cases") == nlohmann::json({"a"});
+    if (requirement.at("id") == "Eq. 18") open = requirement.at("cases").empty();
+  }
+  BOOST_TEST(traced);
+  BOOST_TEST(open);
+}
+
+BOOST_AUTO_TEST_CASE(only_errata_of_registered_cases_are_printed) {
+  const auto json = nlohmann::json::parse(text_of(one_case()));
+  BOOST_TEST(!json.at("errata").empty());
+  for (const auto& erratum : json.at("errata"))
+    BOOST_TEST(erratum.at("case") == "pivoted_cylinder");
+}
+
+BOOST_AUTO_TEST_CASE(xml_is_escaped) {
+  BOOST_TEST(escaped("a<b & \"c\">\x01\n") == "a&lt;b &amp; &quot;c&quot;&gt;?&#10;");
+}
+
+BOOST_AUTO_TEST_CASE(junit_holds_each_check_and_control_and_their_failures) {
+  Record record = run_case(synthetic("a", sound), Tier::quick);
+  BOOST_TEST(junit_of({record}).find("tests=\"3\" failures=\"0\" errors=\"0\"") != std::string::npos);
+  BOOST_TEST(junit_of({record}).find("name=\"control: shifted\"") != std::string::npos);
+  record = unfinished(synthetic("a", sound), Status::timeout, "stopped <late>");
+  const std::string text = junit_of({record});
+  BOOST_TEST(text.find("errors=\"1\"") != std::string::npos);
+  BOOST_TEST(text.find("timeout: stopped &lt;late&gt;") != std::string::npos);
+}

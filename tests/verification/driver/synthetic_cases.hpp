@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verification/check/case.hpp"
+
+namespace talus::verification {
+
+/// A case around `run` that is well formed in all else.
+inline Case synthetic(const std::string& id, void (*run)(Findings&, const Setup&)) {
+  return {.id = id,
+          .title = "Synthetic case " + id,
+          .requirements = {"Eq. 14"},
+          .source = "none",
+          .page = "A page.",
+          .faults = {{"shifted", "the measured value is shifted", "value"}},
+          .tier = Tier::quick,
+          .time_limit = 20.0,
+          .run = run};
+}
+
+/// Measures 1 within .1, or 2 with the fault: green as it stands, red with the fault.
+inline void sound(Findings& findings, const Setup& setup) {
+  findings.expect("value", setup.has("shifted") ? 2.0 : 1.05, 1.0, Tolerance::model(0.1, "chosen"));
+}
+
+}  // namespace talus::verification
