@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+/// Tight integration of a smooth system with located events, for references that have no closed form.
+///
+/// odeint's Runge-Kutta-Fehlberg 7(8) under step control in long double (64 bits of mantissa on x86: 1.1e-19), with the
+/// relative tolerance of one step at 1e-17. It shares nothing with the solver's integrators.
+/// An event is a guard that falls from positive to zero: the step that holds it is repeated with a shorter length,
+/// found by bracketing (TOMS 748), from the same starting point. The rates continue smoothly past the event, so each
+/// trial step is one of a smooth system and the event is located to round-off.
+namespace talus::verification::reference {
+
+using Coordinates = std::vector<long double>;
+
+/// dy/dt = f(y); autonomous: time does not enter.
+using Rates = std::function<void(const Coordinates& y, Coordinates& dydt)>;
+
+/// Positive while the present piece of motion lasts.
+using Guard = std::function<long double(const Coordinates& y)>;
+
+class Trajectory {
+ public:
+  /// `longest_step` [T] caps the steps: a guard that falls and rises within one is not seen, so it must be a small part
+  /// (say a twentieth) of the shortest time scale of the guards.
+  Trajectory(Rates rates, Coordinates start, long double start_time, long double longest_step);
+
+  [[nodiscard]] long double time() const { return time_; }
+  [[nodiscard]] const Coordinates& coordinates() const { return y_; }
+
+  /// Goes on to exactly `t` (>= time()).
+  void advance_to(long double t);
+
+  /// Goes on to the first fall of a guard from positive to zero, whose index it returns, or to `limit` (nothing
+  /// returned). A guard that is not positive at the start is watched from the moment at which it has become so.
+  [[nodiscard]] std::optional<std::size_t> advance_until(std::span<const Guard> guards, long double limit);
+
+ private:
+  struct Step {
+    long double length;
+    Coordinates end;
+  };
+  [[nodiscard]] Step next_step(long double most);
+  [[nodiscard]] Coordinates moved_by(long double length) const;
+  void pass(long double length);
+  void land(long double t);
+  [[nodiscard]] long double fall_within(const Guard& guard, const Step& step) const;
+
+  Rates rates_;
+  Coordinates y_;
+  long double time_;
+  long double excess_{0.0L};  // of time_ over the sum of the steps (Kahan): equal steps round the same way each time
+  long double longest_step_;
+  long double proposed_step_;
+};
+
+}  // namespace talus::verification::reference
