@@ -193,9 +193,9 @@ std::string number(double value, int digits) {
 int digits_to_tell(double measured, double reference) {
   const double size = std::max(std::abs(measured), std::abs(reference));
   const double difference = std::abs(measured - reference);
-  if (!std::isfinite(size) || !(size > 0.0)) return 4;
+  if (!std::isfinite(size) || !(size > 0.0)) return 5;
   if (!(difference > 0.0)) return 6;
-  return std::clamp(static_cast<int>(std::ceil(std::log10(size / difference))) + 2, 4, 12);
+  return std::clamp(static_cast<int>(std::ceil(std::log10(size / difference))) + 2, 5, 12);
 }
 
 }  // namespace talus::reports::markdown

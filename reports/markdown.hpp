@@ -37,7 +37,7 @@ struct Column {
 /// A number in few digits ("3.82651", "1.2e-07"), `digits` significant ones; "nan" and "inf" as words.
 [[nodiscard]] std::string number(double value, int digits);
 
-/// Significant digits that show where the two numbers differ and one digit more; between 4 and 12.
+/// Significant digits that show where the two numbers differ and one digit more; between 5 and 12.
 [[nodiscard]] int digits_to_tell(double measured, double reference);
 
 }  // namespace talus::reports::markdown

@@ -46,7 +46,9 @@ std::string tool_versions() {
   const auto version = [](const char* tool) {
     return first_line(run_or_throw({tool, {"--version"}, {}, {}}, "--version").output);
   };
-  return fmt::format("Tools: {}; {}; {}.", version("gnuplot"), version("pandoc"), version("pdflatex"));
+  const std::string gnuplot = version("gnuplot");
+  const std::string pandoc = version("pandoc");
+  return fmt::format("Tools: {}; {}; {}.", gnuplot, pandoc, version("pdflatex"));
 }
 
 void date_pictures(const fs::path& folder, long long epoch) {

@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(digits_show_the_difference) {
   BOOST_TEST(md::number(2.0000013, md::digits_to_tell(2.0000013, 2.0)) == "2.0000013");
   BOOST_TEST(md::number(2.0, md::digits_to_tell(2.0, 2.0)) == "2");
   BOOST_TEST(md::number(std::numeric_limits<double>::quiet_NaN(), 3) == "nan");
-  BOOST_TEST(md::digits_to_tell(std::numeric_limits<double>::infinity(), 1.0) == 4);
+  BOOST_TEST(md::digits_to_tell(std::numeric_limits<double>::infinity(), 1.0) == 5);
 }
 
 BOOST_AUTO_TEST_CASE(a_table_has_a_cell_for_each_column) {

@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(failures_stand_on_the_first_page) {
   const std::string text = read_file(scratch.folder / "verification.md");
   const std::string front = text.substr(0, text.find("\n# Checks"));
   BOOST_TEST(contains(front, "**FAIL.**"));
-  BOOST_TEST(contains(front, "| distance \\[m\\] | 4.9 | 3.827 | **2.15e+03** |"));
+  BOOST_TEST(contains(front, "| distance \\[m\\] | 4.9 | 3.8265 | **2.15e+03** |"));
   BOOST_TEST(contains(front, "**green**"));
   BOOST_TEST(contains(front, "**error**. std::out\\_of\\_range: vector\\<T\\>"));
   BOOST_TEST(front.find("## Failures") < front.find("## Cases"));
