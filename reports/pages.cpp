@@ -3,36 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <kainjow/mustache.hpp>
 
-#include "reports/error.hpp"
-#include "reports/file.hpp"
 #include "reports/markdown.hpp"
+#include "reports/page_cells.hpp"
 
 namespace talus::reports {
 namespace {
 
 namespace mustache = kainjow::mustache;
 using markdown::cell;
-using markdown::Column;
 using Rows = std::vector<std::vector<std::string>>;
-
-std::string filled(const std::filesystem::path& file, const mustache::data& values) {
-  mustache::mustache page(read_file(file));
-  page.set_custom_escape([](const std::string& text) { return markdown::words(text); });
-  const std::string text = page.render(values);
-  if (!page.is_valid()) throw OutputError(fmt::format("{}: {}", file.string(), page.error_message()));
-  return text;
-}
-
-std::string case_heading(const CaseRecord& record) {
-  return record.title.empty() ? record.id : record.id + ": " + record.title;
-}
-
-std::string case_link(const CaseRecord& record) {
-  return fmt::format("[{}](#{})", markdown::words(record.id), markdown::heading_id(case_heading(record)));
-}
 
 std::string link_of(const Results& results, const std::string& id) {
   for (const CaseRecord& record : results.cases) {
@@ -42,31 +22,6 @@ std::string link_of(const Results& results, const std::string& id) {
 }
 
 std::string status_word(const std::string& status) { return status == "pass" ? "pass" : "**" + status + "**"; }
-
-std::string margin_text(const Check& check) {
-  if (!check.pass) return "**" + markdown::number(check.margin, 3) + "**";
-  return markdown::number(check.margin, 2) + (check.slack ? " (slack)" : "");
-}
-
-std::string measured_text(const Check& check) {
-  if (!check.text_measured.empty()) return cell(check.text_measured);
-  return markdown::number(check.measured, markdown::digits_to_tell(check.measured, check.reference));
-}
-
-std::string reference_text(const Check& check) {
-  if (std::isnan(check.reference)) return "–";
-  return markdown::number(check.reference, markdown::digits_to_tell(check.measured, check.reference));
-}
-
-std::string name_with_unit(const Check& check) {
-  const bool bare = check.unit.empty() || check.unit == "1" || check.unit == "-";
-  return cell(check.name + (bare ? "" : " [" + check.unit + "]"));
-}
-
-std::string reason(const Check& check) {
-  const std::string kind = check.kind == "round_off" ? "round-off" : check.kind;
-  return fmt::format("*{}.* {}", kind, cell(check.why));
-}
 
 /// The checks that stand for a case on the first pages: those the case marks, else the failed ones and the first few.
 std::vector<Check> main_checks(const CaseRecord& record) {
@@ -161,9 +116,8 @@ std::string main_check_table(const Results& results) {
   for (const CaseRecord& record : results.cases) {
     std::string name = case_link(record);
     for (const Check& check : main_checks(record)) {
-      rows.push_back({name, name_with_unit(check), measured_text(check), reference_text(check),
-                      markdown::number(check.error, 2) + (check.relative ? " rel." : ""), margin_text(check),
-                      check.pass ? "pass" : "**fail**"});
+      rows.push_back({name, name_with_unit(check), measured_text(check), reference_text(check), error_text(check),
+                      margin_text(check), check.pass ? "pass" : "**fail**"});
       name = std::string(" ");
     }
     if (record.checks.empty()) rows.push_back({name, "none ran", "", "", "", "", status_word(record.status)});
@@ -213,97 +167,6 @@ std::string traceability(const Results& results) {
   return text;
 }
 
-std::string check_table(const CaseRecord& record) {
-  Rows rows;
-  for (const Check& check : record.checks) {
-    rows.push_back({name_with_unit(check) + (check.pass ? "" : " **FAIL**"), measured_text(check),
-                    reference_text(check), markdown::number(check.error, 2) + (check.relative ? " rel." : ""),
-                    markdown::number(check.bound, 2), margin_text(check), reason(check)});
-  }
-  return markdown::table({{"check"},
-                          {"measured", true},
-                          {"reference", true},
-                          {"error", true},
-                          {"bound", true},
-                          {"error/bound", true},
-                          {"kind and why of the bound"}},
-                         rows, "");
-}
-
-std::string control_table(const CaseRecord& record) {
-  Rows rows;
-  for (const Control& control : record.controls) {
-    rows.push_back({cell(control.name), cell(control.what), cell(control.turns_red),
-                    cell(control.expected.empty() ? "red" : control.expected),
-                    control.pass ? cell(control.observed) : "**" + cell(control.observed) + "**"});
-  }
-  return markdown::table({{"control"}, {"the planted fault"}, {"check that must turn red"}, {"expected"}, {"observed"}},
-                         rows, "");
-}
-
-std::string figures(const CaseRecord& record, std::size_t chapter, const Drawn& drawn) {
-  std::string text;
-  for (std::size_t i = 0; i < record.figures.size(); ++i) {
-    const Figure& figure = record.figures[i];
-    const std::string key = record.id + "/" + figure.name;
-    if (const auto why = drawn.undrawn.find(key); why != drawn.undrawn.end()) {
-      text += fmt::format("Figure {}.{} ({}) is not drawn: {}\n\n", chapter, i + 1, markdown::words(figure.title),
-                          markdown::words(why->second));
-      continue;
-    }
-    std::string caption = fmt::format("**Figure {}.{}. {}.** {}", chapter, i + 1, markdown::words(figure.title),
-                                      markdown::words(figure.caption));
-    if (const auto hidden = drawn.hidden.find(key); hidden != drawn.hidden.end() && hidden->second > 0) {
-      caption += fmt::format(" ({} points at or below zero have no place on a log axis.)", hidden->second);
-    }
-    text += fmt::format("![{}](figures/{}.svg)\n\n", caption, picture_stem(record, figure));
-  }
-  return text;
-}
-
-std::string tables(const CaseRecord& record, std::size_t chapter) {
-  std::string text;
-  for (std::size_t i = 0; i < record.tables.size(); ++i) {
-    const Table& table = record.tables[i];
-    std::vector<Column> columns;
-    for (const std::string& heading : table.columns)
-      columns.push_back({cell(heading), false});
-    Rows rows = table.rows;
-    for (auto& row : rows) {
-      for (std::string& entry : row)
-        entry = cell(entry);
-    }
-    const std::string caption = fmt::format("**Table {}.{}.** {}", chapter, i + 1, markdown::words(table.caption));
-    text += markdown::table(columns, rows, caption) + "\n";
-  }
-  return text;
-}
-
-std::string case_page(const CaseRecord& record, std::size_t chapter, const Drawn& drawn,
-                      const std::filesystem::path& templates) {
-  mustache::data values;
-  values.set("heading", case_heading(record));
-  values.set("status", record.status == "pass" ? "pass" : "**" + record.status + "**");
-  values.set("message", record.message);
-  values.set("seconds", fmt::format("{:.2f}", record.seconds));
-  values.set("tier", record.tier);
-  values.set("source", record.source);
-  values.set("requirements", fmt::format("{}", fmt::join(record.requirements, "; ")));
-  values.set("page", markdown::with_headings_below(record.page, 2));
-  values.set("checks", record.checks.empty() ? "No check ran.\n" : check_table(record));
-  values.set("controls", record.controls.empty() ? "" : control_table(record));
-  values.set("figures", figures(record, chapter, drawn));
-  values.set("tables", tables(record, chapter));
-  std::string notes;
-  for (const std::string& note : record.notes)
-    notes += markdown::with_headings_below(note, 3) + "\n";
-  values.set("notes", notes);
-  for (const char* part : {"message", "tier", "source", "requirements", "controls", "figures", "tables", "notes"}) {
-    values.set(std::string("has_") + part, !values.get(part)->string_value().empty());
-  }
-  return filled(templates / "case.mustache", values);
-}
-
 std::string front(const Results& results, const std::filesystem::path& templates) {
   const Counts& c = results.counts;
   mustache::data values;
@@ -345,8 +208,6 @@ std::string back(const Results& results, const std::filesystem::path& templates,
 }
 
 }  // namespace
-
-std::string picture_stem(const CaseRecord& record, const Figure& figure) { return record.id + "-" + figure.name; }
 
 std::string report_markdown(const Results& results, const Drawn& drawn, const std::filesystem::path& templates,
                             const std::string& tools) {

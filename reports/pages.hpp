@@ -18,6 +18,10 @@ struct Drawn {
 /// The file stem of a figure's picture in the report's folder figures/.
 [[nodiscard]] std::string picture_stem(const CaseRecord& record, const Figure& figure);
 
+/// The page of one case, the chapter of that number (figures and tables are numbered within it).
+[[nodiscard]] std::string case_page(const CaseRecord& record, std::size_t chapter, const Drawn& drawn,
+                                    const std::filesystem::path& templates);
+
 /// The whole report as Markdown, pictures linked as figures/<stem>.svg. `templates` is the folder of the Mustache
 /// templates; `tools` is a line naming the tools' versions. Throws OutputError when a template is missing or wrong.
 [[nodiscard]] std::string report_markdown(const Results& results, const Drawn& drawn,

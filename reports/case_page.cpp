@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include "reports/markdown.hpp"
+#include "reports/page_cells.hpp"
+#include "reports/pages.hpp"
+
+namespace talus::reports {
+namespace {
+
+namespace mustache = kainjow::mustache;
+using markdown::cell;
+using markdown::Column;
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string check_table(const CaseRecord& record) {
+  Rows rows;
+  for (const Check& check : record.checks) {
+    rows.push_back({name_with_unit(check) + (check.pass ? "" : " **FAIL**"), measured_text(check),
+                    reference_text(check), error_text(check), markdown::number(check.bound, 2), margin_text(check),
+                    reason(check)});
+  }
+  return markdown::table({{"check"},
+                          {"measured", true},
+                          {"reference", true},
+                          {"error", true},
+                          {"bound", true},
+                          {"error/bound", true},
+                          {"kind and why of the bound"}},
+                         rows, "");
+}
+
+std::string control_table(const CaseRecord& record) {
+  Rows rows;
+  for (const Control& control : record.controls) {
+    rows.push_back({cell(control.name), cell(control.what), cell(control.turns_red),
+                    cell(control.expected.empty() ? "red" : control.expected),
+                    control.pass ? cell(control.observed) : "**" + cell(control.observed) + "**"});
+  }
+  return markdown::table({{"control"}, {"the planted fault"}, {"check that must turn red"}, {"expected"}, {"observed"}},
+                         rows, "");
+}
+
+std::string figures(const CaseRecord& record, std::size_t chapter, const Drawn& drawn) {
+  std::string text;
+  for (std::size_t i = 0; i < record.figures.size(); ++i) {
+    const Figure& figure = record.figures[i];
+    const std::string key = record.id + "/" + figure.name;
+    if (const auto why = drawn.undrawn.find(key); why != drawn.undrawn.end()) {
+      text += fmt::format("Figure {}.{} ({}) is not drawn: {}\n\n", chapter, i + 1, markdown::words(figure.title),
+                          markdown::words(why->second));
+      continue;
+    }
+    std::string caption = fmt::format("**Figure {}.{}. {}.** {}", chapter, i + 1, markdown::words(figure.title),
+                                      markdown::words(figure.caption));
+    if (const auto hidden = drawn.hidden.find(key); hidden != drawn.hidden.end() && hidden->second > 0) {
+      caption += fmt::format(" ({} points at or below zero have no place on a log axis.)", hidden->second);
+    }
+    text += fmt::format("![{}](figures/{}.svg)\n\n", caption, picture_stem(record, figure));
+  }
+  return text;
+}
+
+std::string tables(const CaseRecord& record, std::size_t chapter) {
+  std::string text;
+  for (std::size_t i = 0; i < record.tables.size(); ++i) {
+    const Table& table = record.tables[i];
+    std::vector<Column> columns;
+    for (const std::string& heading : table.columns)
+      columns.push_back({cell(heading), false});
+    Rows rows = table.rows;
+    for (auto& row : rows) {
+      for (std::string& entry : row)
+        entry = cell(entry);
+    }
+    const std::string caption = fmt::format("**Table {}.{}.** {}", chapter, i + 1, markdown::words(table.caption));
+    text += markdown::table(columns, rows, caption) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string picture_stem(const CaseRecord& record, const Figure& figure) { return record.id + "-" + figure.name; }
+
+std::string case_page(const CaseRecord& record, std::size_t chapter, const Drawn& drawn,
+                      const std::filesystem::path& templates) {
+  mustache::data values;
+  values.set("heading", case_heading(record));
+  values.set("status", record.status == "pass" ? "pass" : "**" + record.status + "**");
+  values.set("message", record.message);
+  values.set("seconds", fmt::format("{:.2f}", record.seconds));
+  values.set("tier", record.tier);
+  values.set("source", record.source);
+  values.set("requirements", fmt::format("{}", fmt::join(record.requirements, "; ")));
+  values.set("page", markdown::with_headings_below(record.page, 2));
+  values.set("checks", record.checks.empty() ? "No check ran.\n" : check_table(record));
+  values.set("controls", record.controls.empty() ? "" : control_table(record));
+  values.set("figures", figures(record, chapter, drawn));
+  values.set("tables", tables(record, chapter));
+  std::string notes;
+  for (const std::string& note : record.notes)
+    notes += markdown::with_headings_below(note, 3) + "\n";
+  values.set("notes", notes);
+  for (const char* part : {"message", "tier", "source", "requirements", "controls", "figures", "tables", "notes"}) {
+    values.set(std::string("has_") + part, !values.get(part)->string_value().empty());
+  }
+  return filled(templates / "case.mustache", values);
+}
+
+}  // namespace talus::reports

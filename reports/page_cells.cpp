@@ -1,0 +1,61 @@
+#include "reports/page_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "reports/error.hpp"
+#include "reports/file.hpp"
+#include "reports/markdown.hpp"
+
+namespace talus::reports {
+
+namespace mustache = kainjow::mustache;
+using markdown::cell;
+
+std::string filled(const std::filesystem::path& file, const mustache::data& values) {
+  mustache::mustache page(read_file(file));
+  page.set_custom_escape([](const std::string& text) { return markdown::words(text); });
+  const std::string text = page.render(values);
+  if (!page.is_valid()) throw OutputError(fmt::format("{}: {}", file.string(), page.error_message()));
+  return text;
+}
+
+std::string case_heading(const CaseRecord& record) {
+  return record.title.empty() ? record.id : record.id + ": " + record.title;
+}
+
+std::string case_link(const CaseRecord& record) {
+  return fmt::format("[{}](#{})", markdown::words(record.id), markdown::heading_id(case_heading(record)));
+}
+
+std::string margin_text(const Check& check) {
+  if (!check.pass) return "**" + markdown::number(check.margin, 3) + "**";
+  return markdown::number(check.margin, 2) + (check.slack ? " (slack)" : "");
+}
+
+std::string measured_text(const Check& check) {
+  if (!check.text_measured.empty()) return cell(check.text_measured);
+  return markdown::number(check.measured, markdown::digits_to_tell(check.measured, check.reference));
+}
+
+std::string reference_text(const Check& check) {
+  if (std::isnan(check.reference)) return "–";
+  return markdown::number(check.reference, markdown::digits_to_tell(check.measured, check.reference));
+}
+
+std::string name_with_unit(const Check& check) {
+  const bool bare = check.unit.empty() || check.unit == "1" || check.unit == "-";
+  return cell(check.name + (bare ? "" : " [" + check.unit + "]"));
+}
+
+std::string reason(const Check& check) {
+  const std::string kind = check.kind == "round_off" ? "round-off" : check.kind;
+  return fmt::format("*{}.* {}", kind, cell(check.why));
+}
+
+std::string error_text(const Check& check) {
+  return markdown::number(check.error, 2) + (check.relative ? " rel." : "");
+}
+
+}  // namespace talus::reports

@@ -1,0 +1,30 @@
+/// Parts that several tables and pages of the report share. All results are Markdown.
+#pragma once
+
+#include <filesystem>
+#include <kainjow/mustache.hpp>
+#include <string>
+
+#include "reports/record.hpp"
+
+namespace talus::reports {
+
+/// The template in the file filled with the values; `{{x}}` is escaped as words, `{{{x}}}` is taken as it is. Throws
+/// OutputError when the template is missing or wrong.
+[[nodiscard]] std::string filled(const std::filesystem::path& file, const kainjow::mustache::data& values);
+
+/// Heading of a case's page, as plain text: "id: title".
+[[nodiscard]] std::string case_heading(const CaseRecord& record);
+
+/// The case's id, linked to its page.
+[[nodiscard]] std::string case_link(const CaseRecord& record);
+
+// Cells of a check's row.
+[[nodiscard]] std::string name_with_unit(const Check& check);
+[[nodiscard]] std::string measured_text(const Check& check);
+[[nodiscard]] std::string reference_text(const Check& check);
+[[nodiscard]] std::string error_text(const Check& check);
+[[nodiscard]] std::string margin_text(const Check& check);
+[[nodiscard]] std::string reason(const Check& check);  ///< kind, and why the bound holds
+
+}  // namespace talus::reports
