@@ -1,0 +1,20 @@
+# Thin: each goal is a script, and the scripts install what is missing.
+.PHONY: help verify test bench format clean
+
+help:  ## this list
+	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' Makefile
+
+verify:  ## run every verification case and write build/report/verification.{pdf,html,md}
+	@scripts/verify
+
+test:  ## build everything and run the unit tests, layers, format and headers
+	@scripts/test
+
+bench:  ## microseconds per step and work-precision tables
+	@scripts/bench
+
+format:  ## format the C++ sources
+	@scripts/format
+
+clean:  ## remove everything built
+	rm -rf build
