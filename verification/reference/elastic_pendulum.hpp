@@ -43,7 +43,7 @@ struct ElasticPendulumState {
 [[nodiscard]] std::vector<ElasticPendulumState> elastic_pendulum_states(const ElasticPendulum& pendulum,
                                                                         std::span<const double> times);
 
-/// Time between the first and third passage through x = 0 [T], located. Costs about 400 sqrt(1/eps) steps.
+/// Time between the first and third passage through x = 0 [T], located. Costs some hundred sqrt(1/eps) steps.
 [[nodiscard]] double elastic_pendulum_period(const ElasticPendulum& pendulum);
 
 /// Period of the rigid pendulum of length L at the same amplitude [T]: 4 K(sin(A/2)) sqrt(L/g).

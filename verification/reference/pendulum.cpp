@@ -85,7 +85,7 @@ PendulumState PendulumMotion::evaluate(double t) const {
   if (start_ == Start::rest) {
     const auto modulus = modulus_of_amplitude<Real>(value_);
     const auto f = ArithmeticGeometricMean<Real>(modulus).at(u);
-    // x = 2 atan2(k cn, k' ) form: sin(x/2) = k cn/dn, cos(x/2) = k'/dn, so tan(x/2) = (k/k') cn without loss near pi.
+    // sin(x/2) = k cn/dn and cos(x/2) = k'/dn give tan(x/2) = (k/k') cn, without loss near pi.
     return {rounded(Real(2 * atan(modulus.k / modulus.complement * f.cn))),
             rounded(Real(-2 * modulus.k * modulus.complement * w0 * f.sn / f.dn))};
   }
