@@ -176,6 +176,13 @@ std::string front(const Results& results, const std::filesystem::path& templates
       fmt::format("{} cases: {} passed, {} failed. {} checks: {} failed, {} slack. {} negative controls: "
                   "{} failed.",
                   c.cases, c.passed, c.failed, c.checks, c.checks_failed, c.slack, c.controls, c.controls_failed));
+  std::string left_out;
+  for (const std::string& id : results.registered) {
+    if (std::find(results.selected.begin(), results.selected.end(), id) != results.selected.end()) continue;
+    left_out += (left_out.empty() ? "" : ", ") + id;
+  }
+  values.set("is_partial", !left_out.empty());
+  values.set("left_out", left_out);
   const std::string failed = failures(results);
   values.set("has_failures", !failed.empty());
   values.set("failures", failed);

@@ -200,20 +200,23 @@ Counts counted(const std::vector<CaseRecord>& cases) {
   return counts;
 }
 
-/// Number registered = number run = number in the report, and the verdict follows from the records.
+/// Number registered (and asked for) = number run = number in the report, and the verdict follows from the records.
 void demand_consistency(const Node& root, const Results& results) {
-  std::multiset<std::string> registered(results.registered.begin(), results.registered.end());
+  const std::set<std::string> registered(results.registered.begin(), results.registered.end());
+  if (registered.size() != results.registered.size()) root.at("registered").complain("names a case twice");
+  const std::set<std::string> selected(results.selected.begin(), results.selected.end());
+  if (selected.size() != results.selected.size()) root.at("selected").complain("names a case twice");
   std::multiset<std::string> present;
   for (const CaseRecord& record : results.cases)
     present.insert(record.id);
-  for (const std::string& id : registered) {
+  for (const std::string& id : selected) {
+    if (registered.count(id) == 0) root.at("selected").complain(fmt::format("'{}' is not registered", id));
     if (present.count(id) != 1) {
-      root.at("cases").complain(fmt::format("registered case '{}' has {} records", id, present.count(id)));
+      root.at("cases").complain(fmt::format("selected case '{}' has {} records", id, present.count(id)));
     }
   }
   for (const std::string& id : present) {
-    if (registered.count(id) != 1)
-      root.at("registered").complain(fmt::format("lacks the case '{}', or names it twice", id));
+    if (selected.count(id) == 0) root.at("cases").complain(fmt::format("'{}' was not registered and selected", id));
   }
   const Counts mine = counted(results.cases);
   const auto agree = [&](const char* name, int told, int found) {
@@ -254,6 +257,7 @@ Results read_results(const std::filesystem::path& file) {
   Results results;
   results.provenance = provenance_of(root.at("provenance"));
   results.registered = root.at("registered").texts();
+  results.selected = root.has("selected") ? root.at("selected").texts() : results.registered;
   results.counts = counts_of(root.at("counts"));
   results.verdict = root.at("verdict").one_of({"pass", "fail"});
   for (const Node& item : root.at("requirements").list()) {

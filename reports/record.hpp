@@ -143,7 +143,8 @@ struct Reference {
 /// All that a verification report is made from.
 struct Results {
   Provenance provenance;
-  std::vector<std::string> registered;
+  std::vector<std::string> registered;  ///< every case there is
+  std::vector<std::string> selected;    ///< the cases asked for; all that are registered unless the record says else
   Counts counts;
   std::string verdict;
   std::vector<Requirement> requirements;
@@ -159,7 +160,7 @@ struct Plots {
 };
 
 /// Reads results.json. Throws OutputError when the file cannot be read, RecordError (file and field) when it is not
-/// what the schema says or contradicts itself: counts, verdict, and every registered case has exactly one record.
+/// what the schema says or contradicts itself: counts, verdict, and every selected case has exactly one record.
 [[nodiscard]] Results read_results(const std::filesystem::path& file);
 
 /// Reads plot.json; throws as read_results() does.

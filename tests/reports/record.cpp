@@ -70,8 +70,9 @@ BOOST_AUTO_TEST_CASE(complaints_name_file_and_field) {
 
 BOOST_AUTO_TEST_CASE(records_that_contradict_themselves_are_refused) {
   BOOST_TEST(names(complaint([](json& d) { d["counts"]["checks"] = 99; }), "counts.checks: says 99"));
-  BOOST_TEST(names(complaint([](json& d) { d["registered"].push_back("lost"); }), "'lost' has 0 records"));
-  BOOST_TEST(names(complaint([](json& d) { d["registered"].erase(1); }), "lacks the case 'pendulum'"));
+  BOOST_TEST(
+      names(complaint([](json& d) { d["registered"].push_back("lost"); }), "selected case 'lost' has 0 records"));
+  BOOST_TEST(names(complaint([](json& d) { d["registered"].erase(1); }), "'pendulum' was not registered"));
   BOOST_TEST(names(complaint([](json& d) { d["cases"][0]["checks"][0]["margin"] = 1.5; }), "passes although"));
   BOOST_TEST(names(complaint([](json& d) { d["cases"][0]["checks"][0]["margin"] = "nan"; }), "passes although"));
   BOOST_TEST(names(complaint([](json& d) { d["cases"][0]["checks"].clear(); }), "passes without a check"));
@@ -85,6 +86,21 @@ BOOST_AUTO_TEST_CASE(records_that_contradict_themselves_are_refused) {
     d["counts"]["failed"] = 1;
   };
   BOOST_TEST(names(complaint(failed_but_passing), "verdict: is pass"));
+}
+
+BOOST_AUTO_TEST_CASE(a_selection_of_the_registered_cases_may_run) {
+  const auto select_one_more = [](json& d) {
+    d["registered"].push_back("timestep");
+    d["selected"] = {"two_cable", "pendulum"};
+  };
+  const auto results = read_changed(select_one_more);
+  BOOST_TEST(results.registered.size() == 3U);
+  BOOST_TEST(results.selected.size() == 2U);
+  BOOST_TEST(names(complaint([](json& d) { d["selected"] = {"two_cable"}; }), "'pendulum' was not registered"));
+  BOOST_TEST(names(complaint([](json& d) {
+                     d["selected"] = {"two_cable", "pendulum", "x"};
+                   }),
+                   "'x' is not registered"));
 }
 
 BOOST_AUTO_TEST_CASE(a_null_margin_is_told_by_the_error) {
