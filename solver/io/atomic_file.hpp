@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace talus {
+
+/// Writes a file so that it appears whole or not at all: to a temporary file in the same folder, brought to the disk,
+/// then renamed over `file`. A target that exists and is not a regular file (a pipe, a terminal) is written to
+/// directly. Errors: IoError "out/history.csv: No space left on device"; what stood under the name before is then still
+/// there.
+void write_whole(const std::filesystem::path& file, std::string_view content);
+
+/// Makes a folder and those above it. Errors: IoError with the system's reason.
+void make_folder(const std::filesystem::path& folder);
+
+}  // namespace talus

@@ -1,0 +1,121 @@
+#include "solver/io/json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace talus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no number for what is not finite.
+Json number(double value) {
+  if (std::isfinite(value)) return value;
+  return std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf";
+}
+
+Json vector(Vec2 value) { return Json::array({number(value.x), number(value.y)}); }
+
+Json outcome(const Outcome& outcome) {
+  Json json{{"kind", outcome ? "finished" : "diverged"}, {"time", number(outcome.time)}};
+  if (!outcome) json["words"] = outcome.words;
+  return json;
+}
+
+Json units(const UnitSystem& system) {
+  Json json{{"system", system.name}};
+  for (const auto& [name, dimension] :
+       {std::pair{"length", dimension::length}, std::pair{"time", dimension::time}, std::pair{"mass", dimension::mass},
+        std::pair{"force", dimension::force}, std::pair{"energy", dimension::energy},
+        std::pair{"momentum", dimension::momentum}, std::pair{"angular_momentum", dimension::angular_momentum}}) {
+    json[name] = symbol(system, dimension);
+  }
+  return json;
+}
+
+Json ledger(const RunRecord& record) {
+  if (!record.plan.ledger) return "off";
+  const Accounts& accounts = record.accounts;
+  const Energies& e = accounts.energies;
+  Json lost = Json::object();
+  for (std::size_t i = 0; i < mechanism_count; ++i)
+    lost[std::string{mechanism_names[i]}] = number(accounts.lost[i]);
+  return {{"energy",
+           {{"kinetic", number(e.kinetic)},
+            {"gravity", number(e.gravity)},
+            {"applied", number(e.applied)},
+            {"contacts", number(e.contacts)},
+            {"cables", number(e.cables)},
+            {"total", number(e.total())}}},
+          {"lost", lost},
+          {"energy_closure", number(accounts.energy_closure)},
+          {"largest_energy_closure", number(record.largest_energy_closure)},
+          {"energy_scale", number(record.energy_scale)},
+          {"momentum", vector(accounts.momenta.linear)},
+          {"momentum_closure", vector(accounts.momentum_closure)},
+          {"angular_momentum", number(accounts.momenta.angular)},
+          {"angular_momentum_closure", number(accounts.angular_momentum_closure)}};
+}
+
+Json extremes(const RunRecord& record) {
+  Json json = Json::array();
+  for (const ExtremeRecord& item : record.extremes) {
+    json.push_back({{"name", item.column.name},
+                    {"unit", symbol(record.units, item.column.dimension)},
+                    {"least", number(item.extreme.least)},
+                    {"least_time", number(item.extreme.least_time)},
+                    {"largest", number(item.extreme.largest)},
+                    {"largest_time", number(item.extreme.largest_time)}});
+  }
+  return json;
+}
+
+Json bodies(const RunRecord& record) {
+  Json json = Json::array();
+  for (const BodyState& body : record.bodies) {
+    json.push_back({{"name", body.name},
+                    {"position", vector(body.p)},
+                    {"angle", number(body.angle)},
+                    {"velocity", vector(body.v)},
+                    {"spin", number(body.spin)}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string summary_json(const RunRecord& record) {
+  const Json json{{"schema", 1},
+                  {"title", record.title},
+                  {"units", units(record.units)},
+                  {"outcome", outcome(record.outcome)},
+                  {"integrator", record.integrator},
+                  {"step", number(record.plan.step)},
+                  {"end", number(record.plan.end)},
+                  {"steps", record.steps},
+                  {"evaluations", record.evaluations},
+                  {"carried",
+                   {{"bodies", record.bodies.size()},
+                    {"degrees_of_freedom", record.coordinates},
+                    {"contacts", record.contacts},
+                    {"cables", record.cables},
+                    {"law_instances", record.laws}}},
+                  {"history_rows", record.history.rows.size()},
+                  {"history_rows_cut", record.rows_cut},
+                  {"ledger", ledger(record)},
+                  {"extremes", extremes(record)},
+                  {"bodies", bodies(record)}};
+  return json.dump(2) + "\n";
+}
+
+std::string final_state_json(const RunRecord& record) {
+  const Json json{{"schema", 1},
+                  {"title", record.title},
+                  {"units", units(record.units)},
+                  {"outcome", outcome(record.outcome)},
+                  {"time", number(record.outcome.time)},
+                  {"bodies", bodies(record)}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace talus

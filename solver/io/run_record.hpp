@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/run/history.hpp"
+#include "solver/run/outcome.hpp"
+#include "solver/scenes/scene.hpp"
+
+namespace talus {
+
+/// Where a body is and how it moves.
+struct BodyState {
+  std::string name;
+  Vec2 p;          ///< centre of mass, world [L]
+  double angle{};  ///< [rad]
+  Vec2 v;          ///< [L/T]
+  double spin{};   ///< [rad/T]
+};
+
+/// Smallest and largest value of one quantity over all steps of a run.
+struct ExtremeRecord {
+  Column column;
+  Recorder::Extreme extreme;
+};
+
+/// A run as it is reported: everything that the summary, the files and the plots say.
+struct RunRecord {
+  std::string title;
+  UnitSystem units{si};
+  std::string integrator;
+  RunPlan plan;
+  Outcome outcome;
+  long steps{};        ///< steps done
+  long evaluations{};  ///< force evaluations done
+  std::size_t coordinates{};
+  std::size_t laws{};  ///< law instances: point contacts and cables
+  std::size_t contacts{};
+  std::size_t cables{};
+  std::vector<BodyState> bodies;  ///< at the last step that was finite
+  Accounts accounts;              ///< at that step
+  double largest_energy_closure{};
+  double energy_scale{};
+  std::vector<ExtremeRecord> extremes;
+  History history;         ///< rows up to the first that holds a number that is not finite
+  std::size_t rows_cut{};  ///< rows left out after that
+};
+
+/// The final positions and velocities of a scene's bodies.
+[[nodiscard]] std::vector<BodyState> body_states(const Model& model, const State& state);
+
+/// A history without the columns that need a ledger, and without extremes of them: what remains of `recorder` when it
+/// is off. Fills history, rows_cut, extremes and accounts of the record.
+void record_history(RunRecord& record, const Recorder& recorder);
+
+}  // namespace talus

@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include "solver/io/scene_parts.hpp"
+
+namespace talus {
+namespace {
+
+Shape read_shape(SceneTable table) {
+  Shape shape;
+  const std::string kind = table.choice("kind", shape_names());
+  visit_named<Shape>(kind, [&](auto wanted) {
+    table.allow(field_names<decltype(wanted)>());
+    table.read_fields(wanted);
+    shape = wanted;
+  });
+  return shape;
+}
+
+/// Why a body of this mobility has no such quantity; empty if it has.
+std::string_view objection(std::string_view key, Mobility mobility) {
+  const bool fixed = mobility == Mobility::fixed;
+  const bool turns = mobility == Mobility::free || mobility == Mobility::pinned;
+  if (key == "mass" || key == "force") return fixed ? "a fixed body has none; leave it out" : "";
+  if (key == "inertia" || key == "moment" || key == "spin") return turns ? "" : "this body cannot turn; leave it out";
+  if (key == "pin") return mobility == Mobility::pinned ? "" : "only a pinned body has a pin; leave it out";
+  if (key == "velocity" && mobility == Mobility::pinned) return "a pinned body only turns; give its spin instead";
+  return key == "velocity" && fixed ? "a fixed body has none; leave it out" : "";
+}
+
+SceneBody read_body(SceneTable table) {
+  std::vector<std::string> keys = field_names<Body>();
+  keys.insert(keys.end(), {"mobility", "shape", "position", "pin", "velocity", "spin", "force"});
+  table.allow(keys);
+  SceneBody read{table, {}, {}, 0.0};
+  Body& body = read.body;
+  body.name = table.text("name");
+  static_cast<void>(table.text("mobility"));
+  body.mobility = table.choice_or("mobility", Mobility::free);
+  for (const std::string_view key : {"mass", "inertia", "moment", "pin", "velocity", "spin", "force"}) {
+    if (const std::string_view why = objection(key, body.mobility); !why.empty()) table.refuse(key, why);
+  }
+  for (const auto& field : Body::fields()) {
+    if (objection(field.name, body.mobility).empty()) table.read_field(body, field);
+  }
+  if (table.has("shape")) body.shape = read_shape(table.table("shape"));
+  body.p_WB = table.vector("position", dimension::length);
+  if (body.mobility == Mobility::pinned) body.p_BPin = table.vector("pin", dimension::length);
+  body.force = table.vector_or("force", dimension::force, {});
+  read.velocity = table.vector_or("velocity", dimension::velocity, {});
+  read.spin = table.quantity_or("spin", dimension::angular_velocity, 0.0);
+  return read;
+}
+
+}  // namespace
+
+std::vector<SceneBody> read_bodies(SceneTable& file) {
+  std::vector<SceneBody> bodies;
+  for (const SceneTable& table : file.tables("body"))
+    bodies.push_back(read_body(table));
+  return bodies;
+}
+
+BodyId body_named(const SceneTable& table, std::string_view key, const Model& bodies, const std::string& name) {
+  if (const auto found = find_body(bodies, name)) return *found;
+  std::vector<std::string> known;
+  for (const Body& body : bodies.bodies)
+    known.push_back(body.name);
+  table.fail(key, unknown_name("body", name, known).what());
+}
+
+}  // namespace talus

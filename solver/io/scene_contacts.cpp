@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include "solver/io/scene_parts.hpp"
+
+namespace talus {
+namespace {
+
+/// Whether a law's damping can be found from a wanted restitution: formulas exist for a spring and dashpot with an end
+/// rule.
+template <class L>
+concept Restituting = requires(L law) {
+  law.stiffness;
+  law.damping;
+  law.end_rule;
+};
+
+template <class L>
+void read_law(SceneTable& table, SceneContact& read) {
+  L law;
+  std::vector<std::string> keys = field_names<L>();
+  keys.insert(keys.end(), {"between", "method", "nodes"});
+  if constexpr (Restituting<L>) keys.insert(keys.end(), {"end_rule", "restitution", "restitution_rule"});
+  table.allow(keys);
+  table.read_fields(law);
+  if constexpr (Restituting<L>) {
+    law.end_rule = table.choice_or("end_rule", law.end_rule);
+    read.rule = table.choice_or("restitution_rule", read.rule);
+    if (table.has("restitution") == table.has("damping")) {
+      table.fail("damping", "give either this or restitution, one of the two");
+    }
+    if (table.has("restitution")) {
+      read.restitution = table.number("restitution");
+      if (!(*read.restitution > 0.0 && *read.restitution <= 1.0)) {
+        table.fail("restitution", fmt::format("found {}; it must be in (0, 1]", *read.restitution));
+      }
+    } else {
+      table.refuse("restitution_rule", "the damping is given; leave this out or give restitution instead");
+    }
+  }
+  read.contact.law = law;
+}
+
+SceneContact read_contact(SceneTable table, const Model& bodies) {
+  SceneContact read{table, {}, {}, RestitutionRule::effective_mass};
+  Contact& contact = read.contact;
+  contact.name = table.text("name");
+  const std::string law = table.choice("law", ContactLaws::names());
+  visit_named<ContactLaw>(law, [&](auto wanted) { read_law<decltype(wanted)>(table, read); });
+  const std::vector<std::string> between = table.texts("between", 2);
+  contact.a = body_named(table, "between", bodies, between[0]);
+  contact.b = body_named(table, "between", bodies, between[1]);
+  contact.method = table.choice_or("method", contact.method);
+  if (contact.method == ContactMethod::nodes) {
+    if (table.has("nodes")) contact.nodes = table.whole("nodes");
+    if (read.restitution && read.rule == RestitutionRule::effective_mass) {
+      table.fail("restitution_rule", "contact by nodes has no single effective mass; it must be \"eq_21\"");
+    }
+  } else {
+    table.refuse("nodes", "contact by resultant has no nodes; leave it out");
+  }
+  return read;
+}
+
+}  // namespace
+
+std::vector<SceneContact> read_contacts(SceneTable& file, const Model& bodies) {
+  std::vector<SceneContact> contacts;
+  for (const SceneTable& table : file.tables("contact"))
+    contacts.push_back(read_contact(table, bodies));
+  return contacts;
+}
+
+}  // namespace talus

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/io/scene_table.hpp"
+#include "solver/model/model_builder.hpp"
+#include "solver/scenes/scene.hpp"
+
+namespace talus {
+
+/// A body as written: what the model gets, and how it starts.
+struct SceneBody {
+  SceneTable table;
+  Body body;
+  Vec2 velocity;  ///< [L/T]
+  double spin{};  ///< [rad/T]
+};
+
+/// Which inertia a wanted restitution is turned into a damping with.
+enum class RestitutionRule {
+  effective_mass,  ///< what the contact's ends feel along the normal as the bodies stand at the start; formula of the
+                   ///< end rule
+  eq_21,           ///< the reduced mass of two particles and the formula of the attractive rule (FENCE 1993, Eq. 21)
+};
+template <>
+struct Names<RestitutionRule> {
+  static constexpr std::array<std::string_view, 2> list{"effective_mass", "eq_21"};
+};
+
+/// A contact as written; `restitution` stands where it gives no damping.
+struct SceneContact {
+  SceneTable table;
+  Contact contact;
+  std::optional<double> restitution;
+  RestitutionRule rule{RestitutionRule::effective_mass};
+};
+
+/// A cable as written.
+struct SceneCable {
+  SceneTable table;
+  Cable cable;
+};
+
+/// The readers of a scene's parts. All errors are InputError with file, line, name and field.
+[[nodiscard]] std::vector<SceneBody> read_bodies(SceneTable& file);
+[[nodiscard]] std::vector<SceneContact> read_contacts(SceneTable& file, const Model& bodies);
+[[nodiscard]] std::vector<SceneCable> read_cables(SceneTable& file, const Model& bodies);
+
+/// The body of that name, wanted by `key` of a table. Errors: an unknown name, with the nearest known.
+[[nodiscard]] BodyId body_named(const SceneTable& table, std::string_view key, const Model& bodies,
+                                const std::string& name);
+
+/// Calls visit with a default-made value of the alternative of a variant whose `name` is this; false if there is none.
+template <class Variant, std::size_t I = 0, class Visit>
+bool visit_named(std::string_view name, Visit&& visit) {
+  if constexpr (I < std::variant_size_v<Variant>) {
+    using T = std::variant_alternative_t<I, Variant>;
+    if (T::name != name) return visit_named<Variant, I + 1>(name, visit);
+    visit(T{});
+    return true;
+  } else {
+    return false;
+  }
+}
+
+}  // namespace talus

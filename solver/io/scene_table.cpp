@@ -1,0 +1,192 @@
+#include "solver/io/scene_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus {
+
+SceneTable::SceneTable(const SceneSource& source, const TomlValue& value, std::string noun)
+    : source_{&source}, table_{std::get_if<TomlTable>(&value.data)}, line_{value.line}, noun_{std::move(noun)} {
+  TALUS_DEMAND(table_ != nullptr);
+}
+
+const TomlValue* SceneTable::find(std::string_view key) const {
+  for (const auto& [name, value] : *table_) {
+    if (name == key) return &value;
+  }
+  return nullptr;
+}
+
+bool SceneTable::has(std::string_view key) {
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
+  return find(key) != nullptr;
+}
+
+const TomlValue& SceneTable::demand(std::string_view key) {
+  if (has(key)) return *find(key);
+  fail_at(line_, key, "it is missing");
+}
+
+std::string SceneTable::place(int line) const { return fmt::format("{}:{}: ", source_->file, line); }
+
+void SceneTable::fail_at(int line, std::string_view key, std::string_view words) const {
+  const std::string noun = noun_.empty() ? "" : noun_ + ": ";
+  throw InputError{fmt::format("{}{}{}: {}", place(line), noun, key, words)};
+}
+
+void SceneTable::fail(std::string_view key, std::string_view words) const {
+  const TomlValue* value = find(key);
+  fail_at(value != nullptr ? value->line : line_, key, words);
+}
+
+double SceneTable::quantity_of(std::string_view key, const TomlValue& value, Dimension dimension, Range range) const {
+  const auto* text = std::get_if<std::string>(&value.data);
+  if (text == nullptr) {
+    const bool bare = std::holds_alternative<double>(value.data) || std::holds_alternative<std::int64_t>(value.data);
+    const std::string example = fmt::format("\"{} {}\"", bare ? found(value) : "1", symbol(source_->units, dimension));
+    fail_at(value.line, key,
+            bare ? fmt::format("found {}; the unit is missing; write e.g. {}", found(value), example)
+                 : fmt::format("found {}; it must be a quantity in quotes, e.g. {}", found(value), example));
+  }
+  try {
+    const double quantity = parse_quantity(*text, dimension, source_->units);
+    if (contains(range, quantity)) return quantity;
+  } catch (const InputError& error) {
+    fail_at(value.line, key, error.what());
+  }
+  fail_at(value.line, key, fmt::format("found \"{}\"; it must be {}", *text, words(range)));
+}
+
+double SceneTable::quantity(std::string_view key, Dimension dimension, Range range) {
+  return quantity_of(key, demand(key), dimension, range);
+}
+
+double SceneTable::quantity_or(std::string_view key, Dimension dimension, double absent, Range range) {
+  return has(key) ? quantity(key, dimension, range) : absent;
+}
+
+std::vector<double> SceneTable::quantities(std::string_view key, Dimension dimension, std::size_t least,
+                                           std::size_t most) {
+  constexpr std::string_view axes = "xyz";
+  TALUS_DEMAND(most <= axes.size());
+  const TomlValue& value = demand(key);
+  const auto* elements = std::get_if<TomlArray>(&value.data);
+  const std::string count = least == most ? fmt::format("{}", least) : fmt::format("{} or {}", least, most);
+  if (elements == nullptr) {
+    const std::string example = fmt::format("\"1 {}\"", symbol(source_->units, dimension));
+    const std::vector<std::string> examples(least, example);
+    fail_at(value.line, key,
+            fmt::format("found {}; it must be an array of {} quantities, e.g. [{}]", found(value), count,
+                        fmt::join(examples, ", ")));
+  }
+  if (elements->size() < least || elements->size() > most) {
+    fail_at(value.line, key, fmt::format("found {} components; it must have {}", elements->size(), count));
+  }
+  std::vector<double> result;
+  for (std::size_t i = 0; i < elements->size(); ++i) {
+    result.push_back(quantity_of(fmt::format("{}.{}", key, axes[i]), (*elements)[i], dimension, Range::any));
+  }
+  return result;
+}
+
+Vec2 SceneTable::vector(std::string_view key, Dimension dimension) {
+  const std::vector<double> components = quantities(key, dimension, 2, 2);
+  return {components[0], components[1]};
+}
+
+Vec2 SceneTable::vector_or(std::string_view key, Dimension dimension, Vec2 absent) {
+  return has(key) ? vector(key, dimension) : absent;
+}
+
+double SceneTable::number(std::string_view key, Range range) {
+  const TomlValue& value = demand(key);
+  double number = 0.0;
+  if (const auto* real = std::get_if<double>(&value.data)) {
+    number = *real;
+  } else if (const auto* integer = std::get_if<std::int64_t>(&value.data)) {
+    number = static_cast<double>(*integer);
+  } else {
+    fail_at(value.line, key, fmt::format("found {}; it must be a pure number without quotes, e.g. 0.5", found(value)));
+  }
+  if (std::isfinite(number) && contains(range, number)) return number;
+  fail_at(value.line, key, fmt::format("found {}; it must be {}", found(value), words(range)));
+}
+
+int SceneTable::whole(std::string_view key) {
+  const TomlValue& value = demand(key);
+  const auto* integer = std::get_if<std::int64_t>(&value.data);
+  if (integer != nullptr && std::abs(*integer) <= 1'000'000'000) return static_cast<int>(*integer);
+  fail_at(value.line, key, fmt::format("found {}; it must be a whole number, e.g. 12", found(value)));
+}
+
+std::string SceneTable::text(std::string_view key) {
+  const TomlValue& value = demand(key);
+  const auto* text = std::get_if<std::string>(&value.data);
+  if (text != nullptr && !text->empty()) return *text;
+  fail_at(value.line, key, fmt::format("found {}; it must be a text in quotes", found(value)));
+}
+
+std::vector<std::string> SceneTable::texts(std::string_view key, std::size_t count) {
+  const TomlValue& value = demand(key);
+  std::vector<std::string> result;
+  if (const auto* elements = std::get_if<TomlArray>(&value.data)) {
+    for (const TomlValue& element : *elements) {
+      if (const auto* text = std::get_if<std::string>(&element.data)) result.push_back(*text);
+    }
+    if (elements->size() == count && result.size() == count) return result;
+  }
+  fail_at(value.line, key, fmt::format("found {}; it must be an array of {} texts in quotes", found(value), count));
+}
+
+std::string SceneTable::choice(std::string_view key, const std::vector<std::string>& known) {
+  const std::string name = text(key);
+  if (std::find(known.begin(), known.end(), name) != known.end()) return name;
+  fail(key,
+       fmt::format("found \"{}\"; nearest: {}; known: {}", name, nearest_name(name, known), fmt::join(known, ", ")));
+}
+
+SceneTable SceneTable::table(std::string_view key) {
+  const TomlValue& value = demand(key);
+  if (!std::holds_alternative<TomlTable>(value.data)) {
+    fail_at(value.line, key, fmt::format("found {}; it must be a table", found(value)));
+  }
+  return {*source_, value, noun_.empty() ? std::string{key} : fmt::format("{}: {}", noun_, key)};
+}
+
+std::vector<SceneTable> SceneTable::tables(std::string_view key) {
+  std::vector<SceneTable> result;
+  if (!has(key)) return result;
+  const TomlValue& value = *find(key);
+  const auto* elements = std::get_if<TomlArray>(&value.data);
+  const auto is_table = [](const TomlValue& element) { return std::holds_alternative<TomlTable>(element.data); };
+  if (elements == nullptr || !std::all_of(elements->begin(), elements->end(), is_table)) {
+    fail_at(value.line, key,
+            fmt::format("found {}; each {} is a table of its own, headed [[{}]]", found(value), key, key));
+  }
+  for (const TomlValue& element : *elements) {
+    SceneTable unnamed{*source_, element, fmt::format("{} {}", key, result.size() + 1)};
+    const std::string name = unnamed.text("name");
+    result.emplace_back(*source_, element, fmt::format("{} '{}'", key, name));
+    static_cast<void>(result.back().has("name"));
+  }
+  return result;
+}
+
+void SceneTable::refuse(std::string_view key, std::string_view why) {
+  if (find(key) != nullptr) fail(key, why);
+}
+
+void SceneTable::allow(std::vector<std::string> keys) {
+  known_.insert(known_.end(), keys.begin(), keys.end());
+  for (const auto& [name, value] : *table_) {
+    if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
+    fail_at(value.line, name,
+            fmt::format("this key is not known; nearest: {}; known: {}", nearest_name(name, known_),
+                        fmt::join(known_, ", ")));
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/base/error.hpp"
+#include "solver/base/fields.hpp"
+#include "solver/base/units.hpp"
+#include "solver/base/vec.hpp"
+#include "solver/io/toml_document.hpp"
+
+namespace talus {
+
+/// What all tables of one scene file share.
+struct SceneSource {
+  std::string file;  ///< as named in messages
+  UnitSystem units;
+};
+
+/// One table of a scene file, read key by key. All errors are InputError of the form
+/// `file.toml:17: body 'rock': mass: found "-3 kg"; it must be > 0`. Keys
+/// that were neither asked for nor allowed are refused by allow(), which a reader calls before it misses anything.
+class SceneTable {
+ public:
+  /// `noun` says in messages what the table describes: "body 'rock'"; empty for the file itself. `value` must be a
+  /// table.
+  SceneTable(const SceneSource& source, const TomlValue& value, std::string noun);
+
+  int line() const { return line_; }
+  const UnitSystem& units() const { return source_->units; }
+  bool has(std::string_view key);
+
+  /// A quantity with its unit, in consistent units of the scene.
+  [[nodiscard]] double quantity(std::string_view key, Dimension dimension, Range range = Range::any);
+  [[nodiscard]] double quantity_or(std::string_view key, Dimension dimension, double absent, Range range = Range::any);
+  /// An array of `least` to `most` quantities of one dimension.
+  [[nodiscard]] std::vector<double> quantities(std::string_view key, Dimension dimension, std::size_t least,
+                                               std::size_t most);
+  [[nodiscard]] Vec2 vector(std::string_view key, Dimension dimension);
+  [[nodiscard]] Vec2 vector_or(std::string_view key, Dimension dimension, Vec2 absent);
+  /// A pure number, written without quotes.
+  [[nodiscard]] double number(std::string_view key, Range range = Range::any);
+  /// A whole number.
+  [[nodiscard]] int whole(std::string_view key);
+  [[nodiscard]] std::string text(std::string_view key);
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key, std::size_t count);
+  /// One of a closed list of names.
+  [[nodiscard]] std::string choice(std::string_view key, const std::vector<std::string>& known);
+  /// One of the names of an enum; `absent` where the key is not given.
+  template <class Enum>
+  [[nodiscard]] Enum choice_or(std::string_view key, Enum absent) {
+    if (!has(key)) return absent;
+    const std::string name = choice(key, {Names<Enum>::list.begin(), Names<Enum>::list.end()});
+    for (std::size_t i = 0; i < Names<Enum>::list.size(); ++i) {
+      if (Names<Enum>::list[i] == name) return static_cast<Enum>(i);
+    }
+    return absent;
+  }
+  /// A table inside this one.
+  [[nodiscard]] SceneTable table(std::string_view key);
+  /// The tables of an array of tables, [[key]]; none if the key is absent. Each is called by its own `name`.
+  [[nodiscard]] std::vector<SceneTable> tables(std::string_view key);
+
+  /// Reads every field of T that has a key; a field that must be > 0 has to be there, another keeps its value.
+  template <class T>
+  void read_fields(T& value) {
+    for (const auto& field : T::fields())
+      read_field(value, field);
+  }
+  template <class T>
+  void read_field(T& value, const Field<T>& field) {
+    if (field.range != Range::positive && !has(field.name)) return;
+    value.*field.member = quantity(field.name, field.dimension, field.range);
+  }
+
+  /// Refuses a key that is there, saying why it has no place.
+  void refuse(std::string_view key, std::string_view why);
+  /// Refuses all keys but these and those asked for so far, naming the nearest known one.
+  void allow(std::vector<std::string> keys);
+
+  /// Throws an error about a key (or about the table itself, if it has no such key).
+  [[noreturn]] void fail(std::string_view key, std::string_view words) const;
+  /// Calls `action`; an InputError of it gets this table's file and line in front.
+  template <class Action>
+  auto placed(Action&& action) const {
+    try {
+      return action();
+    } catch (const InputError& error) {
+      throw InputError{place(line_) + error.what()};
+    }
+  }
+
+ private:
+  const TomlValue* find(std::string_view key) const;
+  const TomlValue& demand(std::string_view key);
+  double quantity_of(std::string_view key, const TomlValue& value, Dimension dimension, Range range) const;
+  [[noreturn]] void fail_at(int line, std::string_view key, std::string_view words) const;
+  std::string place(int line) const;
+
+  const SceneSource* source_;
+  const TomlTable* table_;
+  int line_;
+  std::string noun_;
+  std::vector<std::string> known_;
+};
+
+/// Names of the fields of T, as written in a scene.
+template <class T>
+std::vector<std::string> field_names() {
+  std::vector<std::string> names;
+  for (const auto& field : T::fields())
+    names.emplace_back(field.name);
+  return names;
+}
+
+}  // namespace talus

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace talus {
+
+struct TomlValue;
+/// Elements of an array, in the file's order.
+using TomlArray = std::vector<TomlValue>;
+/// Keys and values of a table, in the file's order.
+using TomlTable = std::vector<std::pair<std::string, TomlValue>>;
+/// A date or time: TOML has them, a scene has no use for them.
+struct TomlDate {};
+
+/// One value of a TOML file and the line it stands on.
+struct TomlValue {
+  std::variant<std::string, double, std::int64_t, bool, TomlDate, TomlArray, TomlTable> data;
+  int line{};  ///< counted from 1; of a table: its header or opening brace
+};
+
+/// The value as it is shown in a message: `"3 kg"`, `3`, `true`, "an array", "a table".
+[[nodiscard]] std::string found(const TomlValue& value);
+
+/// Parses TOML text; `name` is the file named in errors.
+/// Errors: InputError "name:line: not TOML: ...".
+[[nodiscard]] TomlValue parse_toml(std::string_view text, std::string_view name);
+
+/// The text of a file. Errors: IoError with the system's reason.
+[[nodiscard]] std::string read_text(const std::filesystem::path& file);
+
+}  // namespace talus

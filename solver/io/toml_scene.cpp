@@ -1,0 +1,114 @@
+#include "solver/io/toml_scene.hpp"
+
+#include <fmt/format.h>
+
+#include "solver/calibrate/restitution.hpp"
+#include "solver/dynamics/springs.hpp"
+#include "solver/io/scene_parts.hpp"
+
+namespace talus {
+namespace {
+
+/// The parts of a scene as written, and what they stand in.
+struct Parts {
+  Vec2 gravity;
+  std::vector<SceneBody> bodies;
+  std::vector<SceneContact> contacts;
+  std::vector<SceneCable> cables;
+};
+
+/// The model of the parts; what a builder refuses gets the line of the table concerned.
+Model built(const Parts& parts, const SceneTable& file) {
+  ModelBuilder builder{file.units()};
+  builder.gravity(parts.gravity);
+  for (const SceneBody& read : parts.bodies)
+    read.table.placed([&] { return builder.add(read.body); });
+  for (const SceneContact& read : parts.contacts)
+    read.table.placed([&] { return builder.add(read.contact); });
+  for (const SceneCable& read : parts.cables)
+    read.table.placed([&] { return builder.add(read.cable); });
+  return file.placed([&] { return builder.build(); });
+}
+
+/// Reduced mass of two bodies taken as particles; a fixed one as infinitely heavy [M].
+double particle_mass(const Model& model, const Contact& contact) {
+  const Body& a = model.bodies[index(contact.a)];
+  const Body& b = model.bodies[index(contact.b)];
+  if (a.mobility == Mobility::fixed) return b.mass;
+  if (b.mobility == Mobility::fixed) return a.mass;
+  return effective_mass(ContactSide{a.mass, {}, 0.0, false}, ContactSide{b.mass, {}, 0.0, false});
+}
+
+/// Damping from restitution, where a contact is written so.
+void set_damping(std::vector<SceneContact>& contacts, const Model& undamped) {
+  const Dynamics dynamics{undamped};
+  const std::vector<Spring> springs = talus::springs(dynamics, rest_state(undamped));
+  std::size_t spring = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    SceneContact& read = contacts[i];
+    if (read.restitution) {
+      const bool by_particles = read.rule == RestitutionRule::eq_21;
+      const double mass = by_particles ? particle_mass(undamped, read.contact) : springs[spring].effective_mass;
+      std::visit(
+          [&](auto& law) {
+            const EndRule rule = by_particles ? EndRule::attractive : law.end_rule;
+            read.table.placed(
+                [&] { law.damping = damping(damping_ratio(*read.restitution, rule), law.stiffness, mass); });
+          },
+          read.contact.law);
+    }
+    spring += dynamics.layout().contact_instances[i];
+  }
+}
+
+Parts read_parts(SceneTable& file) {
+  Parts parts;
+  parts.gravity = file.vector_or("gravity", dimension::acceleration, {});
+  parts.bodies = read_bodies(file);
+  const Model bodies = built(parts, file);
+  parts.contacts = read_contacts(file, bodies);
+  parts.cables = read_cables(file, bodies);
+  set_damping(parts.contacts, built(parts, file));
+  return parts;
+}
+
+void read_run(SceneTable table, Scene& scene) {
+  table.allow({"integrator", "tolerance", "step", "end", "interval", "ledger"});
+  const std::string integrator = table.choice("integrator", integrator_names());
+  const double tolerance = table.has("tolerance") ? table.number("tolerance", Range::positive) : 0.0;
+  scene.integrator = table.placed([&] { return make_integrator(integrator, tolerance); });
+  scene.plan.step = table.quantity("step", dimension::time, Range::positive);
+  scene.plan.end = table.quantity("end", dimension::time, Range::positive);
+  scene.plan.interval = table.quantity_or("interval", dimension::time, scene.plan.step, Range::positive);
+  if (table.has("ledger")) scene.plan.ledger = table.choice("ledger", {"on", "off"}) == "on";
+}
+
+State start_state(const Parts& parts, const Model& model) {
+  State state = rest_state(model);
+  for (std::size_t i = 0; i < parts.bodies.size(); ++i) {
+    const SceneBody& read = parts.bodies[i];
+    read.table.placed([&] { set_velocity(model, state, static_cast<BodyId>(i), read.velocity, read.spin); });
+  }
+  return state;
+}
+
+}  // namespace
+
+Scene read_scene(std::string_view text, std::string_view name) {
+  const TomlValue document = parse_toml(text, name);
+  SceneSource source{std::string{name}, si};
+  SceneTable file{source, document, ""};
+  file.allow({"title", "units", "gravity", "body", "contact", "cable", "run"});
+  source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
+  Scene scene;
+  scene.title = file.text("title");
+  const Parts parts = read_parts(file);
+  scene.model = built(parts, file);
+  scene.initial = start_state(parts, scene.model);
+  read_run(file.table("run"), scene);
+  return scene;
+}
+
+Scene read_scene(const std::filesystem::path& file) { return read_scene(read_text(file), file.string()); }
+
+}  // namespace talus
