@@ -15,7 +15,8 @@ namespace {
 
 std::string key_of(const std::string& label) {
   std::string key;
-  for (const unsigned char c : label) {
+  for (const char letter : label) {
+    const auto c = static_cast<unsigned char>(letter);
     if (std::isalnum(c) != 0) {
       key += static_cast<char>(std::tolower(c));
     } else if (!key.empty() && key.back() != '_') {
