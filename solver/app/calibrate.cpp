@@ -1,0 +1,204 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "solver/app/command.hpp"
+#include "solver/base/error.hpp"
+#include "solver/calibrate/impact.hpp"
+#include "solver/io/toml_scene.hpp"
+
+namespace talus::app {
+namespace {
+
+struct CalibrateOptions {
+  std::string scene;
+  std::string contact;
+  double restitution{};
+  std::vector<std::string> masses;
+  std::string stiffness;
+  std::string end_rule{"clamped"};
+  std::vector<std::string> pivot;
+  std::vector<std::string> offset;
+  std::string speed{"1 m/s"};
+  double bound{1e-3};
+  std::string integrator{"velocity_verlet"};
+  std::string units{"SI"};
+  bool json{false};
+};
+
+/// What a calibration without a scene finds; all in SI.
+struct ImpactCalibration {
+  LinearSpringDashpot law;
+  double effective_mass{};
+  double damping_ratio{};
+  double speed{};
+  ImpactStep step;
+};
+
+EndRule end_rule_named(const std::string& name) {
+  const auto& list = Names<EndRule>::list;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (list[i] == name) return static_cast<EndRule>(i);
+  }
+  throw unknown_name("end rule", name, {list.begin(), list.end()});
+}
+
+/// Inertia at the contact point: --masses, of which --pivot or --offset changes the last.
+double effective_mass_of(const CalibrateOptions& options) {
+  std::vector<ContactSide> sides;
+  for (const std::string& mass : options.masses)
+    sides.push_back({option_quantity("--masses", mass, dimension::mass, si), {}, 0.0, false});
+  const bool pinned = !options.pivot.empty();
+  const std::vector<std::string>& turning = pinned ? options.pivot : options.offset;
+  if (!turning.empty()) {
+    const std::string option = pinned ? "--pivot" : "--offset";
+    sides.back().inertia = option_quantity(option, turning[0], dimension::inertia, si);
+    sides.back().arm = option_quantity(option, turning[1], dimension::length, si);
+    sides.back().pinned = pinned;
+  }
+  // A single body meets something that does not move: half of what it would have against its own mirror image, twice.
+  return sides.size() == 1 ? 2.0 * effective_mass(sides[0], sides[0]) : effective_mass(sides[0], sides[1]);
+}
+
+ImpactCalibration calibrated(const CalibrateOptions& options) {
+  if (options.masses.empty())
+    throw InputError{"--masses: it is missing; give one or two, e.g. --masses \"2 kg\" \"1 kg\""};
+  if (options.stiffness.empty()) throw InputError{"--stiffness: it is missing; give e.g. --stiffness \"1e5 N/m\""};
+  ImpactCalibration result;
+  result.law.end_rule = end_rule_named(options.end_rule);
+  result.law.stiffness = option_quantity("--stiffness", options.stiffness, dimension::stiffness, si);
+  result.speed = option_quantity("--speed", options.speed, dimension::velocity, si);
+  result.effective_mass = effective_mass_of(options);
+  result.damping_ratio = damping_ratio(options.restitution, result.law.end_rule);
+  result.law.damping = damping(result.damping_ratio, result.law.stiffness, result.effective_mass);
+  result.step =
+      advise_impact_step(result.law, result.effective_mass, options.bound, make_integrator(options.integrator));
+  return result;
+}
+
+void print_json(const ImpactCalibration& found) {
+  const nlohmann::ordered_json json{{"damping", found.law.damping},
+                                    {"damping_ratio", found.damping_ratio},
+                                    {"effective_mass", found.effective_mass},
+                                    {"contact_time", contact_time(found.law, found.effective_mass)},
+                                    {"speed", found.speed},
+                                    {"largest_overlap", largest_overlap(found.law, found.effective_mass, found.speed)},
+                                    {"step", found.step.step},
+                                    {"restitution", found.step.restitution},
+                                    {"restitution_error", found.step.largest_error},
+                                    {"end_rule", Names<EndRule>::list[static_cast<std::size_t>(found.law.end_rule)]},
+                                    {"units", "SI"}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_text(const ImpactCalibration& found, const CalibrateOptions& options) {
+  const UnitSystem units = unit_system(options.units);
+  const auto line = [&units](std::string_view what, double in_si, Dimension dimension) {
+    fmt::print("  {:<32}{:>16.9g} {}\n", what, in_si / si_size(units, dimension), symbol(units, dimension));
+  };
+  fmt::print("damping for a restitution of {} ({} end rule)\n", options.restitution, options.end_rule);
+  line("effective mass", found.effective_mass, dimension::mass);
+  line("damping c", found.law.damping, dimension::damping);
+  line("damping ratio xi", found.damping_ratio, dimension::number);
+  line("contact time", contact_time(found.law, found.effective_mass), dimension::time);
+  line("speed of approach", found.speed, dimension::velocity);
+  line("largest overlap at that speed", largest_overlap(found.law, found.effective_mass, found.speed),
+       dimension::length);
+  line("step", found.step.step, dimension::time);
+  line("restitution simulated with it", found.step.restitution, dimension::number);
+  fmt::print("  simulated with {}; its error over all phases of the step is at most {:.3g}, asked for {:.3g}\n",
+             options.integrator, found.step.largest_error, options.bound);
+}
+
+int calibrate_impact(const CalibrateOptions& options) {
+  static_cast<void>(unit_system(options.units));
+  const ImpactCalibration found = calibrated(options);
+  if (options.json) {
+    print_json(found);
+  } else {
+    print_text(found, options);
+  }
+  return ok;
+}
+
+ContactId contact_named(const Model& model, const std::string& name) {
+  std::vector<std::string> known;
+  for (const Contact& contact : model.contacts)
+    known.push_back(contact.name);
+  if (known.empty()) throw InputError{"--contact: the scene has no contact to calibrate"};
+  if (name.empty()) throw unknown_name("--contact: contact", name, known);
+  if (const auto found = find_contact(model, name)) return *found;
+  throw unknown_name("--contact: contact", name, known);
+}
+
+int calibrate_scene(const CalibrateOptions& options) {
+  const Scene scene = read_scene(std::filesystem::path{options.scene});
+  const ContactId contact = contact_named(scene.model, options.contact);
+  const Calibration found = calibrate(scene, contact, options.restitution);
+  const UnitSystem& units = scene.model.units;
+  if (options.json) {
+    const nlohmann::ordered_json json{{"contact", options.contact},
+                                      {"damping", found.damping * si_size(units, dimension::damping)},
+                                      {"restitution", found.restitution},
+                                      {"runs", found.runs},
+                                      {"units", "SI"}};
+    fmt::print("{}\n", json.dump(2));
+    return ok;
+  }
+  fmt::print("{}: contact '{}' calibrated by {} runs with {}, step {:.6g} {}\n", scene.title, options.contact,
+             found.runs, name(scene.integrator), scene.plan.step, symbol(units, dimension::time));
+  fmt::print("  damping      {:.9g} {}\n  restitution  {:.9g}\n", found.damping, symbol(units, dimension::damping),
+             found.restitution);
+  fmt::print("  in the scene: damping = \"{} {}\"\n", found.damping, symbol(units, dimension::damping));
+  return ok;
+}
+
+int run_calibration(const CalibrateOptions& options) {
+  if (options.scene.empty()) {
+    if (!options.contact.empty()) throw InputError{"--contact: it needs a scene; name its file"};
+    return calibrate_impact(options);
+  }
+  if (!options.masses.empty() || !options.stiffness.empty() || !options.pivot.empty() || !options.offset.empty()) {
+    throw InputError{"--masses, --stiffness, --pivot and --offset are the scene's own; leave them out"};
+  }
+  return calibrate_scene(options);
+}
+
+}  // namespace
+
+Command add_calibrate(CLI::App& talus) {
+  CLI::App* app = talus.add_subcommand("calibrate", "Find the damping that gives a contact its restitution");
+  const auto options = std::make_shared<CalibrateOptions>();
+  app->add_option("SCENE", options->scene, "scene file: calibrate its --contact by simulation of the scene");
+  app->add_option("--contact", options->contact, "name of the scene's contact");
+  app->add_option("--restitution", options->restitution, "restitution wanted, in (0, 1]")->required();
+  app->add_option("--masses", options->masses, "mass of one body (against a wall) or of two")->expected(1, 2);
+  app->add_option("--stiffness", options->stiffness, "stiffness of the contact, e.g. \"1e6 lbf/ft\"");
+  app->add_option("--end-rule", options->end_rule, "attractive or clamped; default clamped");
+  CLI::Option* pivot = app->add_option("--pivot", options->pivot,
+                                       "the last body turns about a pin: its inertia about the "
+                                       "pin, and the arm from pin to the contact's normal")
+                           ->expected(2);
+  app->add_option("--offset", options->offset,
+                  "the last body is free and hit off centre: its inertia about the centre, and the arm of the normal")
+      ->expected(2)
+      ->excludes(pivot);
+  app->add_option("--speed", options->speed, "speed of approach for the overlap; default \"1 m/s\"");
+  app->add_option("--bound", options->bound, "error of the restitution that the step may cause; default 0.001");
+  app->add_option("--integrator", options->integrator, "method for the step; default velocity_verlet");
+  app->add_option("--units", options->units, "SI or US, for the text; JSON is always SI");
+  app->add_flag("--json", options->json, "print JSON, in SI units");
+  app->footer(
+      "Examples:\n"
+      "  talus calibrate --restitution 0.5 --masses \"37.23 slug\" \"14.92 slug\" --stiffness \"1e6 lbf/ft\" --units "
+      "US\n"
+      "  talus calibrate --restitution 0.5 --masses \"37.23 slug\" \"14.92 slug\" --stiffness \"1e6 lbf/ft\" \\\n"
+      "        --pivot \"324.14 slug ft^2\" \"4 ft\" --end-rule attractive\n"
+      "  talus calibrate cases/pivoted_cylinder.toml --contact impact --restitution 0.5");
+  return {app, [options] { return run_calibration(*options); }};
+}
+
+}  // namespace talus::app

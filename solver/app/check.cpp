@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "solver/app/command.hpp"
+#include "solver/calibrate/step_advice.hpp"
+#include "solver/io/toml_scene.hpp"
+#include "solver/run/simulate.hpp"
+
+namespace talus::app {
+namespace {
+
+std::string_view mobility_name(const Body& body) {
+  return Names<Mobility>::list[static_cast<std::size_t>(body.mobility)];
+}
+
+void print_bodies(const Scene& scene, const Dynamics& dynamics) {
+  const UnitSystem& units = scene.model.units;
+  const Layout& layout = dynamics.layout();
+  fmt::print("bodies {}, degrees of freedom {}\n", scene.model.bodies.size(), layout.coordinates.size());
+  for (const Body& body : scene.model.bodies) {
+    const std::string_view shape = std::visit([](const auto& s) { return s.name; }, body.shape);
+    const std::string mass = body.mobility == Mobility::fixed
+                                 ? ""
+                                 : fmt::format(", mass {:.6g} {}", body.mass, symbol(units, dimension::mass));
+    fmt::print("  {:<14} {}, shape {}{}\n", body.name, mobility_name(body), shape, mass);
+  }
+  std::size_t contact_instances = 0;
+  for (const std::size_t count : layout.contact_instances)
+    contact_instances += count;
+  fmt::print("contact pairs possible {}, with {} law instances; cables {}\n", scene.model.contacts.size(),
+             contact_instances, scene.model.cables.size());
+}
+
+/// A number, or a dash where there is none (a spring across which nothing can move has no frequency).
+std::string number_or_dash(double value) { return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-"; }
+
+void print_springs(const Scene& scene, const StepAdvice& advice) {
+  if (advice.springs.empty()) return fmt::print("no contacts and no cables\n");
+  const UnitSystem& units = scene.model.units;
+  fmt::print("  {:<14}{:>12}{:>12}{:>12}{:>12}{:>10}{:>14}{:>12}\n", "law", "k", "c", "m_eff", "frequency", "xi",
+             "contact time", "steps in it");
+  fmt::print("  {:<14}{:>12}{:>12}{:>12}{:>12}{:>10}{:>14}{:>12}\n", "", symbol(units, dimension::stiffness),
+             symbol(units, dimension::damping), symbol(units, dimension::mass),
+             symbol(units, dimension::angular_velocity), "1", symbol(units, dimension::time), "1");
+  for (const SpringAdvice& item : advice.springs) {
+    fmt::print("  {:<14}{:>12.5g}{:>12.5g}{:>12}{:>12.5g}{:>10.4g}{:>14}{:>12}\n", item.name, item.spring.stiffness,
+               item.spring.damping, number_or_dash(item.spring.effective_mass), item.frequency, item.damping_ratio,
+               item.contact ? number_or_dash(item.contact_time) : "-",
+               item.contact ? number_or_dash(item.contact_time / scene.plan.step) : "-");
+  }
+}
+
+void print_step(const Scene& scene, const StepAdvice& advice) {
+  const std::string time = symbol(scene.model.units, dimension::time);
+  const double step = scene.plan.step;
+  fmt::print("step {:.6g} {} with {}\n", step, time, name(scene.integrator));
+  if (advice.highest_frequency == 0.0) return fmt::print("  no spring limits it\n");
+  fmt::print("  highest frequency of the whole, all contacts closed and all cables taut: {:.6g} {}, xi {:.4g}\n",
+             advice.highest_frequency, symbol(scene.model.units, dimension::angular_velocity), advice.damping_ratio);
+  fmt::print("  step x highest frequency: {:.4g}\n", step * advice.highest_frequency);
+  if (const auto limit = linear_limit(name(scene.integrator), advice.damping_ratio)) {
+    const double longest = *limit / advice.highest_frequency;
+    fmt::print("  linear limit of the method: {:.4g}, a step of {:.6g} {}; the step is {:.4g} of it{}\n", *limit,
+               longest, time, step / longest, step > longest ? " - TOO LONG" : "");
+  } else {
+    fmt::print("  the method has no limit in closed form here; with a tolerance it chooses its own steps\n");
+  }
+  if (std::isfinite(advice.shortest_contact)) {
+    fmt::print("  shortest contact: {:.6g} {}, {:.4g} steps; one-sided contacts need some 50 for 1 % in restitution\n",
+               advice.shortest_contact, time, advice.shortest_contact / step);
+  }
+}
+
+/// Force evaluations of a step, from a pilot of a few steps on a copy: counted, not timed.
+double evaluations_per_step(const Scene& scene, const Dynamics& dynamics) {
+  constexpr long pilot_steps = 8;
+  RigidBodySystem system{dynamics, scene.plan.ledger};
+  Integrator integrator = scene.integrator;
+  State state = scene.initial;
+  RunPlan plan = scene.plan;
+  plan.end = std::min(plan.end, static_cast<double>(pilot_steps) * plan.step);
+  static_cast<void>(simulate(system, integrator, state, plan));
+  return static_cast<double>(system.evaluations()) / static_cast<double>(step_count(plan));
+}
+
+void print_cost(const Scene& scene, const Dynamics& dynamics) {
+  const long steps = step_count(scene.plan);
+  const double each = evaluations_per_step(scene, dynamics);
+  fmt::print(
+      "expected cost: {} steps to {:.6g} {}, about {:.3g} force evaluations a step, {:.3g} in all; each over {} "
+      "degrees of freedom and {} law instances\n",
+      steps, scene.plan.end, symbol(scene.model.units, dimension::time), each, each * static_cast<double>(steps),
+      dynamics.layout().coordinates.size(), dynamics.layout().mode_count);
+}
+
+int check(const std::string& file) {
+  const Scene scene = read_scene(std::filesystem::path{file});
+  const Dynamics dynamics{scene.model};
+  const StepAdvice advice = advise_step(dynamics, scene.initial);
+  fmt::print("{}\n", scene.title);
+  print_bodies(scene, dynamics);
+  print_springs(scene, advice);
+  print_step(scene, advice);
+  print_cost(scene, dynamics);
+  return ok;
+}
+
+}  // namespace
+
+Command add_check(CLI::App& talus) {
+  CLI::App* app = talus.add_subcommand("check", "Read a scene and say what it carries and what its step is worth");
+  const auto scene = std::make_shared<std::string>();
+  app->add_option("SCENE", *scene, "scene file (.toml)")->required();
+  app->footer("Example:\n  talus check cases/pivoted_cylinder.toml");
+  return {app, [scene] { return check(*scene); }};
+}
+
+}  // namespace talus::app

@@ -1,0 +1,120 @@
+#include "solver/app/command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "solver/base/error.hpp"
+
+namespace talus::app {
+namespace {
+
+void describe(CLI::App& talus) {
+  talus.description(
+      "Talus: planar discrete elements beside their exact solutions.\n"
+      "Bodies, tension-only cables and contacts, described in a scene file (TOML, quantities with units).");
+  talus.footer(
+      "Examples:\n"
+      "  talus check cases/two_cable.toml             what the scene carries, and what its step is worth\n"
+      "  talus run cases/two_cable.toml --out out     run it; summary here, histories and state in out/\n"
+      "  talus plot out                               draw the histories into out/plots/\n"
+      "  talus list fields                            every field that a scene can hold, with its dimension\n"
+      "Exit codes: 0 done, 2 wrong input or usage, 3 the run failed numerically, 4 a file cannot be read or written.");
+  talus.set_version_flag("--version", std::string{"talus "} + TALUS_VERSION, "Print the version and exit");
+  talus.require_subcommand(1);
+}
+
+/// The deepest subcommand that was recognised.
+const CLI::App& active(const CLI::App& talus) {
+  const auto parsed = talus.get_subcommands();
+  return parsed.empty() ? talus : *parsed.front();
+}
+
+std::string full_name(const CLI::App& app) {
+  return app.get_parent() == nullptr ? std::string{"talus"} : "talus " + app.get_name();
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames())
+      names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::vector<std::string> subcommand_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+/// What is wrong with a command line that CLI11 refused, in the words that this project uses for unknown names.
+std::string words(const CLI::App& talus, const CLI::ParseError& error) {
+  const CLI::App& app = active(talus);
+  const std::vector<std::string> unexpected = talus.remaining(true);
+  if (unexpected.empty()) return error.what();
+  const std::string& first = unexpected.front();
+  if (first.front() == '-') return unknown_name("option", first, option_names(app)).what();
+  if (&app == &talus) return unknown_name("command", first, subcommand_names(talus)).what();
+  return fmt::format("'{}' is one argument too many", first);
+}
+
+int report(ExitCode code, std::string_view words) {
+  fmt::print(stderr, "talus: {}\n", words);
+  return code;
+}
+
+int work(const std::vector<Command>& commands) {
+  try {
+    const auto given =
+        std::find_if(commands.begin(), commands.end(), [](const Command& command) { return command.app->parsed(); });
+    TALUS_DEMAND(given != commands.end());
+    const int code = given->work();
+    // What went to a full disk or a closed pipe was not said.
+    if (std::fflush(stdout) != 0) return report(io_failed, "standard output: cannot be written");
+    return code;
+  } catch (const InputError& error) {
+    return report(bad_input, error.what());
+  } catch (const IoError& error) {
+    return report(io_failed, error.what());
+  } catch (const std::system_error& error) {
+    return report(io_failed, fmt::format("standard output: {}", error.what()));
+  }
+}
+
+}  // namespace
+
+double option_quantity(const std::string& option, const std::string& text, Dimension dimension, const UnitSystem& units,
+                       bool positive) {
+  double value = 0.0;
+  try {
+    value = parse_quantity(text, dimension, units);
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("{}: {}", option, error.what())};
+  }
+  if (positive && !(value > 0.0)) throw InputError{fmt::format("{}: found \"{}\"; it must be > 0", option, text)};
+  return value;
+}
+
+int run_command_line(int count, const char* const* arguments) {
+  CLI::App talus;
+  describe(talus);
+  const std::vector<Command> commands{add_run(talus), add_check(talus), add_calibrate(talus), add_plot(talus),
+                                      add_list(talus)};
+  try {
+    talus.parse(count, arguments);
+  } catch (const CLI::Success& help) {
+    return talus.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return report(bad_input, fmt::format("{}\nhelp: {} --help", words(talus, error), full_name(active(talus))));
+  }
+  return work(commands);
+}
+
+}  // namespace talus::app

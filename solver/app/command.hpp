@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "solver/base/units.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace talus::app {
+
+/// The exit codes that a command can end with.
+enum ExitCode : int { ok = 0, bad_input = 2, diverged = 3, io_failed = 4 };
+
+/// One subcommand: its options are bound to `app`; `work` does it and returns the exit code.
+struct Command {
+  CLI::App* app{nullptr};
+  std::function<int()> work;
+};
+
+/// Each adds its subcommand with options and help to `talus`.
+[[nodiscard]] Command add_run(CLI::App& talus);
+[[nodiscard]] Command add_check(CLI::App& talus);
+[[nodiscard]] Command add_calibrate(CLI::App& talus);
+[[nodiscard]] Command add_plot(CLI::App& talus);
+[[nodiscard]] Command add_list(CLI::App& talus);
+
+/// The quantity given to an option. Errors: InputError with the option's name in front; if not in the range, what is
+/// allowed.
+[[nodiscard]] double option_quantity(const std::string& option, const std::string& text, Dimension dimension,
+                                     const UnitSystem& units, bool positive = true);
+
+/// The whole program: parses the command line, does the command, turns errors into messages and exit codes.
+[[nodiscard]] int run_command_line(int count, const char* const* arguments);
+
+}  // namespace talus::app

@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "solver/app/command.hpp"
+#include "solver/base/error.hpp"
+#include "solver/geometry/shape.hpp"
+#include "solver/integrate/integrator_list.hpp"
+#include "solver/laws/law_list.hpp"
+#include "solver/model/contact.hpp"
+#include "solver/model/model.hpp"
+
+namespace talus::app {
+namespace {
+
+/// Calls visit(T{}) for each alternative T of a variant, in order.
+template <class Variant, std::size_t I = 0, class Visit>
+void for_each(Visit&& visit) {
+  if constexpr (I < std::variant_size_v<Variant>) {
+    visit(std::variant_alternative_t<I, Variant>{});
+    for_each<Variant, I + 1>(visit);
+  }
+}
+
+std::string dimension_words(Dimension dimension) {
+  return fmt::format("{}, e.g. {} or {}", words(dimension), symbol(si, dimension), symbol(us, dimension));
+}
+
+template <class T>
+void print_fields() {
+  for (const auto& field : T::fields()) {
+    const std::string range = field.range == Range::any ? "" : fmt::format(" {}", words(field.range));
+    fmt::print("    {:<13} {}{}\n    {:<13}   {}\n", field.name, field.meaning, range, "",
+               dimension_words(field.dimension));
+  }
+}
+
+template <class Enum>
+void print_names(std::string_view title) {
+  fmt::print("  {:<15}", title);
+  for (const std::string_view name : Names<Enum>::list)
+    fmt::print(" {}", name);
+  fmt::print("\n");
+}
+
+void list_integrators() {
+  fmt::print("integrators (order on smooth motion; step control by `tolerance`)\n");
+  for_each<Integrator>([](const auto& integrator) {
+    using T = std::decay_t<decltype(integrator)>;
+    std::string_view control = "fixed step";
+    if constexpr (requires { T::has_step_control; }) {
+      if (T::has_step_control) control = T::needs_tolerance ? "needs a tolerance" : "fixed step, or a tolerance";
+    }
+    fmt::print("  {:<23} order {}   {}\n", T::name, T::order, control);
+  });
+}
+
+template <class List>
+void list_law_fields(std::string_view title) {
+  fmt::print("{}\n", title);
+  List::for_each([](const auto& law) {
+    fmt::print("  {}\n", law.name);
+    print_fields<std::decay_t<decltype(law)>>();
+  });
+}
+
+void list_laws() {
+  list_law_fields<ContactLaws>("contact laws");
+  print_names<EndRule>("end_rule");
+  print_names<ContactMethod>("method");
+  list_law_fields<CableLaws>("cable laws");
+}
+
+void list_shapes() {
+  fmt::print("shapes\n");
+  for_each<Shape>([](const auto& shape) {
+    fmt::print("  {}\n", shape.name);
+    print_fields<std::decay_t<decltype(shape)>>();
+  });
+}
+
+void list_units() {
+  fmt::print(
+      "units (joined by blanks, * and /, with whole powers: \"slug ft^2\", \"N s/m\"; lb is a mass, lbf a force)\n ");
+  for (const std::string& symbol : unit_symbols())
+    fmt::print(" {}", symbol);
+  fmt::print("\nunit systems\n");
+  for (const UnitSystem& system : {si, us})
+    fmt::print("  {:<4} {}, {}, {}; force in {}\n", system.name, system.mass, system.length, system.time, system.force);
+}
+
+void list_fields() {
+  fmt::print(
+      "file       title  units  gravity\n"
+      "[[body]]   name  mobility  shape  position  pin  velocity  spin  force, and\n");
+  print_fields<Body>();
+  print_names<Mobility>("mobility");
+  fmt::print(
+      "[[contact]] name  between  law  end_rule  method  nodes  restitution  restitution_rule, and the law's fields\n"
+      "[[cable]]  name  from  to  law  rest_length  slack, and the law's fields\n"
+      "[run]      integrator  tolerance  step  end  interval  ledger\n");
+  list_laws();
+  list_shapes();
+}
+
+const std::vector<std::pair<std::string, void (*)()>>& topics() {
+  static const std::vector<std::pair<std::string, void (*)()>> all{{"integrators", list_integrators},
+                                                                   {"laws", list_laws},
+                                                                   {"shapes", list_shapes},
+                                                                   {"units", list_units},
+                                                                   {"fields", list_fields}};
+  return all;
+}
+
+int list(const std::string& wanted) {
+  bool found = false;
+  for (const auto& topic : topics()) {
+    if (!wanted.empty() && topic.first != wanted) continue;
+    if (wanted.empty() && topic.first == "fields") continue;  // those of laws and shapes stand there already
+    topic.second();
+    found = true;
+  }
+  if (found) return ok;
+  std::vector<std::string> names;
+  for (const auto& topic : topics())
+    names.push_back(topic.first);
+  throw unknown_name("topic", wanted, names);
+}
+
+}  // namespace
+
+Command add_list(CLI::App& talus) {
+  CLI::App* app =
+      talus.add_subcommand("list", "What can be named in a scene: integrators, laws, shapes, units, fields");
+  const auto topic = std::make_shared<std::string>();
+  app->add_option("topic", *topic, "integrators, laws, shapes, units or fields; all but the last when left out");
+  app->footer("Example:\n  talus list fields");
+  return {app, [topic] { return list(*topic); }};
+}
+
+}  // namespace talus::app

@@ -1,0 +1,99 @@
+#include "solver/app/run_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace talus::app {
+namespace {
+
+/// Text that grows line by line.
+class Page {
+ public:
+  template <class... Values>
+  void line(fmt::format_string<Values...> pattern, Values&&... values) {
+    fmt::format_to(std::back_inserter(text_), pattern, std::forward<Values>(values)...);
+    text_ += '\n';
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void head(Page& page, const RunRecord& record) {
+  const std::string time = symbol(record.units, dimension::time);
+  page.line("{}", record.title);
+  if (record.outcome) {
+    page.line("  outcome      finished at t = {:.10g} {}", record.outcome.time, time);
+  } else {
+    page.line("  outcome      {}", record.outcome.words);
+  }
+  page.line("  integrator   {}, step {:.6g} {}", record.integrator, record.plan.step, time);
+  page.line("  steps        {}, force evaluations {}", record.steps, record.evaluations);
+  page.line("  carried      {} bodies, {} degrees of freedom, {} contacts, {} cables, {} law instances",
+            record.bodies.size(), record.coordinates, record.contacts, record.cables, record.laws);
+}
+
+void final_state(Page& page, const RunRecord& record) {
+  const UnitSystem& units = record.units;
+  const std::string length = symbol(units, dimension::length);
+  const std::string speed = symbol(units, dimension::velocity);
+  page.line("final state");
+  page.line("  {:<14}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}", "body", "x", "y", "angle", "vx", "vy", "spin");
+  page.line("  {:<14}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}", "", length, length, "rad", speed, speed,
+            symbol(units, dimension::angular_velocity));
+  for (const BodyState& body : record.bodies) {
+    page.line("  {:<14}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}", body.name, body.p.x, body.p.y,
+              body.angle, body.v.x, body.v.y, body.spin);
+  }
+}
+
+void extremes(Page& page, const RunRecord& record) {
+  page.line("extremes over all steps");
+  page.line("  {:<24}{:>14}{:>12}{:>16}{:>12}  unit", "quantity", "least", "at t", "largest", "at t");
+  for (const ExtremeRecord& item : record.extremes) {
+    if (item.column.name.rfind("closure.", 0) == 0) continue;  // the ledger below says these
+    if (item.extreme.least == 0.0 && item.extreme.largest == 0.0) continue;
+    page.line("  {:<24}{:>14.7g}{:>12.6g}{:>16.7g}{:>12.6g}  {}", item.column.name, item.extreme.least,
+              item.extreme.least_time, item.extreme.largest, item.extreme.largest_time,
+              symbol(record.units, item.column.dimension));
+  }
+}
+
+void ledger(Page& page, const RunRecord& record) {
+  if (!record.plan.ledger) return page.line("ledger: off");
+  const Accounts& accounts = record.accounts;
+  const Energies& energies = accounts.energies;
+  const std::string energy = symbol(record.units, dimension::energy);
+  page.line("energy ledger at the end ({})", energy);
+  page.line("  {:<24}{:>16.8g}", "kinetic", energies.kinetic);
+  page.line("  {:<24}{:>16.8g}", "gravity", energies.gravity);
+  page.line("  {:<24}{:>16.8g}", "applied forces", energies.applied);
+  page.line("  {:<24}{:>16.8g}", "stored in contacts", energies.contacts);
+  page.line("  {:<24}{:>16.8g}", "stored in cables", energies.cables);
+  for (std::size_t i = 0; i < mechanism_count; ++i) {
+    page.line("  {:<24}{:>16.8g}", fmt::format("lost: {}", mechanism_names[i]), accounts.lost[i]);
+  }
+  const double scale = record.energy_scale;
+  page.line("  {:<24}{:>16.3e}   largest {:.3e}, {:.3e} of the largest energy {:.6g}", "closure",
+            accounts.energy_closure, record.largest_energy_closure,
+            scale > 0.0 ? record.largest_energy_closure / scale : 0.0, scale);
+  page.line("momentum closure           ({:.3e}, {:.3e}) {}", accounts.momentum_closure.x, accounts.momentum_closure.y,
+            symbol(record.units, dimension::momentum));
+  page.line("angular momentum closure    {:.3e} {}", accounts.angular_momentum_closure,
+            symbol(record.units, dimension::angular_momentum));
+}
+
+}  // namespace
+
+std::string run_summary(const RunRecord& record) {
+  Page page;
+  head(page, record);
+  final_state(page, record);
+  extremes(page, record);
+  ledger(page, record);
+  return page.text();
+}
+
+}  // namespace talus::app
