@@ -82,7 +82,14 @@ double critical_damping(const Scene& scene, ContactId contact) {
   return 2.0 * std::sqrt(spring.stiffness * spring.effective_mass);
 }
 
-constexpr int phase_count = 32;
+/// Pairs of a phase of the touch and a phase of the end that a step is judged by, each evenly spread (the second by the
+/// golden ratio). At one step both phases move together: the errors of touch and end may then cancel at nearly all
+/// phases and add up in a narrow window that no sample hits (measured: .007 at 32 phases, .049 at a thirty-third).
+constexpr int pair_count = 64;
+constexpr double golden = 0.6180339887498949;
+/// The corner where both errors are largest is missed by up to an eighth in each phase; a fifth of the bound is kept
+/// for it.
+constexpr double kept = 0.8;
 
 }  // namespace
 
@@ -142,13 +149,14 @@ ImpactStep advise_impact_step(const LinearSpringDashpot& law, double effective_m
   const double exact = restitution(xi, law.end_rule);
   for (int n = 3; n <= 18; ++n) {
     ImpactStep found{time / (std::ldexp(1.0, n) + 0.381966), 0.0, 0.0};
-    for (int i = 0; i < phase_count; ++i) {
-      const double phase = (i + 0.5) / phase_count;
-      const double e = simulate_impact(law, effective_mass, 1.0, found.step, phase, integrator).restitution;
-      found.restitution += e / phase_count;
+    for (int i = 0; i < pair_count; ++i) {
+      const double phase = (i + 0.5) / pair_count;
+      const double step = time / (std::ldexp(1.0, n) + golden * (i + 0.5) - std::floor(golden * (i + 0.5)));
+      const double e = simulate_impact(law, effective_mass, 1.0, step, phase, integrator).restitution;
+      found.restitution += e / pair_count;
       found.largest_error = std::max(found.largest_error, std::abs(e - exact));
     }
-    if (found.largest_error <= bound) return found;
+    if (found.largest_error <= kept * bound) return found;
   }
   throw InputError{
       fmt::format("an error of e below {} is not reached with 2^18 steps in a contact; ask for less", bound)};

@@ -24,11 +24,12 @@ struct Impact {
 /// A step at which the simulated restitution is as good as asked for.
 struct ImpactStep {
   double step{};           ///< [T]
-  double restitution{};    ///< mean over the phases at which surfaces can meet within a step
+  double restitution{};    ///< mean over the phases at which surfaces can meet and part within a step
   double largest_error{};  ///< of the restitution over those phases, against the closed form
 };
 
-/// Finds a step, of the form contact time/(2^n + 0.38), that keeps the error of e below `bound` over 32 phases.
+/// Finds a step, of the form contact time/(2^n + 0.38), that keeps the error of e below `bound` at whatever phases the
+/// surfaces meet and part: the largest error of 64 pairs of phases is at most .8 of the bound.
 /// Errors: InputError if bound is not > 0, or too small to be reached with 2^18 steps in a contact.
 [[nodiscard]] ImpactStep advise_impact_step(const LinearSpringDashpot& law, double effective_mass, double bound,
                                             const Integrator& integrator);
