@@ -1,0 +1,444 @@
+#include "verification/reference/restitution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "solver/calibrate/impact.hpp"
+#include "solver/model/model_builder.hpp"
+#include "solver/scenes/bouncing_disc.hpp"
+#include "verification/check/case.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/problems/calibration_findings.hpp"
+#include "verification/problems/followed_impact.hpp"
+#include "verification/problems/leapfrog_impact_error.hpp"
+#include "verification/problems/struck_bar.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Two bodies meet at speed $v_0$ through a linear spring and a dashpot and part at speed $e v_0$. Which dashpot gives a
+wanted $e$, for free, off-centre and pivoted bodies and for both rules by which the contact may end? The solver runs each impact
+step by step; it is never told $e$.
+
+```
+        m1            m2             |  off centre       o pin
+      -->( )---[k]---( )             |  ( )-> | |        |
+           ---[c]---                 |        |G|        |  h
+                                     |  arm = G to line  ( )-> here
+     F = k d + c d'                  |                   |
+```
+
+**Equations.** With the effective mass $m$ along the normal, the overlap obeys $m\ddot d + c\dot d + k d = 0$ from $d = 0$,
+$\dot d = v_0$. Put $\omega = \sqrt{k/m}$, $\xi = c/(2 m\omega)$, $s = \sqrt{1-\xi^2}$ and $A(\xi) = \arccos(\xi)/s$ (beyond
+$\xi = 1$: $\mathrm{arcosh}(\xi)/\sqrt{\xi^2-1}$; at 1: 1). Then $d = (v_0/\omega s)\,e^{-\xi\omega t}\sin s\omega t$, and
+
+| end rule | ends when | $e$ | contact time $T$ | force at the end |
+|:--------|:--------|:----------------|:-------|:--------|
+| attractive | $d = 0$ | $\exp(-\pi\xi/s)$ | $\pi/(\omega s)$ | $-c\,e\,v_0$: it pulls |
+| clamped | $F = 0$ | $\exp(-2\xi A)$ | $2A/\omega$ | 0 |
+
+and the largest overlap is $(v_0/\omega)\exp(-\xi A)$ for both. The attractive $e$ solved for $c$ is Eq. 21,
+$$c = \frac{2\ln(1/e)\sqrt{k m}}{\sqrt{\pi^2 + \ln^2(1/e)}}.$$
+A unit impulse along the normal gives a body's contact point the mobility $1/M + a^2/I$ (free, the line of impact at distance $a$
+from the centre of mass) or $a^2/I_p$ (pivoted, $a$ from the pin); mobilities add to $1/m$. Nothing but $\xi$ enters $e$: not the
+stiffness, not the masses.
+
+**Error of a step.** Velocity Verlet and the central difference take the dashpot's velocity half a step late. That turns $m$ into
+$m - c h/2$, shifts $\ln e$ by $-(\pi/s^3)\,\xi^2\omega h/2$ (attractive) or $-\xi^2(A-\xi)/s^2\,\omega h$ (clamped), and
+likewise $T$ and the largest overlap. The force jumps by $2\xi m\omega v_0$ at touch, which a step resolves to $\pm h/2$: the
+speed after it is off by $2\xi\omega v_0 h\,u$ with $u$ uniform in $(-\frac12, \frac12)$; the attractive contact ends with a second jump. So the
+first-order error is known beforehand, constant included, and the bounds below are 1.2 times it.
+
+**Source.** Mustoe & Huttelmaier 1993, Eqs. 17, 19-21; Schwager & Poeschel, Granular Matter 9 (2007) 465 (clamped rule). The closed
+forms are derived in the reference's own comments and tested there at 50 digits.
+
+| symbol | meaning | value |
+|:--|:-----------|:--|
+| $k$, $m$, $v_0$ | stiffness, effective mass, speed where not varied | 1, 1, 1 (no units) |
+| $e$ | wanted restitution | .05 ... 1 |
+| $h$ | step | $T/(100 + f)$ with its own $f$ for each of 64 phases |
+| bar | $M$, half sides, disc's mass | 3, .5 x 4, 2; $k = 10^{12}$ |
+
+**What would break this.** Eq. 21 under the clamped rule, or without its 2; the sum of the masses for their product over the sum;
+a lever arm left out; a dashpot that does not grow with $\sqrt{k m}$; a force that pulls although it must not; a step that divides
+the contact time, which makes the order look better than it is.
+)";
+
+constexpr double production = 100.0;   // steps per contact
+constexpr double second_order = 0.67;  // rms of e at xi = 0, times (steps per contact)^2: measured, the same for all xi
+constexpr double factor = 1.2;         // of bounds over predicted errors
+
+const char* name_of_rule(EndRule rule) { return rule == EndRule::attractive ? "attractive" : "clamped"; }
+
+/// A disc on a plane whose dashpot is to give restitution e.
+struct Bounce {
+  double e{};
+  EndRule rule{};
+  double xi{};
+  LinearSpringDashpot law;        ///< what the solver is given: a fault may spoil it
+  reference::ImpactEvents exact;  ///< of the right contact
+};
+
+Bounce bounce(double e, EndRule rule, const Setup& setup) {
+  Bounce b{e, rule, reference::damping_ratio(e, same(rule)), {}, {}};
+  b.law = dashpot_of(b.xi, 1.0, 1.0, rule);
+  b.exact = reference::impact_events({1.0, b.law.damping, 1.0, 1.0}, same(rule));
+  if (setup.has("eq_21_halved")) b.law.damping *= 0.5;
+  if (setup.has("never_pulls")) b.law.end_rule = EndRule::clamped;
+  if (setup.has("eq_21_under_clamping")) b.law.damping = reference::eq_21_damping(e, 1.0, 1.0);
+  return b;
+}
+
+/// Errors of one impact over the phases at which surfaces can meet within a step, relative but for the pull.
+struct Errors {
+  PhaseError restitution, contact_time, largest_depth, pull;
+  double mean_restitution{};
+  double least_deceleration{};
+};
+
+using SceneAtGap = std::function<Scene(double gap)>;
+
+Scene disc_at(const Bounce& b, double gap) {
+  return scenes::bouncing_disc({.radius = 8.0, .gap = gap, .speed = 1.0, .contact = b.law});
+}
+
+/// `contact_time` of the exact contact; approach at speed 1.
+FollowedImpact impact_at_phase(const SceneAtGap& scene_at, const Integrator& integrator, double contact_time,
+                               double step, double phase, Findings& findings) {
+  const double gap = phase * step;
+  Scene scene = scene_at(gap);
+  scene.integrator = integrator;
+  scene.plan = {step, gap + 3.0 * contact_time + 4.0 * step, contact_time, false};
+  FollowedImpact found = follow_impact(scene, findings);
+  found.end_time -= gap;
+  return found;
+}
+
+Errors errors(const SceneAtGap& scene_at, const reference::ImpactEvents& exact, double steps,
+              const Integrator& integrator, Findings& findings, bool commensurate = false) {
+  Errors found;
+  for (std::size_t i = 0; i < fewest_phases; ++i) {
+    const double step = commensurate ? exact.contact_time / steps : offset_step(exact.contact_time, steps, i);
+    const FollowedImpact impact =
+        impact_at_phase(scene_at, integrator, exact.contact_time, step, even_phases(fewest_phases)[i], findings);
+    found.restitution.add(impact.restitution() / exact.restitution - 1.0);
+    found.contact_time.add(impact.end_time / exact.contact_time - 1.0);
+    found.largest_depth.add(impact.largest_depth / exact.largest_depth - 1.0);
+    found.pull.add(impact.least_deceleration - exact.force_at_end);
+    found.mean_restitution += impact.restitution() / static_cast<double>(fewest_phases);
+    found.least_deceleration = std::min(found.least_deceleration, impact.least_deceleration);
+  }
+  return found;
+}
+
+/// w h at so many steps per contact (the offsets of the phases add half a step on average).
+double reduced_step(const reference::ImpactEvents& exact, double steps) {
+  return exact.frequency * exact.contact_time / (steps + 0.5);
+}
+
+double predicted_restitution_error(const Bounce& b, double steps) {
+  const double first = b.xi == 0.0 ? 0.0 : leapfrog_impact_error(b.xi, same(b.rule)).restitution;
+  return std::hypot(first * reduced_step(b.exact, steps), second_order / (steps * steps));
+}
+
+/// Error, bound and table row of one target.
+void check_bounce(double e, EndRule rule, Table& table, Findings& findings, const Setup& setup) {
+  const Bounce b = bounce(e, rule, setup);
+  const auto at = [&b](double gap) { return disc_at(b, gap); };
+  const Errors found = errors(at, b.exact, production, VelocityVerlet{}, findings);
+  const std::string name = fmt::format("{:g}, {}", e, name_of_rule(rule));
+  const double wh = reduced_step(b.exact, production);
+  const ImpactError predicted = leapfrog_impact_error(b.xi, same(rule));
+  const std::string why = "first-order error predicted from the half-step lag and the force jumps";
+  findings.expect("rms relative error of e = " + name, found.restitution.rms(), 0.0,
+                  Tolerance::truncation(predicted_restitution_error(b, production), factor, why));
+  findings.expect("rms relative error of the contact time, e = " + name, found.contact_time.rms(), 0.0,
+                  Tolerance::truncation(predicted.contact_time * wh, factor, why + "; no jump enters"));
+  findings.expect("rms relative error of the largest overlap, e = " + name, found.largest_depth.rms(), 0.0,
+                  Tolerance::truncation(predicted.largest_depth * wh, factor, why));
+  table.rows.push_back(
+      {name_of_rule(rule), fmt::format("{:g}", e), fmt::format("{:.4f}", b.xi),
+       fmt::format("{:.5f}", found.mean_restitution), fmt::format("{:.2e}", found.restitution.rms()),
+       fmt::format("{:.2e}", predicted_restitution_error(b, production)),
+       fmt::format("{:.2e}", found.contact_time.rms()), fmt::format("{:.2e}", predicted.contact_time * wh),
+       fmt::format("{:.2e}", found.largest_depth.rms()), fmt::format("{:.2e}", predicted.largest_depth * wh)});
+}
+
+void check_targets(Findings& findings, const Setup& setup) {
+  Table table{.name = "targets",
+              .caption =
+                  "A disc on a plane at 100 steps per contact, velocity Verlet, 64 phases: relative errors, "
+                  "root mean square, beside those predicted.",
+              .columns = {"end rule", "wanted e", "xi", "mean e", "error of e", "predicted", "error of T", "predicted",
+                          "error of d_max", "predicted"},
+              .rows = {}};
+  for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
+    for (const double e : {0.9, 0.7, 0.5, 0.3, 0.1})
+      check_bounce(e, rule, table, findings, setup);
+  }
+  findings.table(table);
+}
+
+/// The force that the motion shows: attractive contacts end with a pull -c e v0, clamped ones never pull.
+void check_pull(Findings& findings, const Setup& setup) {
+  const Bounce b = bounce(0.5, EndRule::attractive, setup);
+  const Errors found =
+      errors([&b](double gap) { return disc_at(b, gap); }, b.exact, production, VelocityVerlet{}, findings);
+  // dF/dt at the end is k d' + c d'' = -k e v0 (1 - 4 xi^2); the middle of the last full step lies between half a step
+  // and one and a half before it.
+  const double slope = b.e * (1.0 - 4.0 * b.xi * b.xi);
+  const double lead = std::hypot(1.0, 1.0 / std::sqrt(12.0)) * reduced_step(b.exact, production);
+  findings.expect("pull at the end, e = 0.5, attractive, rms error over c e v0",
+                  found.pull.rms() / -b.exact.force_at_end, 0.0,
+                  Tolerance::truncation(slope * lead / -b.exact.force_at_end, factor,
+                                        "mean force of the last full step: the slope of F times the distance of that "
+                                        "step's middle from the end"));
+  double least = 0.0;
+  for (const double e : {0.9, 0.5, 0.1}) {
+    Bounce clamped = bounce(e, EndRule::clamped, setup);
+    if (setup.has("pulls")) clamped.law.end_rule = EndRule::attractive;
+    const Errors forces = errors([&clamped](double gap) { return disc_at(clamped, gap); }, clamped.exact, production,
+                                 VelocityVerlet{}, findings);
+    least = std::min(least, forces.least_deceleration);
+  }
+  findings.expect("largest pull of a clamped contact", least, 0.0,
+                  Tolerance::exact("each kick adds a force >= 0 or none: the speed away from the plane never falls"));
+}
+
+Convergence restitution_errors(const Bounce& b, const Integrator& integrator, const std::vector<double>& steps,
+                               Findings& findings, bool commensurate = false) {
+  Convergence convergence;
+  for (const double n : steps) {
+    const Errors found =
+        errors([&b](double gap) { return disc_at(b, gap); }, b.exact, n, integrator, findings, commensurate);
+    convergence.add(1.0 / n, found.restitution.rms());
+  }
+  return convergence;
+}
+
+void check_orders(Findings& findings, const Setup& setup) {
+  Figure figure{.name = "error_of_e",
+                .title = "Error of the restitution against the step",
+                .caption =
+                    "Root mean square over 64 phases with a step of its own each. Points: the solver. Lines: the "
+                    "error predicted from lag and jumps (damped); nothing is fitted. With a dashpot every "
+                    "method is of first order, without one of second.",
+                .x = {.label = "step / contact time", .log = true},
+                .y = {.label = "relative error of e", .log = true},
+                .series = {}};
+  const auto steps = doublings(16.0, setup.coarse ? 3 : 6);
+  for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
+    const Bounce b = bounce(0.5, rule, setup);
+    for (const Integrator& integrator :
+         {Integrator{VelocityVerlet{}}, Integrator{CentralDifference{}}, Integrator{RungeKutta4{}}}) {
+      const std::string label = fmt::format("e = 0.5, {}, {}", name_of_rule(rule), talus::name(integrator));
+      const Convergence found = restitution_errors(b, integrator, steps, findings);
+      findings.expect_order("order of e, " + label.substr(9), found, 0.9, 1.1,
+                            "the dashpot's force jumps at touch, a step resolves the jump to half a step");
+      figure.series.push_back({label, found.steps(), found.errors(), Style::points});
+    }
+    Series predicted{
+        .label = fmt::format("predicted, {}", name_of_rule(rule)), .x = {}, .y = {}, .style = Style::lines};
+    for (const double n : steps) {
+      predicted.x.push_back(1.0 / n);
+      predicted.y.push_back(predicted_restitution_error(b, n));
+    }
+    figure.series.push_back(predicted);
+  }
+  const Bounce elastic = bounce(1.0, EndRule::attractive, setup);
+  for (const Integrator& integrator : {Integrator{VelocityVerlet{}}, Integrator{RungeKutta4{}}}) {
+    const Convergence found = restitution_errors(elastic, integrator, steps, findings, setup.has("commensurate_step"));
+    findings.expect_order(fmt::format("order of e, undamped, {}", talus::name(integrator)), found, 1.85, 2.15,
+                          "the force is continuous; its slope jumps at touch and end, which costs h^2");
+    figure.series.push_back(
+        {fmt::format("e = 1, {}", talus::name(integrator)), found.steps(), found.errors(), Style::points});
+    if (figure.slopes.empty()) {
+      findings.expect("rms error of e = 1 at 16 steps per contact", found.errors().front(), 0.0,
+                      Tolerance::truncation(second_order / 256.0, factor,
+                                            "constant .67/N^2, measured over N = 16 ... 512 with an independent code"));
+      figure.slopes = {{1.0, 1.0 / 64.0, 0.02, "h"}, {2.0, 1.0 / 64.0, 0.5 * second_order / 4096.0, "h^2"}};
+    }
+  }
+  findings.figure(figure);
+}
+
+/// Nothing but xi enters e: the same steps per contact, phases and dashpot rule at other masses and stiffnesses.
+void check_scales(Findings& findings, const Setup& setup) {
+  const Bounce b = bounce(0.5, EndRule::attractive, setup);
+  const double step = offset_step(b.exact.contact_time, production, 0);
+  const auto restitution_at = [&](double stiffness, double frequency) {
+    // All lengths and times shrink with the frequency, so that speeds stay the same.
+    scenes::BouncingDisc disc{.radius = 8.0 / frequency, .gap = 0.3 * step / frequency, .speed = 1.0, .contact = {}};
+    const double of = setup.has("dashpot_without_stiffness") ? 1.0 : frequency;
+    disc.contact = LinearSpringDashpot{stiffness, b.law.damping * of, b.rule};
+    Scene scene = scenes::bouncing_disc(disc);
+    scene.integrator = VelocityVerlet{};
+    scene.plan = {step / frequency, 20.0 / frequency, 1.0, false};
+    return follow_impact(scene, findings).restitution();
+  };
+  const double plain = restitution_at(1.0, 1.0);
+  double powers = 0.0, decades = 0.0;
+  for (int j = 1; j <= 8; ++j) {
+    const double change = restitution_at(std::ldexp(1.0, 2 * j), std::ldexp(1.0, j)) - plain;
+    if (std::abs(change) >= std::abs(powers)) powers = change;
+  }
+  for (const double k : {1e-2, 1e-1, 1e1, 1e2})
+    decades = std::max(decades, std::abs(restitution_at(k, std::sqrt(k)) - plain));
+  findings.expect("change of e, k = 4^1 ... 4^8, h = 2^-1 ... 2^-8", powers, 0.0,
+                  Tolerance::exact("powers of two change exponents only: every operation rounds alike"));
+  findings.expect("change of e over four decades of k", decades, 0.0,
+                  Tolerance::round_off(2e-13,
+                                       "110 steps of a dozen roundings of lengths ten times the overlap: "
+                                       "sqrt(1300) x 10 x 1.1e-16 = 4e-14, and five times that for the worst"));
+}
+
+Scene two_discs(double mass, double other, double frame, const LinearSpringDashpot& law, double gap) {
+  ModelBuilder builder;
+  const Body like{.name = "left", .mobility = Mobility::particle, .mass = mass, .shape = Circle{4.0}};
+  Body right = like;
+  right.name = "right";
+  right.mass = other;
+  right.p_WB = {8.0 + gap, 0.0};
+  const BodyId a = builder.add(like);
+  const BodyId b = builder.add(right);
+  builder.add(Contact{.name = "impact", .a = a, .b = b, .law = law});
+  Scene scene{.title = "Two discs", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, a, {1.0 + frame, 0.0}, 0.0);
+  set_velocity(scene.model, scene.initial, b, {frame, 0.0}, 0.0);
+  return scene;
+}
+
+void check_masses(Findings& findings, const Setup& setup) {
+  double worst = 0.0, bound = 0.0, drift = 0.0;
+  for (const double ratio : {0.01, 0.1, 1.0, 10.0, 100.0}) {
+    const double mass = ratio / (1.0 + ratio);  // effective mass of masses 1 and ratio
+    const Bounce b = bounce(0.5, EndRule::clamped, setup);
+    const LinearSpringDashpot law = dashpot_of(b.xi, mass, setup.has("masses_added") ? 1.0 + ratio : mass, b.rule);
+    double centre = 0.0;
+    const auto at = [&](double gap) { return two_discs(1.0, ratio, 3.0, law, gap); };
+    const Errors found = errors(at, b.exact, production, VelocityVerlet{}, findings);
+    const FollowedImpact impact = impact_at_phase(at, VelocityVerlet{}, b.exact.contact_time,
+                                                  offset_step(b.exact.contact_time, production, 0), 0.5, findings);
+    const State& end = impact.at_end;
+    centre = (end.v[0] + ratio * end.v[2]) / (1.0 + ratio);
+    worst = std::max(worst, found.restitution.rms());
+    bound = predicted_restitution_error(b, production);
+    drift = std::max(drift, std::abs(centre - (3.0 + 1.0 / (1.0 + ratio))));
+  }
+  findings.expect("rms relative error of e, mass ratios 1/100 ... 100", worst, 0.0,
+                  Tolerance::truncation(bound, factor, "e depends on xi alone, hence the same predicted error"));
+  findings.expect("velocity of the common centre of mass", drift, 0.0,
+                  Tolerance::round_off(2e-14,
+                                       "110 equal and opposite kicks, each rounded at speeds up to 5: sqrt(110) "
+                                       "x 4.4e-16 = 5e-15, four times that for the worst"));
+}
+
+/// Off-centre and pivoted impacts: the damping comes from the effective mass at the contact point.
+void check_levers(Findings& findings, const Setup& setup) {
+  constexpr double stiffness = 1e12;  // overlap 1e-6 of the bar's size: what is left is the step
+  Figure figure{.name = "levers",
+                .title = "Off-centre and pivoted impacts",
+                .caption =
+                    "Restitution for the wanted .5. Filled: damping from the effective mass at the contact point. "
+                    "Crosses: Eq. 21 with the two masses; the lines are what its damping ratio gives there.",
+                .x = {.label = "lever arm from the centre of mass or the pin"},
+                .y = {.label = "restitution", .min = 0.4},
+                .series = {},
+                .lines = {{'y', 0.5, "wanted"}}};
+  for (const bool pinned : {false, true}) {
+    const std::string kind = pinned ? "pivoted" : "off centre";
+    Series right{.label = kind + ", effective mass", .x = {}, .y = {}, .style = Style::points};
+    Series naive{.label = kind + ", two masses", .x = {}, .y = {}, .style = Style::crosses};
+    Series line{.label = kind + ", closed form of the two masses", .x = {}, .y = {}, .style = Style::lines};
+    double worst = 0.0;
+    const Bounce b = bounce(0.5, EndRule::attractive, setup);
+    for (const double height : {-3.5, -2.0, -0.5, 1.0, 2.5}) {
+      StruckBar bar{.pinned = pinned, .height = height};
+      const double mobility = pinned ? reference::pivoted_mobility(inertia(bar) + bar.mass * 16.0, arm(bar))
+                                     : reference::free_mobility(bar.mass, inertia(bar), arm(bar));
+      const double mass = reference::effective_mass(1.0 / bar.disc_mass, mobility);
+      const double particles = reference::effective_mass(1.0 / bar.disc_mass, 1.0 / bar.mass);
+      const bool forgotten = setup.has(pinned ? "pin_forgotten" : "arm_forgotten");
+      const auto run = [&](double of_mass) {
+        bar.law = dashpot_of(b.xi, stiffness, of_mass, b.rule);
+        const auto exact = reference::impact_events({stiffness, 2.0 * b.xi * std::sqrt(stiffness * mass), mass, 1.0},
+                                                    reference::EndRule::attractive);
+        return errors([bar](double gap) mutable { return bar.gap = gap, struck_bar(bar); }, exact, production,
+                      VelocityVerlet{}, findings);
+      };
+      const Errors found = run(forgotten ? particles : mass);
+      worst = std::max(worst, found.restitution.rms());
+      if (setup.coarse) continue;
+      right.x.push_back(arm(bar));
+      right.y.push_back(found.mean_restitution);
+      naive.x.push_back(arm(bar));
+      naive.y.push_back(run(particles).mean_restitution);
+    }
+    findings.expect("rms relative error of e, " + kind, worst, 0.0,
+                    Tolerance::truncation(predicted_restitution_error(b, production), factor,
+                                          "the predicted error of a central impact; the overlap is 1e-6 of the bar, "
+                                          "so that its turning during contact is not seen"));
+    for (double a = 0.0; a <= (pinned ? 8.0 : 4.0); a += 0.25) {
+      const StruckBar bar{.pinned = pinned};
+      const double mobility = pinned ? reference::pivoted_mobility(inertia(bar) + bar.mass * 16.0, a)
+                                     : reference::free_mobility(bar.mass, inertia(bar), a);
+      const double ratio = std::sqrt(reference::effective_mass(1.0 / bar.disc_mass, 1.0 / bar.mass) /
+                                     reference::effective_mass(1.0 / bar.disc_mass, mobility));
+      line.x.push_back(a);
+      line.y.push_back(reference::restitution(b.xi * ratio, reference::EndRule::attractive));
+    }
+    figure.series.insert(figure.series.end(), {right, naive, line});
+  }
+  if (!setup.coarse) findings.figure(figure);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_targets(findings, setup);
+  check_pull(findings, setup);
+  check_orders(findings, setup);
+  check_scales(findings, setup);
+  check_masses(findings, setup);
+  check_levers(findings, setup);
+  if (setup.coarse) return;
+  find_calibration_curves(findings);
+  find_clamped_eq_21(findings);
+  check_solver_formulas(findings);
+  check_step_advice(findings);
+  check_scene_calibration(findings);
+}
+
+}  // namespace
+
+Case restitution() {
+  return {
+      .id = "restitution",
+      .title = "Restitution and damping",
+      .requirements = {"Eq. 17", "Eq. 19", "Eq. 20", "Eq. 21", "Eq. 23", "Eq. 24", "law.linear_spring_dashpot",
+                       "shape.circle", "shape.half_plane", "shape.rectangle", "integrator.velocity_verlet",
+                       "integrator.central_difference", "integrator.rk4"},
+      .source = "Mustoe & Huttelmaier 1993, section 3.6, Eqs. 17-21; Schwager & Poeschel 2007",
+      .page = page,
+      .faults = {{"eq_21_halved", "Eq. 21 without its factor 2", "rms relative error of e = 0.5, attractive"},
+                 {"never_pulls", "the attractive contact is clamped",
+                  "pull at the end, e = 0.5, attractive, rms error over c e v0"},
+                 {"pulls", "the clamped contact is attractive", "largest pull of a clamped contact"},
+                 {"eq_21_under_clamping", "the clamped contact gets the damping of Eq. 21",
+                  "rms relative error of e = 0.5, clamped"},
+                 {"commensurate_step", "the step divides the contact time", "order of e, undamped, velocity_verlet"},
+                 {"dashpot_without_stiffness", "the dashpot does not grow with the square root of the stiffness",
+                  "change of e, k = 4^1 ... 4^8, h = 2^-1 ... 2^-8"},
+                 {"masses_added", "effective mass: the sum of the masses",
+                  "rms relative error of e, mass ratios 1/100 ... 100"},
+                 {"arm_forgotten", "off-centre impact with the two masses", "rms relative error of e, off centre"},
+                 {"pin_forgotten", "pivoted impact with the two masses", "rms relative error of e, pivoted"}},
+      .tier = Tier::quick,
+      .time_limit = 60.0,
+      .run = run};
+}
+
+}  // namespace talus::verification::problems
