@@ -1,0 +1,177 @@
+/// The contract of an integrator (solver/integrate/concepts.hpp), tested over the closed list on a system of its own:
+/// the order each one declares is measured here on smooth motion.
+#define BOOST_TEST_MODULE every_integrator
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <vector>
+
+#include "solver/base/error.hpp"
+#include "solver/integrate/integrator_list.hpp"
+
+using namespace talus;
+
+namespace {
+
+/// x'' = -x^3, a spring that stiffens: smooth, nonlinear, with work that accounts for v^2/2 so that it must stay
+/// constant.
+struct Duffing {
+  long evaluations{0};
+
+  void drift(State& state, double h) { drift_coordinates(state, h); }
+  void kick(State& state, double h) {
+    Rates rates{state};
+    derivative(state, rates);
+    advance_rates(state, rates, h);
+  }
+  void settle(State&) {}
+  void derivative(const State& state, Rates& out) {
+    ++evaluations;
+    out.v[0] = -state.q[0] * state.q[0] * state.q[0];
+    out.work[0] = out.v[0] * state.v[0];
+    out.impulse[0] = out.v[0];
+  }
+  void evaluate(State& state, Rates& out) { derivative(state, out); }
+};
+
+State start() {
+  State state;
+  state.q = {1.0};
+  state.v = {0.25};
+  return state;
+}
+
+struct End {
+  State state;
+  long evaluations{};
+};
+
+End integrated(Integrator integrator, int steps, double duration) {
+  return std::visit(
+      [&](auto& method) {
+        static_assert(IntegratorFor<std::decay_t<decltype(method)>, Duffing>);
+        Duffing system;
+        State state = start();
+        const double h = duration / steps;
+        method.start(system, state, h);
+        for (int i = 0; i < steps; ++i)
+          method.step(system, state, h);
+        return End{State{method.synchronized(state, h)}, system.evaluations};
+      },
+      integrator);
+}
+
+/// Reference: the adapter's Fehlberg 7(8) under tight control; the methods under test share no formula with it but one,
+/// which is tested by its own order between coarse steps far above the reference's error.
+State reference(double duration) { return integrated(make_integrator("odeint_fehlberg78", 1e-14), 1, duration).state; }
+
+/// Distance in phase space: a single coordinate's error may pass through zero and show any slope.
+double error(const State& state, const State& exact) {
+  return std::hypot(state.q[0] - exact.q[0], state.v[0] - exact.v[0]);
+}
+
+std::vector<Integrator> fixed_step_integrators() {
+  std::vector<Integrator> made;
+  for (const std::string& known : integrator_names()) {
+    if (known != "odeint_bulirsch_stoer") made.push_back(make_integrator(known));
+  }
+  return made;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(declared_order_is_measured) {
+  const double duration = 5.0;
+  const State exact = reference(duration);
+  for (const Integrator& integrator : fixed_step_integrators()) {
+    BOOST_TEST_CONTEXT(name(integrator)) {
+      const int n = order(integrator) >= 8 ? 20 : 100;
+      const double coarse = error(integrated(integrator, n, duration).state, exact);
+      const double fine = error(integrated(integrator, 2 * n, duration).state, exact);
+      const double slope = std::log2(coarse / fine);
+      // Two points of a nonlinear motion: the next order's share of the error moves the slope by less than one.
+      BOOST_TEST(slope > order(integrator) - 0.8);
+      BOOST_TEST(slope < order(integrator) + 1.3);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(work_advances_with_the_motion) {
+  // d(work)/dt = a v integrates to v^2/2 by the same stages; at one order less or better, so a fine step shows
+  // agreement.
+  for (const Integrator& integrator : fixed_step_integrators()) {
+    BOOST_TEST_CONTEXT(name(integrator)) {
+      const End end = integrated(integrator, 4000, 5.0);
+      const double gained = 0.5 * (end.state.v[0] * end.state.v[0] - 0.0625);
+      // Leapfrog methods take the power with the velocity at the start of the kick: first order, h max|a|^2 t/2 = 3e-3.
+      BOOST_TEST(std::abs(end.state.work[0] - gained) < 3e-3);
+      BOOST_TEST(std::abs(end.state.impulse[0] - (end.state.v[0] - 0.25)) < 1e-12);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(step_control_keeps_its_tolerance) {
+  const State exact = reference(5.0);
+  for (const char* known : {"odeint_dopri5", "odeint_cash_karp54", "odeint_fehlberg78", "odeint_bulirsch_stoer"}) {
+    BOOST_TEST_CONTEXT(known) {
+      for (const double tolerance : {1e-6, 1e-9}) {
+        const End end = integrated(make_integrator(known, tolerance), 5, 5.0);
+        BOOST_TEST(error(end.state, exact) < 100.0 * tolerance);  // tens of steps, each within the tolerance
+        BOOST_TEST(end.state.t == 5.0, boost::test_tools::tolerance(1e-15));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(evaluations_a_step_are_as_stated) {
+  const auto evaluations = [](const char* known) { return integrated(make_integrator(known), 100, 1.0).evaluations; };
+  BOOST_TEST(evaluations("central_difference") == 100);
+  BOOST_TEST(evaluations("euler_cromer") == 100);
+  BOOST_TEST(evaluations("velocity_verlet") == 101);
+  BOOST_TEST(evaluations("rk4") == 400);
+}
+
+BOOST_AUTO_TEST_CASE(same_input_same_bits) {
+  for (const Integrator& integrator : fixed_step_integrators()) {
+    BOOST_TEST((integrated(integrator, 50, 1.0).state == integrated(integrator, 50, 1.0).state));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(leapfrog_runs_backwards) {
+  // Undamped velocity Verlet is its own inverse with -h: only rounding remains after 1000 steps there and back.
+  VelocityVerlet method;
+  Duffing system;
+  State state = start();
+  method.start(system, state, 0.01);
+  for (int i = 0; i < 1000; ++i)
+    method.step(system, state, 0.01);
+  for (int i = 0; i < 1000; ++i)
+    method.step(system, state, -0.01);
+  BOOST_TEST(state.q[0] == 1.0, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(state.v[0] == 0.25, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(central_difference_is_the_report_s_stagger) {
+  CentralDifference method;
+  Duffing system;
+  State state = start();
+  const double h = 0.125;
+  method.start(system, state, h);
+  BOOST_TEST(state.q[0] == 1.0 + 0.5 * h * 0.25);
+  const double q = state.q[0];
+  method.step(system, state, h);
+  const double v = 0.25 + h * -(q * q * q);
+  BOOST_TEST(state.v[0] == v);
+  BOOST_TEST(state.q[0] == q + h * v);
+  BOOST_TEST(method.synchronized(state, h).q[0] == q + h * v - 0.5 * h * v);
+}
+
+BOOST_AUTO_TEST_CASE(names_and_options_are_checked) {
+  BOOST_CHECK_EXCEPTION(static_cast<void>(make_integrator("verlett")), InputError, [](const InputError& error) {
+    return std::string{error.what()}.starts_with(
+               "integrator 'verlett' is not known; nearest: velocity_verlet; known: ") ||
+           std::string{error.what()}.starts_with("integrator 'verlett' is not known; nearest: ");
+  });
+  BOOST_CHECK_THROW(static_cast<void>(make_integrator("velocity_verlet", 1e-6)), InputError);
+  BOOST_CHECK_THROW(static_cast<void>(make_integrator("odeint_abm8", 1e-6)), InputError);
+  BOOST_CHECK_THROW(static_cast<void>(make_integrator("odeint_bulirsch_stoer")), InputError);
+}
