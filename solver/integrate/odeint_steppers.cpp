@@ -58,7 +58,9 @@ using Controlled = odeint::controlled_runge_kutta<Stepper, LeadingErrorChecker>;
 using Dopri5 = odeint::runge_kutta_dopri5<Vector>;
 using CashKarp54 = odeint::runge_kutta_cash_karp54<Vector>;
 using Fehlberg78 = odeint::runge_kutta_fehlberg78<Vector>;
-using Adams8 = odeint::adams_bashforth_moulton<8, Vector>;
+// Started by Fehlberg 7(8): odeint's default start, rk4, leaves an error of h^5 that the whole run keeps.
+using Adams8 = odeint::adams_bashforth_moulton<8, Vector, double, Vector, double, odeint::range_algebra,
+                                               odeint::default_operations, odeint::initially_resizer, Fehlberg78>;
 using BulirschStoer = odeint::bulirsch_stoer<Vector>;
 using AnyStepper = std::variant<Dopri5, CashKarp54, Fehlberg78, Adams8, Controlled<Dopri5>, Controlled<CashKarp54>,
                                 Controlled<Fehlberg78>, BulirschStoer>;
