@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/scenes/pendulum.hpp"
+#include "verification/problems/scene_run.hpp"
+#include "verification/reference/pendulum.hpp"
+
+/// The pinned body as a pendulum: one run measured against the elliptic functions, and the methods with the steps at
+/// which their order is read.
+namespace talus::verification::problems {
+
+/// Frequency of small swings by the case's own arithmetic (not the scene's), w0 = sqrt(m g a/(I + m a^2)) [rad/T].
+inline double bob_frequency(const scenes::Pendulum& bob) {
+  return std::sqrt(bob.mass * bob.gravity * bob.arm / (bob.inertia + bob.mass * bob.arm * bob.arm));
+}
+
+/// One run from rest, compared at its end.
+struct SwingError {
+  double error{};      ///< sqrt(dx^2 + (dx'/w0)^2) [rad]
+  long evaluations{};  ///< of the force
+};
+
+/// Runs `scene` (started as `exact`) over `duration` in `steps` steps.
+inline SwingError swing_error(const Scene& scene, const Integrator& integrator, double duration, long steps,
+                              double frequency, const reference::PendulumMotion& exact) {
+  const RunEnd end = run_steps(scene, integrator, duration / static_cast<double>(steps), steps);
+  const reference::PendulumState truth = exact.at(duration);
+  return {std::hypot(end.state.q[0] - truth.angle, (end.state.v[0] - truth.rate) / frequency), end.evaluations};
+}
+
+/// A method, and the numbers of steps per 0.8 period of a 60 degree swing between which its error follows its power
+/// law: above round-off, and far enough below the first steps for the next term of the expansion to be small.
+struct MethodRange {
+  std::string_view name;
+  int order;     ///< that theory gives it on smooth motion
+  long first;    ///< steps
+  long last;     ///< steps
+  double below;  ///< how far the fitted order may lie below `order`
+  double above;  ///< and above: the next term, one or two powers of the step higher, at the coarse end
+};
+
+/// All fixed-step methods; bulirsch_stoer has no fixed step.
+inline constexpr std::array<MethodRange, 8> method_ranges{{{"central_difference", 2, 64, 65536, .0005, .001},
+                                                           {"velocity_verlet", 2, 64, 65536, .0005, .001},
+                                                           {"euler_cromer", 1, 128, 131072, .02, .03},
+                                                           {"rk4", 4, 32, 1024, .05, .05},
+                                                           {"odeint_dopri5", 5, 64, 256, .05, .12},
+                                                           {"odeint_cash_karp54", 5, 32, 256, .05, .05},
+                                                           {"odeint_fehlberg78", 8, 8, 32, .3, .3},
+                                                           {"odeint_abm8", 8, 48, 160, .3, .9}}};
+
+}  // namespace talus::verification::problems
