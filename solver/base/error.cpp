@@ -11,18 +11,22 @@
 namespace talus {
 namespace {
 
-/// Levenshtein's distance: the fewest insertions, deletions and substitutions that turn a into b (row-by-row
-/// recurrence).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// Cost of turning `found` into `known` letter by letter (Levenshtein's row-by-row recurrence). A letter left out costs
+/// least, since names are more often cut short than filled up: "verlett" is nearest to velocity_verlet, not to rk4.
+std::size_t edit_cost(std::string_view found, std::string_view known) {
+  constexpr std::size_t left_out = 1, other_case = 1, wrong = 3, too_many = 3;
+  std::vector<std::size_t> row(known.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
+  for (std::size_t i = 1; i <= found.size(); ++i) {
     std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+    row[0] = i * too_many;
+    for (std::size_t j = 1; j <= known.size(); ++j) {
+      const char f = found[i - 1], k = known[j - 1];
+      const std::size_t kept = diagonal + (f == k ? 0 : lower(f) == lower(k) ? other_case : wrong);
       diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+      row[j] = std::min({row[j] + too_many, row[j - 1] + left_out, kept});
     }
   }
   return row.back();
@@ -32,7 +36,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string nearest_name(std::string_view found, const std::vector<std::string>& known) {
   const auto nearer = [found](const std::string& a, const std::string& b) {
-    return edit_distance(found, a) < edit_distance(found, b);
+    return edit_cost(found, a) < edit_cost(found, b);
   };
   const auto best = std::min_element(known.begin(), known.end(), nearer);
   return best == known.end() ? std::string{} : *best;
