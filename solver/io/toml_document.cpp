@@ -25,11 +25,11 @@ TomlTable copied_table(const toml::table& table) {
     // A value is reported on the line of its key, which is where a reader looks; an array of tables has none of its
     // own.
     if (!value.is_array_of_tables() && !value.is_table()) copy.line = line_of(key.source());
-    result.emplace_back(std::string{key.str()}, std::move(copy));
+    result.push_back({std::string{key.str()}, std::move(copy)});
   }
   // toml++ sorts keys; the file's order is what messages and models go by.
   std::stable_sort(result.begin(), result.end(),
-                   [](const auto& a, const auto& b) { return a.second.line < b.second.line; });
+                   [](const TomlEntry& a, const TomlEntry& b) { return a.value.line < b.value.line; });
   return result;
 }
 

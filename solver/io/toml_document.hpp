@@ -4,17 +4,17 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
 namespace talus {
 
 struct TomlValue;
+struct TomlEntry;
 /// Elements of an array, in the file's order.
 using TomlArray = std::vector<TomlValue>;
 /// Keys and values of a table, in the file's order.
-using TomlTable = std::vector<std::pair<std::string, TomlValue>>;
+using TomlTable = std::vector<TomlEntry>;
 /// A date or time: TOML has them, a scene has no use for them.
 struct TomlDate {};
 
@@ -22,6 +22,12 @@ struct TomlDate {};
 struct TomlValue {
   std::variant<std::string, double, std::int64_t, bool, TomlDate, TomlArray, TomlTable> data;
   int line{};  ///< counted from 1; of a table: its header or opening brace
+};
+
+/// One key of a table with its value.
+struct TomlEntry {
+  std::string key;
+  TomlValue value;
 };
 
 /// The value as it is shown in a message: `"3 kg"`, `3`, `true`, "an array", "a table".

@@ -80,6 +80,7 @@ void read_run(SceneTable table, Scene& scene) {
   scene.plan.step = table.quantity("step", dimension::time, Range::positive);
   scene.plan.end = table.quantity("end", dimension::time, Range::positive);
   scene.plan.interval = table.quantity_or("interval", dimension::time, scene.plan.step, Range::positive);
+  table.placed([&] { check_step_count(scene.plan); });
   if (table.has("ledger")) scene.plan.ledger = table.choice("ledger", {"on", "off"}) == "on";
 }
 
@@ -107,6 +108,12 @@ Scene read_scene(std::string_view text, std::string_view name) {
   scene.initial = start_state(parts, scene.model);
   read_run(file.table("run"), scene);
   return scene;
+}
+
+void check_step_count(const RunPlan& plan) {
+  const double steps = plan.end / plan.step;
+  if (steps <= 1e12) return;
+  throw InputError{fmt::format("run: the end is {:.3g} steps away; it must be at most 1e12", steps)};
 }
 
 Scene read_scene(const std::filesystem::path& file) { return read_scene(read_text(file), file.string()); }

@@ -15,4 +15,7 @@ namespace talus {
 /// The same from a text; `name` is the file named in errors.
 [[nodiscard]] Scene read_scene(std::string_view text, std::string_view name);
 
+/// Refuses a plan of more steps than can be run. Errors: InputError with the number of steps.
+void check_step_count(const RunPlan& plan);
+
 }  // namespace talus

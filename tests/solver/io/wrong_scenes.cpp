@@ -1,0 +1,164 @@
+#define BOOST_TEST_MODULE wrong_scenes
+#include <boost/test/unit_test.hpp>
+#include <string>
+#include <string_view>
+
+#include "solver/base/error.hpp"
+#include "solver/io/toml_scene.hpp"
+
+// Each test takes the sound scene, makes it wrong in one place and expects one message, word for word.
+
+using namespace talus;
+
+namespace {
+
+constexpr std::string_view sound = R"(title = "Two"
+units = "SI"
+gravity = ["0 m/s^2", "-9.81 m/s^2"]
+[[body]]
+name = "rock"
+mobility = "free"
+mass = "3 kg"
+inertia = "0.5 kg m^2"
+shape = { kind = "circle", radius = "0.5 m" }
+position = ["0 m", "1 m"]
+[[body]]
+name = "ground"
+mobility = "fixed"
+shape = { kind = "half_plane" }
+position = ["0 m", "0 m"]
+[[contact]]
+name = "bounce"
+between = ["rock", "ground"]
+law = "linear_spring_dashpot"
+stiffness = "1e4 N/m"
+damping = "2 N s/m"
+[[cable]]
+name = "rope"
+law = "tension_only"
+from = { body = "rock", point = ["0 m", "0 m"] }
+to = { point = ["0 m", "4 m", "1 m"] }
+stiffness = "100 N/m"
+[run]
+integrator = "rk4"
+step = "1 ms"
+end = "1 s"
+)";
+
+/// The message of the sound scene with `part` replaced.
+std::string message(std::string_view part, std::string_view replacement) {
+  std::string text{sound};
+  const std::size_t at = text.find(part);
+  BOOST_REQUIRE(at != std::string::npos);
+  text.replace(at, part.size(), replacement);
+  try {
+    static_cast<void>(read_scene(text, "s.toml"));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_sound_scene_is_read) { BOOST_TEST(message("3 kg", "3 kg") == "no error"); }
+
+BOOST_AUTO_TEST_CASE(quantities) {
+  BOOST_TEST(message("\"3 kg\"", "\"-3 kg\"") == "s.toml:7: body 'rock': mass: found \"-3 kg\"; it must be > 0");
+  BOOST_TEST(message("\"3 kg\"", "3") ==
+             "s.toml:7: body 'rock': mass: found 3; the unit is missing; write e.g. \"3 kg\"");
+  BOOST_TEST(message("\"3 kg\"", "\"3\"") ==
+             "s.toml:7: body 'rock': mass: found \"3\"; the unit is missing; write e.g. \"3 kg\"");
+  BOOST_TEST(message("\"3 kg\"", "true") ==
+             "s.toml:7: body 'rock': mass: found true; it must be a quantity in quotes, e.g. \"1 kg\"");
+  BOOST_TEST(message("\"3 kg\"", "\"3 m\"") ==
+             "s.toml:7: body 'rock': mass: found \"3 m\"; that is a length; it must be a mass, e.g. \"3 kg\"");
+  BOOST_TEST(message("\"2 N s/m\"", "\"-2 N s/m\"") ==
+             "s.toml:21: contact 'bounce': damping: found \"-2 N s/m\"; it must be >= 0");
+  BOOST_TEST(message("\"-9.81 m/s^2\"", "-9.81") ==
+             "s.toml:3: gravity.y: found -9.81; the unit is missing; write e.g. \"-9.81 m/s^2\"");
+  BOOST_TEST(
+      message("[\"0 m\", \"1 m\"]", "\"1 m\"") ==
+      "s.toml:10: body 'rock': position: found \"1 m\"; it must be an array of 2 quantities, e.g. [\"1 m\", \"1 m\"]");
+  BOOST_TEST(message("\"0 m\", \"1 m\"", "\"0 m\", \"1 m\", \"0 m\"") ==
+             "s.toml:10: body 'rock': position: found 3 components; it must have 2");
+  BOOST_TEST(message("\"0.5 m\"", "\"0 m\"") == "s.toml:9: body 'rock': shape: radius: found \"0 m\"; it must be > 0");
+  BOOST_TEST(message("\"1 ms\"", "\"0 s\"") == "s.toml:30: run: step: found \"0 s\"; it must be > 0");
+  BOOST_TEST(message("\"1 ms\"", "\"1e-15 s\"") ==
+             "s.toml:28: run: the end is 1e+15 steps away; it must be at most 1e12");
+}
+
+BOOST_AUTO_TEST_CASE(names_and_keys) {
+  BOOST_TEST(message("mass =", "mas =") ==
+             "s.toml:7: body 'rock': mas: this key is not known; nearest: mass; known: name, mass, inertia, angle, "
+             "moment, mobility, shape, position, pin, velocity, spin, force");
+  BOOST_TEST(message("\"free\"", "\"fre\"") ==
+             "s.toml:6: body 'rock': mobility: found \"fre\"; nearest: free; known: free, particle, pinned, fixed");
+  BOOST_TEST(message("\"circle\"", "\"circel\"") ==
+             "s.toml:9: body 'rock': shape: kind: found \"circel\"; nearest: circle; known: none, circle, rectangle, "
+             "half_plane");
+  BOOST_TEST(message("radius =", "radios =") ==
+             "s.toml:9: body 'rock': shape: radios: this key is not known; nearest: radius; known: kind, radius");
+  BOOST_TEST(message("\"rock\", \"ground\"", "\"rok\", \"ground\"") ==
+             "s.toml:18: contact 'bounce': between: body 'rok' is not known; nearest: rock; known: rock, ground");
+  BOOST_TEST(message("\"rock\", \"ground\"", "\"rock\"") ==
+             "s.toml:18: contact 'bounce': between: found an array; it must be an array of 2 texts in quotes");
+  BOOST_TEST(message("\"tension_only\"", "\"tension\"") ==
+             "s.toml:24: cable 'rope': law: found \"tension\"; nearest: tension_only; known: tension_only");
+  BOOST_TEST(message("\"rk4\"", "\"verlett\"") ==
+             "s.toml:29: run: integrator: found \"verlett\"; nearest: velocity_verlet; known: central_difference, "
+             "velocity_verlet, euler_cromer, rk4, odeint_dopri5, odeint_cash_karp54, odeint_fehlberg78, odeint_abm8, "
+             "odeint_bulirsch_stoer");
+  BOOST_TEST(message("\"SI\"", "\"si\"") == "s.toml:2: units: found \"si\"; nearest: SI; known: SI, US");
+  BOOST_TEST(message("name = \"ground\"", "name = \"rock\"") ==
+             "s.toml:11: body 'rock' exists already; names must differ");
+  BOOST_TEST(message("name = \"ground\"\n", "") == "s.toml:11: body 2: name: it is missing");
+  BOOST_TEST(
+      message("[run]", "[rum]") ==
+      "s.toml:28: rum: this key is not known; nearest: run; known: title, units, gravity, body, contact, cable, run");
+  BOOST_TEST(message("[[cable]]", "[cable]") ==
+             "s.toml:22: cable: found a table; each cable is a table of its own, headed [[cable]]");
+}
+
+BOOST_AUTO_TEST_CASE(what_is_missing_or_has_no_place) {
+  BOOST_TEST(message("mass = \"3 kg\"\n", "") == "s.toml:4: body 'rock': mass: it is missing");
+  BOOST_TEST(message("step = \"1 ms\"\n", "") == "s.toml:28: run: step: it is missing");
+  BOOST_TEST(message("title = \"Two\"\n", "") == "s.toml:1: title: it is missing");
+  BOOST_TEST(message("\"free\"", "\"particle\"") ==
+             "s.toml:8: body 'rock': inertia: this body cannot turn; leave it out");
+  BOOST_TEST(message("\"fixed\"", "\"fixed\"\nvelocity = [\"1 m/s\", \"0 m/s\"]") ==
+             "s.toml:14: body 'ground': velocity: a fixed body has none; leave it out");
+  BOOST_TEST(message("\"fixed\"", "\"particle\"\nmass = \"1 kg\"") ==
+             "s.toml:11: body 'ground': a half_plane cannot move; its mobility must be fixed");
+  BOOST_TEST(message("damping = \"2 N s/m\"\n", "") ==
+             "s.toml:16: contact 'bounce': damping: give either this or restitution, one of the two");
+  BOOST_TEST(message("damping = \"2 N s/m\"", "restitution = 1.5") ==
+             "s.toml:21: contact 'bounce': restitution: found 1.5; it must be in (0, 1]");
+  BOOST_TEST(
+      message("damping = \"2 N s/m\"", "restitution = \"0.5\"") ==
+      "s.toml:21: contact 'bounce': restitution: found \"0.5\"; it must be a pure number without quotes, e.g. 0.5");
+  BOOST_TEST(message("damping = \"2 N s/m\"", "damping = \"2 N s/m\"\nnodes = 12") ==
+             "s.toml:22: contact 'bounce': nodes: contact by resultant has no nodes; leave it out");
+  BOOST_TEST(message("\"rk4\"", "\"rk4\"\ntolerance = 1e-6") ==
+             "s.toml:28: integrator 'rk4' has no step control; its tolerance must be left out");
+}
+
+BOOST_AUTO_TEST_CASE(what_the_model_refuses) {
+  BOOST_TEST(message("[\"0 m\", \"4 m\", \"1 m\"]", "[\"0 m\", \"1 m\"]") ==
+             "s.toml:22: cable 'rope': both ends are at the same point; they must be apart");
+  BOOST_TEST(message("body = \"rock\", ", "") ==
+             "s.toml:22: cable 'rope': neither end can move; at least one must be on a body that does");
+  BOOST_TEST(message("\"rock\", \"ground\"", "\"rock\", \"rock\"") ==
+             "s.toml:16: contact 'bounce': body 'rock' against itself; name two bodies");
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_toml) {
+  BOOST_TEST(message("mass = ", "mass ").rfind("s.toml:7: not TOML: ", 0) == 0);
+  BOOST_TEST(message("mass = \"3 kg\"", "mass = \"3 kg\"\nmass = \"4 kg\"").rfind("s.toml:8: not TOML: ", 0) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_file_that_is_not_there) {
+  BOOST_CHECK_EXCEPTION(
+      static_cast<void>(read_scene(std::filesystem::path{"/nowhere/s.toml"})), IoError,
+      [](const IoError& error) { return std::string{error.what()} == "/nowhere/s.toml: No such file or directory"; });
+}
