@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
 #include "solver/calibrate/impact.hpp"
+#include "solver/calibrate/step_advice.hpp"
 #include "solver/io/toml_scene.hpp"
 
 namespace talus::app {
@@ -134,25 +136,74 @@ ContactId contact_named(const Model& model, const std::string& name) {
   throw unknown_name("--contact: contact", name, known);
 }
 
+/// The scene with another damping of one contact.
+Scene with_damping(Scene scene, ContactId contact, double damping) {
+  std::visit([damping](auto& law) { law.damping = damping; }, scene.model.contacts[index(contact)].law);
+  return scene;
+}
+
+/// Damping ratio of a contact's first law instance.
+double damping_ratio_of(const Scene& scene, ContactId contact) {
+  const Dynamics dynamics{scene.model};
+  const std::vector<std::size_t>& instances = dynamics.layout().contact_instances;
+  const auto first = std::accumulate(instances.begin(), instances.begin() + static_cast<long>(index(contact)), 0UL);
+  return advise_step(dynamics, scene.initial).springs[first].damping_ratio;
+}
+
+/// A contact of a scene as calibrated, in the scene's units.
+struct SceneCalibration {
+  Calibration found;
+  Impact impact;  ///< the first impact with the damping found
+  double damping_ratio{};
+  EndRule end_rule{};
+};
+
+void print_json(const SceneCalibration& result, const Scene& scene, const std::string& contact) {
+  const UnitSystem& units = scene.model.units;
+  const nlohmann::ordered_json json{
+      {"contact", contact},
+      {"damping", result.found.damping * si_size(units, dimension::damping)},
+      {"damping_ratio", result.damping_ratio},
+      {"contact_time", result.impact.contact_time},
+      {"largest_overlap", result.impact.largest_overlap * si_size(units, dimension::length)},
+      {"step", scene.plan.step},
+      {"restitution", result.found.restitution},
+      {"end_rule", Names<EndRule>::list[static_cast<std::size_t>(result.end_rule)]},
+      {"runs", result.found.runs},
+      {"units", "SI"}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_text(const SceneCalibration& result, const Scene& scene, const std::string& contact) {
+  const UnitSystem& units = scene.model.units;
+  const auto line = [&units](std::string_view what, double value, Dimension dimension) {
+    fmt::print("  {:<18}{:>16.9g} {}\n", what, value, symbol(units, dimension));
+  };
+  fmt::print("{}: contact '{}' calibrated by {} runs of the scene with {}\n", scene.title, contact, result.found.runs,
+             name(scene.integrator));
+  line("damping c", result.found.damping, dimension::damping);
+  line("damping ratio xi", result.damping_ratio, dimension::number);
+  line("restitution", result.found.restitution, dimension::number);
+  line("contact time", result.impact.contact_time, dimension::time);
+  line("largest overlap", result.impact.largest_overlap, dimension::length);
+  line("step", scene.plan.step, dimension::time);
+  fmt::print("in the scene: damping = \"{} {}\"\n", result.found.damping, symbol(units, dimension::damping));
+}
+
 int calibrate_scene(const CalibrateOptions& options) {
   const Scene scene = read_scene(std::filesystem::path{options.scene});
   const ContactId contact = contact_named(scene.model, options.contact);
-  const Calibration found = calibrate(scene, contact, options.restitution);
-  const UnitSystem& units = scene.model.units;
+  SceneCalibration result;
+  result.found = calibrate(scene, contact, options.restitution);
+  const Scene damped = with_damping(scene, contact, result.found.damping);
+  result.impact = simulate_impact(damped, contact);
+  result.damping_ratio = damping_ratio_of(damped, contact);
+  result.end_rule = std::visit([](const auto& law) { return law.end_rule; }, scene.model.contacts[index(contact)].law);
   if (options.json) {
-    const nlohmann::ordered_json json{{"contact", options.contact},
-                                      {"damping", found.damping * si_size(units, dimension::damping)},
-                                      {"restitution", found.restitution},
-                                      {"runs", found.runs},
-                                      {"units", "SI"}};
-    fmt::print("{}\n", json.dump(2));
-    return ok;
+    print_json(result, scene, options.contact);
+  } else {
+    print_text(result, scene, options.contact);
   }
-  fmt::print("{}: contact '{}' calibrated by {} runs with {}, step {:.6g} {}\n", scene.title, options.contact,
-             found.runs, name(scene.integrator), scene.plan.step, symbol(units, dimension::time));
-  fmt::print("  damping      {:.9g} {}\n  restitution  {:.9g}\n", found.damping, symbol(units, dimension::damping),
-             found.restitution);
-  fmt::print("  in the scene: damping = \"{} {}\"\n", found.damping, symbol(units, dimension::damping));
   return ok;
 }
 

@@ -75,16 +75,20 @@ void print_step(const Scene& scene, const StepAdvice& advice) {
   }
 }
 
-/// Force evaluations of a step, from a pilot of a few steps on a copy: counted, not timed.
-double evaluations_per_step(const Scene& scene, const Dynamics& dynamics) {
-  constexpr long pilot_steps = 8;
+/// Force evaluations of the first steps of a scene, on a copy: counted, not timed.
+double pilot_evaluations(const Scene& scene, const Dynamics& dynamics, long steps) {
   RigidBodySystem system{dynamics, scene.plan.ledger};
   Integrator integrator = scene.integrator;
   State state = scene.initial;
   RunPlan plan = scene.plan;
-  plan.end = std::min(plan.end, static_cast<double>(pilot_steps) * plan.step);
+  plan.end = static_cast<double>(steps) * plan.step;
   static_cast<void>(simulate(system, integrator, state, plan));
-  return static_cast<double>(system.evaluations()) / static_cast<double>(step_count(plan));
+  return static_cast<double>(system.evaluations());
+}
+
+/// Force evaluations of a step once a method has started.
+double evaluations_per_step(const Scene& scene, const Dynamics& dynamics) {
+  return (pilot_evaluations(scene, dynamics, 24) - pilot_evaluations(scene, dynamics, 16)) / 8.0;
 }
 
 void print_cost(const Scene& scene, const Dynamics& dynamics) {

@@ -58,6 +58,9 @@ std::vector<std::string> subcommand_names(const CLI::App& app) {
 std::string words(const CLI::App& talus, const CLI::ParseError& error) {
   const CLI::App& app = active(talus);
   const std::vector<std::string> unexpected = talus.remaining(true);
+  if (unexpected.empty() && &app == &talus && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    return fmt::format("a command is missing; known: {}", fmt::join(subcommand_names(talus), ", "));
+  }
   if (unexpected.empty()) return error.what();
   const std::string& first = unexpected.front();
   if (first.front() == '-') return unknown_name("option", first, option_names(app)).what();
@@ -103,7 +106,7 @@ double option_quantity(const std::string& option, const std::string& text, Dimen
 }
 
 int run_command_line(int count, const char* const* arguments) {
-  CLI::App talus;
+  CLI::App talus{"", "talus"};
   describe(talus);
   const std::vector<Command> commands{add_run(talus), add_check(talus), add_calibrate(talus), add_plot(talus),
                                       add_list(talus)};

@@ -38,6 +38,7 @@ Scene changed_scene(const RunOptions& options) {
   if (!options.end.empty()) scene.plan.end = option_quantity("--end", options.end, dimension::time, units);
   if (!options.step.empty()) scene.plan.step = option_quantity("--step", options.step, dimension::time, units);
   if (!options.integrator.empty()) scene.integrator = make_integrator(options.integrator, options.tolerance);
+  check_step_count(scene.plan);
   return scene;
 }
 

@@ -1,0 +1,226 @@
+#define BOOST_TEST_MODULE command_line
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "solver/io/toml_document.hpp"
+
+// The built program from end to end: exit codes, messages, files.
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+  fs::path path;
+
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "talus_command_XXXXXX").string();
+    BOOST_REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { fs::remove_all(path); }
+};
+
+struct Ended {
+  int code{};
+  std::string out;
+  std::string err;
+};
+
+/// Runs a program with its output in files; `stdout_to` in place of one of them.
+Ended ran(const std::string& program, std::vector<std::string> arguments, const std::string& stdout_to = "",
+          const char* path = nullptr) {
+  const Folder folder;
+  const std::string out = stdout_to.empty() ? (folder.path / "out").string() : stdout_to;
+  const std::string err = (folder.path / "err").string();
+  const pid_t child = ::fork();
+  BOOST_REQUIRE(child >= 0);
+  if (child == 0) {
+    ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
+    ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
+    if (path != nullptr) ::setenv("PATH", path, 1);
+    std::vector<char*> words{const_cast<char*>(program.c_str())};
+    for (std::string& argument : arguments)
+      words.push_back(argument.data());
+    words.push_back(nullptr);
+    ::execv(program.c_str(), words.data());
+    ::_exit(127);
+  }
+  int status = 0;
+  BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
+  BOOST_REQUIRE(WIFEXITED(status));
+  return {WEXITSTATUS(status), stdout_to.empty() ? talus::read_text(out) : "", talus::read_text(err)};
+}
+
+Ended talus_ran(std::vector<std::string> arguments, const std::string& stdout_to = "") {
+  return ran(TALUS_EXECUTABLE, std::move(arguments), stdout_to);
+}
+
+std::string scene(const char* name) { return (fs::path{TALUS_CASES} / name).string(); }
+
+bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(help_and_version) {
+  for (const std::string command : {"run", "check", "calibrate", "plot", "list"}) {
+    const Ended help = talus_ran({command, "--help"});
+    BOOST_TEST(help.code == 0);
+    BOOST_TEST(holds(help.out, "Example"));
+    BOOST_TEST(holds(talus_ran({"--help"}).out, "\n  " + command));
+  }
+  BOOST_TEST(talus_ran({"--version"}).out.rfind("talus ", 0) == 0U);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_command_lines) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{}, "talus: a command is missing; known: run, check, calibrate, plot, list\nhelp: talus --help\n"},
+      {{"rnu"},
+       "talus: command 'rnu' is not known; nearest: run; known: run, check, calibrate, plot, list\n"
+       "help: talus --help\n"},
+      {{"run"}, "talus: SCENE is required\nhelp: talus run --help\n"},
+      {{"run", scene("pendulum.toml"), "--uot", "d"},
+       "talus: option '--uot' is not known; nearest: --out; known: --help, --out, --json, --end, --step, --integrator, "
+       "--tolerance\nhelp: talus run --help\n"},
+      {{"run", scene("pendulum.toml"), "more"}, "talus: 'more' is one argument too many\nhelp: talus run --help\n"},
+      {{"run", scene("pendulum.toml"), "--step", "5"},
+       "talus: --step: found \"5\"; the unit is missing; write e.g. \"5 s\"\n"},
+      {{"run", scene("pendulum.toml"), "--end", "-5 s"}, "talus: --end: found \"-5 s\"; it must be > 0\n"},
+      {{"calibrate", "--restitution", "1.5", "--masses", "1 kg", "--stiffness", "1 N/m"},
+       "talus: restitution is 1.5; it must be in (0, 1]\n"},
+      {{"calibrate", "--restitution", "0.5", "--masses", "0 kg", "--stiffness", "1 N/m"},
+       "talus: --masses: found \"0 kg\"; it must be > 0\n"},
+      {{"calibrate", scene("two_cable.toml"), "--contact", "impct", "--restitution", "0.5"},
+       "talus: --contact: contact 'impct' is not known; nearest: impact; known: impact\n"},
+      {{"list", "law"},
+       "talus: topic 'law' is not known; nearest: laws; known: integrators, laws, shapes, units, fields\n"}};
+  for (const auto& [arguments, message] : wrong) {
+    const Ended ended = talus_ran(arguments);
+    BOOST_TEST(ended.code == 2);
+    BOOST_TEST(ended.err == message);
+    BOOST_TEST(ended.out.empty());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(files_that_cannot_be_read_or_written) {
+  const Ended missing = talus_ran({"run", "nowhere.toml"});
+  BOOST_TEST(missing.code == 4);
+  BOOST_TEST(missing.err == "talus: nowhere.toml: No such file or directory\n");
+  const Ended unwritable = talus_ran({"run", scene("pendulum.toml"), "--out", "/dev/full/out"});
+  BOOST_TEST(unwritable.code == 4);
+  BOOST_TEST(unwritable.err == "talus: /dev/full/out: Not a directory\n");
+  BOOST_TEST(talus_ran({"run", scene("pendulum.toml")}, "/dev/full").code == 4);
+  BOOST_TEST(talus_ran({"plot", "/nowhere"}).code == 4);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
+  const Folder folder;
+  const std::string out = (folder.path / "run").string();
+  const Ended text = talus_ran({"run", scene("two_cable.toml"), "--out", out});
+  BOOST_TEST(text.code == 0);
+  BOOST_TEST(text.err.empty());
+  BOOST_TEST(holds(text.out, "finished at t = 3 s"));
+  for (const char* file : {"history.csv", "final_state.json", "summary.json", "plot.json"})
+    BOOST_TEST(fs::exists(folder.path / "run" / file));
+  const std::string history = talus::read_text(folder.path / "run" / "history.csv");
+  BOOST_TEST(history.rfind("time [s],particle.x [m],", 0) == 0U);
+  // 3 s in records of 10 ms, the start, and the header.
+  BOOST_TEST(std::count(history.begin(), history.end(), '\n') == 302);
+  const Ended json = talus_ran({"run", scene("two_cable.toml"), "--json"});
+  BOOST_TEST(json.out == talus::read_text(folder.path / "run" / "summary.json"));
+  const auto summary = nlohmann::json::parse(json.out);
+  BOOST_TEST(summary.at("steps").get<long>() == 150000);
+  BOOST_TEST(summary.at("outcome").at("kind").get<std::string>() == "finished");
+}
+
+BOOST_AUTO_TEST_CASE(the_command_line_changes_the_plan) {
+  const auto summary =
+      nlohmann::json::parse(talus_ran({"run", scene("two_cable.toml"), "--json", "--end", "0.1 s", "--step", "1 ms",
+                                       "--integrator", "odeint_dopri5", "--tolerance", "1e-9"})
+                                .out);
+  BOOST_TEST(summary.at("integrator").get<std::string>() == "odeint_dopri5");
+  BOOST_TEST(summary.at("steps").get<long>() == 100);
+}
+
+// A particle between two pretensioned cables, stepped far beyond the linear limit, grows until it is no longer finite.
+BOOST_AUTO_TEST_CASE(a_diverged_run_is_recorded) {
+  const Folder folder;
+  const std::string out = (folder.path / "run").string();
+  const Ended ended = talus_ran({"run", std::string{TALUS_TEST_SCENES} + "/unstable.toml", "--out", out});
+  BOOST_TEST(ended.code == 3);
+  BOOST_TEST(ended.err.rfind("talus: diverged at t = ", 0) == 0U);
+  const auto summary = nlohmann::json::parse(talus::read_text(folder.path / "run" / "summary.json"));
+  BOOST_TEST(summary.at("outcome").at("kind").get<std::string>() == "diverged");
+  const std::string history = talus::read_text(folder.path / "run" / "history.csv");
+  BOOST_TEST(std::count(history.begin(), history.end(), '\n') > 10);
+  BOOST_TEST(!holds(history, "nan"));
+  BOOST_TEST(!holds(history, "inf"));
+}
+
+BOOST_AUTO_TEST_CASE(check_says_what_a_scene_carries) {
+  const Ended ended = talus_ran({"check", scene("two_cable.toml")});
+  BOOST_TEST(ended.code == 0);
+  BOOST_TEST(holds(ended.out, "bodies 2, degrees of freedom 4"));
+  BOOST_TEST(holds(ended.out, "contact pairs possible 1, with 1 law instances; cables 2"));
+  // w0 = sqrt(k (1/m + 1/M)) = sqrt(1e4 * 1.5); cables alone would give 2 rad/s.
+  BOOST_TEST(holds(ended.out, "122.47"));
+  BOOST_TEST(holds(ended.out, "150000 steps"));
+}
+
+// Values of the closed forms (clamped: xi = .2552756 for e = .5), of the pivot's mass I/h^2, and the simulated e.
+BOOST_AUTO_TEST_CASE(calibration_as_json) {
+  const auto two = nlohmann::json::parse(
+      talus_ran({"calibrate", "--restitution", ".5", "--masses", "3 kg", "6 kg", "--stiffness", "1e6 N/m", "--json"})
+          .out);
+  BOOST_TEST(two.at("effective_mass").get<double>() == 2.0, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(two.at("damping_ratio").get<double>() == 0.2552756, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(two.at("damping").get<double>() == 2.0 * 0.2552756 * std::sqrt(2e6), boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(std::abs(two.at("restitution").get<double>() - 0.5) < 1e-3);
+  const auto pivot =
+      nlohmann::json::parse(talus_ran({"calibrate", "--restitution", ".5", "--masses", "1 kg", "--pivot", "8 kg m^2",
+                                       "2 m", "--stiffness", "1e6 N/m", "--end-rule", "attractive", "--json"})
+                                .out);
+  BOOST_TEST(pivot.at("effective_mass").get<double>() == 2.0, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(pivot.at("end_rule").get<std::string>() == "attractive");
+  const auto offset =
+      nlohmann::json::parse(talus_ran({"calibrate", "--restitution", ".5", "--masses", "1 kg", "--offset", "1 kg m^2",
+                                       "1 m", "--stiffness", "1e6 N/m", "--json"})
+                                .out);
+  BOOST_TEST(offset.at("effective_mass").get<double>() == 0.5, boost::test_tools::tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(calibration_of_a_scene) {
+  const auto found = nlohmann::json::parse(
+      talus_ran({"calibrate", scene("two_cable.toml"), "--contact", "impact", "--restitution", ".6", "--json"}).out);
+  BOOST_TEST(std::abs(found.at("restitution").get<double>() - 0.6) < 1e-5);
+  for (const char* key : {"damping", "damping_ratio", "contact_time", "largest_overlap", "step"})
+    BOOST_TEST(found.at(key).get<double>() > 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(plot_without_its_tool_says_so) {
+  const Folder folder;
+  fs::copy_file(TALUS_EXECUTABLE, folder.path / "talus");
+  const std::string out = (folder.path / "run").string();
+  BOOST_REQUIRE(talus_ran({"run", scene("pendulum.toml"), "--out", out}).code == 0);
+  const Ended ended = ran((folder.path / "talus").string(), {"plot", out}, "", "/nowhere");
+  BOOST_TEST(ended.code == 4);
+  BOOST_TEST(ended.err == "talus: talus_report draws the plots; it is neither beside talus nor in PATH\n");
+}
+
+BOOST_AUTO_TEST_CASE(lists_hold_the_closed_lists) {
+  const Ended all = talus_ran({"list"});
+  for (const char* name : {"velocity_verlet", "odeint_bulirsch_stoer", "linear_spring_dashpot", "tension_only",
+                           "half_plane", "slug", "attractive"})
+    BOOST_TEST(holds(all.out, name));
+  for (const char* topic : {"integrators", "laws", "shapes", "units", "fields"})
+    BOOST_TEST(talus_ran({"list", topic}).code == 0);
+}
