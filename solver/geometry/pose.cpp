@@ -1,7 +1,14 @@
 #include "solver/geometry/pose.hpp"
 
+#include <sleef.h>
+
 namespace talus {
 
-Rotation rotation(double angle) { return {std::cos(angle), std::sin(angle)}; }
+// SLEEF's plain-C routine without fused operations: the same bits on every machine and instruction set (the C library
+// picks one of several by the processor), error at most one unit of the last place.
+Rotation rotation(double angle) {
+  const Sleef_double_2 both = Sleef_cinz_sincosd1_u10purec(angle);
+  return {both.y, both.x};
+}
 
 }  // namespace talus

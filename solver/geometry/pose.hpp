@@ -10,8 +10,8 @@ struct Rotation {
   double sine{0.0};
 };
 
-/// Rotation by `angle` [rad], counter-clockwise > 0. The one place where the solver takes a sine: a call that the
-/// compiler cannot fold, so that Debug and Release, gcc and clang see the same library routine.
+/// Rotation by `angle` [rad], counter-clockwise > 0. The one place where the solver takes a sine, so that all machines,
+/// compilers and build types see the same routine.
 [[nodiscard]] Rotation rotation(double angle);
 
 constexpr Vec2 operator*(Rotation r, Vec2 a) { return {r.cosine * a.x - r.sine * a.y, r.sine * a.x + r.cosine * a.y}; }
