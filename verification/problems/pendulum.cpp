@@ -1,14 +1,14 @@
 #include <fmt/format.h>
-#include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "verification/check/case.hpp"
+#include "verification/problems/hung_bob_findings.hpp"
 #include "verification/problems/leapfrog_swing.hpp"
+#include "verification/problems/odeint_findings.hpp"
 #include "verification/problems/swing.hpp"
-#include "verification/reference/elastic_pendulum.hpp"
-#include "verification/reference/pendulum_steppers.hpp"
+#include "verification/problems/swing_energy.hpp"
 
 namespace talus::verification::problems {
 
@@ -17,7 +17,6 @@ Case pendulum();
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double degree = pi / 180.0;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 constexpr const char* page = R"(
@@ -72,120 +71,15 @@ pin; a method with one wrong coefficient (its order falls); an adapter that star
 order; a symplectic method whose two halves see different forces (its energy would drift).
 )";
 
-/// The right body, or one with a planted fault. The references are always those of the right one.
-scenes::Pendulum bob(const Setup& setup, double amplitude) {
-  scenes::Pendulum p{.mass = 2.0, .inertia = 0.5, .arm = 0.8, .gravity = 9.80665, .amplitude = amplitude};
-  if (setup.has("gravity_up")) p.gravity = -p.gravity;
-  if (setup.has("inertia_halved")) p.inertia *= 0.5;
-  if (setup.has("arm_one_percent")) p.arm *= 1.01;
-  return p;
-}
-
-double frequency() { return bob_frequency(bob({}, 1.0)); }
-reference::PendulumMotion exact(double amplitude) {
-  return reference::PendulumMotion::from_rest(frequency(), amplitude);
-}
-
 /// Velocity Verlet, or what a fault puts in its place.
 Integrator verlet(const Setup& setup) {
   if (setup.has("euler_cromer_for_verlet")) return make_integrator("euler_cromer");
   return make_integrator(setup.has("rk4_for_verlet") ? "rk4" : "velocity_verlet");
 }
 
-void check_references(Findings& findings) {
-  const double w0 = frequency();
-  for (const double degrees : {0.1, 60.0, 179.0}) {
-    const double k = std::sin(0.5 * degrees * degree);
-    const double K = boost::math::ellint_1(k);
-    const double condition = (boost::math::ellint_2(k) / ((1.0 - k) * (1.0 + k)) - K) / K;  // d ln K/d ln k
-    findings.expect(fmt::format("elliptic integral at {:g} degrees", degrees), 4.0 * K / w0,
-                    exact(degrees * degree).period(),
-                    Tolerance::round_off(epsilon * (3.0 + 0.5 * condition),
-                                         "3 roundings of K and the quotient, and half a unit of k times the condition "
-                                         "d ln K/d ln k")
-                        .relative(),
-                    "s");
-  }
-  const double amplitude = 60.0 * degree;
-  const double k = std::sin(0.5 * amplitude);
-  const auto motion = exact(amplitude);
-  double from_boost = 0.0;
-  double from_50_digits = 0.0;
-  for (int i = 0; i < 50; ++i) {
-    const double t = 0.0437 * i;
-    const double sn = boost::math::jacobi_sn(k, w0 * t + boost::math::ellint_1(k));
-    from_boost = std::max(from_boost, std::abs(motion.at(t).angle - 2.0 * std::asin(k * sn)));
-    if (i % 5 == 0)
-      from_50_digits = std::max(from_50_digits, std::abs(motion.at(t).angle - motion.at_50_digits(t).angle));
-  }
-  findings.expect("elliptic function sn over one period", from_boost, 0.0,
-                  Tolerance::round_off(8.0 * epsilon,
-                                       "half a unit of the argument w0 t + K < 9, times the rate of the angle, at most "
-                                       "2 k = 1: 8 epsilon; sn and asin add less"),
-                  "rad");
-  findings.expect("reference against 50 digits", from_50_digits, 0.0,
-                  Tolerance::round_off(epsilon,
-                                       "long double carries 11 more bits: what is left is the rounding of the "
-                                       "result to double, half a unit of 1.05 rad"),
-                  "rad");
-}
-
-/// odeint by itself, without any of the solver: orders at fixed steps, and what its step control keeps of a tolerance.
-void check_odeint(Findings& findings) {
-  const double amplitude = 60.0 * degree;
-  const double duration = 0.8 * exact(amplitude).period();
-  Figure chart{.name = "odeint_tolerance",
-               .title = "odeint's step control",
-               .caption =
-                   "Error at the end of 0.8 period (60 degrees) of odeint's steppers run without the solver, "
-                   "against the tolerance of one step. The dashed line is the tolerance itself.",
-               .x = {"tolerance of a step", "1", true},
-               .y = {"error of the angle", "rad", true},
-               .series = {},
-               .slopes = {{1.0, 1e-8, 1e-8, "tolerance"}}};
-  for (const auto& stepper : reference::pendulum_steppers()) {
-    reference::PendulumRun run{std::string(stepper.name), frequency(), amplitude, duration, 0, 0.0};
-    if (stepper.controlled) {
-      Series series{.label = run.stepper, .x = {}, .y = {}};
-      for (run.tolerance = 1e-4; run.tolerance > 5e-13; run.tolerance *= 0.1) {
-        series.x.push_back(run.tolerance);
-        series.y.push_back(reference::run_pendulum(run).largest_angle_error);
-      }
-      findings.expect_order("odeint alone, " + run.stepper + ": error against tolerance",
-                            Convergence{series.x, series.y}, 0.8, 1.2,
-                            "step control keeps the error of a step below the tolerance, so the global error is "
-                            "proportional to it: 1, less up to 1/p where fewer steps add up, more where the higher "
-                            "order of the solution carried on shows");
-      chart.series.push_back(series);
-    }
-  }
-  findings.figure(chart);
-}
-
-/// The same stepper inside the solver and alone: two roads to one number.
-void check_adapter(Findings& findings, const Setup& setup) {
-  const double amplitude = 60.0 * degree;
-  const auto motion = exact(amplitude);
-  const double duration = 0.8 * motion.period();
-  constexpr std::array<std::array<const char*, 2>, 4> twins{{{"rk4", "rk4"},
-                                                             {"odeint_dopri5", "dopri5"},
-                                                             {"odeint_cash_karp54", "cash_karp54"},
-                                                             {"odeint_fehlberg78", "fehlberg78"}}};
-  for (const auto& twin : twins) {
-    const RunEnd end =
-        run_steps(scenes::pendulum(bob(setup, amplitude)), make_integrator(twin[0]), duration / 48.0, 48);
-    const auto alone = reference::run_pendulum({twin[1], frequency(), amplitude, duration, 48, 0.0});
-    findings.expect(fmt::format("{} in the solver, {} alone", twin[0], twin[1]), end.state.q[0], alone.angle,
-                    Tolerance::round_off(48.0 * 4.0 * epsilon,
-                                         "the same 48 steps in another order of operations: 4 roundings of the angle "
-                                         "and its rate a step"),
-                    "rad");
-  }
-}
-
 void check_orders(Findings& findings, const Setup& setup) {
   const double amplitude = 60.0 * degree;
-  const auto motion = exact(amplitude);
+  const auto motion = bob_motion(amplitude);
   const double duration = 0.8 * motion.period();
   const Scene scene = scenes::pendulum(bob(setup, amplitude));
   Figure chart{.name = "work_precision",
@@ -210,7 +104,7 @@ void check_orders(Findings& findings, const Setup& setup) {
     for (double n = static_cast<double>(method.first) / (setup.coarse ? 1.0 : 8.0); n < 2.5e5; n *= ratio) {
       const long steps = std::lround(n);
       if (steps < 5) continue;
-      const SwingError run = swing_error(scene, integrator, duration, steps, frequency(), motion);
+      const SwingError run = swing_error(scene, integrator, duration, steps, bob_frequency(), motion);
       findings.count(static_cast<std::uint64_t>(run.evaluations));
       if (steps >= method.first && steps <= method.last) convergence.add(1.0 / static_cast<double>(steps), run.error);
       if (!(run.error > 1.0)) {
@@ -237,7 +131,7 @@ void check_orders(Findings& findings, const Setup& setup) {
   Convergence kept;
   for (double tolerance = 1e-3; tolerance > 5e-14; tolerance *= 0.1) {
     const SwingError run =
-        swing_error(scene, make_integrator("odeint_bulirsch_stoer", tolerance), duration, 1, frequency(), motion);
+        swing_error(scene, make_integrator("odeint_bulirsch_stoer", tolerance), duration, 1, bob_frequency(), motion);
     kept.add(tolerance, run.error);
     stepless.x.push_back(static_cast<double>(run.evaluations));
     stepless.y.push_back(run.error);
@@ -253,8 +147,8 @@ void check_orders(Findings& findings, const Setup& setup) {
 /// Verlet misses it, against its own theory.
 void check_amplitudes(Findings& findings, const Setup& setup) {
   constexpr double per_small_swing = 128.0;
-  const double h = 2.0 * pi / frequency() / per_small_swing;
-  const double z = frequency() * h;
+  const double h = 2.0 * pi / bob_frequency() / per_small_swing;
+  const double z = bob_frequency() * h;
   Series measured{.label = "velocity_verlet", .x = {}, .y = {}, .style = Style::points};
   Series theory{.label = "modified Hamiltonian", .x = {}, .y = {}, .style = Style::lines};
   Series ratio{.label = "solver", .x = {}, .y = {}, .style = Style::points};
@@ -270,7 +164,7 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
   for (const double degrees : {0.1, 1.0, 10.0, 30.0, 60.0, 90.0, 120.0, 140.0, 150.0, 170.0, 175.0, 179.0}) {
     if (setup.coarse && degrees != 60.0) continue;
     const double amplitude = degrees * degree;
-    const double reference = exact(amplitude).period();
+    const double reference = bob_motion(amplitude).period();
     const double period = period_of(scenes::pendulum(bob(setup, amplitude)), verlet(setup), h, 3.0 * reference);
     const double constant = verlet_period_constant(amplitude);
     worst = std::max(worst, std::abs((period / reference - 1.0) / (z * z) - constant));
@@ -283,8 +177,8 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
     measured.x.push_back(degrees);
     measured.y.push_back((period / reference - 1.0) / (z * z));
     ratio.x.push_back(degrees);
-    ratio.y.push_back(period * frequency() / (2.0 * pi));
-    table.rows.push_back({fmt::format("{:g}", degrees), exact(amplitude).period_45_digits().substr(0, 16),
+    ratio.y.push_back(period * bob_frequency() / (2.0 * pi));
+    table.rows.push_back({fmt::format("{:g}", degrees), bob_motion(amplitude).period_45_digits().substr(0, 16),
                           fmt::format("{:.10f}", period), fmt::format("{:.4e}", period / reference - 1.0),
                           fmt::format("{:.4e}", constant * z * z)});
   }
@@ -293,7 +187,7 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
     theory.x.push_back(degrees);
     theory.y.push_back(verlet_period_constant(degrees * degree));
     elliptic.x.push_back(degrees);
-    elliptic.y.push_back(exact(degrees * degree).period() * frequency() / (2.0 * pi));
+    elliptic.y.push_back(bob_motion(degrees * degree).period() * bob_frequency() / (2.0 * pi));
   }
   findings.expect("velocity Verlet's period constant, largest deviation", worst, 0.0,
                   Tolerance::truncation(17.0 / 5760.0 * z * z, 1.05,
@@ -322,7 +216,7 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
 /// Small swings, where each method is a 2 x 2 matrix whose rotation and growth are known to all orders.
 void check_small_swings(Findings& findings, const Setup& setup) {
   const double amplitude = 0.1 * degree;
-  const double T = exact(amplitude).period();
+  const double T = bob_motion(amplitude).period();
   const Scene scene = scenes::pendulum(bob(setup, amplitude));
   const std::string passages =
       "the map is known to all orders; what is left is the interpolation of two passages: |s (1-s) (1+s) (2-s) (s - "
@@ -331,42 +225,14 @@ void check_small_swings(Findings& findings, const Setup& setup) {
   for (const char* name : {"central_difference", "velocity_verlet", "euler_cromer"}) {
     const double leapfrog = z / (2.0 * std::asin(0.5 * z)) - 1.0;
     findings.expect(fmt::format("small swings, {}: relative error of the period", name),
-                    period_of(scene, make_integrator(name), z / frequency(), 2.0 * T) / T - 1.0, leapfrog,
+                    period_of(scene, make_integrator(name), z / bob_frequency(), 2.0 * T) / T - 1.0, leapfrog,
                     Tolerance::truncation(std::pow(z, 5.0) / 724.0, 1.0, passages));
   }
   const double y = 2.0 * pi / 32.38;
   const double angle = std::atan2(y - y * y * y / 6.0, 1.0 - y * y / 2.0 + y * y * y * y / 24.0);
   findings.expect("small swings, rk4: relative error of the period",
-                  period_of(scene, make_integrator("rk4"), y / frequency(), 2.0 * T) / T - 1.0, y / angle - 1.0,
+                  period_of(scene, make_integrator("rk4"), y / bob_frequency(), 2.0 * T) / T - 1.0, y / angle - 1.0,
                   Tolerance::truncation(std::pow(y, 5.0) / 724.0, 1.0, passages));
-}
-
-/// Relative energy E/E0 - 1 over 1e4 periods: lowest and highest in each hundredth of the run, and at the end.
-struct EnergyHistory {
-  std::vector<double> lowest = std::vector<double>(100, 0.0);
-  std::vector<double> highest = std::vector<double>(100, 0.0);
-  double end{};
-};
-
-EnergyHistory energy_history(const scenes::Pendulum& p, const Integrator& integrator, int per_period, long periods) {
-  const double inertia = p.inertia + p.mass * p.arm * p.arm;
-  const double weight = p.mass * p.gravity * p.arm;
-  const double half = std::sin(0.5 * p.amplitude);
-  const long steps = periods * per_period;
-  EnergyHistory history;
-  const std::vector<Observer> watch{[&](const State& s, const StepInfo& info) {
-    const double sine = std::sin(0.5 * s.q[0]);
-    // Differences of squares: the energy is needed to more digits than its two parts have together.
-    history.end =
-        (0.5 * inertia * s.v[0] * s.v[0] + 2.0 * weight * (sine - half) * (sine + half)) / (2.0 * weight * half * half);
-    const auto window = static_cast<std::size_t>(std::min(99L, info.step * 100 / steps));
-    history.lowest[window] = std::min(history.lowest[window], history.end);
-    history.highest[window] = std::max(history.highest[window], history.end);
-  }};
-  const double h = 2.0 * pi / frequency() / per_period;
-  const RunEnd end = run_steps(scenes::pendulum(p), integrator, h, steps, watch);
-  if (!std::isfinite(end.state.q[0])) history.end = end.state.q[0];
-  return history;
 }
 
 void check_energy(Findings& findings, const Setup& setup) {
@@ -417,100 +283,6 @@ void check_energy(Findings& findings, const Setup& setup) {
       series.y.push_back(std::max(-run.lowest[i], run.highest[i]));
     }
     chart.series.push_back(series);
-  }
-  findings.figure(chart);
-}
-
-/// The bob on a cable of softness eps, amplitude 60 degrees.
-scenes::CablePendulum hung(const Setup& setup, double eps) {
-  scenes::CablePendulum p{.mass = 2.0,
-                          .length = 0.8,
-                          .stiffness = 2.0 * 9.80665 / (eps * 0.8),
-                          .gravity = 9.80665,
-                          .amplitude = 60.0 * degree};
-  if (setup.has("cable_stiffness_doubled")) p.stiffness *= 2.0;
-  return p;
-}
-
-reference::ElasticPendulum elastic(double eps) {
-  return {2.0, 0.8, 9.80665, 2.0 * 9.80665 / (eps * 0.8), 60.0 * degree};
-}
-
-void check_rigid_limit(Findings& findings, const Setup& setup) {
-  const double softening = reference::period_softening(60.0 * degree);
-  const double rigid = reference::rigid_period(elastic(1.0));
-  Convergence approach;
-  Series solver{.label = "cable in the solver (rk4)", .x = {}, .y = {}, .style = Style::points};
-  Series spring{.label = "elastic reference", .x = {}, .y = {}, .style = Style::crosses};
-  for (const double eps : {1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5}) {
-    if (setup.coarse && eps != 1e-4) continue;
-    const auto p = hung(setup, eps);
-    const double h = 2.0 * pi * std::sqrt(eps * 0.8 / 9.80665) / 48.0;
-    const double excess = period_of(scenes::cable_pendulum(p), make_integrator("rk4"), h, 2.0 * rigid) / rigid - 1.0;
-    if (eps < 2e-2) approach.add(eps, excess);
-    if (eps == 1e-4)
-      findings.expect("cable: period over the rigid one, less 1, over eps, at eps = 1e-4", excess / eps, softening,
-                      Tolerance::truncation(0.4 * eps, 1.5,
-                                            "next term of the expansion in eps, its constant measured between "
-                                            "eps = 1e-3 and 1e-2"));
-    solver.x.push_back(eps);
-    solver.y.push_back(excess);
-    if (eps >= 3e-3) {
-      spring.x.push_back(eps);
-      spring.y.push_back(reference::elastic_pendulum_period(elastic(eps)) / rigid - 1.0);
-    }
-  }
-  if (setup.coarse) return;
-  findings.expect_order("cable: order in eps of the approach to the rigid pendulum", approach, 0.995, 1.005,
-                        "the period's expansion starts with eps and goes on with eps^2: over eps = 1e-5 ... 1e-2 the "
-                        "next term tilts the slope by less than .005");
-  findings.figure({.name = "rigid_limit",
-                   .title = "A stiff cable tends to the rigid pendulum",
-                   .caption = "Excess of the period over the rigid pendulum's (60 degrees) against eps = m g/(k L). "
-                              "Dashed: the first-order term derived.",
-                   .x = {"eps = m g/(k L)", "1", true},
-                   .y = {"T/T_rigid - 1", "1", true},
-                   .series = {solver, spring},
-                   .slopes = {{1.0, 1e-3, softening * 1e-3, fmt::format("{:.4f} eps", softening)}}});
-}
-
-/// One fixed stiffness against the elastic reference: only the step separates the two.
-void check_elastic(Findings& findings, const Setup& setup) {
-  const double eps = 1e-2;
-  const double duration = 1.3 * reference::rigid_period(elastic(eps));
-  const std::array<double, 1> times{duration};
-  const auto truth = reference::elastic_pendulum_states(elastic(eps), times).front();
-  Figure chart{.name = "elastic",
-               .title = "The bob on a cable of fixed stiffness",
-               .caption =
-                   "Distance from the elastic reference after 1.3 periods, eps = 0.01, against the step over the "
-                   "cable's own period.",
-               .x = {"step over period of the cable", "1", true},
-               .y = {"position error", "m", true},
-               .series = {}};
-  const double natural = 2.0 * pi * std::sqrt(eps * 0.8 / 9.80665);
-  for (const char* name : {"velocity_verlet", "rk4"}) {
-    const bool fourth = std::string_view{name} == "rk4";
-    Convergence convergence;
-    for (long steps = fourth ? 512 : 1024; steps <= (fourth ? 8192 : 65536); steps *= 2) {
-      const RunEnd end = run_steps(scenes::cable_pendulum(hung(setup, eps)), make_integrator(name),
-                                   duration / static_cast<double>(steps), steps);
-      convergence.add(duration / static_cast<double>(steps) / natural,
-                      std::hypot(end.state.q[0] - truth.x, end.state.q[1] - truth.y));
-    }
-    const int order = fourth ? 4 : 2;
-    findings.expect_order(fmt::format("cable at eps = 0.01: order of {}", name), convergence,
-                          order - (fourth ? 0.1 : 0.001), order + (fourth ? 0.1 : 0.001),
-                          "smooth motion, the cable being taut throughout: the declared order, within what the next "
-                          "term of the coarsest step tilts");
-    chart.series.push_back({.label = name, .x = convergence.steps(), .y = convergence.errors()});
-    chart.slopes.push_back({static_cast<double>(order), convergence.steps()[1], 2.0 * convergence.errors()[1],
-                            fmt::format("h^{}", order)});
-    if (!fourth) continue;
-    const double predicted =
-        convergence.last(4).between(convergence.steps()[2], 1.0).fit().at(convergence.steps()[2]) / 16.0;
-    findings.expect("cable at eps = 0.01: position after 1.3 periods, rk4 of 4096 steps", convergence.errors()[3], 0.0,
-                    Tolerance::truncation(predicted, 1.5, "the error at twice the step, over 2^4"), "m");
   }
   findings.figure(chart);
 }

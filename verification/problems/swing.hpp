@@ -2,11 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <string>
+#include <numbers>
 #include <string_view>
-#include <vector>
 
 #include "solver/scenes/pendulum.hpp"
+#include "verification/check/case.hpp"
 #include "verification/problems/scene_run.hpp"
 #include "verification/reference/pendulum.hpp"
 
@@ -14,9 +14,27 @@
 /// which their order is read.
 namespace talus::verification::problems {
 
-/// Frequency of small swings by the case's own arithmetic (not the scene's), w0 = sqrt(m g a/(I + m a^2)) [rad/T].
-inline double bob_frequency(const scenes::Pendulum& bob) {
-  return std::sqrt(bob.mass * bob.gravity * bob.arm / (bob.inertia + bob.mass * bob.arm * bob.arm));
+inline constexpr double degree = std::numbers::pi / 180.0;
+
+/// The right body, or one with a planted fault: `gravity_up`, `inertia_halved`, `arm_one_percent`. The references are
+/// always those of the right one.
+inline scenes::Pendulum bob(const Setup& setup, double amplitude) {
+  scenes::Pendulum p{.mass = 2.0, .inertia = 0.5, .arm = 0.8, .gravity = 9.80665, .amplitude = amplitude};
+  if (setup.has("gravity_up")) p.gravity = -p.gravity;
+  if (setup.has("inertia_halved")) p.inertia *= 0.5;
+  if (setup.has("arm_one_percent")) p.arm *= 1.01;
+  return p;
+}
+
+/// Frequency of its small swings by the case's own arithmetic (not the scene's), w0 = sqrt(m g a/(I + m a^2)) [rad/s].
+inline double bob_frequency() {
+  const scenes::Pendulum p = bob({}, 1.0);
+  return std::sqrt(p.mass * p.gravity * p.arm / (p.inertia + p.mass * p.arm * p.arm));
+}
+
+/// Its exact motion from rest at `amplitude` [rad].
+inline reference::PendulumMotion bob_motion(double amplitude) {
+  return reference::PendulumMotion::from_rest(bob_frequency(), amplitude);
 }
 
 /// One run from rest, compared at its end.

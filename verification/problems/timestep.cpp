@@ -1,0 +1,381 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "solver/scenes/pivoted_cylinder.hpp"
+#include "solver/scenes/two_cable.hpp"
+#include "verification/check/case.hpp"
+#include "verification/problems/leapfrog_impact_error.hpp"
+#include "verification/problems/linear_limit_findings.hpp"
+#include "verification/problems/scene_run.hpp"
+#include "verification/problems/struck_scenes.hpp"
+#include "verification/reference/pivoted_cylinder.hpp"
+#include "verification/reference/restitution.hpp"
+#include "verification/reference/two_cable.hpp"
+
+namespace talus::verification::problems {
+
+Case timestep();
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double common_offset = 0.3819660112501051;
+constexpr double wall_damping = 0.2;
+
+constexpr const char* page = R"(
+**Problem.** How does the error of an impact depend on the time step? A disc on a wall, the two-cable particle and the
+pivoted cylinder are struck from 64 onset phases each, with steps over three decades, undamped and damped; their smooth
+motion after the impact is measured by itself. The orders of a contact are not those of the method: at onset and release
+the force has a kink, with a dashpot a jump, that falls anywhere within a step.
+
+```
+   v0 |                 anchor                    o pin
+      v                   |                       |
+     (m)             M -> (m)                M -> [ ]
+   ////////               |                       |
+    a wall              anchor
+   t = -p h: the start lies p h before the touch, p = (i + 1/2)/64
+```
+
+**Equations.** With $\eta = w h = \pi/N$ ($N$ steps per undamped contact):
+
+- *Undamped, leapfrog methods.* With the share $\theta$ of the first step spent in contact, the conserved form of the
+  leapfrog is $v_0^2 [1 - \eta^2 \theta (1 - \theta)]$ exactly, and the exit is the mirror image with its own $\phi$:
+  $v/v_0 = \sqrt{[1 - \eta^2\theta(1-\theta)]/[1 - \eta^2\phi(1-\phi)]}$. Order 2. If all phases have one offset
+  $\delta$ ($t_c/h = N + \delta$), $\phi = \theta + \delta$ and the rms is $\eta^2 \delta (1 - \delta)/(2\sqrt 3)$:
+  $0.6726/N^2$ at $\delta = .382$. **At $\delta = 0$ it vanishes**: what remains comes from the leapfrog's period,
+  which is short by $\eta^2/24$, that is $\delta = -\pi^2/(24 N)$ and an rms of $\pi^4/(48 \sqrt 3)/N^3$: a false order 3.
+- *Undamped, RK4 without events.* The kink falls inside a step, which the four stages do not see: order 2, rms $0.2548/N^2$.
+- *Damped.* The force jumps by $2 \xi m w v_0$ at a moment known to a step only: order 1 for every method. Leapfrog: the
+  speed is off by $2 \xi \eta u$, $u$ uniform in $(-1/2, 1/2)$; the dashpot's velocity lags half a step, which acts as
+  the mass $m (1 - \xi \eta)$. RK4: $2 \xi \eta$ times weights of mean square $1/36$, no lag.
+- *Smooth motion.* Order 2 (leapfrog), 4 (RK4), 1 (Euler-Cromer).
+- *Stability*, both contacts of a squeezed disc closed: the leapfrog matrix has $\lambda = -1$ at
+  $w h = 2 (\sqrt{1 + \xi^2} - \xi)$.
+
+**Source.** Mustoe & Huttelmaier 1993, validation problems 1 and 2, Eqs. 17, 21, 23-26, 28; the error constants are
+derived here (`struck_scenes.hpp`, `leapfrog_impact_error.hpp`). References: closed forms of the impact; the soft contact
+of both problems by an independent integrator in extended precision with located events; quadrature and elliptic
+functions for the smooth motions.
+
+**Parameters.**
+
+| scene | values |
+|---|---|
+| disc on a wall | $m$ = 2 kg, $k$ = 80 kN/m, $v_0$ = 1.5 m/s, $\xi$ = 0 and 0.2, clamped end |
+| two cables | the report's, $k_n$ = 40 kN/m, $e$ = 1 and 0.5, attractive end |
+| pivoted cylinder | the report's, $k_n$ = 10$^6$ lbf/ft, $e$ = 1 and 0.5 (pivoted mass), attractive end |
+| squeezed disc | $w$ = 100 rad/s, $\xi$ = 0 and 0.1 |
+
+**What would break it.** A step that divides the contact time (it shows a better order than the method has); a dashpot
+left out or seeing another velocity; modes that settle a step late; a first-order method under a second-order name.
+)";
+
+Integrator verlet(const Setup& setup) {
+  return make_integrator(setup.has("euler_cromer_for_verlet") ? "euler_cromer" : "velocity_verlet");
+}
+
+/// One curve of a figure and the checks on it.
+struct Study {
+  std::string scene;  ///< named in checks
+  PhasedImpact impact;
+  std::string method;          ///< in make_integrator
+  std::vector<double> counts;  ///< N
+  Offset offset;
+  int order;
+  double constant;  ///< predicted rms relative error times N^order
+  double admitted;  ///< relative deviation of the constant that `why` explains
+  std::string why;
+  double curvature = 0.02;  ///< what the coarsest steps may tilt the slope
+};
+
+Series study(Findings& findings, const Study& s) {
+  const Sweep swept = sweep(s.impact, make_integrator(s.method), s.counts, s.offset);
+  findings.expect_order(
+      fmt::format("{}: order of {}", s.scene, s.method), swept.rms, s.order - s.curvature, s.order + s.curvature,
+      "a force that jumps has order 1, one that kinks order 2, whatever the method; the range is what "
+      "the next order adds at the coarsest steps, and the scatter of 64 phases");
+  const double measured = swept.rms.errors().back() * std::pow(swept.steps.back(), s.order);
+  findings.expect(fmt::format("{}: rms constant of {}", s.scene, s.method), measured, s.constant,
+                  Tolerance::model(s.admitted, s.why).relative());
+  double evaluations = 0.0;
+  for (const double e : swept.evaluations)
+    evaluations += e * static_cast<double>(fewest_phases);
+  findings.count(static_cast<std::uint64_t>(evaluations));
+  return {.label = s.scene + ", " + s.method, .x = swept.rms.steps(), .y = swept.rms.errors()};
+}
+
+std::vector<double> counts_of(const Setup& setup, double first, int decades_and_more) {
+  std::vector<double> counts;
+  for (int i = 0; i < (setup.coarse ? 3 : decades_and_more); ++i)
+    counts.push_back(first * std::pow(4.0, i));
+  return counts;
+}
+
+constexpr const char* one_offset =
+    "second-order prediction; 64 phases integrate the fourth-order polynomial to 1e-3, and the next order is below "
+    "that "
+    "at the finest step";
+constexpr const char* own_offsets =
+    "first-term prediction for phases of onset and release that are spread evenly and independently; 64 pairs stand "
+    "for "
+    "that square to about 3 %";
+
+void check_wall(Findings& findings, const Setup& setup) {
+  const PhasedImpact elastic = struck_disc({});
+  const PhasedImpact damped = struck_disc({.damping_ratio = wall_damping, .without_dashpot = setup.has("dashpot_off")});
+  const double w_tc = 2.0 * std::acos(wall_damping) / std::sqrt(1.0 - wall_damping * wall_damping);
+  Figure figure{.name = "wall",
+                .title = "A disc on a wall",
+                .caption =
+                    "Root mean square over 64 onset phases of the relative error of the exit speed, against the "
+                    "step in contact times: three decades. Undamped: order 2, RK4 included. Damped (xi = 0.2, "
+                    "clamped): order 1 for all. Dashed: the predicted errors, constants included.",
+                .x = {"h/t_c", "1", true},
+                .y = {"rms relative error", "1", true},
+                .series = {}};
+  for (const char* method : {"velocity_verlet", "rk4", "central_difference"}) {
+    const bool rk4 = std::string_view{method} == "rk4";
+    if (setup.coarse && std::string_view{method} != "velocity_verlet") continue;
+    const double elastic_constant =
+        rk4 ? rk4_elastic_constant(common_offset) : leapfrog_elastic_constant(common_offset);
+    const double damped_constant =
+        w_tc * (rk4 ? rk4_damped_constant(wall_damping, reference::EndRule::clamped)
+                    : leapfrog_impact_error(wall_damping, reference::EndRule::clamped).restitution);
+    const Offset offset = setup.has("commensurate_step") ? Offset::none : Offset::common;
+    figure.series.push_back(
+        study(findings, {"disc on a wall, undamped", elastic, method, counts_of(setup, 32.0, 5), offset, 2,
+                         elastic_constant, setup.coarse ? 0.004 : 0.001, one_offset, rk4 ? 0.002 : 0.01}));
+    figure.series.push_back(study(
+        findings, {"disc on a wall, damped", damped, method, counts_of(setup, 32.0, 5), Offset::own, 1, damped_constant,
+                   setup.coarse ? 0.004 : 0.001,
+                   "first-order prediction; its next order is below 1e-3 at the finest step", rk4 ? 0.002 : 0.01}));
+    if (method == std::string_view{"central_difference"}) continue;
+    figure.slopes.push_back({2.0, 1e-2, elastic_constant * 1e-4, fmt::format("{:.3f} h^2", elastic_constant)});
+    figure.slopes.push_back({1.0, 1e-2, damped_constant * 1e-2, fmt::format("{:.3f} h", damped_constant)});
+  }
+  if (!setup.coarse) findings.figure(figure);
+}
+
+void check_cases(Findings& findings, const Setup& setup) {
+  const double xi = reference::damping_ratio(0.5, reference::EndRule::attractive);
+  const double w_tc = pi / std::sqrt(1.0 - xi * xi);
+  // The struck body's speed is proportional to 1 + e: a relative error r of e is one of e r/(1 + e) of the speed.
+  const double share = 0.5 / 1.5;
+  for (const bool cables : {true, false}) {
+    if (setup.coarse && !cables) continue;
+    const std::string scene = cables ? "two cables" : "pivoted cylinder";
+    const auto struck = [&](double e) {
+      return cables ? struck_cables(e, setup.has("mass_halved") ? 0.5 : 1.0) : struck_column(e);
+    };
+    Figure figure{.name = cables ? "two_cables" : "pivoted_cylinder",
+                  .title = cables ? "Case 1, the particle between two cables" : "Case 2, the pivoted cylinder",
+                  .caption = fmt::format("rms over 64 phases of the relative error of the {} after the impact, against "
+                                         "the soft-contact reference: e = 1 (order 2) and e = 0.5 (order 1). Dashed: "
+                                         "predicted for velocity Verlet.",
+                                         cables ? "particle's velocity" : "column's angular velocity"),
+                  .x = {"h/t_c", "1", true},
+                  .y = {"rms relative error", "1", true},
+                  .series = {}};
+    for (const char* method : {"velocity_verlet", "rk4", "central_difference"}) {
+      const bool rk4 = std::string_view{method} == "rk4";
+      if (setup.coarse && std::string_view{method} != "velocity_verlet") continue;
+      const double damped_constant = share * w_tc *
+                                     (rk4 ? rk4_damped_constant(xi, reference::EndRule::attractive)
+                                          : leapfrog_impact_error(xi, reference::EndRule::attractive).restitution);
+      figure.series.push_back(
+          study(findings, {scene + ", damped", struck(0.5), method, counts_of(setup, 8.0, 6), Offset::own, 1,
+                           damped_constant, 0.08, own_offsets, setup.coarse ? 0.1 : 0.01}));
+      if (std::string_view{method} == "central_difference") continue;
+      const double elastic_constant = 0.5 * (rk4 ? rk4_elastic_constant() : leapfrog_elastic_constant());
+      figure.series.push_back(
+          study(findings, {scene + ", undamped", struck(1.0), method, counts_of(setup, 8.0, 6), Offset::own, 2,
+                           elastic_constant, 0.04, own_offsets, setup.coarse ? 0.1 : 0.01}));
+      if (rk4) continue;
+      figure.slopes = {{2.0, 1e-2, elastic_constant * 1e-4, fmt::format("{:.3f} h^2", elastic_constant)},
+                       {1.0, 1e-2, damped_constant * 1e-2, fmt::format("{:.3f} h", damped_constant)}};
+    }
+    if (!setup.coarse) findings.figure(figure);
+  }
+}
+
+/// What a step that divides the contact time shows instead.
+void check_commensurate(Findings& findings) {
+  const PhasedImpact elastic = struck_disc({});
+  Figure figure{.name = "commensurate",
+                .title = "How a commensurate step hides the order",
+                .caption =
+                    "The same undamped disc with t_c/h a whole number N, and with N + 0.382. The errors of onset "
+                    "and release then cancel for every phase, and Verlet seems of order 3, RK4 of order 4.",
+                .x = {"h/t_c", "1", true},
+                .y = {"rms relative error", "1", true},
+                .series = {}};
+  for (const char* method : {"velocity_verlet", "rk4"}) {
+    const bool rk4 = std::string_view{method} == "rk4";
+    const std::vector<double> counts = doublings(16.0, rk4 ? 6 : 8);
+    const Sweep hidden = sweep(elastic, make_integrator(method), counts, Offset::none);
+    const Sweep honest = sweep(elastic, make_integrator(method), counts, Offset::common);
+    const int seen = rk4 ? 4 : 3;
+    findings.expect_order(fmt::format("commensurate steps: false order of {}", method), hidden.rms, seen - 0.1,
+                          seen + 0.1,
+                          "onset and release errors of second order are equal and opposite for every phase; "
+                          "what is left is of the next order");
+    figure.series.push_back({fmt::format("{}, t_c/h = N", method), hidden.rms.steps(), hidden.rms.errors()});
+    figure.series.push_back({fmt::format("{}, t_c/h = N + 0.382", method), honest.rms.steps(), honest.rms.errors()});
+    figure.slopes.push_back(
+        {static_cast<double>(seen), hidden.rms.steps()[3], 0.5 * hidden.rms.errors()[3], fmt::format("h^{}", seen)});
+    if (rk4) continue;
+    findings.expect("commensurate steps: rms constant of velocity_verlet",
+                    hidden.rms.errors().back() * std::pow(hidden.steps.back(), 3.0),
+                    std::pow(pi, 4.0) / (48.0 * std::numbers::sqrt3),
+                    Tolerance::model(1e-3,
+                                     "the leapfrog's period, short by eta^2/24, is an offset of -pi^2/(24 N) "
+                                     "steps; the next order is below 1e-3 at the finest step")
+                        .relative());
+    figure.slopes.push_back({2.0, honest.rms.steps()[3], 2.0 * honest.rms.errors()[3], "h^2"});
+  }
+  findings.figure(figure);
+}
+
+/// Each phase by itself at one coarse step, against the exact map of the leapfrog.
+void check_phases(Findings& findings) {
+  const double count = 16.0;
+  const std::vector<double> counts{count};
+  const Sweep swept = sweep(struck_disc({}), make_integrator("velocity_verlet"), counts, Offset::common);
+  const double eta = pi / (count + common_offset);
+  // Rotation of the leapfrog a step, and the angle of the state at its first point in contact.
+  const double turn = 2.0 * std::asin(0.5 * eta);
+  Series solver{
+      .label = "solver", .x = even_phases(fewest_phases), .y = swept.by_phase.front(), .style = Style::points};
+  Series theory{.label = "exact map of the leapfrog", .x = {}, .y = {}, .style = Style::lines};
+  double worst = 0.0;
+  for (std::size_t i = 0; i < solver.x.size(); ++i) {
+    const double theta = 1.0 - solver.x[i];
+    const double start = std::atan2(eta * theta * std::sqrt(1.0 - 0.25 * eta * eta), 1.0 - 0.5 * eta * eta * theta);
+    const double inside = std::floor((pi - start) / turn);  // steps after the first point, the depth still positive
+    const double q = std::sin(start + inside * turn);       // last depth in contact over the amplitude
+    const double p = std::cos(start + inside * turn);       // velocity there, over the amplitude, < 0
+    const double amplitude = std::sqrt(1.0 - eta * eta * theta * (1.0 - theta));
+    const double depth = q * amplitude / std::sqrt(1.0 - 0.25 * eta * eta);
+    theory.x.push_back(solver.x[i]);
+    theory.y.push_back(-(p * amplitude - 0.5 * eta * depth) - 1.0);
+    worst = std::max(worst, std::abs(theory.y.back() - solver.y[i]));
+  }
+  findings.expect("error of each of 64 phases at 16.4 steps per contact", worst, 0.0,
+                  Tolerance::round_off(64.0 * 2.2e-16,
+                                       "the map is exact: 20 steps, each with three roundings of a number below 1"));
+  findings.figure({.name = "phases",
+                   .title = "Error against onset phase",
+                   .caption = "Relative error of the exit speed for each onset phase at 16.4 steps per contact, and "
+                              "the closed form of the leapfrog's map. One run can show any of these, zero included.",
+                   .x = {"onset phase", "1"},
+                   .y = {"relative error of the exit speed", "1"},
+                   .series = {theory, solver}});
+}
+
+/// The smooth motions after the impacts of cases 1 and 2.
+void check_smooth(Findings& findings, const Setup& setup) {
+  const reference::TwoCable cable_problem;
+  const double v1 = reference::rigid_impact(cable_problem).particle;
+  const reference::TwoCableMotion cable_motion{cable_problem, v1};
+  Scene cables = scenes::two_cable({.contact = LinearSpringDashpot{1.0, 0.0, EndRule::attractive}});
+  cables.initial.q[2] = -100.0;  // the striker is out of the way
+  cables.initial.v = {v1, 0.0, 0.0, 0.0};
+  const reference::PivotedCylinder column_problem;
+  const double w1 = reference::rigid_impact(column_problem).angular;
+  const auto column_motion = reference::swing(column_problem, w1);
+  Scene column = scenes::pivoted_cylinder({.rock_radius = column_problem.rock_radius,
+                                           .gravity = column_problem.gravity,
+                                           .contact = LinearSpringDashpot{1.0, 0.0, EndRule::attractive}});
+  column.initial.q[1] = -100.0;
+  column.initial.v = {w1, 0.0, 0.0, 0.0};
+  Figure figure{.name = "smooth",
+                .title = "Smooth motion after the impacts",
+                .caption =
+                    "Error of position and velocity (over their largest, in quadrature) after 1.3 quarter periods of "
+                    "the particle on its cables "
+                    "and of the column's swing: the declared orders, down to round-off.",
+                .x = {"step over time", "1", true},
+                .y = {"relative error", "1", true},
+                .series = {}};
+  for (const bool on_cables : {true, false}) {
+    if (setup.coarse && !on_cables) continue;
+    const double duration = on_cables ? 1.3 * cable_motion.time_to_turning() : 0.325 * column_motion.period();
+    const double position = on_cables ? cable_motion.at(duration).position : column_motion.at(duration).angle;
+    const double velocity = on_cables ? cable_motion.at(duration).velocity : column_motion.at(duration).rate;
+    const double scale = on_cables ? cable_motion.largest_distance() : column_motion.amplitude();
+    const double start = on_cables ? v1 : w1;
+    const std::string scene = on_cables ? "particle on cables" : "column's swing";
+    for (const char* method : {"velocity_verlet", "central_difference", "rk4", "euler_cromer"}) {
+      const bool fourth = std::string_view{method} == "rk4";
+      const bool first = std::string_view{method} == "euler_cromer";
+      const bool second = !fourth && !first;
+      if (setup.coarse && std::string_view{method} != "velocity_verlet") continue;
+      const Integrator integrator =
+          std::string_view{method} == "velocity_verlet" ? verlet(setup) : make_integrator(method);
+      Convergence gated;
+      Series series{.label = scene + ", " + method, .x = {}, .y = {}};
+      for (long steps = 16; steps <= (setup.coarse ? 4096 : 65536); steps *= 2) {
+        const RunEnd end =
+            run_steps(on_cables ? cables : column, integrator, duration / static_cast<double>(steps), steps);
+        series.x.push_back(1.0 / static_cast<double>(steps));
+        series.y.push_back(std::hypot((end.state.q[0] - position) / scale, (end.state.v[0] - velocity) / start));
+        if (steps >= (fourth ? 32 : 64) && !(fourth && steps > 512)) gated.add(series.x.back(), series.y.back());
+        if (series.y.back() < 1e-15) break;
+      }
+      const int order = fourth ? 4 : first ? 1 : 2;
+      findings.expect_order(fmt::format("{}: order of {}", scene, method), gated,
+                            order - (second  ? 0.0002
+                                     : first ? 0.005
+                                             : 0.06),
+                            order + (second  ? 0.0002
+                                     : first ? 0.005
+                                             : 0.06),
+                            "smooth motion: the declared order, within what the next term adds at the coarsest step");
+      if (on_cables && method != std::string_view{"central_difference"})
+        figure.slopes.push_back(
+            {static_cast<double>(order), series.x[3], 2.0 * series.y[3], fmt::format("h^{}", order)});
+      figure.series.push_back(series);
+    }
+  }
+  if (!setup.coarse) findings.figure(figure);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_wall(findings, setup);
+  check_cases(findings, setup);
+  check_smooth(findings, setup);
+  check_linear_limit(findings, setup);
+  if (setup.coarse) return;
+  check_commensurate(findings);
+  check_phases(findings);
+}
+
+}  // namespace
+
+Case timestep() {
+  return {
+      .id = "timestep",
+      .title = "Error against time step: contacts, smooth motion, stability",
+      .requirements = {"Eq. 17", "Eq. 23", "Eq. 24", "Eq. 25", "law.linear_spring_dashpot",
+                       "integrator.central_difference", "integrator.velocity_verlet", "integrator.euler_cromer",
+                       "integrator.rk4", "shape.circle", "shape.rectangle", "shape.half_plane"},
+      .source =
+          "Mustoe & Huttelmaier 1993, section 5, validation problems 1 and 2, Eqs. 17, 23-25; error constants derived "
+          "here",
+      .page = page,
+      .faults = {{"commensurate_step", "the contact time is a whole number of steps",
+                  "disc on a wall, undamped: order of velocity_verlet"},
+                 {"dashpot_off", "the wall's dashpot is left out", "disc on a wall, damped: order of velocity_verlet"},
+                 {"mass_halved", "the particle on the cables has half its mass",
+                  "two cables, damped: order of velocity_verlet"},
+                 {"euler_cromer_for_verlet", "Euler-Cromer in place of velocity Verlet",
+                  "particle on cables: order of velocity_verlet"},
+                 {"step_too_long", "the step is 3 % longer than said",
+                  "squeezed disc, xi = 0.1, velocity_verlet, 0.999 of the limit: no growth in 20000 steps"}},
+      .run = run};
+}
+
+}  // namespace talus::verification::problems
