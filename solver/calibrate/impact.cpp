@@ -41,9 +41,7 @@ class ImpactWatch {
     if (acts) {
       if (stage_ == Stage::before && approach_ == 0.0) approach_ = work_.rates[deepest];
       stage_ = Stage::during;
-      double force = 0.0;
-      for (std::size_t i = first; i < last; ++i)
-        force += dynamics_->contacts().force(state, work_, i);
+      const double force = dynamics_->normal_force(state, work_, contact_);
       impact_.largest_force = std::max(impact_.largest_force, force);
       impact_.least_force = std::min(impact_.least_force, force);
       impact_.largest_overlap = std::max(impact_.largest_overlap, work_.gaps[deepest].depth);

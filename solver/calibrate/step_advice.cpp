@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <numbers>
 
 #include "solver/calibrate/restitution.hpp"
 #include "solver/integrate/integrator_list.hpp"
@@ -13,18 +14,31 @@
 namespace talus {
 namespace {
 
-/// Names of all springs in the order of springs(): contact instances, then cables.
-std::vector<std::string> spring_names(const Dynamics& dynamics) {
-  std::vector<std::string> names;
+/// Names and contact times of all springs in the order of springs(): contact instances, then cables.
+struct SpringLabel {
+  std::string name;
+  const ContactLaw* law{};  ///< of a contact
+};
+std::vector<SpringLabel> spring_labels(const Dynamics& dynamics) {
+  std::vector<SpringLabel> labels;
   for (std::size_t c = 0; c < dynamics.model().contacts.size(); ++c) {
     const std::size_t instances = dynamics.layout().contact_instances[c];
-    const std::string& name = dynamics.model().contacts[c].name;
-    for (std::size_t i = 0; i < instances; ++i)
-      names.push_back(instances == 1 ? name : fmt::format("{}#{}", name, i + 1));
+    const Contact& contact = dynamics.model().contacts[c];
+    for (std::size_t i = 0; i < instances; ++i) {
+      labels.push_back({instances == 1 ? contact.name : fmt::format("{}#{}", contact.name, i + 1), &contact.law});
+    }
   }
   for (const Cable& cable : dynamics.model().cables)
-    names.push_back(cable.name);
-  return names;
+    labels.push_back({cable.name, nullptr});
+  return labels;
+}
+
+/// Time that an impact by this spring takes; for a cable half its period. A spring across which nothing can move (a
+/// cable that runs straight over its bodies' path) has no frequency and takes for ever.
+double duration(const SpringLabel& label, const Spring& spring) {
+  if (!std::isfinite(spring.effective_mass)) return std::numeric_limits<double>::infinity();
+  if (!label.law) return std::numbers::pi * std::sqrt(spring.effective_mass / spring.stiffness);
+  return std::visit([&](const auto& law) { return contact_time(law, spring.effective_mass); }, *label.law);
 }
 
 /// Largest growth of rk4 on x'' + 2 xi w x' + w^2 x = 0: |R(z)| with z = h w (-xi +- sqrt(xi^2 - 1)), R the Taylor
@@ -56,7 +70,7 @@ double rk4_limit(double xi) {
 StepAdvice advise_step(const Dynamics& dynamics, const State& state) {
   StepAdvice advice;
   advice.shortest_contact = std::numeric_limits<double>::infinity();
-  const std::vector<std::string> names = spring_names(dynamics);
+  const std::vector<SpringLabel> labels = spring_labels(dynamics);
   std::vector<Spring> found = springs(dynamics, state);
   const auto n = static_cast<Eigen::Index>(state.q.size());
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
@@ -70,17 +84,12 @@ StepAdvice advise_step(const Dynamics& dynamics, const State& state) {
     }
     stiffness += spring.stiffness * g * g.transpose();
     damping += spring.damping * g * g.transpose();
-    const bool contact = s < dynamics.contacts().size();
+    const bool contact = labels[s].law != nullptr;
     const double frequency = std::sqrt(spring.stiffness / spring.effective_mass);
     const double ratio = spring.damping / (2.0 * std::sqrt(spring.stiffness * spring.effective_mass));
-    // A spring across which nothing can move (a cable that runs straight over its bodies' path) has no frequency of its
-    // own.
-    const double time = std::isfinite(spring.effective_mass)
-                            ? contact_time(LinearSpringDashpot{spring.stiffness, spring.damping, EndRule::clamped},
-                                           spring.effective_mass)
-                            : std::numeric_limits<double>::infinity();
+    const double time = duration(labels[s], spring);
     if (contact) advice.shortest_contact = std::min(advice.shortest_contact, time);
-    advice.springs.push_back({names[s], contact, std::move(spring), frequency, ratio, time});
+    advice.springs.push_back({labels[s].name, contact, std::move(spring), frequency, ratio, time});
   }
   if (n == 0 || found.empty()) return advice;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes{stiffness};

@@ -66,15 +66,13 @@ Energies Dynamics::energies(const State& state, const Workspace& work) const {
 
 Momenta Dynamics::momenta(const Workspace& work) const { return bodies_.momenta(work); }
 
-Vec2 Dynamics::contact_force(const State& state, const Workspace& work, ContactId contact) const {
+double Dynamics::normal_force(const State& state, const Workspace& work, ContactId contact) const {
   const std::size_t first = layout_.contact_slots[index(contact)].mode;
-  Vec2 on_b;
+  double sum = 0.0;
   for (std::size_t i = first; i < first + layout_.contact_instances[index(contact)]; ++i) {
-    const Vec2 force = contacts_.force(state, work, i) * work.gaps[i].n_AB;
-    // An instance may have the contact's bodies the other way round: nodes of b inside a, or a circle named second.
-    on_b += contacts_.pairs()[i].b == model_.contacts[index(contact)].b ? force : -force;
+    sum += contacts_.force(state, work, i);
   }
-  return on_b;
+  return sum;
 }
 
 double Dynamics::contact_depth(const Workspace& work, ContactId contact) const {

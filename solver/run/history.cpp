@@ -75,7 +75,7 @@ void Recorder::fill_row(const State& state) {
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     const auto contact = static_cast<ContactId>(i);
     row_.push_back(dynamics_->contact_depth(work_, contact));
-    row_.push_back(norm(dynamics_->contact_force(state, work_, contact)));
+    row_.push_back(dynamics_->normal_force(state, work_, contact));
   }
   for (std::size_t i = 0; i < model.cables.size(); ++i) {
     const auto cable = static_cast<CableId>(i);
