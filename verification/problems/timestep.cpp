@@ -131,7 +131,7 @@ void check_wall(Findings& findings, const Setup& setup) {
                 .title = "A disc on a wall",
                 .caption =
                     "Root mean square over 64 onset phases of the relative error of the exit speed, against the "
-                    "step in contact times: three decades. Undamped: order 2, RK4 included. Damped (xi = 0.2, "
+                    "step in contact times: three decades. Undamped: order 2, RK4 included. Damped ($\\xi$ = 0.2, "
                     "clamped): order 1 for all. Dashed: the predicted errors, constants included.",
                 .x = {"h/t_c", "1", true},
                 .y = {"rms relative error", "1", true},
