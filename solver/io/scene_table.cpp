@@ -7,6 +7,23 @@
 #include <cmath>
 
 namespace talus {
+namespace {
+
+/// Why a name cannot head the columns of a history; empty if it can.
+std::string_view objection(std::string_view name) {
+  for (const std::string_view taken : {"time", "energy", "lost", "closure"}) {
+    if (name == taken) return "a history has columns of that name; choose another";
+  }
+  for (const char c : name) {
+    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    if (control || c == ',' || c == '"' || c == '[' || c == ']') {
+      return "a name heads columns of a CSV file; it must be without commas, quotes, brackets and control characters";
+    }
+  }
+  return "";
+}
+
+}  // namespace
 
 SceneTable::SceneTable(const SceneSource& source, const TomlValue& value, std::string noun)
     : source_{&source}, table_{std::get_if<TomlTable>(&value.data)}, line_{value.line}, noun_{std::move(noun)} {
@@ -169,6 +186,9 @@ std::vector<SceneTable> SceneTable::tables(std::string_view key) {
   for (const TomlValue& element : *elements) {
     SceneTable unnamed{*source_, element, fmt::format("{} {}", key, result.size() + 1)};
     const std::string name = unnamed.text("name");
+    if (const std::string_view why = objection(name); !why.empty()) {
+      unnamed.fail("name", fmt::format("found \"{}\"; {}", name, why));
+    }
     result.emplace_back(*source_, element, fmt::format("{} '{}'", key, name));
     static_cast<void>(result.back().has("name"));
   }
