@@ -107,14 +107,15 @@ std::string line_commands(const Plot& plot) {
   for (const LimitLine& line : plot.figure.lines) {
     const Extent& extent = line.axis == 'x' ? plot.x : plot.y;
     if (line.at < extent.low || line.at > extent.high) continue;  // the record's own limits leave it out
-    const std::string from =
-        line.axis == 'x' ? fmt::format("{:.9g}, graph 0", line.at) : fmt::format("graph 0, {:.9g}", line.at);
-    const std::string to =
-        line.axis == 'x' ? fmt::format("{:.9g}, graph 1", line.at) : fmt::format("graph 1, {:.9g}", line.at);
+    const std::string from = line.axis == 'x' ? fmt::format("first {:.9g}, graph 0", line.at)
+                                              : fmt::format("graph 0, first {:.9g}", line.at);
+    const std::string to = line.axis == 'x' ? fmt::format("first {:.9g}, graph 1", line.at)
+                                            : fmt::format("graph 1, first {:.9g}", line.at);
     text += fmt::format("set arrow from {} to {} nohead lc rgb '#333333' lw 1.2 dt 4 back\n", from, to);
     if (line.label.empty()) continue;
-    const std::string place = line.axis == 'x' ? fmt::format("{:.9g}, graph 1.035 center", line.at)
-                                               : fmt::format("graph 0.985, {:.9g} right offset 0,char 0.55", line.at);
+    const std::string place = line.axis == 'x'
+                                  ? fmt::format("first {:.9g}, graph 1.035 center", line.at)
+                                  : fmt::format("graph 0.985, first {:.9g} right offset 0,char 0.55", line.at);
     text += fmt::format("set label {} at {} front textcolor rgb '#333333'\n", gnuplot_text(line.label), place);
   }
   return text;
