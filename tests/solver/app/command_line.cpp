@@ -1,9 +1,12 @@
 #define BOOST_TEST_MODULE command_line
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -120,6 +123,21 @@ BOOST_AUTO_TEST_CASE(files_that_cannot_be_read_or_written) {
   BOOST_TEST(unwritable.err == "talus: /dev/full/out: Not a directory\n");
   BOOST_TEST(talus_ran({"run", scene("pendulum.toml")}, "/dev/full").code == 4);
   BOOST_TEST(talus_ran({"plot", "/nowhere"}).code == 4);
+}
+
+// Files may hold 4096 bytes here; the history needs more.
+BOOST_AUTO_TEST_CASE(a_full_disk_leaves_nothing_behind) {
+  const Folder folder;
+  const std::string out = (folder.path / "run").string();
+  rlimit before{};
+  BOOST_REQUIRE(::getrlimit(RLIMIT_FSIZE, &before) == 0);
+  const rlimit small{4096, before.rlim_max};
+  BOOST_REQUIRE(::setrlimit(RLIMIT_FSIZE, &small) == 0);
+  const Ended ended = talus_ran({"run", scene("two_cable.toml"), "--out", out});
+  BOOST_REQUIRE(::setrlimit(RLIMIT_FSIZE, &before) == 0);
+  BOOST_TEST(ended.code == 4);
+  BOOST_TEST(ended.err == "talus: " + out + "/history.csv: File too large\n");
+  BOOST_TEST(fs::is_empty(out));
 }
 
 BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
