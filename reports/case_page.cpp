@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reports/markdown.hpp"
 #include "reports/page_cells.hpp"
 #include "reports/pages.hpp"
@@ -12,21 +14,31 @@ using markdown::cell;
 using markdown::Column;
 using Rows = std::vector<std::vector<std::string>>;
 
+/// The checks of a case, and below them the arguments of their bounds, each once: alike checks share one.
 std::string check_table(const CaseRecord& record) {
   Rows rows;
+  std::vector<std::string> arguments;
   for (const Check& check : record.checks) {
+    const auto known = std::find(arguments.begin(), arguments.end(), check.why);
+    const auto number = known - arguments.begin() + 1;
+    if (known == arguments.end()) arguments.push_back(check.why);
     rows.push_back({name_with_unit(check) + (check.pass ? "" : " **FAIL**"), measured_text(check),
                     reference_text(check), error_text(check), markdown::number(check.bound, 2), margin_text(check),
-                    reason(check)});
+                    kind_text(check), fmt::format("{}", number)});
   }
-  return markdown::table({{"check"},
-                          {"measured", true},
-                          {"reference", true},
-                          {"error", true},
-                          {"bound", true},
-                          {"error/bound", true},
-                          {"kind and why of the bound"}},
-                         rows, "");
+  std::string text = markdown::table({{"check"},
+                                      {"measured", true},
+                                      {"reference", true},
+                                      {"error", true},
+                                      {"bound", true},
+                                      {"error/bound", true},
+                                      {"kind"},
+                                      {"why", true}},
+                                     rows, "");
+  text += "\n**Why the bounds hold.**\n\n";
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    text += fmt::format("{}. {}\n", i + 1, markdown::words(arguments[i]));
+  return text;
 }
 
 std::string control_table(const CaseRecord& record) {

@@ -49,10 +49,9 @@ std::string name_with_unit(const Check& check) {
   return cell(check.name + (bare ? "" : " [" + check.unit + "]"));
 }
 
-std::string reason(const Check& check) {
-  const std::string kind = check.kind == "round_off" ? "round-off" : check.kind;
-  return fmt::format("*{}.* {}", kind, cell(check.why));
-}
+std::string kind_text(const Check& check) { return check.kind == "round_off" ? "round-off" : check.kind; }
+
+std::string reason(const Check& check) { return fmt::format("*{}.* {}", kind_text(check), cell(check.why)); }
 
 std::string error_text(const Check& check) {
   return markdown::number(check.error, 2) + (check.relative ? " rel." : "");

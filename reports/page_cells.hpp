@@ -25,6 +25,7 @@ namespace talus::reports {
 [[nodiscard]] std::string reference_text(const Check& check);
 [[nodiscard]] std::string error_text(const Check& check);
 [[nodiscard]] std::string margin_text(const Check& check);
+[[nodiscard]] std::string kind_text(const Check& check);
 [[nodiscard]] std::string reason(const Check& check);  ///< kind, and why the bound holds
 
 }  // namespace talus::reports

@@ -194,20 +194,19 @@ std::string front(const Results& results, const std::filesystem::path& templates
 }
 
 std::string back(const Results& results, const std::filesystem::path& templates, const std::string& tools) {
-  Rows errata;
+  std::string errata;
   for (const Erratum& e : results.errata) {
-    errata.push_back({cell(e.id), cell(e.where), cell(e.printed), cell(e.corrected), cell(e.evidence),
-                      e.case_id.empty() ? "" : link_of(results, e.case_id)});
+    errata += fmt::format("**{}. {}.** {}\n\n- Printed: {}\n- Corrected: {}\n- Evidence: {}\n\n", markdown::words(e.id),
+                          markdown::words(e.where),
+                          e.case_id.empty() ? "" : fmt::format("Case {}.", link_of(results, e.case_id)),
+                          markdown::words(e.printed), markdown::words(e.corrected), markdown::words(e.evidence));
   }
   std::string references;
   for (const Reference& r : results.references) {
     references += fmt::format("- **{}**: {}\n", markdown::words(r.key), markdown::words(r.text));
   }
   mustache::data values;
-  values.set("errata", errata.empty()
-                           ? "None so far.\n"
-                           : markdown::table({{"no."}, {"where"}, {"printed"}, {"corrected"}, {"evidence"}, {"case"}},
-                                             errata, ""));
+  values.set("errata", errata.empty() ? "None so far.\n" : errata);
   values.set("references", references.empty() ? "None.\n" : references);
   values.set("tools", tools);
   values.set("date", results.provenance.date);
