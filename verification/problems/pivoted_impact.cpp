@@ -25,7 +25,8 @@ reference::PivotedContact contact_of(const PivotedRun& run) {
   const double mass = run.dashpot == Dashpot::two_masses
                           ? reference::effective_mass(1.0 / problem.rock_mass, 1.0 / problem.mass)
                           : impact_mass();
-  const double xi = reference::damping_ratio(problem.restitution, same(run.rule));
+  const double xi =
+      reference::damping_ratio(problem.restitution, run.eq_21 ? reference::EndRule::attractive : same(run.rule));
   return {run.stiffness, dashpot_of(xi, run.stiffness, mass, run.rule).damping, same(run.rule)};
 }
 

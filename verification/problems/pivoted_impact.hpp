@@ -20,10 +20,12 @@ struct PivotedRun {
   EndRule rule{EndRule::attractive};
   ContactMethod method{ContactMethod::resultant};
   double gap{};        ///< between rock and column at t = 0 [ft]
+  bool eq_21{false};   ///< take Eq. 21's damping although the contact is clamped
   bool gravity{true};  ///< off: the impact alone
 };
 
-/// The contact that this run ought to have, in the reference's terms: for e = .5 by the rule's own formula.
+/// The contact that this run ought to have, in the reference's terms: for e = .5 by the rule's own formula
+/// (or by Eq. 21 in any case).
 [[nodiscard]] reference::PivotedContact contact_of(const PivotedRun& run);
 
 /// The scene, with the fault of `setup` planted. The rock starts on the parabola that brings it to the height of the

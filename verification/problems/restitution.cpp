@@ -4,17 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
-#include "solver/calibrate/impact.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
 #include "verification/check/convergence.hpp"
 #include "verification/problems/calibration_findings.hpp"
-#include "verification/problems/followed_impact.hpp"
+#include "verification/problems/disc_bounce.hpp"
+#include "verification/problems/effective_mass_findings.hpp"
 #include "verification/problems/leapfrog_impact_error.hpp"
-#include "verification/problems/struck_bar.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -68,102 +65,25 @@ a lever arm left out; a dashpot that does not grow with $\sqrt{k m}$; a force th
 the contact time, which makes the order look better than it is.
 )";
 
-constexpr double production = 100.0;   // steps per contact
-constexpr double second_order = 0.67;  // rms of e at xi = 0, times (steps per contact)^2: measured, the same for all xi
-constexpr double factor = 1.2;         // of bounds over predicted errors
-
-const char* name_of_rule(EndRule rule) { return rule == EndRule::attractive ? "attractive" : "clamped"; }
-
-/// A disc on a plane whose dashpot is to give restitution e.
-struct Bounce {
-  double e{};
-  EndRule rule{};
-  double xi{};
-  LinearSpringDashpot law;        ///< what the solver is given: a fault may spoil it
-  reference::ImpactEvents exact;  ///< of the right contact
-};
-
-Bounce bounce(double e, EndRule rule, const Setup& setup) {
-  Bounce b{e, rule, reference::damping_ratio(e, same(rule)), {}, {}};
-  b.law = dashpot_of(b.xi, 1.0, 1.0, rule);
-  b.exact = reference::impact_events({1.0, b.law.damping, 1.0, 1.0}, same(rule));
-  if (setup.has("eq_21_halved")) b.law.damping *= 0.5;
-  if (setup.has("never_pulls")) b.law.end_rule = EndRule::clamped;
-  if (setup.has("eq_21_under_clamping")) b.law.damping = reference::eq_21_damping(e, 1.0, 1.0);
-  return b;
-}
-
-/// Errors of one impact over the phases at which surfaces can meet within a step, relative but for the pull.
-struct Errors {
-  PhaseError restitution, contact_time, largest_depth, pull;
-  double mean_restitution{};
-  double least_deceleration{};
-};
-
-using SceneAtGap = std::function<Scene(double gap)>;
-
-Scene disc_at(const Bounce& b, double gap) {
-  return scenes::bouncing_disc({.radius = 8.0, .gap = gap, .speed = 1.0, .contact = b.law});
-}
-
-/// `contact_time` of the exact contact; approach at speed 1.
-FollowedImpact impact_at_phase(const SceneAtGap& scene_at, const Integrator& integrator, double contact_time,
-                               double step, double phase, Findings& findings) {
-  const double gap = phase * step;
-  Scene scene = scene_at(gap);
-  scene.integrator = integrator;
-  scene.plan = {step, gap + 3.0 * contact_time + 4.0 * step, contact_time, false};
-  FollowedImpact found = follow_impact(scene, findings);
-  found.end_time -= gap;
-  return found;
-}
-
-Errors errors(const SceneAtGap& scene_at, const reference::ImpactEvents& exact, double steps,
-              const Integrator& integrator, Findings& findings, bool commensurate = false) {
-  Errors found;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = commensurate ? exact.contact_time / steps : offset_step(exact.contact_time, steps, i);
-    const FollowedImpact impact =
-        impact_at_phase(scene_at, integrator, exact.contact_time, step, even_phases(fewest_phases)[i], findings);
-    found.restitution.add(impact.restitution() / exact.restitution - 1.0);
-    found.contact_time.add(impact.end_time / exact.contact_time - 1.0);
-    found.largest_depth.add(impact.largest_depth / exact.largest_depth - 1.0);
-    found.pull.add(impact.least_deceleration - exact.force_at_end);
-    found.mean_restitution += impact.restitution() / static_cast<double>(fewest_phases);
-    found.least_deceleration = std::min(found.least_deceleration, impact.least_deceleration);
-  }
-  return found;
-}
-
-/// w h at so many steps per contact (the offsets of the phases add half a step on average).
-double reduced_step(const reference::ImpactEvents& exact, double steps) {
-  return exact.frequency * exact.contact_time / (steps + 0.5);
-}
-
-double predicted_restitution_error(const Bounce& b, double steps) {
-  const double first = b.xi == 0.0 ? 0.0 : leapfrog_impact_error(b.xi, same(b.rule)).restitution;
-  return std::hypot(first * reduced_step(b.exact, steps), second_order / (steps * steps));
-}
-
 /// Error, bound and table row of one target.
 void check_bounce(double e, EndRule rule, Table& table, Findings& findings, const Setup& setup) {
   const Bounce b = bounce(e, rule, setup);
   const auto at = [&b](double gap) { return disc_at(b, gap); };
-  const Errors found = errors(at, b.exact, production, VelocityVerlet{}, findings);
-  const std::string name = fmt::format("{:g}, {}", e, name_of_rule(rule));
-  const double wh = reduced_step(b.exact, production);
+  const ImpactErrors found = impact_errors(at, b.exact, production_steps, VelocityVerlet{}, findings);
+  const std::string name = fmt::format("{:g}, {}", e, word_for(rule));
+  const double wh = reduced_step(b.exact, production_steps);
   const ImpactError predicted = leapfrog_impact_error(b.xi, same(rule));
   const std::string why = "first-order error predicted from the half-step lag and the force jumps";
   findings.expect("rms relative error of e = " + name, found.restitution.rms(), 0.0,
-                  Tolerance::truncation(predicted_restitution_error(b, production), factor, why));
+                  Tolerance::truncation(predicted_restitution_error(b, production_steps), bound_factor, why));
   findings.expect("rms relative error of the contact time, e = " + name, found.contact_time.rms(), 0.0,
-                  Tolerance::truncation(predicted.contact_time * wh, factor, why + "; no jump enters"));
+                  Tolerance::truncation(predicted.contact_time * wh, bound_factor, why + "; no jump enters"));
   findings.expect("rms relative error of the largest overlap, e = " + name, found.largest_depth.rms(), 0.0,
-                  Tolerance::truncation(predicted.largest_depth * wh, factor, why));
+                  Tolerance::truncation(predicted.largest_depth * wh, bound_factor, why));
   table.rows.push_back(
-      {name_of_rule(rule), fmt::format("{:g}", e), fmt::format("{:.4f}", b.xi),
+      {word_for(rule), fmt::format("{:g}", e), fmt::format("{:.4f}", b.xi),
        fmt::format("{:.5f}", found.mean_restitution), fmt::format("{:.2e}", found.restitution.rms()),
-       fmt::format("{:.2e}", predicted_restitution_error(b, production)),
+       fmt::format("{:.2e}", predicted_restitution_error(b, production_steps)),
        fmt::format("{:.2e}", found.contact_time.rms()), fmt::format("{:.2e}", predicted.contact_time * wh),
        fmt::format("{:.2e}", found.largest_depth.rms()), fmt::format("{:.2e}", predicted.largest_depth * wh)});
 }
@@ -186,23 +106,23 @@ void check_targets(Findings& findings, const Setup& setup) {
 /// The force that the motion shows: attractive contacts end with a pull -c e v0, clamped ones never pull.
 void check_pull(Findings& findings, const Setup& setup) {
   const Bounce b = bounce(0.5, EndRule::attractive, setup);
-  const Errors found =
-      errors([&b](double gap) { return disc_at(b, gap); }, b.exact, production, VelocityVerlet{}, findings);
+  const ImpactErrors found =
+      impact_errors([&b](double gap) { return disc_at(b, gap); }, b.exact, production_steps, VelocityVerlet{}, findings);
   // dF/dt at the end is k d' + c d'' = -k e v0 (1 - 4 xi^2); the middle of the last full step lies between half a step
   // and one and a half before it.
   const double slope = b.e * (1.0 - 4.0 * b.xi * b.xi);
-  const double lead = std::hypot(1.0, 1.0 / std::sqrt(12.0)) * reduced_step(b.exact, production);
+  const double lead = std::hypot(1.0, 1.0 / std::sqrt(12.0)) * reduced_step(b.exact, production_steps);
   findings.expect("pull at the end, e = 0.5, attractive, rms error over c e v0",
                   found.pull.rms() / -b.exact.force_at_end, 0.0,
-                  Tolerance::truncation(slope * lead / -b.exact.force_at_end, factor,
+                  Tolerance::truncation(slope * lead / -b.exact.force_at_end, bound_factor,
                                         "mean force of the last full step: the slope of F times the distance of that "
                                         "step's middle from the end"));
   double least = 0.0;
   for (const double e : {0.9, 0.5, 0.1}) {
     Bounce clamped = bounce(e, EndRule::clamped, setup);
     if (setup.has("pulls")) clamped.law.end_rule = EndRule::attractive;
-    const Errors forces = errors([&clamped](double gap) { return disc_at(clamped, gap); }, clamped.exact, production,
-                                 VelocityVerlet{}, findings);
+    const ImpactErrors forces = impact_errors([&clamped](double gap) { return disc_at(clamped, gap); }, clamped.exact,
+                                              production_steps, VelocityVerlet{}, findings);
     least = std::min(least, forces.least_deceleration);
   }
   findings.expect("largest pull of a clamped contact", least, 0.0,
@@ -213,8 +133,8 @@ Convergence restitution_errors(const Bounce& b, const Integrator& integrator, co
                                Findings& findings, bool commensurate = false) {
   Convergence convergence;
   for (const double n : steps) {
-    const Errors found =
-        errors([&b](double gap) { return disc_at(b, gap); }, b.exact, n, integrator, findings, commensurate);
+    const ImpactErrors found =
+        impact_errors([&b](double gap) { return disc_at(b, gap); }, b.exact, n, integrator, findings, commensurate);
     convergence.add(1.0 / n, found.restitution.rms());
   }
   return convergence;
@@ -235,14 +155,13 @@ void check_orders(Findings& findings, const Setup& setup) {
     const Bounce b = bounce(0.5, rule, setup);
     for (const Integrator& integrator :
          {Integrator{VelocityVerlet{}}, Integrator{CentralDifference{}}, Integrator{RungeKutta4{}}}) {
-      const std::string label = fmt::format("e = 0.5, {}, {}", name_of_rule(rule), talus::name(integrator));
+      const std::string label = fmt::format("e = 0.5, {}, {}", word_for(rule), talus::name(integrator));
       const Convergence found = restitution_errors(b, integrator, steps, findings);
       findings.expect_order("order of e, " + label.substr(9), found, 0.9, 1.1,
                             "the dashpot's force jumps at touch, a step resolves the jump to half a step");
       figure.series.push_back({label, found.steps(), found.errors(), Style::points});
     }
-    Series predicted{
-        .label = fmt::format("predicted, {}", name_of_rule(rule)), .x = {}, .y = {}, .style = Style::lines};
+    Series predicted{.label = fmt::format("predicted, {}", word_for(rule)), .x = {}, .y = {}, .style = Style::lines};
     for (const double n : steps) {
       predicted.x.push_back(1.0 / n);
       predicted.y.push_back(predicted_restitution_error(b, n));
@@ -258,9 +177,9 @@ void check_orders(Findings& findings, const Setup& setup) {
         {fmt::format("e = 1, {}", talus::name(integrator)), found.steps(), found.errors(), Style::points});
     if (figure.slopes.empty()) {
       findings.expect("rms error of e = 1 at 16 steps per contact", found.errors().front(), 0.0,
-                      Tolerance::truncation(second_order / 256.0, factor,
+                      Tolerance::truncation(second_order_constant / 256.0, bound_factor,
                                             "constant .67/N^2, measured over N = 16 ... 512 with an independent code"));
-      figure.slopes = {{1.0, 1.0 / 64.0, 0.02, "h"}, {2.0, 1.0 / 64.0, 0.5 * second_order / 4096.0, "h^2"}};
+      figure.slopes = {{1.0, 1.0 / 64.0, 0.02, "h"}, {2.0, 1.0 / 64.0, 0.5 * second_order_constant / 4096.0, "h^2"}};
     }
   }
   findings.figure(figure);
@@ -269,7 +188,7 @@ void check_orders(Findings& findings, const Setup& setup) {
 /// Nothing but xi enters e: the same steps per contact, phases and dashpot rule at other masses and stiffnesses.
 void check_scales(Findings& findings, const Setup& setup) {
   const Bounce b = bounce(0.5, EndRule::attractive, setup);
-  const double step = offset_step(b.exact.contact_time, production, 0);
+  const double step = offset_step(b.exact.contact_time, production_steps, 0);
   const auto restitution_at = [&](double stiffness, double frequency) {
     // All lengths and times shrink with the frequency, so that speeds stay the same.
     scenes::BouncingDisc disc{.radius = 8.0 / frequency, .gap = 0.3 * step / frequency, .speed = 1.0, .contact = {}};
@@ -294,107 +213,6 @@ void check_scales(Findings& findings, const Setup& setup) {
                   Tolerance::round_off(2e-13,
                                        "110 steps of a dozen roundings of lengths ten times the overlap: "
                                        "sqrt(1300) x 10 x 1.1e-16 = 4e-14, and five times that for the worst"));
-}
-
-Scene two_discs(double mass, double other, double frame, const LinearSpringDashpot& law, double gap) {
-  ModelBuilder builder;
-  const Body like{.name = "left", .mobility = Mobility::particle, .mass = mass, .shape = Circle{4.0}};
-  Body right = like;
-  right.name = "right";
-  right.mass = other;
-  right.p_WB = {8.0 + gap, 0.0};
-  const BodyId a = builder.add(like);
-  const BodyId b = builder.add(right);
-  builder.add(Contact{.name = "impact", .a = a, .b = b, .law = law});
-  Scene scene{.title = "Two discs", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
-  set_velocity(scene.model, scene.initial, a, {1.0 + frame, 0.0}, 0.0);
-  set_velocity(scene.model, scene.initial, b, {frame, 0.0}, 0.0);
-  return scene;
-}
-
-void check_masses(Findings& findings, const Setup& setup) {
-  double worst = 0.0, bound = 0.0, drift = 0.0;
-  for (const double ratio : {0.01, 0.1, 1.0, 10.0, 100.0}) {
-    const double mass = ratio / (1.0 + ratio);  // effective mass of masses 1 and ratio
-    const Bounce b = bounce(0.5, EndRule::clamped, setup);
-    const LinearSpringDashpot law = dashpot_of(b.xi, mass, setup.has("masses_added") ? 1.0 + ratio : mass, b.rule);
-    double centre = 0.0;
-    const auto at = [&](double gap) { return two_discs(1.0, ratio, 3.0, law, gap); };
-    const Errors found = errors(at, b.exact, production, VelocityVerlet{}, findings);
-    const FollowedImpact impact = impact_at_phase(at, VelocityVerlet{}, b.exact.contact_time,
-                                                  offset_step(b.exact.contact_time, production, 0), 0.5, findings);
-    const State& end = impact.at_end;
-    centre = (end.v[0] + ratio * end.v[2]) / (1.0 + ratio);
-    worst = std::max(worst, found.restitution.rms());
-    bound = predicted_restitution_error(b, production);
-    drift = std::max(drift, std::abs(centre - (3.0 + 1.0 / (1.0 + ratio))));
-  }
-  findings.expect("rms relative error of e, mass ratios 1/100 ... 100", worst, 0.0,
-                  Tolerance::truncation(bound, factor, "e depends on xi alone, hence the same predicted error"));
-  findings.expect("velocity of the common centre of mass", drift, 0.0,
-                  Tolerance::round_off(2e-14,
-                                       "110 equal and opposite kicks, each rounded at speeds up to 5: sqrt(110) "
-                                       "x 4.4e-16 = 5e-15, four times that for the worst"));
-}
-
-/// Off-centre and pivoted impacts: the damping comes from the effective mass at the contact point.
-void check_levers(Findings& findings, const Setup& setup) {
-  constexpr double stiffness = 1e12;  // overlap 1e-6 of the bar's size: what is left is the step
-  Figure figure{.name = "levers",
-                .title = "Off-centre and pivoted impacts",
-                .caption =
-                    "Restitution for the wanted .5. Filled: damping from the effective mass at the contact point. "
-                    "Crosses: Eq. 21 with the two masses; the lines are what its damping ratio gives there.",
-                .x = {.label = "lever arm from the centre of mass or the pin"},
-                .y = {.label = "restitution", .min = 0.4},
-                .series = {},
-                .lines = {{'y', 0.5, "wanted"}}};
-  for (const bool pinned : {false, true}) {
-    const std::string kind = pinned ? "pivoted" : "off centre";
-    Series right{.label = kind + ", effective mass", .x = {}, .y = {}, .style = Style::points};
-    Series naive{.label = kind + ", two masses", .x = {}, .y = {}, .style = Style::crosses};
-    Series line{.label = kind + ", closed form of the two masses", .x = {}, .y = {}, .style = Style::lines};
-    double worst = 0.0;
-    const Bounce b = bounce(0.5, EndRule::attractive, setup);
-    for (const double height : {-3.5, -2.0, -0.5, 1.0, 2.5}) {
-      StruckBar bar{.pinned = pinned, .height = height};
-      const double mobility = pinned ? reference::pivoted_mobility(inertia(bar) + bar.mass * 16.0, arm(bar))
-                                     : reference::free_mobility(bar.mass, inertia(bar), arm(bar));
-      const double mass = reference::effective_mass(1.0 / bar.disc_mass, mobility);
-      const double particles = reference::effective_mass(1.0 / bar.disc_mass, 1.0 / bar.mass);
-      const bool forgotten = setup.has(pinned ? "pin_forgotten" : "arm_forgotten");
-      const auto run = [&](double of_mass) {
-        bar.law = dashpot_of(b.xi, stiffness, of_mass, b.rule);
-        const auto exact = reference::impact_events({stiffness, 2.0 * b.xi * std::sqrt(stiffness * mass), mass, 1.0},
-                                                    reference::EndRule::attractive);
-        return errors([bar](double gap) mutable { return bar.gap = gap, struck_bar(bar); }, exact, production,
-                      VelocityVerlet{}, findings);
-      };
-      const Errors found = run(forgotten ? particles : mass);
-      worst = std::max(worst, found.restitution.rms());
-      if (setup.coarse) continue;
-      right.x.push_back(arm(bar));
-      right.y.push_back(found.mean_restitution);
-      naive.x.push_back(arm(bar));
-      naive.y.push_back(run(particles).mean_restitution);
-    }
-    findings.expect("rms relative error of e, " + kind, worst, 0.0,
-                    Tolerance::truncation(predicted_restitution_error(b, production), factor,
-                                          "the predicted error of a central impact; the overlap is 1e-6 of the bar, "
-                                          "so that its turning during contact is not seen"));
-    for (double a = 0.0; a <= (pinned ? 8.0 : 4.0); a += 0.25) {
-      const StruckBar bar{.pinned = pinned};
-      const double mobility = pinned ? reference::pivoted_mobility(inertia(bar) + bar.mass * 16.0, a)
-                                     : reference::free_mobility(bar.mass, inertia(bar), a);
-      const double ratio = std::sqrt(reference::effective_mass(1.0 / bar.disc_mass, 1.0 / bar.mass) /
-                                     reference::effective_mass(1.0 / bar.disc_mass, mobility));
-      line.x.push_back(a);
-      line.y.push_back(reference::restitution(b.xi * ratio, reference::EndRule::attractive));
-    }
-    figure.series.insert(figure.series.end(), {right, naive, line});
-  }
-  if (!setup.coarse) findings.figure(figure);
 }
 
 void run(Findings& findings, const Setup& setup) {
