@@ -91,13 +91,14 @@ BOOST_AUTO_TEST_CASE(a_script_draws_points_slopes_and_lines) {
   Figure figure = figure_of(true);
   figure.series[0].where = "a";
   figure.slopes = {{2.0, 1e-2, 1e-4, "h^2"}};
-  figure.lines = {{'x', 0.02, "production"}};
+  figure.lines = {{'x', 0.02, "production"}, {'y', 1e-3, "limit"}};
   const Plot plot = plot_of(figure, scratch.folder);
   BOOST_TEST(plot.undrawn == 1U);
   BOOST_TEST(plot.curves[0].points.size() == 2U);
   const std::string script = figure_script(plot, {"/p/preamble.gp", "/out", {"pdf", "svg"}}, "stem");
   for (const char* part : {"load '/p/preamble.gp'", "set logscale x", "set output '/out/stem.pdf'", "'/out/stem.svg'",
-                           "$slope1 with lines", "'h^{2}'", "'production'", "10^{%T}", "'step [s]'", "'error'"}) {
+                           "$slope1 with lines", "'h^{2}'", "'production'", "to graph 1, first 0.001", "10^{%T}",
+                           "'step [s]'", "'error'"}) {
     BOOST_TEST(names(script, part), part);
   }
 }
