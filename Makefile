@@ -1,11 +1,14 @@
 # Thin: each goal is a script, and the scripts install what is missing.
-.PHONY: help verify test bench format clean
+.PHONY: help verify verify-full test bench format clean
 
 help:  ## this list
-	@sed -n 's/^\([a-z]*\):.*## /  make \1\t/p' Makefile
+	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile
 
 verify:  ## run every verification case and write build/report/verification.{pdf,html,md}
 	@scripts/verify
+
+verify-full:  ## the same with the full tier: timing charts of this machine as well
+	@scripts/verify --full
 
 test:  ## build everything and run the unit tests, layers, format and headers
 	@scripts/test

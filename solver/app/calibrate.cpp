@@ -21,7 +21,7 @@ struct CalibrateOptions {
   double restitution{};
   std::vector<std::string> masses;
   std::string stiffness;
-  std::string end_rule{"clamped"};
+  std::string end_rule{"attractive"};
   std::vector<std::string> pivot;
   std::vector<std::string> offset;
   std::string speed{"1 m/s"};
@@ -228,7 +228,7 @@ Command add_calibrate(CLI::App& talus) {
   app->add_option("--restitution", options->restitution, "restitution wanted, in (0, 1]")->required();
   app->add_option("--masses", options->masses, "mass of one body (against a wall) or of two")->expected(1, 2);
   app->add_option("--stiffness", options->stiffness, "stiffness of the contact, e.g. \"1e6 lbf/ft\"");
-  app->add_option("--end-rule", options->end_rule, "attractive or clamped; default clamped");
+  app->add_option("--end-rule", options->end_rule, "attractive (default: Eq. 21 of 1993) or clamped");
   CLI::Option* pivot = app->add_option("--pivot", options->pivot,
                                        "the last body turns about a pin: its inertia about the "
                                        "pin, and the arm from pin to the contact's normal")

@@ -10,6 +10,7 @@
 #include "solver/app/command.hpp"
 #include "solver/app/run_summary.hpp"
 #include "solver/base/error.hpp"
+#include "solver/calibrate/step_advice.hpp"
 #include "solver/io/atomic_file.hpp"
 #include "solver/io/csv.hpp"
 #include "solver/io/json.hpp"
@@ -69,6 +70,23 @@ class Progress {
   std::chrono::steady_clock::time_point next_{std::chrono::steady_clock::now() + std::chrono::seconds{1}};
 };
 
+/// The step against the method's linear limit, all contacts closed and all cables taut; empty where no limit is known.
+struct StepRatio {
+  std::string words;
+  bool beyond{false};
+};
+StepRatio step_ratio(const Scene& scene) {
+  const Dynamics dynamics{scene.model};
+  const StepAdvice advice = advise_step(dynamics, scene.initial);
+  const auto limit = linear_limit(name(scene.integrator), advice.damping_ratio);
+  if (!limit || advice.highest_frequency == 0.0) return {};
+  const double ratio = scene.plan.step * advice.highest_frequency;
+  const bool beyond = ratio > *limit;
+  return {fmt::format("h omega_max = {:.4g} {} {:.4g}, the linear limit of {}", ratio, beyond ? ">" : "<", *limit,
+                      name(scene.integrator)),
+          beyond};
+}
+
 RunRecord run_scene(const Scene& scene) {
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics, scene.plan.ledger};
@@ -121,7 +139,10 @@ int run(const RunOptions& options) {
   }
   const Scene scene = changed_scene(options);
   if (!options.folder.empty()) make_folder(options.folder);  // before the run: a wrong folder must not cost a run
-  const RunRecord record = run_scene(scene);
+  const StepRatio ratio = step_ratio(scene);
+  if (ratio.beyond) print_failure(fmt::format("warning: {}; the answer may grow without bound", ratio.words));
+  RunRecord record = run_scene(scene);
+  if (!record.outcome && !ratio.words.empty()) record.outcome.words += fmt::format("; {}", ratio.words);
   if (!options.folder.empty()) write_files(record, options.folder);
   fmt::print("{}", options.json ? summary_json(record) : run_summary(record));
   if (!options.folder.empty() && !options.json) {

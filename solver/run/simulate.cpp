@@ -23,8 +23,7 @@ Outcome diverged(const RigidBodySystem& system, const State& state, std::size_t 
   const Dynamics& dynamics = system.dynamics();
   const std::string which = name(dynamics.model(), dynamics.layout().coordinates[coordinate]);
   return {Outcome::Kind::diverged, state.t,
-          fmt::format("diverged at t = {:.6g}: '{}' is not finite (step {:.6g}); a smaller step is needed", state.t,
-                      which, h)};
+          fmt::format("diverged at t = {:.6g}: '{}' is not finite (step {:.6g})", state.t, which, h)};
 }
 
 template <class Method>

@@ -14,13 +14,13 @@ namespace talus::scenes {
 ///  M -> [ ]  centre of mass at the origin       x ->
 ///        |
 struct PivotedCylinder {
-  double mass{14.92};                                          ///< m of the column [M]
-  double length{8.0};                                          ///< l [L]
-  double inertia{85.42};                                       ///< I_G of the column [M L^2]
-  double half_width{1.25};                                     ///< r of the column [L]
-  double rock_mass{37.23};                                     ///< M [M]
-  double rock_radius{1.5};                                     ///< of the rock [L]
-  double speed{5.0};                                           ///< v0 of the rock, towards +x [L/T]
+  double mass{14.92};       ///< m of the column [M]
+  double length{8.0};       ///< l [L]
+  double inertia{85.42};    ///< I_G of the column [M L^2]
+  double half_width{1.25};  ///< r of the column [L]
+  double rock_mass{37.23};  ///< M [M]
+  double rock_radius{1.2};  ///< of the rock: (3 M/(4 pi rho))^(1/3) at 165 lb/ft^3 [L]
+  double speed{5.0};        ///< v0 of the rock, towards +x [L/T]
   double gravity{exact::standard_gravity / exact::foot_in_m};  ///< g, downwards [L/T^2]; 0 leaves the impact alone
   ContactLaw contact;                                          ///< law between rock and column
   ContactMethod method{ContactMethod::resultant};

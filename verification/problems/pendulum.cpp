@@ -9,6 +9,7 @@
 #include "verification/problems/odeint_findings.hpp"
 #include "verification/problems/swing.hpp"
 #include "verification/problems/swing_energy.hpp"
+#include "verification/problems/swing_timing.hpp"
 
 namespace talus::verification::problems {
 
@@ -88,7 +89,7 @@ void check_orders(Findings& findings, const Setup& setup) {
                    "Error at the end of 0.8 period (60 degrees) against force evaluations, for every integrator "
                    "of the solver; each step halves the one before it. Dashed: the declared orders. The line is "
                    "half a unit of the last place of the angle: round-off of n steps gathers above it. The "
-                   "chart against time depends on the machine and is drawn by `make bench`.",
+                   "chart against time depends on the machine: it is in the full tier (`make verify-full`).",
                .x = {"force evaluations", "1", true},
                .y = {"error", "rad", true},
                .series = {},
@@ -299,6 +300,7 @@ void run(Findings& findings, const Setup& setup) {
   check_adapter(findings, setup);
   check_odeint(findings);
   check_references(findings);
+  if (setup.tier == Tier::full) chart_error_against_time(findings);
 }
 
 }  // namespace
@@ -310,7 +312,7 @@ Case pendulum() {
       .requirements = {"law.tension_only", "integrator.central_difference", "integrator.velocity_verlet",
                        "integrator.euler_cromer", "integrator.rk4", "integrator.odeint_dopri5",
                        "integrator.odeint_cash_karp54", "integrator.odeint_fehlberg78", "integrator.odeint_abm8",
-                       "integrator.odeint_bulirsch_stoer", "Eq. 4", "Eq. 14", "Eq. 23", "Eq. 24"},
+                       "integrator.odeint_bulirsch_stoer", "shape.none", "Eq. 4", "Eq. 14", "Eq. 23", "Eq. 24"},
       .source =
           "E. T. Whittaker, Analytical Dynamics, 4th ed. (1937), art. 44; Hairer, Lubich & Wanner, Geometric "
           "Numerical Integration, 2nd ed. (2006), sect. IX.8",

@@ -158,7 +158,7 @@ void check_contact_at_fixed_stiffness(Findings& findings, const Setup& setup) {
           "jumps at both ends of the contact, so the order is one.",
       .x = {.label = "step / contact time", .log = true},
       .y = {.label = "error of the speed", .unit = "m/s", .log = true},
-                .series = {}};
+      .series = {}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     const bool attractive = rule == EndRule::attractive;
     const std::string name = attractive ? "attractive" : "clamped";
@@ -264,7 +264,7 @@ void check_rigid_limit(Findings& findings, const Setup& setup) {
   }
   findings.expect_order("distance to the rigid limit, power of 1/k_n", distance, 1.95, 2.05,
                         "the cables' impulse during the contact goes with the fourth power of its duration");
-  findings.expect_order("time to the rigid limit, power of 1/k_n", time, 0.49, 0.51,
+  findings.expect_order("time to the rigid limit, power of 1/k_n", time, 0.495, 0.505,
                         "the particle leaves later by a share of the contact time");
   findings.figure(
       {.name = "rigid_limit",
@@ -278,7 +278,7 @@ void check_rigid_limit(Findings& findings, const Setup& setup) {
                   {"time [s], solver", time.steps(), time.errors(), Style::points},
                   {"time [s], soft reference", time.steps(), soft_time, Style::lines}},
        .slopes = {{2.0, distance.steps().front(), 0.3 * distance.errors().front(), "1/k_n^2"},
-                  {0.5, time.steps().front(), 2.0 * time.errors().front(), "1/sqrt(k_n)"}}});
+                  {0.5, time.steps().front(), 0.4 * time.errors().front(), "1/k_n^{1/2}"}}});
 }
 
 /// The cables alone: the particle is launched at v1, without a striker in reach, so that the motion is smooth.
@@ -286,7 +286,7 @@ void check_cables_alone(Findings& findings, const Setup& setup) {
   const double v1 = reference::rigid_impact(problem).particle;
   const reference::TwoCableMotion motion{problem, v1};
   Convergence time, distance;
-  Series measured{.label = "solver, 160 steps to the turn", .x = {}, .y = {}, .style = Style::points};
+  Series measured{.label = "solver, every eighth of 160 steps", .x = {}, .y = {}, .style = Style::points};
   double worst_speed = 0.0;
   for (const double steps : doublings(20, setup.coarse ? 3 : 5)) {
     Scene scene = scene_of({contact_stiffness, 0.0, EndRule::clamped}, setup);
@@ -302,8 +302,10 @@ void check_cables_alone(Findings& findings, const Setup& setup) {
       finder(seen, info);
       if (steps != 160.0 || finder.found()) return;
       const double theta = std::atan(seen.q[0] / problem.length);
-      measured.x.push_back(theta);
-      measured.y.push_back(seen.v[0]);
+      if (info.step % 8 == 0) {
+        measured.x.push_back(theta);
+        measured.y.push_back(seen.v[0]);
+      }
       if (theta < motion.largest_angle()) {
         worst_speed =
             std::max(worst_speed, std::abs(seen.v[0] * seen.v[0] - std::pow(motion.speed_at_angle(theta), 2)));

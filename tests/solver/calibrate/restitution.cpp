@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(advised_step_keeps_the_stated_error) {
   for (const double phase : {0.0, 0.11, 0.37, 0.73, 1.0}) {
     const double e = simulate_impact(law, 2.0, 3.0, advised.step, phase, VelocityVerlet{}).restitution;
     BOOST_TEST(std::abs(e - 0.5) <
-               1.1e-3);  // phases it was not chosen on; the error varies smoothly between its own 32
+               1.1e-3);  // phases it was not chosen on
   }
 }
 
