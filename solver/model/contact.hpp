@@ -11,7 +11,7 @@ namespace talus {
 enum class ContactMethod {
   resultant,  ///< one force for a pair, from the exact gap of the two shapes: does not depend on any discretisation
   nodes,      ///< the law acts at each boundary node of one body inside the other, both ways (FENCE 1993): the answer
-          ///< depends on the number of nodes and does not converge with it
+              ///< depends on the number of nodes and does not converge with it
 };
 template <>
 struct Names<ContactMethod> {

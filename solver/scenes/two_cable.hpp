@@ -19,7 +19,7 @@ struct TwoCable {
   double mass{1.0};             ///< m [M]
   double striker_mass{2.0};     ///< M [M]
   double speed{2.0};            ///< v0 of the striker [L/T]
-  double radius{0.5};           ///< of both circles [L]; the motion does not depend on it while the overlap stays below 2 r
+  double radius{0.5};  ///< of both circles [L]; the motion does not depend on it while the overlap stays below 2 r
   LinearSpringDashpot contact;  ///< law between them
 };
 

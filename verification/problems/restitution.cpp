@@ -106,8 +106,8 @@ void check_targets(Findings& findings, const Setup& setup) {
 /// The force that the motion shows: attractive contacts end with a pull -c e v0, clamped ones never pull.
 void check_pull(Findings& findings, const Setup& setup) {
   const Bounce b = bounce(0.5, EndRule::attractive, setup);
-  const ImpactErrors found =
-      impact_errors([&b](double gap) { return disc_at(b, gap); }, b.exact, production_steps, VelocityVerlet{}, findings);
+  const ImpactErrors found = impact_errors([&b](double gap) { return disc_at(b, gap); }, b.exact, production_steps,
+                                           VelocityVerlet{}, findings);
   // dF/dt at the end is k d' + c d'' = -k e v0 (1 - 4 xi^2); the middle of the last full step lies between half a step
   // and one and a half before it.
   const double slope = b.e * (1.0 - 4.0 * b.xi * b.xi);

@@ -36,7 +36,7 @@ Trajectory::Step Trajectory::next_step(long double most) {
   const auto system = [this](const Coordinates& y, Coordinates& dydt, long double) { rates_(y, dydt); };
   const long double whole = std::min(most, longest_step_);
   long double length = std::min(whole, proposed_step_);
-  for (int trial = 0; trial < 100; ++trial) {
+  for (int attempt = 0; attempt < 100; ++attempt) {
     const long double tried = length;
     long double reached = 0.0L;
     Coordinates end = y_;

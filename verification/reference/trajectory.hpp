@@ -11,7 +11,7 @@
 /// relative tolerance of one step at 1e-17. It shares nothing with the solver's integrators.
 /// An event is a guard that falls from positive to zero: the step that holds it is repeated with a shorter length,
 /// found by bracketing (TOMS 748), from the same starting point. The rates continue smoothly past the event, so each
-/// trial step is one of a smooth system and the event is located to round-off.
+/// attempted step is one of a smooth system and the event is located to round-off.
 namespace talus::verification::reference {
 
 using Coordinates = std::vector<long double>;

@@ -51,8 +51,7 @@ BOOST_AUTO_TEST_CASE(advised_step_keeps_the_stated_error) {
   const ImpactStep advised = advise_impact_step(law, 2.0, 1e-3, VelocityVerlet{});
   for (const double phase : {0.0, 0.11, 0.37, 0.73, 1.0}) {
     const double e = simulate_impact(law, 2.0, 3.0, advised.step, phase, VelocityVerlet{}).restitution;
-    BOOST_TEST(std::abs(e - 0.5) <
-               1.1e-3);  // phases it was not chosen on
+    BOOST_TEST(std::abs(e - 0.5) < 1.1e-3);  // phases it was not chosen on
   }
 }
 
