@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -29,6 +30,7 @@ struct CalibrateOptions {
   std::string integrator{"velocity_verlet"};
   std::string units{"SI"};
   bool json{false};
+  std::vector<std::string> own_to_impact;  ///< options given that mean nothing beside a scene
 };
 
 /// What a calibration without a scene finds; all in SI.
@@ -192,6 +194,7 @@ void print_text(const SceneCalibration& result, const Scene& scene, const std::s
 
 int calibrate_scene(const CalibrateOptions& options) {
   const Scene scene = read_scene(std::filesystem::path{options.scene});
+  if (options.contact.empty()) throw InputError{"--contact: it is missing; name a contact of the scene"};
   const ContactId contact = contact_named(scene.model, options.contact);
   SceneCalibration result;
   result.found = calibrate(scene, contact, options.restitution);
@@ -214,6 +217,9 @@ int run_calibration(const CalibrateOptions& options) {
   }
   if (!options.masses.empty() || !options.stiffness.empty() || !options.pivot.empty() || !options.offset.empty()) {
     throw InputError{"--masses, --stiffness, --pivot and --offset are the scene's own; leave them out"};
+  }
+  if (!options.own_to_impact.empty()) {
+    throw InputError{fmt::format("{}: a scene has its own; leave it out", fmt::join(options.own_to_impact, ", "))};
   }
   return calibrate_scene(options);
 }
@@ -249,7 +255,12 @@ Command add_calibrate(CLI::App& talus) {
       "  talus calibrate --restitution 0.5 --masses \"37.23 slug\" \"14.92 slug\" --stiffness \"1e6 lbf/ft\" \\\n"
       "        --pivot \"324.14 slug ft^2\" \"4 ft\" --end-rule attractive\n"
       "  talus calibrate cases/pivoted_cylinder.toml --contact impact --restitution 0.5");
-  return {app, [options] { return run_calibration(*options); }};
+  return {app, [app, options] {
+            for (const char* name : {"--end-rule", "--speed", "--bound", "--integrator", "--units"}) {
+              if (app->get_option(name)->count() > 0) options->own_to_impact.emplace_back(name);
+            }
+            return run_calibration(*options);
+          }};
 }
 
 }  // namespace talus::app

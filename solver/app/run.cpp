@@ -120,6 +120,9 @@ RunRecord run_scene(const Scene& scene) {
 
 void write_files(const RunRecord& record, const fs::path& folder) {
   make_folder(folder);
+  // An earlier run's summary would vouch for a mixture if this one cannot finish.
+  std::error_code none;
+  fs::remove(folder / "summary.json", none);
   write_whole(folder / "history.csv", csv(record.history, record.units));
   write_whole(folder / "final_state.json", final_state_json(record));
   write_whole(folder / "plot.json", plot_json(record, "history.csv"));

@@ -23,17 +23,17 @@ constexpr std::string_view words(Range range) {
   return "finite";
 }
 
-/// Whether `value` lies in the range (NaN never does).
+/// Whether `value` lies in the range (a number that is not finite never does: its difference from itself is NaN).
 constexpr bool contains(Range range, double value) {
   switch (range) {
     case Range::positive:
-      return value > 0.0;
+      return value > 0.0 && value - value == 0.0;
     case Range::non_negative:
-      return value >= 0.0;
+      return value >= 0.0 && value - value == 0.0;
     case Range::any:
       break;
   }
-  return value == value;
+  return value - value == 0.0;
 }
 
 /// One physical parameter of a value type T: the single place that states its name, dimension and range. Parsing, echo,

@@ -167,7 +167,7 @@ class QuantityText {
     ++at_;
     int exponent = 0;
     const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), exponent);
-    if (error != std::errc{} || std::abs(exponent) > 9) fail("a power must be a whole number between -9 and 9");
+    if (error != std::errc{} || exponent < -9 || exponent > 9) fail("a power must be a whole number between -9 and 9");
     at_ = static_cast<std::size_t>(end - text_.data());
     if (at_ < text_.size() && text_[at_] == '.') fail("a power must be a whole number between -9 and 9");
     return exponent;

@@ -39,7 +39,7 @@ class CableForces {
     return work.paths[cable].length - rest_lengths_[cable];
   }
 
-  /// An end as compiled: a body's point (`moves`) or a point of the world.
+  /// An end as compiled: a body's point (`on_body`) or a point of the world.
   struct End {
     bool on_body{};
     BodyId body{};

@@ -42,9 +42,7 @@ class Dynamics {
 
   [[nodiscard]] Energies energies(const State& state, const Workspace& work) const;
   [[nodiscard]] Momenta momenta(const Workspace& work) const;
-  /// Normal force on body b of a contact, summed over its law instances, world components [F].
-  [[nodiscard]] Vec2 contact_force(const State& state, const Workspace& work, ContactId contact) const;
-  /// The same along the normals [F]: > 0 pushing the bodies apart, < 0 pulling.
+  /// Normal force of a contact [F], summed over its law instances: > 0 pushing the bodies apart, < 0 pulling.
   [[nodiscard]] double normal_force(const State& state, const Workspace& work, ContactId contact) const;
   /// Largest overlap of a contact [L]; negative while its bodies are apart.
   [[nodiscard]] double contact_depth(const Workspace& work, ContactId contact) const;

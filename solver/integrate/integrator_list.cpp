@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <utility>
 
 #include "solver/base/error.hpp"
@@ -19,6 +20,9 @@ void for_each(Visit&& visit, std::index_sequence<I...>) {
 
 template <class T>
 Integrator with_tolerance(T integrator, double tolerance) {
+  if (!(tolerance >= 0.0) || !std::isfinite(tolerance)) {
+    throw InputError{fmt::format("integrator '{}': tolerance is {}; it must be > 0, or left out", T::name, tolerance)};
+  }
   if constexpr (requires { integrator.tolerance; }) {
     integrator.tolerance = tolerance;
     if (T::needs_tolerance && tolerance == 0.0) {

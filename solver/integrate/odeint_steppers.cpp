@@ -19,41 +19,8 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 using Vector = OdeintStepper::Vector;
 
-/// odeint's default error measure, |error_i| / (tolerance + tolerance (|x_i| + |h dx_i/dt|)), over the first
-/// `controlled` numbers only.
-class LeadingErrorChecker {
- public:
-  using value_type = double;
-  using algebra_type = odeint::range_algebra;
-  using operations_type = odeint::default_operations;
-
-  LeadingErrorChecker() = default;
-  LeadingErrorChecker(double tolerance, std::size_t controlled) : tolerance_{tolerance}, controlled_{controlled} {}
-
-  template <class State, class Deriv, class Err, class Time>
-  double error(algebra_type&, const State& x, const Deriv& dxdt, Err& err, Time dt) const {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < controlled_; ++i) {
-      const double scale = tolerance_ * (1.0 + std::abs(x[i]) + std::abs(dt * dxdt[i]));
-      largest = std::max(largest, std::abs(err[i]) / scale);
-      if (!std::isfinite(err[i])) largest = 1e300;
-    }
-    return largest;
-  }
-
-  template <class State, class Deriv, class Err, class Time>
-  double error(const State& x, const Deriv& dxdt, Err& err, Time dt) const {
-    algebra_type algebra;
-    return error(algebra, x, dxdt, err, dt);
-  }
-
- private:
-  double tolerance_{1e-6};
-  std::size_t controlled_{};
-};
-
 template <class Stepper>
-using Controlled = odeint::controlled_runge_kutta<Stepper, LeadingErrorChecker>;
+using Controlled = odeint::controlled_runge_kutta<Stepper>;
 
 using Dopri5 = odeint::runge_kutta_dopri5<Vector>;
 using CashKarp54 = odeint::runge_kutta_cash_karp54<Vector>;
@@ -65,19 +32,23 @@ using BulirschStoer = odeint::bulirsch_stoer<Vector>;
 using AnyStepper = std::variant<Dopri5, CashKarp54, Fehlberg78, Adams8, Controlled<Dopri5>, Controlled<CashKarp54>,
                                 Controlled<Fehlberg78>, BulirschStoer>;
 
-AnyStepper make_stepper(OdeintMethod method, double tolerance, std::size_t controlled) {
-  const LeadingErrorChecker checker{tolerance, controlled};
+template <class Stepper>
+Controlled<Stepper> controlled(double tolerance) {
+  return Controlled<Stepper>{typename Controlled<Stepper>::error_checker_type{tolerance, tolerance}};
+}
+
+AnyStepper make_stepper(OdeintMethod method, double tolerance) {
   const bool fixed = tolerance == 0.0;
   switch (method) {
     case OdeintMethod::dopri5:
       if (fixed) return Dopri5{};
-      return Controlled<Dopri5>{checker};
+      return controlled<Dopri5>(tolerance);
     case OdeintMethod::cash_karp54:
       if (fixed) return CashKarp54{};
-      return Controlled<CashKarp54>{checker};
+      return controlled<CashKarp54>(tolerance);
     case OdeintMethod::fehlberg78:
       if (fixed) return Fehlberg78{};
-      return Controlled<Fehlberg78>{checker};
+      return controlled<Fehlberg78>(tolerance);
     case OdeintMethod::adams_bashforth_moulton8:
       TALUS_DEMAND(fixed);
       return Adams8{};
@@ -98,9 +69,14 @@ struct OdeintStepper::Method {
   double internal_step{};  ///< the step that step control would take next; 0 before the first
 };
 
-OdeintStepper::OdeintStepper(OdeintMethod method, double tolerance, std::size_t controlled)
-    : method_{std::make_unique<Method>(Method{make_stepper(method, tolerance, controlled)})} {}
+OdeintStepper::OdeintStepper(OdeintMethod method, double tolerance)
+    : method_{std::make_unique<Method>(Method{make_stepper(method, tolerance)})} {}
 OdeintStepper::~OdeintStepper() = default;
+OdeintStepper::OdeintStepper(const OdeintStepper& other) : method_{std::make_unique<Method>(*other.method_)} {}
+OdeintStepper& OdeintStepper::operator=(const OdeintStepper& other) {
+  method_ = std::make_unique<Method>(*other.method_);
+  return *this;
+}
 OdeintStepper::OdeintStepper(OdeintStepper&&) noexcept = default;
 OdeintStepper& OdeintStepper::operator=(OdeintStepper&&) noexcept = default;
 
@@ -145,36 +121,46 @@ void OdeintStepper::advance(const Derivative& derivative, const Accepted& accept
       method_->stepper);
 }
 
+namespace {
+
+constexpr double riding_scale = 0x1p-200;
+
+void append(OdeintStepper::Vector& x, const auto& numbers, double scale) {
+  for (const double number : numbers)
+    x.push_back(scale * number);
+}
+
+}  // namespace
+
 void pack(const State& state, OdeintStepper::Vector& x) {
   x.clear();
-  x.insert(x.end(), state.q.begin(), state.q.end());
-  x.insert(x.end(), state.v.begin(), state.v.end());
-  x.insert(x.end(), state.z.begin(), state.z.end());
-  x.insert(x.end(), state.work.begin(), state.work.end());
-  x.insert(x.end(), state.impulse.begin(), state.impulse.end());
+  append(x, state.q, 1.0);
+  append(x, state.v, 1.0);
+  append(x, state.z, 1.0);
+  append(x, state.work, riding_scale);
+  append(x, state.impulse, riding_scale);
 }
 
 void unpack(const OdeintStepper::Vector& x, State& state) {
   auto from = x.begin();
-  const auto take = [&from](auto& to) {
-    const auto end = from + static_cast<std::ptrdiff_t>(to.size());
-    std::copy(from, end, to.begin());
-    from = end;
+  const auto take = [&from](auto& to, double scale) {
+    for (double& number : to)
+      number = scale * *from++;
   };
-  take(state.q);
-  take(state.v);
-  take(state.z);
-  take(state.work);
-  take(state.impulse);
+  take(state.q, 1.0);
+  take(state.v, 1.0);
+  take(state.z, 1.0);
+  take(state.work, 1.0 / riding_scale);
+  take(state.impulse, 1.0 / riding_scale);
 }
 
 void pack(const State& state, const Rates& rates, OdeintStepper::Vector& dxdt) {
   dxdt.clear();
-  dxdt.insert(dxdt.end(), state.v.begin(), state.v.end());
-  dxdt.insert(dxdt.end(), rates.v.begin(), rates.v.end());
-  dxdt.insert(dxdt.end(), rates.z.begin(), rates.z.end());
-  dxdt.insert(dxdt.end(), rates.work.begin(), rates.work.end());
-  dxdt.insert(dxdt.end(), rates.impulse.begin(), rates.impulse.end());
+  append(dxdt, state.v, 1.0);
+  append(dxdt, rates.v, 1.0);
+  append(dxdt, rates.z, 1.0);
+  append(dxdt, rates.work, riding_scale);
+  append(dxdt, rates.impulse, riding_scale);
 }
 
 }  // namespace talus

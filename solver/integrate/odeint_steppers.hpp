@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -12,8 +13,8 @@ namespace talus {
 /// The steppers of Boost.odeint that scenes can name.
 enum class OdeintMethod { dopri5, cash_karp54, fehlberg78, adams_bashforth_moulton8, bulirsch_stoer };
 
-/// Any of odeint's steppers behind one door: a state is one vector of numbers, of which the first `controlled` count in
-/// step control (work and impulse ride along outside of it).
+/// Any of odeint's steppers behind one door: a state is one vector of numbers. A value: a copy goes on as the original
+/// would.
 class OdeintStepper {
  public:
   using Vector = std::vector<double>;
@@ -24,8 +25,10 @@ class OdeintStepper {
 
   /// tolerance > 0: relative and absolute error allowed in each step, step control on; 0: steps of fixed length. That
   /// the method has what is asked for (see has_step_control, needs_tolerance) is the caller's contract.
-  OdeintStepper(OdeintMethod method, double tolerance, std::size_t controlled);
+  OdeintStepper(OdeintMethod method, double tolerance);
   ~OdeintStepper();
+  OdeintStepper(const OdeintStepper&);
+  OdeintStepper& operator=(const OdeintStepper&);
   OdeintStepper(OdeintStepper&&) noexcept;
   OdeintStepper& operator=(OdeintStepper&&) noexcept;
 
@@ -37,7 +40,8 @@ class OdeintStepper {
   std::unique_ptr<Method> method_;
 };
 
-/// State as one vector for odeint: q, v, z, then work and impulse.
+/// State as one vector for odeint: q, v, z, then work and impulse. The last two ride along outside of step control:
+/// they are scaled by 2^-200, which loses no bit and makes their errors count for nothing.
 void pack(const State& state, OdeintStepper::Vector& x);
 void unpack(const OdeintStepper::Vector& x, State& state);
 /// dx/dt in the same order: v, rates.v, rates.z, rates.work, rates.impulse.
@@ -62,7 +66,7 @@ class Odeint {
 
   template <Differentiable System>
   void start(System& system, State& state, double) {
-    stepper_ = std::make_shared<OdeintStepper>(method, tolerance, state.q.size() + state.v.size() + state.z.size());
+    stepper_.emplace(method, tolerance);
     system.settle(state);
     scratch_ = state;
     rates_ = Rates{state};
@@ -89,7 +93,7 @@ class Odeint {
   const State& synchronized(const State& state, double) const { return state; }
 
  private:
-  std::shared_ptr<OdeintStepper> stepper_;
+  std::optional<OdeintStepper> stepper_;
   State scratch_;
   Rates rates_;
   OdeintStepper::Vector x_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "solver/calibrate/restitution.hpp"
 #include "solver/dynamics/springs.hpp"
 #include "solver/io/scene_parts.hpp"
@@ -111,6 +113,10 @@ Scene read_scene(std::string_view text, std::string_view name) {
 }
 
 void check_step_count(const RunPlan& plan) {
+  if (!std::isfinite(plan.step) || !std::isfinite(plan.end)) throw InputError{"run: step and end must be finite"};
+  if (plan.step > plan.end) {
+    throw InputError{fmt::format("run: the step, {:.6g}, is longer than the whole run, {:.6g}", plan.step, plan.end)};
+  }
   const double steps = plan.end / plan.step;
   if (steps <= 1e12) return;
   throw InputError{fmt::format("run: the end is {:.3g} steps away; it must be at most 1e12", steps)};

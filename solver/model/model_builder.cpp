@@ -69,6 +69,10 @@ BodyId ModelBuilder::add(Body body) {
   check_vector("body", body.name, "pin", body.p_BPin);
   check_vector("body", body.name, "force", body.force);
   std::visit([&](const auto& shape) { check_fields("body", body.name, shape); }, body.shape);
+  if (!moves && !(body.force == Vec2{}))
+    throw InputError{fmt::format("body '{}': a fixed body takes no force", body.name)};
+  if (!turns && body.moment != 0.0)
+    throw InputError{fmt::format("body '{}': it cannot turn and takes no moment", body.name)};
   if (moves && std::holds_alternative<HalfPlane>(body.shape)) {
     throw InputError{fmt::format("body '{}': a half_plane cannot move; its mobility must be fixed", body.name)};
   }
@@ -117,8 +121,9 @@ ContactId ModelBuilder::add(Contact contact) {
                     contact.name, shape_name(a.shape), shape_name(b.shape),
                     Names<ContactMethod>::list[static_cast<std::size_t>(contact.method)])};
   }
-  if (contact.method == ContactMethod::nodes && contact.nodes < 3) {
-    throw InputError{fmt::format("contact '{}': nodes is {}; it must be >= 3", contact.name, contact.nodes)};
+  if (contact.method == ContactMethod::nodes && (contact.nodes < 3 || contact.nodes > 100000)) {
+    throw InputError{
+        fmt::format("contact '{}': nodes is {}; it must be from 3 to 100000", contact.name, contact.nodes)};
   }
   std::visit([&](const auto& law) { check_fields("contact", contact.name, law); }, contact.law);
   model_.contacts.push_back(std::move(contact));
@@ -126,6 +131,7 @@ ContactId ModelBuilder::add(Contact contact) {
 }
 
 Model ModelBuilder::build() const {
+  if (!std::isfinite(model_.gravity.x) || !std::isfinite(model_.gravity.y)) throw InputError{"gravity must be finite"};
   if (model_.bodies.empty()) throw InputError{"the scene has no body; it needs at least one"};
   return model_;
 }

@@ -31,8 +31,11 @@ Outcome run(RigidBodySystem& system, Method& method, State& state, const RunPlan
             std::span<const Observer> observers, const StopCondition& stop) {
   static_assert(IntegratorFor<Method, RigidBodySystem>);
   const double start = state.t;
-  const long steps = step_count(plan);
-  const long every = std::max(1L, std::lround(plan.interval / plan.step));
+  const long steps =
+      step_count({.step = plan.step, .end = plan.end - start, .interval = plan.interval, .ledger = plan.ledger});
+  // An interval longer than any run would overflow a whole number of steps.
+  const long every = std::max(1L, std::lround(std::min(plan.interval / plan.step, 1e15)));
+  State seen = state;
   system.settle(state);
   for (const Observer& observe : observers)
     observe(state, {0, system.evaluations(), true});
@@ -44,7 +47,10 @@ Outcome run(RigidBodySystem& system, Method& method, State& state, const RunPlan
     if (const std::size_t bad = first_not_finite(state); bad < state.q.size())
       return diverged(system, state, bad, plan.step);
     if (observers.empty() && !stop) continue;
-    const State& seen = method.synchronized(state, plan.step);
+    // A copy with its own modes: a method may hold those of before its last kick, by which a slack cable would seem to
+    // push.
+    seen = method.synchronized(state, plan.step);
+    system.settle(seen);
     const bool last = n == steps || (stop && stop(seen));
     for (const Observer& observe : observers)
       observe(seen, {n, system.evaluations(), last || n % every == 0});
@@ -58,9 +64,9 @@ Outcome run(RigidBodySystem& system, Method& method, State& state, const RunPlan
 }  // namespace
 
 long step_count(const RunPlan& plan) {
-  TALUS_DEMAND(plan.step > 0.0 && plan.end > 0.0);
+  TALUS_DEMAND(plan.step > 0.0 && plan.end > 0.0 && std::isfinite(plan.step) && std::isfinite(plan.end));
   // The share of a step forgives the round-off of end/step when end is meant as a whole number of steps.
-  return static_cast<long>(std::ceil(plan.end / plan.step - 1e-9));
+  return std::max(1L, static_cast<long>(std::ceil(plan.end / plan.step - 1e-9)));
 }
 
 Outcome simulate(RigidBodySystem& system, Integrator& integrator, State& state, const RunPlan& plan,

@@ -55,6 +55,16 @@ BOOST_AUTO_TEST_CASE(advised_step_keeps_the_stated_error) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_step_is_advised_for_heavy_damping_too) {
+  for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
+    for (const double e : {0.04, 0.01, 0.001}) {
+      const LinearSpringDashpot law{1e4, damping(damping_ratio(e, rule), 1e4, 1.0), rule};
+      const ImpactStep advised = advise_impact_step(law, 1.0, 1e-3, VelocityVerlet{});
+      BOOST_TEST(std::abs(advised.restitution - e) < 1e-3);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(scene_is_calibrated_by_simulation) {
   Scene scene =
       scenes::pivoted_cylinder({.gravity = 0.0, .contact = LinearSpringDashpot{1e7, 0.0, EndRule::attractive}});

@@ -136,6 +136,28 @@ BOOST_AUTO_TEST_CASE(same_input_same_bits) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_copy_of_a_running_method_goes_on_as_the_original) {
+  for (const Integrator& integrator : fixed_step_integrators()) {
+    BOOST_TEST_CONTEXT(name(integrator)) {
+      Integrator running = integrator;
+      std::visit(
+          [](auto& method) {
+            Duffing system;
+            State state = start();
+            method.start(system, state, 0.05);
+            for (int i = 0; i < 20; ++i)
+              method.step(system, state, 0.05);
+            auto copy = method;
+            State twin = state;
+            method.step(system, state, 0.05);
+            copy.step(system, twin, 0.05);
+            BOOST_TEST((state == twin));
+          },
+          running);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(leapfrog_runs_backwards) {
   // Undamped velocity Verlet is its own inverse with -h: only rounding remains after 1000 steps there and back.
   VelocityVerlet method;
