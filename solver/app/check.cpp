@@ -58,14 +58,18 @@ void print_step(const Scene& scene, const StepAdvice& advice) {
   const std::string time = symbol(scene.model.units, dimension::time);
   const double step = scene.plan.step;
   fmt::print("step {:.6g} {} with {}\n", step, time, name(scene.integrator));
-  if (advice.highest_frequency == 0.0) return fmt::print("  no spring limits it\n");
+  if (advice.modes.empty()) return fmt::print("  no spring limits it\n");
+  const std::string per_time = symbol(scene.model.units, dimension::angular_velocity);
   fmt::print("  highest frequency of the whole, all contacts closed and all cables taut: {:.6g} {}, xi {:.4g}\n",
-             advice.highest_frequency, symbol(scene.model.units, dimension::angular_velocity), advice.damping_ratio);
-  fmt::print("  step x highest frequency: {:.4g}\n", step * advice.highest_frequency);
-  if (const auto limit = linear_limit(name(scene.integrator), advice.damping_ratio)) {
-    const double longest = *limit / advice.highest_frequency;
-    fmt::print("  linear limit of the method: {:.4g}, a step of {:.6g} {}; the step is {:.4g} of it{}\n", *limit,
-               longest, time, step / longest, step > longest ? " - TOO LONG" : "");
+             advice.highest_frequency(), per_time, advice.modes.back().damping_ratio);
+  fmt::print("  step x highest frequency: {:.4g}\n", step * advice.highest_frequency());
+  if (const auto limit = step_limit(advice, name(scene.integrator))) {
+    fmt::print(
+        "  linear limit of the method: {:.4g}, a step of {:.6g} {}, by the mode of {:.6g} {} with xi {:.4g}; the step "
+        "is "
+        "{:.4g} of it{}\n",
+        limit->product, limit->step, time, limit->mode.frequency, per_time, limit->mode.damping_ratio,
+        step / limit->step, step > limit->step ? " - TOO LONG" : "");
   } else {
     fmt::print("  the method has no limit in closed form here; with a tolerance it chooses its own steps\n");
   }

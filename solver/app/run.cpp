@@ -77,13 +77,17 @@ struct StepRatio {
 };
 StepRatio step_ratio(const Scene& scene) {
   const Dynamics dynamics{scene.model};
-  const StepAdvice advice = advise_step(dynamics, scene.initial);
-  const auto limit = linear_limit(name(scene.integrator), advice.damping_ratio);
-  if (!limit || advice.highest_frequency == 0.0) return {};
-  const double ratio = scene.plan.step * advice.highest_frequency;
-  const bool beyond = ratio > *limit;
-  return {fmt::format("h omega_max = {:.4g} {} {:.4g}, the linear limit of {}", ratio, beyond ? ">" : "<", *limit,
-                      name(scene.integrator)),
+  // The modes cost n^3: for a large scene `talus check` says what there is to say.
+  constexpr std::size_t largest = 150;
+  if (scene.initial.q.size() > largest) return {};
+  const auto limit = step_limit(advise_step(dynamics, scene.initial), name(scene.integrator));
+  if (!limit) return {};
+  const double product = scene.plan.step * limit->mode.frequency;
+  const bool beyond = product > limit->product;
+  return {fmt::format(
+              "h omega = {:.4g} {} {:.4g}, the linear limit of {} for the mode of {:.4g} rad a unit of time, xi {:.3g}",
+              product, beyond ? ">" : "<", limit->product, name(scene.integrator), limit->mode.frequency,
+              limit->mode.damping_ratio),
           beyond};
 }
 

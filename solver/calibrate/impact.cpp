@@ -44,7 +44,8 @@ class ImpactWatch {
     if (acts) {
       if (stage_ == Stage::before && approach_ == 0.0) approach_ = work_.rates[deepest];
       stage_ = Stage::during;
-      const double force = dynamics_->normal_force(state, work_, contact_);
+      dynamics_->forces(state, work_, forces_);
+      const double force = forces_.contacts[index(contact_)];
       impact_.largest_force = std::max(impact_.largest_force, force);
       impact_.least_force = std::min(impact_.least_force, force);
       impact_.largest_overlap = std::max(impact_.largest_overlap, work_.gaps[deepest].depth);
@@ -66,6 +67,7 @@ class ImpactWatch {
   const Dynamics* dynamics_;
   ContactId contact_;
   Workspace work_;
+  LawForces forces_;
   Stage stage_{Stage::before};
   double approach_{};
   double start_{};

@@ -79,11 +79,17 @@ StepAdvice advise_step(const Dynamics& dynamics, const State& state) {
     Spring& spring = found[s];
     // Scaled by 1/sqrt(inertia), g turns K and C into the symmetric matrices of mass-normalised coordinates.
     Eigen::VectorXd g(n);
+    std::vector<Eigen::Index> touched;
     for (Eigen::Index i = 0; i < n; ++i) {
       g[i] = spring.gradient[static_cast<std::size_t>(i)] / std::sqrt(dynamics.inertias()[static_cast<std::size_t>(i)]);
+      if (g[i] != 0.0) touched.push_back(i);
     }
-    stiffness += spring.stiffness * g * g.transpose();
-    damping += spring.damping * g * g.transpose();
+    for (const Eigen::Index i : touched) {
+      for (const Eigen::Index j : touched) {
+        stiffness(i, j) += spring.stiffness * g[i] * g[j];
+        damping(i, j) += spring.damping * g[i] * g[j];
+      }
+    }
     const bool contact = labels[s].law != nullptr;
     const double frequency = std::sqrt(spring.stiffness / spring.effective_mass);
     const double ratio = spring.damping / (2.0 * std::sqrt(spring.stiffness * spring.effective_mass));
@@ -92,12 +98,26 @@ StepAdvice advise_step(const Dynamics& dynamics, const State& state) {
     advice.springs.push_back({labels[s].name, contact, std::move(spring), frequency, ratio, time});
   }
   if (n == 0 || found.empty()) return advice;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes{stiffness};
-  const double highest = std::max(0.0, modes.eigenvalues()[n - 1]);
-  advice.highest_frequency = std::sqrt(highest);
-  const Eigen::VectorXd top = modes.eigenvectors().col(n - 1);
-  if (highest > 0.0) advice.damping_ratio = top.dot(damping * top) / (2.0 * advice.highest_frequency);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved{stiffness};
+  const double negligible = 1e-12 * std::max(0.0, solved.eigenvalues()[n - 1]);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (solved.eigenvalues()[i] <= negligible) continue;  // a motion that stretches nothing
+    const Eigen::VectorXd shape = solved.eigenvectors().col(i);
+    const double frequency = std::sqrt(solved.eigenvalues()[i]);
+    advice.modes.push_back({frequency, shape.dot(damping * shape) / (2.0 * frequency)});
+  }
   return advice;
+}
+
+std::optional<StepLimit> step_limit(const StepAdvice& advice, std::string_view integrator) {
+  std::optional<StepLimit> first;
+  for (const NaturalMode& mode : advice.modes) {
+    const auto product = linear_limit(integrator, mode.damping_ratio);
+    if (!product) return std::nullopt;
+    const double step = *product / mode.frequency;
+    if (!first || step < first->step) first = StepLimit{mode, *product, step};
+  }
+  return first;
 }
 
 std::optional<double> linear_limit(std::string_view integrator, double damping_ratio) {

@@ -19,13 +19,20 @@ struct SpringAdvice {
   double contact_time{};   ///< of an impact by this spring alone [T]; for a cable half its period
 };
 
+/// One natural mode of a scene.
+struct NaturalMode {
+  double frequency{};      ///< [rad/T]
+  double damping_ratio{};  ///< of this mode alone
+};
+
 /// What the stiffness of a scene implies for its step, with every contact closed and every cable taut at the given
 /// state.
 struct StepAdvice {
   std::vector<SpringAdvice> springs;
-  double highest_frequency{};  ///< largest natural frequency of the whole [rad/T]; 0 without springs
-  double damping_ratio{};      ///< of that mode
-  double shortest_contact{};   ///< shortest contact time [T]; infinite without contacts
+  std::vector<NaturalMode> modes;  ///< those with a frequency > 0, slowest first
+  double shortest_contact{};       ///< shortest contact time [T]; infinite without contacts
+
+  double highest_frequency() const { return modes.empty() ? 0.0 : modes.back().frequency; }
 };
 [[nodiscard]] StepAdvice advise_step(const Dynamics& dynamics, const State& state);
 
@@ -34,5 +41,14 @@ struct StepAdvice {
 /// = 0). Empty for odeint's steppers. It is a limit of growth, not of accuracy, and one-sided contacts gain energy well
 /// below it.
 [[nodiscard]] std::optional<double> linear_limit(std::string_view integrator, double damping_ratio);
+
+/// The mode whose limit comes first for a method, and the longest stable step [T]: not always the fastest mode, for
+/// damping shortens the step too. Empty where the method's limit is not known, or nothing vibrates.
+struct StepLimit {
+  NaturalMode mode;
+  double product{};  ///< h omega of that mode at the limit
+  double step{};     ///< [T]
+};
+[[nodiscard]] std::optional<StepLimit> step_limit(const StepAdvice& advice, std::string_view integrator);
 
 }  // namespace talus

@@ -106,14 +106,11 @@ double CableForces::stored_energy(const State& state, const Workspace& work) con
   return sum;
 }
 
-double CableForces::tension(const State& state, const Workspace& work, std::size_t cable) const {
-  double found = 0.0;
+void CableForces::tensions(const State& state, const Workspace& work, std::span<double> out) const {
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    if (c != cable) return;
-    found =
+    out[c] =
         law({elongation(work, c), work.paths[c].length_rate}, memory<L>(state, slot), state.mode[slot.mode]).total();
   });
-  return found;
 }
 
 }  // namespace talus

@@ -32,8 +32,8 @@ class CableForces {
   void add(const State& state, Workspace& work, Rates* out) const;
   void guards(const State& state, const Workspace& work, std::span<double> out) const;
   double stored_energy(const State& state, const Workspace& work) const;
-  /// Tension of one cable [F] >= 0.
-  double tension(const State& state, const Workspace& work, std::size_t cable) const;
+  /// Tension of each cable [F] >= 0.
+  void tensions(const State& state, const Workspace& work, std::span<double> out) const;
   /// Elongation of one cable [L]; negative while slack.
   double elongation(const Workspace& work, std::size_t cable) const {
     return work.paths[cable].length - rest_lengths_[cable];

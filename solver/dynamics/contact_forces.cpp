@@ -154,13 +154,10 @@ double ContactForces::stored_energy(const State& state, const Workspace& work) c
   return sum;
 }
 
-double ContactForces::force(const State& state, const Workspace& work, std::size_t instance) const {
-  double found = 0.0;
+void ContactForces::forces(const State& state, const Workspace& work, std::span<double> out) const {
   for_each_instance(laws_, [&]<class L>(const L& law, Slot slot) {
-    if (slot.mode != instance) return;
-    found = law(kinematics(work, instance), memory<L>(state, slot), state.mode[instance]).total();
+    out[slot.mode] = law(kinematics(work, slot.mode), memory<L>(state, slot), state.mode[slot.mode]).total();
   });
-  return found;
 }
 
 }  // namespace talus

@@ -50,8 +50,8 @@ class ContactForces {
   void add(const State& state, Workspace& work, Rates* out) const;
   void guards(const State& state, const Workspace& work, std::span<double> out) const;
   double stored_energy(const State& state, const Workspace& work) const;
-  /// Normal force of one instance [F], > 0 pushing apart.
-  double force(const State& state, const Workspace& work, std::size_t instance) const;
+  /// Normal force of each instance [F], > 0 pushing apart.
+  void forces(const State& state, const Workspace& work, std::span<double> out) const;
   /// Tangent of each law instance, in order.
   const std::vector<Tangent>& tangents() const { return tangents_; }
   /// The two bodies of each instance, in the order of its gap's normal.

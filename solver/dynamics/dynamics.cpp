@@ -66,23 +66,22 @@ Energies Dynamics::energies(const State& state, const Workspace& work) const {
 
 Momenta Dynamics::momenta(const Workspace& work) const { return bodies_.momenta(work); }
 
-double Dynamics::normal_force(const State& state, const Workspace& work, ContactId contact) const {
-  const std::size_t first = layout_.contact_slots[index(contact)].mode;
-  double sum = 0.0;
-  for (std::size_t i = first; i < first + layout_.contact_instances[index(contact)]; ++i) {
-    sum += contacts_.force(state, work, i);
+void Dynamics::forces(const State& state, const Workspace& work, LawForces& out) const {
+  out.instances.resize(contacts_.size());
+  out.contacts.assign(model_.contacts.size(), 0.0);
+  out.tensions.resize(cables_.size());
+  contacts_.forces(state, work, out.instances);
+  cables_.tensions(state, work, out.tensions);
+  for (std::size_t c = 0, instance = 0; c < out.contacts.size(); ++c) {
+    for (std::size_t i = 0; i < layout_.contact_instances[c]; ++i)
+      out.contacts[c] += out.instances[instance++];
   }
-  return sum;
 }
 
 double Dynamics::contact_depth(const Workspace& work, ContactId contact) const {
   const auto first = work.gaps.begin() + static_cast<std::ptrdiff_t>(layout_.contact_slots[index(contact)].mode);
   const auto last = first + static_cast<std::ptrdiff_t>(layout_.contact_instances[index(contact)]);
   return std::max_element(first, last, [](const Gap& a, const Gap& b) { return a.depth < b.depth; })->depth;
-}
-
-double Dynamics::tension(const State& state, const Workspace& work, CableId cable) const {
-  return cables_.tension(state, work, index(cable));
 }
 
 double Dynamics::elongation(const Workspace& work, CableId cable) const {

@@ -14,6 +14,13 @@
 
 namespace talus {
 
+/// What the laws of a scene exert.
+struct LawForces {
+  std::vector<double> instances;  ///< normal force of each law instance of the contacts [F], > 0 pushing apart
+  std::vector<double> contacts;   ///< the same summed for each contact
+  std::vector<double> tensions;   ///< of each cable [F]
+};
+
 /// The rules that turn a Model and a State into rates of change: pure functions of both. Compiles the model once into
 /// flat arrays, one for each kind of body, geometry and law, so that an evaluation dispatches once an array.
 class Dynamics {
@@ -42,12 +49,11 @@ class Dynamics {
 
   [[nodiscard]] Energies energies(const State& state, const Workspace& work) const;
   [[nodiscard]] Momenta momenta(const Workspace& work) const;
-  /// Normal force of a contact [F], summed over its law instances: > 0 pushing the bodies apart, < 0 pulling.
-  [[nodiscard]] double normal_force(const State& state, const Workspace& work, ContactId contact) const;
+  /// Forces of all contacts and cables in the state's modes.
+  void forces(const State& state, const Workspace& work, LawForces& out) const;
   /// Largest overlap of a contact [L]; negative while its bodies are apart.
   [[nodiscard]] double contact_depth(const Workspace& work, ContactId contact) const;
-  /// Tension [F] and elongation [L] (negative while slack) of a cable.
-  [[nodiscard]] double tension(const State& state, const Workspace& work, CableId cable) const;
+  /// Elongation of a cable [L]; negative while slack.
   [[nodiscard]] double elongation(const Workspace& work, CableId cable) const;
 
  private:

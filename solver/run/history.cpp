@@ -65,22 +65,23 @@ void Recorder::operator()(const State& state, const StepInfo& info) {
 void Recorder::fill_row(const State& state) {
   const Model& model = dynamics_->model();
   dynamics_->update(state, work_);
+  dynamics_->forces(state, work_, forces_);
   row_.assign({state.t});
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     if (model.bodies[i].mobility == Mobility::fixed) continue;
     const Pose& pose = work_.poses[i];
     row_.insert(row_.end(), {pose.p_WB.x, pose.p_WB.y, pose.v_WB.x, pose.v_WB.y});
-    if (turns(model.bodies[i])) row_.insert(row_.end(), {angle(model, state, static_cast<BodyId>(i)), pose.w_WB});
+    if (turns(model.bodies[i])) row_.insert(row_.end(), {state.q[dynamics_->layout().first[i + 1] - 1], pose.w_WB});
   }
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     const auto contact = static_cast<ContactId>(i);
     row_.push_back(dynamics_->contact_depth(work_, contact));
-    row_.push_back(dynamics_->normal_force(state, work_, contact));
+    row_.push_back(forces_.contacts[i]);
   }
   for (std::size_t i = 0; i < model.cables.size(); ++i) {
     const auto cable = static_cast<CableId>(i);
     row_.push_back(dynamics_->elongation(work_, cable));
-    row_.push_back(dynamics_->tension(state, work_, cable));
+    row_.push_back(forces_.tensions[i]);
   }
   const Energies& energies = accounts_.energies;
   row_.insert(row_.end(), {energies.kinetic, energies.gravity, energies.applied, energies.contacts, energies.cables});

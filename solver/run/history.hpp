@@ -54,6 +54,7 @@ class Recorder {
   EnergyLedger ledger_;
   Accounts accounts_;
   History history_;
+  LawForces forces_;
   std::vector<double> row_;
   std::vector<Extreme> extremes_;
 };

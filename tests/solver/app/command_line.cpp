@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(a_diverged_run_is_recorded) {
   const Ended ended = talus_ran({"run", std::string{TALUS_TEST_SCENES} + "/unstable.toml", "--out", out});
   BOOST_TEST(ended.code == 3);
   // unstable.toml's step is beyond the linear limit: said before the run, and again as the reason.
-  BOOST_TEST(ended.err.rfind("talus: warning: h omega_max = ", 0) == 0U);
+  BOOST_TEST(ended.err.rfind("talus: warning: h omega = ", 0) == 0U);
   BOOST_TEST(holds(ended.err, "\ntalus: diverged at t = "));
   const auto summary = nlohmann::json::parse(talus::read_text(folder.path / "run" / "summary.json"));
   BOOST_TEST(summary.at("outcome").at("kind").get<std::string>() == "diverged");

@@ -93,8 +93,18 @@ BOOST_AUTO_TEST_CASE(highest_frequency_of_the_pivoted_impact) {
   const Dynamics dynamics{scene.model};
   const StepAdvice advice = advise_step(dynamics, scene.initial);
   const double mass = effective_mass({37.23, {}, 0.0, false}, {14.92 + 85.42 / 16.0, {}, 0.0, false});
-  BOOST_TEST(advice.highest_frequency == std::sqrt(1e6 / mass), boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(advice.damping_ratio == 100.0 / (2.0 * std::sqrt(1e6 * mass)), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(advice.highest_frequency() == std::sqrt(1e6 / mass), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(advice.modes.back().damping_ratio == 100.0 / (2.0 * std::sqrt(1e6 * mass)),
+             boost::test_tools::tolerance(1e-12));
   BOOST_REQUIRE(advice.springs.size() == 1);
-  BOOST_TEST(advice.springs[0].frequency == advice.highest_frequency, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(advice.springs[0].frequency == advice.highest_frequency(), boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_slow_mode_with_a_strong_dashpot_may_rule_the_step) {
+  StepAdvice advice;
+  advice.modes = {{100.0, 50.0}, {1000.0, 0.0}};
+  const auto limit = step_limit(advice, "velocity_verlet");
+  BOOST_REQUIRE(limit.has_value());
+  BOOST_TEST(limit->mode.frequency == 100.0);
+  BOOST_TEST(limit->step == 2.0 * (std::sqrt(2501.0) - 50.0) / 100.0, boost::test_tools::tolerance(1e-12));
 }
