@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/markdown.hpp"
 #include "reports/page_cells.hpp"
@@ -41,15 +42,38 @@ std::string check_table(const CaseRecord& record) {
   return text;
 }
 
+std::string control_margin(const Control& control) {
+  if (control.bound == 0.0 && control.error == 0.0) return "0";
+  return markdown::number(control.error / control.bound, 2);
+}
+
+/// The planted faults, and what the check that each must turn red said to it.
 std::string control_table(const CaseRecord& record) {
   Rows rows;
   for (const Control& control : record.controls) {
+    const bool made = !std::isnan(control.bound);
+    const int digits = markdown::digits_to_tell(control.measured, control.reference);
     rows.push_back({cell(control.name), cell(control.what), cell(control.turns_red),
-                    cell(control.expected.empty() ? "red" : control.expected),
+                    made ? markdown::number(control.measured, digits) : "",
+                    made ? markdown::number(control.reference, digits) : "", made ? control_margin(control) : "",
                     control.pass ? cell(control.observed) : "**" + cell(control.observed) + "**"});
   }
-  return markdown::table({{"control"}, {"the planted fault"}, {"check that must turn red"}, {"expected"}, {"observed"}},
+  return markdown::table({{"control"},
+                          {"the planted fault"},
+                          {"check that must turn red"},
+                          {"measured", true},
+                          {"reference", true},
+                          {"error/bound", true},
+                          {"observed"}},
                          rows, "");
+}
+
+/// What a reader without the picture is told: its title as plain text, no maths.
+std::string alternative_text(const Figure& figure) {
+  std::string text = figure.title + ": " + figure.y.label + " against " + figure.x.label;
+  const auto mark = [](char letter) { return std::string("$`\"\\{}").find(letter) != std::string::npos; };
+  text.erase(std::remove_if(text.begin(), text.end(), mark), text.end());
+  return text;
 }
 
 std::string figures(const CaseRecord& record, std::size_t chapter, const Drawn& drawn) {
@@ -67,7 +91,8 @@ std::string figures(const CaseRecord& record, std::size_t chapter, const Drawn& 
     if (const auto hidden = drawn.hidden.find(key); hidden != drawn.hidden.end() && hidden->second > 0) {
       caption += fmt::format(" ({} points at or below zero have no place on a log axis.)", hidden->second);
     }
-    text += fmt::format("![{}](figures/{}.svg)\n\n", caption, picture_stem(record, figure));
+    text += fmt::format("![{}](figures/{}.svg){{alt=\"{}\"}}\n\n", caption, picture_stem(record, figure),
+                        alternative_text(figure));
   }
   return text;
 }

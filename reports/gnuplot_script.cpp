@@ -92,11 +92,12 @@ std::string slope_commands(const Plot& plot, std::string& curves) {
     text += fmt::format("$slope{} << END\n{:.9g} {:.9g}\n{:.9g} {:.9g}\nEND\n", index, ends[0].x, ends[0].y, ends[1].x,
                         ends[1].y);
     const std::string label = slope.label.empty() ? fmt::format("slope {:g}", slope.order) : slope.label;
-    // Beside the middle of the line: right of it where it rises, so that the text stays off the line.
-    const double x = std::sqrt(ends[0].x * ends[1].x);
-    const double y = std::sqrt(ends[0].y * ends[1].y);
-    text += fmt::format("set label {} at {:.9g},{:.9g} left offset char 0.8,{} front textcolor rgb '#444444'\n",
-                        gnuplot_text(label), x, y, slope.order >= 0.0 ? "-0.7" : "0.7");
+    // Beside the end that has more room to the border.
+    const double width = std::log(plot.x.high / plot.x.low);
+    const bool at_low = std::log(ends[0].x / plot.x.low) / width >= std::log(plot.x.high / ends[1].x) / width;
+    const Point& end = ends[at_low ? 0 : 1];
+    text += fmt::format("set label {} at {:.9g},{:.9g} {} front boxed textcolor rgb '#444444'\n", gnuplot_text(label),
+                        end.x, end.y, at_low ? "right offset char -0.8,0" : "left offset char 0.8,0");
     curves += fmt::format(", $slope{} with lines lc rgb '#555555' lw 1.4 dt 2 notitle", index);
   }
   return text;
@@ -116,7 +117,7 @@ std::string line_commands(const Plot& plot) {
     const std::string place = line.axis == 'x'
                                   ? fmt::format("first {:.9g}, graph 1.035 center", line.at)
                                   : fmt::format("graph 0.985, first {:.9g} right offset 0,char 0.55", line.at);
-    text += fmt::format("set label {} at {} front textcolor rgb '#333333'\n", gnuplot_text(line.label), place);
+    text += fmt::format("set label {} at {} front boxed textcolor rgb '#333333'\n", gnuplot_text(line.label), place);
   }
   return text;
 }
@@ -183,20 +184,27 @@ std::string gnuplot_text(const std::string& words) {
 std::string log_tics(char axis, const Extent& extent) {
   const int first = static_cast<int>(std::ceil(std::log10(extent.low) - 1e-9));
   const int last = static_cast<int>(std::floor(std::log10(extent.high) + 1e-9));
-  if (last - first >= 1) {
-    const double factor = std::pow(10.0, 1 + (last - first) / 9);
-    return fmt::format("set {0}tics {1:g}\nset format {0} '10^{{%T}}'\nset m{0}tics {2}\n", axis, factor,
-                       factor > 10.0 ? 1 : 10);
-  }
   std::string places;
-  for (int decade = first - 1; decade <= last + 1; ++decade) {
-    for (const double digit : {1.0, 1.5, 2.0, 3.0, 5.0, 7.0}) {
-      const double value = digit * std::pow(10.0, decade);
-      if (value < extent.low || value > extent.high) continue;
-      places += fmt::format("{}{:g}", places.empty() ? "" : ", ", value);
+  // Each place is written out: gnuplot's own series would start at the axis' end, whatever number stands there.
+  const auto add = [&](const std::string& label, double digit, int decade, const char* level) {
+    const double value = digit * std::pow(10.0, decade);
+    if (value < extent.low * (1.0 - 1e-9) || value > extent.high * (1.0 + 1e-9)) return;
+    places += fmt::format("{}{} {:g}e{}{}", places.empty() ? "" : ", ", label, digit, decade, level);
+  };
+  if (last - first >= 1) {
+    const int stride = 1 + (last - first) / 9;
+    for (int decade = first - 1; decade <= last; ++decade) {
+      if ((decade - first) % stride == 0) add(fmt::format("'10^{{{}}}'", decade), 1.0, decade, "");
+      for (int digit = 2; digit <= 9 && stride == 1; ++digit)
+        add("''", digit, decade, " 1");
+    }
+  } else {
+    for (int decade = first - 1; decade <= last + 1; ++decade) {
+      for (const double digit : {1.0, 1.5, 2.0, 3.0, 5.0, 7.0})
+        add(fmt::format("'{:g}'", digit * std::pow(10.0, decade)), digit, decade, "");
     }
   }
-  return fmt::format("set {0}tics ({1})\nset format {0} '%g'\n", axis, places);
+  return fmt::format("set {}tics ({})\n", axis, places);
 }
 
 std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, const std::string& body,

@@ -24,7 +24,8 @@ struct Canvas {
 /// Text as a single-quoted gnuplot string, for file names.
 [[nodiscard]] std::string gnuplot_quoted(const std::string& text);
 
-/// `set xtics` (axis 'x' or 'y') for a log axis: powers of ten where there are two or more, else 1-2-5 numbers.
+/// `set xtics` (axis 'x' or 'y') for a log axis, each place written out: powers of ten where there are two or more,
+/// else 1-2-5 numbers.
 [[nodiscard]] std::string log_tics(char axis, const Extent& extent);
 
 /// The commands that draw `body` (a complete `plot` command) as folder/stem.<format> in each format;

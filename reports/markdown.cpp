@@ -92,7 +92,7 @@ std::vector<std::size_t> widths_of(const std::vector<Column>& columns,
     least[c] = std::max<std::size_t>(longest_word(columns[c].heading), 3);
     wish[c] = length_of(columns[c].heading);
     for (const auto& row : rows) {
-      least[c] = std::max(least[c], std::min<std::size_t>(longest_word(visible(row[c])), 24));
+      least[c] = std::max(least[c], std::min<std::size_t>(longest_word(visible(row[c])), 30));
       wish[c] = std::max(wish[c], length_of(visible(row[c])));
     }
     wish[c] = std::max(wish[c], least[c]) - least[c];

@@ -72,11 +72,12 @@ std::string failures(const Results& results) {
   return text;
 }
 
-std::string provenance(const Provenance& p) {
+std::string provenance(const Results& results) {
+  const Provenance& p = results.provenance;
   std::string libraries;
   for (const auto& [name, version] : p.libraries)
     libraries += (libraries.empty() ? "" : ", ") + name + " " + version;
-  const Rows rows{{"date", cell(p.date)},
+  const Rows rows{{"date, tier", cell(p.date + (results.tier.empty() ? "" : ", tier " + results.tier))},
                   {"revision", cell(p.revision) + (p.dirty ? " (**with uncommitted changes**)" : "")},
                   {"compiler", cell(p.compiler + (p.build_type.empty() ? "" : ", " + p.build_type))},
                   {"flags", p.flags.empty() ? "" : markdown::code(p.flags)},
@@ -116,26 +117,43 @@ std::string main_check_table(const Results& results) {
   for (const CaseRecord& record : results.cases) {
     std::string name = case_link(record);
     for (const Check& check : main_checks(record)) {
-      rows.push_back({name, name_with_unit(check), measured_text(check), reference_text(check), error_text(check),
-                      margin_text(check), check.pass ? "pass" : "**fail**"});
+      rows.push_back({name, name_with_unit(check), measured_text(check), reference_text(check), margin_text(check),
+                      check.pass ? "pass" : "**fail**"});
       name = std::string(" ");
     }
-    if (record.checks.empty()) rows.push_back({name, "none ran", "", "", "", "", status_word(record.status)});
+    if (record.checks.empty()) rows.push_back({name, "none ran", "", "", "", status_word(record.status)});
   }
-  return markdown::table({{"case"},
-                          {"check"},
-                          {"measured", true},
-                          {"reference", true},
-                          {"error", true},
-                          {"error/bound", true},
-                          {"result"}},
-                         rows, "");
+  return markdown::table(
+      {{"case"}, {"check"}, {"measured", true}, {"reference", true}, {"error/bound", true}, {"result"}}, rows, "");
+}
+
+/// `end_rule` reads "end rule".
+std::string group_title(std::string group) {
+  std::replace(group.begin(), group.end(), '_', ' ');
+  return markdown::words(group);
 }
 
 std::string joined_links(const Results& results, const std::vector<std::string>& ids) {
   std::string text;
   for (const std::string& id : ids)
     text += (text.empty() ? "" : ", ") + link_of(results, id);
+  return text;
+}
+
+/// The checks that touch a requirement: of each case the first few by name, and how many more.
+std::string shown_by(const Results& results, const Requirement& requirement) {
+  if (requirement.shown_by.empty()) return joined_links(results, requirement.cases);
+  constexpr std::size_t named = 2;
+  std::string text;
+  for (const ShownBy& shown : requirement.shown_by) {
+    const std::size_t count = std::min(named, shown.checks.size());
+    std::string names;
+    for (std::size_t i = 0; i < count; ++i)
+      names += (i == 0 ? "" : "; ") + cell(shown.checks[i]);
+    if (shown.checks.size() > count) names += fmt::format("; {} more", shown.checks.size() - count);
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ". ", link_of(results, shown.case_id),
+                        names.empty() ? "none ran" : names);
+  }
   return text;
 }
 
@@ -155,13 +173,13 @@ std::string traceability(const Results& results) {
       if (requirement.cases.empty()) {
         bare += (bare.empty() ? "" : "; ") + markdown::words(requirement.id);
       } else {
-        rows.push_back({cell(requirement.id), cell(requirement.text), joined_links(results, requirement.cases),
+        rows.push_back({cell(requirement.id), cell(requirement.text), shown_by(results, requirement),
                         fmt::format("{}", requirement.checks)});
       }
     }
-    text += fmt::format("## Requirements: {}\n\n{} of {} have a case.\n\n", markdown::words(group), rows.size(), all);
+    text += fmt::format("## Requirements: {}\n\n{} of {} have a case.\n\n", group_title(group), rows.size(), all);
     if (!rows.empty())
-      text += markdown::table({{"requirement"}, {"what"}, {"cases"}, {"checks", true}}, rows, "") + "\n";
+      text += markdown::table({{"requirement"}, {"what"}, {"shown by"}, {"checks", true}}, rows, "") + "\n";
     if (!bare.empty()) text += "**Without a case:** " + bare + ".\n\n";
   }
   return text;
@@ -171,11 +189,11 @@ std::string front(const Results& results, const std::filesystem::path& templates
   const Counts& c = results.counts;
   mustache::data values;
   values.set("verdict", results.verdict == "pass" ? "PASS" : "FAIL");
-  values.set(
-      "counts",
-      fmt::format("{} cases: {} passed, {} failed. {} checks: {} failed, {} slack. {} negative controls: "
-                  "{} failed.",
-                  c.cases, c.passed, c.failed, c.checks, c.checks_failed, c.slack, c.controls, c.controls_failed));
+  values.set("counts", fmt::format("{} cases: {} passed, {} failed. {} checks: {} failed, {} slack ({} exact or "
+                                   "round-off ones are exempt from that rule). {} negative controls: "
+                                   "{} failed.",
+                                   c.cases, c.passed, c.failed, c.checks, c.checks_failed, c.slack, c.exempt,
+                                   c.controls, c.controls_failed));
   std::string left_out;
   for (const std::string& id : results.registered) {
     if (std::find(results.selected.begin(), results.selected.end(), id) != results.selected.end()) continue;
@@ -187,7 +205,7 @@ std::string front(const Results& results, const std::filesystem::path& templates
   values.set("has_failures", !failed.empty());
   values.set("failures", failed);
   values.set("cases", case_summary(results));
-  values.set("provenance", provenance(results.provenance));
+  values.set("provenance", provenance(results));
   values.set("checks", main_check_table(results));
   values.set("traceability", traceability(results));
   return filled(templates / "front.mustache", values);

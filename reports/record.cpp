@@ -48,8 +48,19 @@ Check check_of(const Node& node) {
 }
 
 Control control_of(const Node& node) {
-  return {node.at("name").words(),        node.at("what").words(),     node.at("turns_red").words(),
-          node.text_or_empty("expected"), node.at("observed").words(), node.at("pass").flag()};
+  const auto number = [&](const char* key) {
+    return node.has(key) ? node.at(key).number() : std::numeric_limits<double>::quiet_NaN();
+  };
+  return {node.at("name").words(),
+          node.at("what").words(),
+          node.at("turns_red").words(),
+          node.text_or_empty("expected"),
+          node.at("observed").words(),
+          node.at("pass").flag(),
+          number("measured"),
+          number("reference"),
+          number("error"),
+          number("bound")};
 }
 
 Axis axis_of(const Node& node) {
@@ -176,9 +187,15 @@ Provenance provenance_of(const Node& node) {
 }
 
 Counts counts_of(const Node& node) {
-  return {node.at("cases").integer(),    node.at("passed").integer(),         node.at("failed").integer(),
-          node.at("checks").integer(),   node.at("checks_failed").integer(),  node.at("slack").integer(),
-          node.at("controls").integer(), node.at("controls_failed").integer()};
+  return {node.at("cases").integer(),
+          node.at("passed").integer(),
+          node.at("failed").integer(),
+          node.at("checks").integer(),
+          node.at("checks_failed").integer(),
+          node.at("slack").integer(),
+          node.at("controls").integer(),
+          node.at("controls_failed").integer(),
+          node.has("exempt") ? node.at("exempt").integer() : 0};
 }
 
 /// The numbers as they follow from the records themselves.
@@ -191,6 +208,7 @@ Counts counted(const std::vector<CaseRecord>& cases) {
       ++counts.checks;
       counts.checks_failed += check.pass ? 0 : 1;
       counts.slack += check.slack ? 1 : 0;
+      counts.exempt += check.kind == "exact" || check.kind == "round_off" ? 1 : 0;
     }
     for (const Control& control : record.controls) {
       ++counts.controls;
@@ -228,6 +246,7 @@ void demand_consistency(const Node& root, const Results& results) {
   agree("checks", results.counts.checks, mine.checks);
   agree("checks_failed", results.counts.checks_failed, mine.checks_failed);
   agree("slack", results.counts.slack, mine.slack);
+  if (root.at("counts").has("exempt")) agree("exempt", results.counts.exempt, mine.exempt);
   agree("controls", results.counts.controls, mine.controls);
   agree("controls_failed", results.counts.controls_failed, mine.controls_failed);
   const bool failed = mine.failed > 0 || mine.cases == 0;
@@ -259,13 +278,18 @@ Results read_results(const std::filesystem::path& file) {
   results.registered = root.at("registered").texts();
   results.selected = root.has("selected") ? root.at("selected").texts() : results.registered;
   results.counts = counts_of(root.at("counts"));
+  results.tier = root.text_or_empty("tier");
   results.verdict = root.at("verdict").one_of({"pass", "fail"});
   for (const Node& item : root.at("requirements").list()) {
-    results.requirements.push_back({item.at("id").words(), item.at("group").words(), item.text_or_empty("text"),
-                                    item.at("cases").texts(), item.at("checks").integer()});
+    Requirement requirement{item.at("id").words(),    item.at("group").words(),    item.text_or_empty("text"),
+                            item.at("cases").texts(), item.at("checks").integer(), {}};
+    for (const Node& shown : item.list_or_empty("shown_by"))
+      requirement.shown_by.push_back({shown.at("case").words(), shown.at("checks").texts()});
+    results.requirements.push_back(std::move(requirement));
   }
   for (const Node& item : root.at("cases").list())
     results.cases.push_back(case_of(item));
+  if (!root.at("counts").has("exempt")) results.counts.exempt = counted(results.cases).exempt;
   for (const Node& item : root.list_or_empty("errata")) {
     results.errata.push_back({item.at("id").words(), item.text_or_empty("where"), item.at("printed").text(),
                               item.at("corrected").text(), item.text_or_empty("evidence"), item.text_or_empty("case")});

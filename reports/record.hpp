@@ -39,6 +39,10 @@ struct Control {
   std::string expected;
   std::string observed;
   bool pass{};
+  double measured{};  ///< of the check it turns red, with the fault; this and the next three are NaN if not made
+  double reference{};
+  double error{};
+  double bound{};
 };
 
 /// One axis of a figure; min and max override the limits found from the data.
@@ -122,6 +126,13 @@ struct Provenance {
 
 struct Counts {
   int cases{}, passed{}, failed{}, checks{}, checks_failed{}, slack{}, controls{}, controls_failed{};
+  int exempt{};  ///< exact and round-off checks: their bounds are not chosen, so they are never called slack
+};
+
+/// The checks of one case that touch a requirement.
+struct ShownBy {
+  std::string case_id;
+  std::vector<std::string> checks;
 };
 
 struct Requirement {
@@ -130,6 +141,7 @@ struct Requirement {
   std::string text;
   std::vector<std::string> cases;
   int checks{};
+  std::vector<ShownBy> shown_by;
 };
 
 struct Erratum {
@@ -146,6 +158,7 @@ struct Results {
   std::vector<std::string> registered;  ///< every case there is
   std::vector<std::string> selected;    ///< the cases asked for; all that are registered unless the record says else
   Counts counts;
+  std::string tier;  ///< of the run: quick or full; may be empty
   std::string verdict;
   std::vector<Requirement> requirements;
   std::vector<CaseRecord> cases;

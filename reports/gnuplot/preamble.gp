@@ -18,6 +18,7 @@ set border 3 lc rgb "#333333" lw 0.8
 set tics out nomirror textcolor rgb "#111111"
 set grid xtics ytics lc rgb "#dddddd" lw 0.6 lt 1
 set bars 0.6
+set style textbox opaque noborder fillcolor rgb "#ffffff" margins 0.3,0.2
 set key bmargin center vertical Left reverse samplen 2.5 spacing 1.05
 set lmargin 11
 set rmargin 4

@@ -16,15 +16,17 @@ function Header(header)
   chapters = chapters + 1
   local title = pandoc.utils.stringify(header)
   if chapters == 1 or title == 'References' or title == 'Colophon' then return nil end
-  local contents = chapters == 2 and '\\vfill\\setcounter{tocdepth}{1}\\begingroup\\small\\tableofcontents\\endgroup\\thispagestyle{plain}' or ''
-  return { latex_block(contents .. '\\clearpage'), header }
+  if chapters == 2 then  -- the contents share its page
+    return { latex_block('\\clearpage\\setcounter{tocdepth}{1}\\begingroup\\small\\tableofcontents\\endgroup\\bigskip'), header }
+  end
+  return { latex_block('\\clearpage'), header }
 end
 
--- A long word may break after these marks; numbers stay whole.
+-- A long word may break after a comma or a semicolon; names and numbers stay whole.
 local function breakable(word)
   if #word < 12 or tonumber(word) then return nil end
   local parts = {}
-  for head in word:gmatch('[^_=./,:;)-]*[_=./,:;)-]?') do
+  for head in word:gmatch('[^,;]*[,;]?') do
     if head ~= '' then
       parts[#parts + 1] = pandoc.Str(head)
       parts[#parts + 1] = latex_inline('\\allowbreak{}')

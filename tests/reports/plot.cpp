@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_script_draws_points_slopes_and_lines) {
   BOOST_TEST(plot.curves[0].points.size() == 2U);
   const std::string script = figure_script(plot, {"/p/preamble.gp", "/out", {"pdf", "svg"}}, "stem");
   for (const char* part : {"load '/p/preamble.gp'", "set logscale x", "set output '/out/stem.pdf'", "'/out/stem.svg'",
-                           "$slope1 with lines", "'h^{2}'", "'production'", "to graph 1, first 0.001", "10^{%T}",
+                           "$slope1 with lines", "'h^{2}'", "'production'", "to graph 1, first 0.001", "'10^{-2}' 1e-2",
                            "'step [s]'", "'error'"}) {
     BOOST_TEST(names(script, part), part);
   }
@@ -105,6 +105,17 @@ BOOST_AUTO_TEST_CASE(a_script_draws_points_slopes_and_lines) {
 
 BOOST_AUTO_TEST_CASE(narrow_log_axes_have_numbers) {
   const std::string narrow = log_tics('y', {2.0, 6.0});
-  BOOST_TEST(names(narrow, "2, 3, 5"));
-  BOOST_TEST(names(log_tics('x', {1e-5, 1.0}), "10^{%T}"));
+  BOOST_TEST(names(narrow, "'2' 2e0, '3' 3e0, '5' 5e0"));
+}
+
+BOOST_AUTO_TEST_CASE(log_tics_stand_at_powers_of_ten) {
+  const std::string tics = log_tics('x', {83.2, 12022.0});
+  BOOST_TEST(names(tics, "set xtics ('' 9e1 1, '10^{2}' 1e2, '' 2e2 1"), tics);
+  BOOST_TEST(names(tics, "'10^{3}' 1e3"));
+  BOOST_TEST(names(tics, "'' 9e3 1, '10^{4}' 1e4)"), tics);
+  BOOST_TEST(!names(tics, "8.3"));
+  BOOST_TEST(!names(tics, "%"));
+  BOOST_TEST(log_tics('y', {1e-20, 1.0}) ==
+             "set ytics ('10^{-20}' 1e-20, '10^{-17}' 1e-17, '10^{-14}' 1e-14, '10^{-11}' 1e-11, '10^{-8}' 1e-8, "
+             "'10^{-5}' 1e-5, '10^{-2}' 1e-2)\n");
 }

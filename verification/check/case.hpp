@@ -34,12 +34,19 @@ struct Fault {
   std::string turns_red;  ///< Name of a check of the same case.
 };
 
+/// A requirement and the checks that show it: those whose name holds one of `parts`. Each part must occur in a name.
+struct Claim {
+  std::string requirement;         ///< Id from the closed lists: "Eq. 21", "law.NAME", "integrator.NAME", ...
+  std::vector<std::string> parts;  ///< Pieces of check names.
+};
+
 /// A verification case: one page of the manual and the function that fills it.
 struct Case {
-  std::string id;                         ///< snake_case; file, function and folder carry the same name.
-  std::string title;                      ///< One line.
-  std::vector<std::string> requirements;  ///< Ids from the closed lists: "Eq. 21", "law.NAME", "integrator.NAME", ...
-  std::string source;                     ///< Full citation with page or equation.
+  std::string id;                          ///< snake_case; file, function and folder carry the same name.
+  std::string title;                       ///< One line.
+  std::vector<Claim> requirements;         ///< What the case shows, and by which checks.
+  std::vector<std::string> main_checks{};  ///< Names of the checks on the first page; each must be made.
+  std::string source;                      ///< Full citation with page or equation.
   std::string page;           ///< Raw Markdown: problem, sketch, equations, parameters, what would break it.
   std::vector<Fault> faults;  ///< At least one: a case that cannot turn red shows nothing.
   Tier tier = Tier::quick;    ///< The lowest tier that runs this case.

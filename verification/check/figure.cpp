@@ -84,6 +84,18 @@ void demand_well_formed(const Figure& figure) {
   }
 }
 
+std::size_t not_finite(const Figure& figure) {
+  std::size_t lost = 0;
+  for (const auto& series : figure.series) {
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      bool finite = std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
+      if (!series.y_low.empty()) finite = finite && std::isfinite(series.y_low[i]) && std::isfinite(series.y_high[i]);
+      if (!finite) ++lost;
+    }
+  }
+  return lost;
+}
+
 Figure drawable(Figure figure) {
   std::size_t left_out = 0;
   for (auto& series : figure.series)
@@ -92,7 +104,7 @@ Figure drawable(Figure figure) {
   figure.series.erase(std::remove_if(figure.series.begin(), figure.series.end(), without_points), figure.series.end());
   if (left_out > 0) {
     figure.caption +=
-        " (" + std::to_string(left_out) + " points are left out: not finite, or not positive on a logarithmic axis.)";
+        " (" + std::to_string(left_out) + " points are left out: not positive on a logarithmic axis, or not finite.)";
   }
   return figure;
 }

@@ -65,6 +65,9 @@ struct Figure {
 /// nothing to draw.
 void demand_well_formed(const Figure& figure);
 
+/// The number of points with a NaN or an infinity in them. Findings::figure turns any into a failed check.
+[[nodiscard]] std::size_t not_finite(const Figure& figure);
+
 /// The figure without the points that cannot be drawn (not finite, or not positive on a logarithmic axis). If there
 /// were any, the caption ends with their number: they do not drop out in silence. Series left without points are
 /// removed.

@@ -47,6 +47,11 @@ bool Findings::expect_order(std::string name, const Convergence& convergence, do
 void Findings::figure(Figure figure) {
   demand_well_formed(figure);
   demand_new(figures_, figure.name, "figure");
+  if (const std::size_t lost = not_finite(figure); lost > 0) {
+    expect(
+        "figure " + figure.name + ": points that are not finite", static_cast<double>(lost), 0.0,
+        Tolerance::exact("a curve with a hole shows nothing: what cannot be measured is left out by the case itself"));
+  }
   figure = drawable(std::move(figure));
   if (figure.series.empty()) return note("Figure `" + figure.name + "` is not drawn: no point of it is finite.");
   figures_.push_back(std::move(figure));

@@ -30,6 +30,8 @@ class Findings {
   /// Demands that the order fitted to all points of `convergence` lies in [low, high]: too steep is a failure, too.
   bool expect_order(std::string name, const Convergence& convergence, double low, double high, std::string why);
 
+  /// Adds a figure. A point that is not finite adds a failed check; points not positive on a log axis are left out and
+  /// counted in the caption.
   void figure(Figure figure);
   void table(Table table);
   /// A paragraph of Markdown for the page, e.g. what does not match and by how much.

@@ -52,11 +52,22 @@ struct Control {
   [[nodiscard]] bool pass() const { return observed == Colour::red && unplanted == Colour::green; }
 };
 
+/// A requirement and the checks that touch it.
+struct Trace {
+  std::string requirement;          ///< Claim::requirement.
+  std::vector<std::string> checks;  ///< Names of the checks made whose names hold one of Claim::parts.
+  std::string unmatched{};          ///< A part that is in no name; empty if there is none.
+
+  /// There is a check for it, and each part that the case names has one.
+  [[nodiscard]] bool shown() const { return !checks.empty() && unmatched.empty(); }
+};
+
 /// All that one case leaves behind; `record.json` and the CSV files it names.
 struct Record {
   std::string id;
   std::string title;
-  std::vector<std::string> requirements;
+  std::vector<Trace> requirements;       ///< With the checks made so far.
+  std::vector<std::string> main_checks;  ///< Case::main_checks.
   std::string source;
   std::string page;
   Tier tier = Tier::quick;
@@ -78,6 +89,9 @@ struct RecordError : std::runtime_error {
 
 /// The head of a record: what the case says of itself, nothing found yet.
 [[nodiscard]] Record record_of(const Case& verification_case);
+
+/// The checks of `checks` that show what `claims` say, a trace for each claim.
+[[nodiscard]] std::vector<Trace> traced(const std::vector<Claim>& claims, const std::vector<Check>& checks);
 
 /// The JSON text of a record (schema 1).
 [[nodiscard]] std::string text_of(const Record& record);

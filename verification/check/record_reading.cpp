@@ -149,7 +149,12 @@ Record record_from(const Json& json, const std::filesystem::path& folder) {
   Record record;
   record.id = json.at("id").get<std::string>();
   record.title = json.at("title").get<std::string>();
-  record.requirements = json.at("requirements").get<std::vector<std::string>>();
+  for (const auto& trace : json.at("traces")) {
+    record.requirements.push_back({trace.at("id").get<std::string>(),
+                                   trace.at("checks").get<std::vector<std::string>>(),
+                                   trace.at("unmatched").get<std::string>()});
+  }
+  record.main_checks = json.at("main_checks").get<std::vector<std::string>>();
   record.source = json.at("source").get<std::string>();
   record.page = json.at("page").get<std::string>();
   record.tier = tier_named(json.at("tier").get<std::string>());

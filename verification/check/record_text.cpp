@@ -1,4 +1,5 @@
 // The JSON text of a record, schema 1.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -20,6 +21,10 @@ Json number(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
   return value;
+}
+
+Json to_json(const Trace& trace) {
+  return {{"id", trace.requirement}, {"checks", trace.checks}, {"unmatched", trace.unmatched}};
 }
 
 Json to_json(const Check& check) {
@@ -108,10 +113,20 @@ Json array_of(const std::vector<T>& values) {
 }  // namespace
 
 std::string text_of(const Record& record) {
+  Json requirements = Json::array();
+  for (const auto& trace : record.requirements)
+    requirements.push_back(trace.requirement);
+  Json checks = array_of(record.checks);
+  for (auto& check : checks) {
+    const auto& names = record.main_checks;
+    if (std::find(names.begin(), names.end(), check.at("name").get<std::string>()) != names.end()) check["main"] = true;
+  }
   const Json json{{"schema", schema},
                   {"id", record.id},
                   {"title", record.title},
-                  {"requirements", record.requirements},
+                  {"requirements", requirements},
+                  {"traces", array_of(record.requirements)},
+                  {"main_checks", record.main_checks},
                   {"source", record.source},
                   {"page", record.page},
                   {"tier", name_of(record.tier)},
@@ -119,7 +134,7 @@ std::string text_of(const Record& record) {
                   {"message", record.message},
                   {"seconds", number(record.seconds)},
                   {"evaluations", record.evaluations},
-                  {"checks", array_of(record.checks)},
+                  {"checks", checks},
                   {"controls", array_of(record.controls)},
                   {"figures", array_of(record.figures)},
                   {"tables", array_of(record.tables)},

@@ -78,6 +78,25 @@ void plant_all(const Case& verification_case, Tier tier, Record& record) {
   }
 }
 
+/// Main checks that were not made, and requirements that no check shows: in words, empty if there are none.
+std::string undelivered(const Record& record) {
+  std::string words;
+  const auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
+  for (const auto& name : record.main_checks) {
+    const auto named = [&](const Check& check) { return check.name == name; };
+    if (std::none_of(record.checks.begin(), record.checks.end(), named))
+      add(fmt::format("main check '{}' was not made", name));
+  }
+  for (const auto& trace : record.requirements) {
+    if (!trace.unmatched.empty()) {
+      add(fmt::format("requirement {}: no check has '{}' in its name", trace.requirement, trace.unmatched));
+    } else if (!trace.shown()) {
+      add(fmt::format("requirement {}: the case names no check for it", trace.requirement));
+    }
+  }
+  return words;
+}
+
 }  // namespace
 
 Record run_case(const Case& verification_case, Tier tier) {
@@ -87,6 +106,7 @@ Record run_case(const Case& verification_case, Tier tier) {
   const std::string thrown = thrown_by(verification_case, findings, {.fault = "", .coarse = false, .tier = tier});
   record.evaluations = findings.evaluations();
   record.checks = findings.checks();
+  record.requirements = traced(verification_case.requirements, record.checks);
   record.figures = findings.figures();
   record.tables = findings.tables();
   record.notes = findings.notes();
@@ -124,6 +144,10 @@ void judge(Record& record) {
   if (unshown > 0) {
     record.message += fmt::format("{}{} of {} controls did not turn red", record.message.empty() ? "" : "; ", unshown,
                                   record.controls.size());
+  }
+  // With no check at all nothing is delivered: that is said already.
+  if (const std::string words = undelivered(record); !words.empty() && !record.checks.empty()) {
+    record.message += (record.message.empty() ? "" : "; ") + words;
   }
   record.status = record.message.empty() ? Status::pass : Status::fail;
 }

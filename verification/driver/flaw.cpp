@@ -19,9 +19,24 @@ bool is_snake_case(const std::string& word) {
 std::string flaw_of_requirements(const Case& verification_case) {
   const auto known = all_requirements();
   if (verification_case.requirements.empty()) return "it names no requirement";
-  for (const auto& id : verification_case.requirements) {
+  for (const auto& claim : verification_case.requirements) {
+    const std::string& id = claim.requirement;
     const bool listed = std::any_of(known.begin(), known.end(), [&](const Requirement& r) { return r.id == id; });
     if (!listed) return fmt::format("requirement '{}' is in no closed list", id);
+    if (claim.parts.empty()) return fmt::format("it names no check for requirement '{}'", id);
+    const auto same = [&](const Claim& other) { return other.requirement == id; };
+    const auto& claims = verification_case.requirements;
+    if (std::count_if(claims.begin(), claims.end(), same) > 1)
+      return fmt::format("requirement '{}' is listed twice", id);
+  }
+  return "";
+}
+
+std::string flaw_of_main_checks(const Case& verification_case) {
+  const auto& names = verification_case.main_checks;
+  if (names.empty()) return "it names no main check";
+  for (const auto& name : names) {
+    if (std::count(names.begin(), names.end(), name) > 1) return fmt::format("main check '{}' is listed twice", name);
   }
   return "";
 }
@@ -53,8 +68,10 @@ std::string flaw_of(const Case& verification_case, const std::vector<Case>& all)
   if (c.run == nullptr) return "it has nothing to run";
   if (!(std::isfinite(c.time_limit) && c.time_limit > 0.0))
     return "its time limit must be finite and greater than zero";
-  const std::string flaw = flaw_of_requirements(c);
-  return flaw.empty() ? flaw_of_faults(c) : flaw;
+  for (const std::string& flaw : {flaw_of_requirements(c), flaw_of_main_checks(c), flaw_of_faults(c)}) {
+    if (!flaw.empty()) return flaw;
+  }
+  return "";
 }
 
 }  // namespace talus::verification

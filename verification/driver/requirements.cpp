@@ -6,6 +6,8 @@
 #include "solver/geometry/shape.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/laws/law_list.hpp"
+#include "solver/laws/unilateral_spring.hpp"
+#include "solver/model/contact.hpp"
 
 namespace talus::verification {
 
@@ -51,6 +53,11 @@ void append(std::vector<Requirement>& all, const std::string& group, const std::
     all.push_back({group + "." + name, group, text});
 }
 
+template <class Enum>
+std::vector<std::string> names_of() {
+  return {Names<Enum>::list.begin(), Names<Enum>::list.end()};
+}
+
 }  // namespace
 
 std::vector<Requirement> all_requirements() {
@@ -60,6 +67,8 @@ std::vector<Requirement> all_requirements() {
   }
   append(all, "law", ContactLaws::names(), "contact law");
   append(all, "law", CableLaws::names(), "cable law");
+  append(all, "end_rule", names_of<EndRule>(), "how a contact with a dashpot ends");
+  append(all, "method", names_of<ContactMethod>(), "how the overlap of two outlines becomes forces");
   append(all, "integrator", integrator_names(), "time integration");
   append(all, "shape", shape_names(), "outline of a body");
   return all;

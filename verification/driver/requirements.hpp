@@ -5,10 +5,11 @@
 
 namespace talus::verification {
 
-/// Something that must be shown to work: an equation of the 1993 report, a law, an integrator or a shape.
+/// Something that must be shown to work: an equation of the 1993 report, a law, an end rule, a contact method,
+/// an integrator or a shape.
 struct Requirement {
-  std::string id;     ///< "Eq. 21", "law.NAME", "integrator.NAME", "shape.NAME".
-  std::string group;  ///< "equation", "law", "integrator" or "shape".
+  std::string id;     ///< "Eq. 21", "law.NAME", "end_rule.NAME", "method.NAME", "integrator.NAME", "shape.NAME".
+  std::string group;  ///< "equation", "law", "end_rule", "method", "integrator" or "shape".
   std::string text;   ///< One line: what it says.
 };
 

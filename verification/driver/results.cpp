@@ -33,26 +33,32 @@ Json to_json(const Counts& counts) {
           {"checks", counts.checks},
           {"checks_failed", counts.checks_failed},
           {"slack", counts.slack},
+          {"exempt", counts.exempt},
           {"controls", counts.controls},
           {"controls_failed", counts.controls_failed}};
 }
 
-/// Requirement -> cases that name it, and the number of their checks.
+/// Requirement -> cases that name it, and the checks in them that touch it.
 Json traceability(const std::vector<Record>& records) {
   Json list = Json::array();
   for (const auto& requirement : all_requirements()) {
     Json cases = Json::array();
+    Json shown_by = Json::array();
     std::size_t checks = 0;
     for (const auto& record : records) {
-      if (!contains(record.requirements, requirement.id)) continue;
-      cases.push_back(record.id);
-      checks += record.checks.size();
+      for (const auto& trace : record.requirements) {
+        if (trace.requirement != requirement.id) continue;
+        cases.push_back(record.id);
+        shown_by.push_back({{"case", record.id}, {"checks", trace.checks}});
+        checks += trace.checks.size();
+      }
     }
     list.push_back({{"id", requirement.id},
                     {"group", requirement.group},
                     {"text", requirement.text},
                     {"cases", cases},
-                    {"checks", checks}});
+                    {"checks", checks},
+                    {"shown_by", shown_by}});
   }
   return list;
 }
@@ -83,6 +89,7 @@ Counts counts_of(const Results& results) {
       ++counts.checks;
       if (!check.pass) ++counts.checks_failed;
       if (check.slack) ++counts.slack;
+      if (check.kind == Kind::exact || check.kind == Kind::round_off) ++counts.exempt;
     }
     for (const auto& control : record.controls) {
       ++counts.controls;

@@ -16,7 +16,8 @@ struct Counts {
   std::size_t failed = 0;
   std::size_t checks = 0;
   std::size_t checks_failed = 0;
-  std::size_t slack = 0;
+  std::size_t slack = 0;   ///< Checks whose bound was chosen and is fifty times the error.
+  std::size_t exempt = 0;  ///< Exact and round-off checks: their bound was not chosen, it is never called slack.
   std::size_t controls = 0;
   std::size_t controls_failed = 0;
 };

@@ -98,10 +98,12 @@ void Terminal::summarise(const Results& results, const std::string& results_file
   const Counts counts = counts_of(results);
   const bool pass = holds(results);
   const std::size_t unselected = results.registered.size() - results.selected.size();
-  fmt::print("{}: {} of {} cases passed; {} checks, {} failed, {} slack; {} controls, {} not red{}\n",
-             painted(pass ? "PASS" : "FAIL", pass ? green : red), counts.passed, counts.cases, counts.checks,
-             counts.checks_failed, counts.slack, counts.controls, counts.controls_failed,
-             unselected == 0 ? "" : fmt::format("; {} registered but not selected", unselected));
+  fmt::print(
+      "{}: {} of {} cases passed; {} checks, {} failed, {} slack ({} exact or round-off, exempt from it); {} controls, "
+      "{} not red{}\n",
+      painted(pass ? "PASS" : "FAIL", pass ? green : red), counts.passed, counts.cases, counts.checks,
+      counts.checks_failed, counts.slack, counts.exempt, counts.controls, counts.controls_failed,
+      unselected == 0 ? "" : fmt::format("; {} registered but not selected", unselected));
   if (results.selected.empty()) fmt::print("nothing was run: that is a failure\n");
   fmt::print("results: {}\n", results_file);
   std::fflush(stdout);

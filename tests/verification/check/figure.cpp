@@ -44,6 +44,8 @@ BOOST_AUTO_TEST_CASE(points_that_cannot_be_drawn_are_counted) {
   Figure figure = two_series();
   figure.series.push_back({"diverged", {0.1, 0.2, 0.3}, {not_a_number, 0.0, 1.0}});
   figure.series.push_back({"nothing", {0.1}, {not_a_number}});
+  BOOST_TEST(not_finite(figure) == 2u);
+  BOOST_TEST(not_finite(two_series()) == 0u);
   const Figure drawn = drawable(figure);
   BOOST_TEST(drawn.series.size() == 3u);
   BOOST_TEST(drawn.series[2].x == std::vector<double>({0.3}));

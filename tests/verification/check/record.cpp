@@ -51,7 +51,8 @@ Record full_record() {
   Record record;
   record.id = "example";
   record.title = "An example";
-  record.requirements = {"Eq. 21"};
+  record.requirements = traced({{"Eq. 21", {"third", "order"}}}, findings.checks());
+  record.main_checks = {"third"};
   record.source = "A source, p. 1";
   record.page = "# Page\n\n$x^2$";
   record.status = Status::fail;
@@ -100,6 +101,16 @@ BOOST_AUTO_TEST_CASE(a_record_comes_back_the_same) {
   BOOST_TEST(back.figures[0].series[1].y_high == record.figures[0].series[1].y_high);
   for (const auto& entry : fs::directory_iterator(folder.path))
     BOOST_TEST(entry.path().extension() != ".part");
+}
+
+BOOST_AUTO_TEST_CASE(a_requirement_is_traced_to_the_checks_whose_names_hold_its_parts) {
+  const auto checks = full_record().checks;
+  const auto traces = traced({{"Eq. 21", {"order", "of zero"}}, {"Eq. 22", {"order", "gone"}}, {"Eq. 23", {}}}, checks);
+  BOOST_TEST(traces[0].checks == std::vector<std::string>({"of zero", "order"}));
+  BOOST_TEST(traces[0].shown());
+  BOOST_TEST(!traces[1].shown());
+  BOOST_TEST(traces[1].unmatched == "gone");
+  BOOST_TEST(!traces[2].shown());
 }
 
 BOOST_AUTO_TEST_CASE(missing_empty_and_truncated_records_are_refused) {

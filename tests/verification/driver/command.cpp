@@ -192,6 +192,33 @@ BOOST_AUTO_TEST_CASE(a_check_that_is_red_without_the_fault_proves_nothing) {
   BOOST_TEST(Run({coarse}).record().at("controls").at(0).at("unplanted") == "red");
 }
 
+BOOST_AUTO_TEST_CASE(a_main_check_that_is_not_made_fails) {
+  Case c = synthetic("partial", sound);
+  c.main_checks.push_back("gone");
+  demand_failure(c, "fail", "main check 'gone' was not made");
+}
+
+BOOST_AUTO_TEST_CASE(a_requirement_without_its_check_fails) {
+  Case c = synthetic("partial", sound);
+  c.requirements.push_back({"Eq. 21", {"val", "gone"}});
+  demand_failure(c, "fail", "requirement Eq. 21: no check has 'gone' in its name");
+}
+
+BOOST_AUTO_TEST_CASE(a_figure_with_a_hole_fails) {
+  demand_failure(synthetic("holed",
+                           [](Findings& f, const Setup& setup) {
+                             sound(f, setup);
+                             const double hole = std::numeric_limits<double>::quiet_NaN();
+                             f.figure({.name = "curve",
+                                       .title = "Curve",
+                                       .caption = "It has a hole.",
+                                       .x = {.label = "x"},
+                                       .y = {.label = "y"},
+                                       .series = {{"a", {1.0, 2.0, 3.0}, {1.0, hole, 3.0}}}});
+                           }),
+                 "fail", "1 of 2 checks failed");
+}
+
 BOOST_AUTO_TEST_CASE(a_case_that_is_not_well_formed_fails_without_being_run) {
   const auto refuse = [](auto&& spoil, const std::string& words) {
     Case bad = synthetic("bad", sound);
@@ -203,8 +230,12 @@ BOOST_AUTO_TEST_CASE(a_case_that_is_not_well_formed_fails_without_being_run) {
   };
   refuse([](Case& c) { c.faults.clear(); }, "plants no fault");
   refuse([](Case& c) { c.source.clear(); }, "cites no source");
-  refuse([](Case& c) { c.requirements = {"Eq. 99"}; }, "'Eq. 99' is in no closed list");
+  refuse([](Case& c) { c.requirements = {{"Eq. 99", {"value"}}}; }, "'Eq. 99' is in no closed list");
   refuse([](Case& c) { c.requirements.clear(); }, "names no requirement");
+  refuse([](Case& c) { c.requirements = {{"Eq. 14", {}}}; }, "names no check for requirement 'Eq. 14'");
+  refuse([](Case& c) { c.requirements.push_back(c.requirements[0]); }, "'Eq. 14' is listed twice");
+  refuse([](Case& c) { c.main_checks.clear(); }, "names no main check");
+  refuse([](Case& c) { c.main_checks.push_back("value"); }, "main check 'value' is listed twice");
   refuse([](Case& c) { c.page.clear(); }, "page is empty");
   refuse([](Case& c) { c.run = nullptr; }, "nothing to run");
   refuse([](Case& c) { c.time_limit = 0.0; }, "time limit");

@@ -57,7 +57,10 @@ BOOST_AUTO_TEST_CASE(requirements_are_traced_and_open_ones_are_shown) {
   bool traced = false;
   bool open = false;
   for (const auto& requirement : json.at("requirements")) {
-    if (requirement.at("id") == "Eq. 14") traced = requirement.at("cases") == nlohmann::json({"a"});
+    if (requirement.at("id") == "Eq. 14") {
+      traced = requirement.at("cases") == nlohmann::json({"a"}) && requirement.at("checks") == 1 &&
+               requirement.at("shown_by").at(0).at("checks") == nlohmann::json({"value"});
+    }
     if (requirement.at("id") == "Eq. 18") open = requirement.at("cases").empty();
   }
   BOOST_TEST(traced);

@@ -11,7 +11,8 @@ namespace talus::verification {
 inline Case synthetic(const std::string& id, void (*run)(Findings&, const Setup&)) {
   return {.id = id,
           .title = "Synthetic case " + id,
-          .requirements = {"Eq. 14"},
+          .requirements = {{"Eq. 14", {"value"}}},
+          .main_checks = {"value"},
           .source = "none",
           .page = "A page.",
           .faults = {{"shifted", "the measured value is shifted", "value"}},
