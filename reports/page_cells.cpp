@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "reports/error.hpp"
@@ -34,14 +35,16 @@ std::string margin_text(const Check& check) {
   return markdown::number(check.margin, 2) + (check.slack ? " (slack)" : "");
 }
 
-std::string measured_text(const Check& check) {
+std::string measured_text(const Check& check, int most_digits) {
   if (!check.text_measured.empty()) return cell(check.text_measured);
-  return markdown::number(check.measured, markdown::digits_to_tell(check.measured, check.reference));
+  const int digits = markdown::digits_to_tell(check.measured, check.reference);
+  return markdown::number(check.measured, std::min(digits, most_digits));
 }
 
-std::string reference_text(const Check& check) {
+std::string reference_text(const Check& check, int most_digits) {
   if (std::isnan(check.reference)) return "–";
-  return markdown::number(check.reference, markdown::digits_to_tell(check.measured, check.reference));
+  const int digits = markdown::digits_to_tell(check.measured, check.reference);
+  return markdown::number(check.reference, std::min(digits, most_digits));
 }
 
 std::string name_with_unit(const Check& check) {

@@ -21,8 +21,8 @@ namespace talus::reports {
 
 // Cells of a check's row.
 [[nodiscard]] std::string name_with_unit(const Check& check);
-[[nodiscard]] std::string measured_text(const Check& check);
-[[nodiscard]] std::string reference_text(const Check& check);
+[[nodiscard]] std::string measured_text(const Check& check, int most_digits = 17);
+[[nodiscard]] std::string reference_text(const Check& check, int most_digits = 17);
 [[nodiscard]] std::string error_text(const Check& check);
 [[nodiscard]] std::string margin_text(const Check& check);
 [[nodiscard]] std::string kind_text(const Check& check);

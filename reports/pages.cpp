@@ -117,8 +117,8 @@ std::string main_check_table(const Results& results) {
   for (const CaseRecord& record : results.cases) {
     std::string name = case_link(record);
     for (const Check& check : main_checks(record)) {
-      rows.push_back({name, name_with_unit(check), measured_text(check), reference_text(check), margin_text(check),
-                      check.pass ? "pass" : "**fail**"});
+      rows.push_back({name, name_with_unit(check), measured_text(check, 7), reference_text(check, 7),
+                      margin_text(check), check.pass ? "pass" : "**fail**"});
       name = std::string(" ");
     }
     if (record.checks.empty()) rows.push_back({name, "none ran", "", "", "", status_word(record.status)});

@@ -70,6 +70,7 @@ BOOST_AUTO_TEST_CASE(complaints_name_file_and_field) {
 
 BOOST_AUTO_TEST_CASE(records_that_contradict_themselves_are_refused) {
   BOOST_TEST(names(complaint([](json& d) { d["counts"]["checks"] = 99; }), "counts.checks: says 99"));
+  BOOST_TEST(names(complaint([](json& d) { d["counts"]["exempt"] = 99; }), "counts.exempt: says 99"));
   BOOST_TEST(
       names(complaint([](json& d) { d["registered"].push_back("lost"); }), "selected case 'lost' has 0 records"));
   BOOST_TEST(names(complaint([](json& d) { d["registered"].erase(1); }), "'pendulum' was not registered"));
@@ -101,6 +102,18 @@ BOOST_AUTO_TEST_CASE(a_selection_of_the_registered_cases_may_run) {
                      d["selected"] = {"two_cable", "pendulum", "x"};
                    }),
                    "'x' is not registered"));
+}
+
+BOOST_AUTO_TEST_CASE(what_a_control_measured_and_what_shows_a_requirement_are_read) {
+  const auto results = read_changed([](json& d) {
+    d["tier"] = "full";
+    d["cases"][0]["controls"][0].update({{"measured", 2.0}, {"reference", 1.0}, {"error", 1.0}, {"bound", nullptr}});
+    d["requirements"][0]["shown_by"] = json::array({{{"case", "two_cable"}, {"checks", {"a", "b"}}}});
+  });
+  BOOST_TEST(results.tier == "full");
+  BOOST_TEST(results.cases[0].controls[0].measured == 2.0);
+  BOOST_TEST(std::isnan(results.cases[0].controls[0].bound));
+  BOOST_TEST(results.requirements[0].shown_by[0].checks.size() == 2U);
 }
 
 BOOST_AUTO_TEST_CASE(a_null_margin_is_told_by_the_error) {

@@ -93,6 +93,20 @@ BOOST_AUTO_TEST_CASE(a_missing_column_stops_the_report_and_leaves_nothing) {
   BOOST_TEST(fs::is_empty(scratch.folder / "report"));
 }
 
+BOOST_AUTO_TEST_CASE(the_first_page_holds_the_main_checks) {
+  const Scratch scratch("report");
+  BOOST_TEST_REQUIRE(program({(data / "pass").string(), scratch.folder.string()}).status == 0);
+  const std::string text = read_file(scratch.folder / "verification.md");
+  const std::size_t checks = text.find("## Main checks");
+  const std::size_t provenance = text.find("## Provenance");
+  BOOST_TEST(checks < provenance);
+  BOOST_TEST(provenance < text.find("\n# "));
+  BOOST_TEST(contains(text, "exact or round-off ones are exempt"));
+  const std::string page = read_file(scratch.folder / "verification.html");
+  const std::regex with_maths(R"(alt="[^"]*[$\\])");
+  BOOST_TEST(!std::regex_search(page, with_maths));
+}
+
 BOOST_AUTO_TEST_CASE(missing_tools_and_wrong_usage_have_their_exit_codes) {
   const Scratch scratch("report");
   const Finished bare = program({(data / "pass").string(), scratch.folder.string()}, {{"PATH", "/nowhere"}});
