@@ -9,13 +9,15 @@ std::vector<Erratum> all_errata() {
        "The overlap's rate is a difference of velocities: with the sum, two bodies that move together would be damped. "
        "The report's own Appendix I, Eq. 11, has the minus sign.",
        "restitution"},
-      {"E2", "Eq. 21, section 3.6 (pp. 12-13)",
-       R"($c = 2 \ln(1/e) \sqrt{k_n m_r m_f/(m_r + m_f)} / \sqrt{\pi^2 + \ln^2(1/e)}$ for any impact)",
+      {"E2", "Eq. 21, range of validity, section 3.6 (pp. 12-13)",
+       R"($c = 2 \ln(1/e) \sqrt{k_n m_r m_f/(m_r + m_f)} / \sqrt{\pi^2 + \ln^2(1/e)}$, of which the report says itself )"
+       R"(that it "is only approximate when applied to a non-central impact between a spherical rock and a cylindrical )"
+       R"(attenuator. Some numerical experimentation, therefore, is usually required".)",
        R"(The same with the effective mass at the contact point, $1/m_\mathrm{eff} = \sum (1/m + (r \times n)^2/I)$; )"
-       R"($I_p/h^2$ replaces the mass of a body pivoted a distance $h$ from the line of impact.)",
-       "Exact for two free particles whose contact may pull, as long as the overlap is positive. In validation problem "
-       "2 "
-       "the two particle masses give an effective e of .537 for the wanted .5; the pivoted mass 20.26 slug gives .5.",
+       R"($I_p/h^2$ replaces the mass of a body pivoted a distance $h$ from the line of impact. No experiment is needed.)",
+       "Not a misprint but a limit. Exact for two free particles whose contact may pull, as long as the overlap is "
+       "positive. In validation problem 2 the two particle masses give an effective e of .537 for the wanted .5; the "
+       "pivoted mass 20.26 slug gives .5.",
        "restitution"},
       {"E3", "Eq. 28, section 5.0 (pp. 15-17), validation problem 2",
        R"($v_1 = M(1+e)(\ell^2/4) / [I_G + (M+m)\ell^2/4]$)",

@@ -71,10 +71,17 @@ void find_calibration_curves(Findings& findings) {
       shift = std::max(shift, std::abs(leapfrog_restitution_shift(xi, same(rule))) * events.restitution *
                                   events.contact_time / 200.5);
     }
-    findings.expect("largest error of the mean e, e = .05 ... 1, " + label, errors.max(), 0.0,
-                    Tolerance::truncation(shift, 1.2,
-                                          "the half-step lag's shift of e at 200 steps per contact, "
-                                          "largest over the twenty targets; jumps cancel in the mean"));
+    findings.expect(
+        "largest error of the mean e, e = .05 ... 1, " + label, errors.max(), shift,
+        (attractive ? Tolerance::model(0.05,
+                                       "the half-step lag's shift of e at 200 steps per contact, largest "
+                                       "over the twenty targets; of the jumps, the end's at 64 uneven phases "
+                                       "leaves up to 5 % of it in the mean")
+                    : Tolerance::model(0.016,
+                                       "the half-step lag's shift of e at 200 steps per contact, largest "
+                                       "over the twenty targets; the jump cancels in the mean, the next "
+                                       "power of the step is w h = 1.6 %"))
+            .relative());
     figure.series.insert(figure.series.end(), {points, curve});
   }
   findings.figure(figure);
@@ -199,7 +206,7 @@ void check_scene_calibration(Findings& findings) {
   const reference::PivotedCylinder problem{};
   Convergence differences;
   double missed = 0.0;
-  for (const double stiffness : {1e5, 1.6e6, 6.4e6, 2.56e7, 1.024e8}) {
+  for (const double stiffness : {1e5, 1.6e6, 2.56e7, 4.096e8, 1.6384e9, 6.5536e9}) {
     scenes::PivotedCylinder parameters{.rock_radius = problem.rock_radius, .contact = {}};
     parameters.contact = LinearSpringDashpot{stiffness, 0.0, EndRule::attractive};
     Scene scene = scenes::pivoted_cylinder(parameters);
@@ -218,8 +225,11 @@ void check_scene_calibration(Findings& findings) {
   }
   findings.expect("calibrated scene reaches e = 0.5", missed, 0.0,
                   Tolerance::truncation(1e-9, 1.0, "the tolerance that was asked for"));
-  findings.expect_order("calibrated damping to that of the effective mass, power of 1/sqrt(k_n)", differences.last(3),
-                        0.9, 1.1, "the column turns during the contact by an angle that goes with the contact time");
+  findings.expect_order(
+      "calibrated damping to that of the effective mass, power of 1/sqrt(k_n)", differences.last(3), 0.985, 1.015,
+      "the column turns during the contact by an angle that goes with the contact time; the next power "
+      "is 1.1 % of it at the softest of the three (224 over sqrt(k_n), from the table's differences) "
+      "and tilts the fit by less");
   findings.table(table);
 }
 

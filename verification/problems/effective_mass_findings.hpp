@@ -9,6 +9,9 @@ namespace talus::verification::problems {
 /// impact.
 void check_masses(Findings& findings, const Setup& setup);
 
+/// The overlap's rate is the difference of the velocities (Eq. 20 with the minus sign): e is the same in all frames.
+void check_frames(Findings& findings, const Setup& setup);
+
 /// Off-centre and pivoted impacts: the damping comes from the effective mass at the contact point.
 void check_levers(Findings& findings, const Setup& setup);
 

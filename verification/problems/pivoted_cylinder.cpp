@@ -68,7 +68,8 @@ belongs; a contact force without its moment about the pin; a clamped contact; tw
 )";
 
 const reference::PivotedCylinder problem{};
-constexpr double stiffest = 1.024e10;  // [lbf/ft]: rigid to 2e-5
+constexpr double softest = 4e4;                         // [lbf/ft]
+constexpr double stiffest = softest * 4096.0 * 1024.0;  // [lbf/ft], 4^11 times that: rigid to 4e-6
 
 /// Error of v1 [ft/s] for a relative error of e.
 double speed_error(double of_restitution) {
@@ -93,7 +94,7 @@ void check_rigid_limit(Findings& findings, const Setup& setup) {
   Series soft_swing{.label = "largest angle [rad], soft reference", .x = {}, .y = {}, .style = Style::lines};
   double apart = 0.0, carried = 0.0;
   AfterImpact last;
-  for (double k = setup.coarse ? stiffest / 16.0 : 4e4; k <= stiffest; k *= setup.coarse ? 16.0 : 4.0) {
+  for (double k = setup.coarse ? stiffest / 16.0 : softest; k <= stiffest; k *= setup.coarse ? 16.0 : 4.0) {
     const PivotedRun run{.stiffness = k};
     last = converged_impact(run, setup, findings);
     const double compliance = 1.0 / std::sqrt(k);
@@ -126,11 +127,11 @@ void check_rigid_limit(Findings& findings, const Setup& setup) {
                   stiff(swing, setup.coarse), "rad");
   if (setup.coarse) return;
   const std::string why =
-      "the column turns during the contact by an angle that goes with the contact time; at these "
-      "stiffnesses the next power is below 4 %";
-  findings.expect_order("v1 to the rigid limit, power of 1/sqrt(k_n)", column.last(4), 0.96, 1.01, why);
-  findings.expect_order("V1 to the rigid limit, power of 1/sqrt(k_n)", rock.last(4), 0.96, 1.01, why);
-  findings.expect_order("largest angle to the rigid limit, power of 1/sqrt(k_n)", swing.last(4), 0.96, 1.01, why);
+      "the column turns during the contact by an angle that goes with the contact time; the next power is at most "
+      "320 over sqrt(k_n) of it, .6 % at the softest of the four stiffnesses, and tilts the fit by less";
+  findings.expect_order("v1 to the rigid limit, power of 1/sqrt(k_n)", column.last(4), 0.994, 1.006, why);
+  findings.expect_order("V1 to the rigid limit, power of 1/sqrt(k_n)", rock.last(4), 0.994, 1.006, why);
+  findings.expect_order("largest angle to the rigid limit, power of 1/sqrt(k_n)", swing.last(4), 0.994, 1.006, why);
   findings.expect("largest distance to the soft reference over k_n", apart, 0.0,
                   Tolerance::truncation(carried, 1.0,
                                         "Dormand-Prince at 1e-12 leaves 1e-10; v1 is carried back to an end whose time "
@@ -164,7 +165,7 @@ void check_effective_restitution(Findings& findings, const Setup& setup) {
     // The right dashpot's distance bounds both: a faulty one may not widen it.
     findings.expect(pivoted ? "effective e, Eq. 21 with the pivoted mass" : "effective e, Eq. 21 with the two masses",
                     restitution_at(stiffest), exact,
-                    Tolerance::model(std::min(softer, 2e-4) / 4.0 * 1.2,
+                    Tolerance::model(std::min(softer, 5e-5) / 4.0 * 1.2,
                                      "the contact's softness: a quarter of the distance at a sixteenth of the "
                                      "stiffness, and a fifth more"));
   }
@@ -209,19 +210,28 @@ void check_step(Findings& findings, const Setup& setup) {
     }
     const double n = 1.0 / points.x.back();
     const double wh = frequency_of(run) * time / (n + 0.5);
-    const std::string why =
-        "first-order error predicted from the half-step lag and the force jumps, for the rigid "
-        "column; its turning adds some per cent";
+    const double of_rock = reference::effective_column_mass(problem) / problem.rock_mass;
+    const Tolerance near =
+        (rule == EndRule::attractive
+             ? Tolerance::model(
+                   0.10,
+                   "predicted from the half-step lag and the force jumps, for the rigid column; its turning "
+                   "and the next power of the step make 3 %, the end's jump at 64 uneven phases 6 %")
+             : Tolerance::model(
+                   0.03,
+                   "predicted from the half-step lag and the force jump, for the rigid column; its turning, "
+                   ".02 rad, and the next power of the step, w h = .6 %, make 3 %"))
+            .relative();
     findings.expect_order("order of v1, " + name, column, 0.93, 1.07,
                           "the dashpot's force jumps at touch, a step resolves the jump to half a step");
-    findings.expect(fmt::format("rms error of v1, {:g} steps per contact, {}", n, name), v1.rms(), 0.0,
-                    Tolerance::truncation(line.y.back(), 1.15, why), "ft/s");
+    findings.expect(fmt::format("rms error of v1, {:g} steps per contact, {}", n, name), v1.rms(), line.y.back(), near,
+                    "ft/s");
+    const double rock = V1.rms() / (line.y.back() * of_rock);
+    const double overlap = depth.rms() / (predicted.largest_depth * wh);
     findings.expect(
-        fmt::format("rms error of V1, {:g} steps per contact, {}", n, name), V1.rms(), 0.0,
-        Tolerance::truncation(line.y.back() * reference::effective_column_mass(problem) / problem.rock_mass, 1.15, why),
-        "ft/s");
-    findings.expect(fmt::format("rms relative error of the overlap, {:g} steps per contact, {}", n, name), depth.rms(),
-                    0.0, Tolerance::truncation(predicted.largest_depth * wh, 1.15, why));
+        fmt::format("rms errors of V1 and overlap over the predicted, farther one, {:g} steps per contact, {}", n,
+                    name),
+        std::abs(rock - 1.0) < std::abs(overlap - 1.0) ? overlap : rock, 1.0, near);
     figure.series.insert(figure.series.end(), {points, line});
     if (figure.slopes.empty()) figure.slopes.push_back({1.0, points.x.front(), 0.5 * points.y.front(), "h"});
   }
@@ -232,11 +242,16 @@ void check_step(Findings& findings, const Setup& setup) {
 void check_closures(Findings& findings, const Convergence& closures, double damping) {
   const double e = problem.restitution;
   const double constant = 0.25 * damping * (1.0 - e * e) / (0.5 * problem.rock_mass);
-  findings.expect_order("order of the ledger's closure", closures, 0.95, 1.08,
-                        "the dashpot's power is booked with the velocity of half a step before");
-  findings.expect("closure of the ledger after the impact, 512 steps per contact", closures.errors().back(), 0.0,
-                  Tolerance::truncation(constant * closures.steps().back(), 1.1,
-                                        "(h/4) c (1 - e^2) v0^2, over the rock's kinetic energy"));
+  findings.expect_order(
+      "order of the ledger's closure", closures, 0.953, 1.047,
+      "the dashpot's power is booked with the velocity of half a step before; a next term of w h times "
+      "the first, .2 at 16 steps and .006 at 512, tilts the fit by .047");
+  findings.expect("closure of the ledger after the impact, 512 steps per contact", closures.errors().back(),
+                  constant * closures.steps().back(),
+                  Tolerance::model(0.0065,
+                                   "(h/4) c (1 - e^2) v0^2, over the rock's kinetic energy; the next power of the step "
+                                   "is w h = .006 of it")
+                      .relative());
   Series predicted{.label = "predicted", .x = closures.steps(), .y = {}, .style = Style::lines};
   for (const double step : closures.steps())
     predicted.y.push_back(constant * step);

@@ -48,7 +48,9 @@ stiffness, not the masses.
 $m - c h/2$, shifts $\ln e$ by $-(\pi/s^3)\,\xi^2\omega h/2$ (attractive) or $-\xi^2(A-\xi)/s^2\,\omega h$ (clamped), and
 likewise $T$ and the largest overlap. The force jumps by $2\xi m\omega v_0$ at touch, which a step resolves to $\pm h/2$: the
 speed after it is off by $2\xi\omega v_0 h\,u$ with $u$ uniform in $(-\frac12, \frac12)$; the attractive contact ends with a second jump. So the
-first-order error is known beforehand, constant included, and the bounds below are 1.2 times it.
+first-order error is known beforehand, constant included. The errors found are compared with it on both sides: half the predicted
+error fails as twice does. Undamped, what is left is $e - 1 = \frac12(\omega h)^2[u'(1-u') - u(1-u)]$ with the shares $u$, $u'$ of a step
+at touch and end: root mean square $\pi^2/(2\sqrt{90}\,N^2) = .520/N^2$.
 
 **Source.** Mustoe & Huttelmaier 1993, Eqs. 17, 19-21; Schwager & Poeschel, Granular Matter 9 (2007) 465 (clamped rule). The closed
 forms are derived in the reference's own comments and tested there at 50 digits.
@@ -61,31 +63,40 @@ forms are derived in the reference's own comments and tested there at 50 digits.
 | bar | $M$, half sides, disc's mass | 3, .5 x 4, 2; $k = 10^{12}$ |
 
 **What would break this.** Eq. 21 under the clamped rule, or without its 2; the sum of the masses for their product over the sum;
-a lever arm left out; a dashpot that does not grow with $\sqrt{k m}$; a force that pulls although it must not; a step that divides
+a lever arm left out; the sum of the velocities for their difference (Eq. 20 as printed: $e$ would change with the frame); a dashpot that does not grow with $\sqrt{k m}$; a force that pulls although it must not; a step that divides
 the contact time, which makes the order look better than it is.
 )";
 
-/// Error, bound and table row of one target.
-void check_bounce(double e, EndRule rule, Table& table, Findings& findings, const Setup& setup) {
+/// Errors over predicted ones; of several the one farthest from 1 stays.
+struct Ratio {
+  double farthest{1.0};
+  void add(double measured, double predicted) {
+    const double ratio = measured / predicted;
+    if (!(std::abs(ratio - 1.0) < std::abs(farthest - 1.0))) farthest = ratio;
+  }
+};
+
+/// Check of e, ratios of the others and table row of one target.
+void check_bounce(double e, EndRule rule, Ratio& time, Ratio& depth, Table& table, Findings& findings,
+                  const Setup& setup) {
   const Bounce b = bounce(e, rule, setup);
   const auto at = [&b](double gap) { return disc_at(b, gap); };
   const ImpactErrors found = impact_errors(at, b.exact, production_steps, VelocityVerlet{}, findings);
   const std::string name = fmt::format("{:g}, {}", e, word_for(rule));
   const double wh = reduced_step(b.exact, production_steps);
   const ImpactError predicted = leapfrog_impact_error(b.xi, same(rule));
-  const std::string why = "first-order error predicted from the half-step lag and the force jumps";
-  findings.expect("rms relative error of e = " + name, found.restitution.rms(), 0.0,
-                  Tolerance::truncation(predicted_restitution_error(b, production_steps), bound_factor, why));
-  findings.expect("rms relative error of the contact time, e = " + name, found.contact_time.rms(), 0.0,
-                  Tolerance::truncation(predicted.contact_time * wh, bound_factor, why + "; no jump enters"));
-  findings.expect("rms relative error of the largest overlap, e = " + name, found.largest_depth.rms(), 0.0,
-                  Tolerance::truncation(predicted.largest_depth * wh, bound_factor, why));
-  table.rows.push_back(
-      {word_for(rule), fmt::format("{:g}", e), fmt::format("{:.4f}", b.xi),
-       fmt::format("{:.5f}", found.mean_restitution), fmt::format("{:.2e}", found.restitution.rms()),
-       fmt::format("{:.2e}", predicted_restitution_error(b, production_steps)),
-       fmt::format("{:.2e}", found.contact_time.rms()), fmt::format("{:.2e}", predicted.contact_time * wh),
-       fmt::format("{:.2e}", found.largest_depth.rms()), fmt::format("{:.2e}", predicted.largest_depth * wh)});
+  findings.expect("rms relative error of e = " + name, found.restitution.rms(),
+                  predicted_restitution_error(b, production_steps), near_prediction(rule));
+  // Verlet's own period, short by (w h)^2/24, is all the error that a weak dashpot leaves.
+  const double predicted_time = predicted.contact_time * wh + wh * wh / 24.0;
+  time.add(found.contact_time.rms(), predicted_time);
+  depth.add(found.largest_depth.rms(), predicted.largest_depth * wh);
+  table.rows.push_back({word_for(rule), fmt::format("{:g}", e), fmt::format("{:.4f}", b.xi),
+                        fmt::format("{:.5f}", found.mean_restitution), fmt::format("{:.2e}", found.restitution.rms()),
+                        fmt::format("{:.2e}", predicted_restitution_error(b, production_steps)),
+                        fmt::format("{:.2e}", found.contact_time.rms()), fmt::format("{:.2e}", predicted_time),
+                        fmt::format("{:.2e}", found.largest_depth.rms()),
+                        fmt::format("{:.2e}", predicted.largest_depth * wh)});
 }
 
 void check_targets(Findings& findings, const Setup& setup) {
@@ -97,8 +108,18 @@ void check_targets(Findings& findings, const Setup& setup) {
                           "error of d_max", "predicted"},
               .rows = {}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
+    Ratio time, depth;
     for (const double e : {0.9, 0.7, 0.5, 0.3, 0.1})
-      check_bounce(e, rule, table, findings, setup);
+      check_bounce(e, rule, time, depth, table, findings, setup);
+    const std::string over = fmt::format(" over the predicted, farthest of e = 0.9 ... 0.1, {}", word_for(rule));
+    findings.expect("rms error of the contact time" + over, time.farthest, 1.0,
+                    Tolerance::model(next_power,
+                                     "predicted from the half-step lag and Verlet's own period, no jump enters; the "
+                                     "next power of the step is 4 % of it"));
+    findings.expect("rms error of the largest overlap" + over, depth.farthest, 1.0,
+                    Tolerance::model(next_power,
+                                     "predicted from the half-step lag and the jump at touch; the next power of the "
+                                     "step is 4 % of it"));
   }
   findings.table(table);
 }
@@ -113,10 +134,12 @@ void check_pull(Findings& findings, const Setup& setup) {
   const double slope = b.e * (1.0 - 4.0 * b.xi * b.xi);
   const double lead = std::hypot(1.0, 1.0 / std::sqrt(12.0)) * reduced_step(b.exact, production_steps);
   findings.expect("pull at the end, e = 0.5, attractive, rms error over c e v0",
-                  found.pull.rms() / -b.exact.force_at_end, 0.0,
-                  Tolerance::truncation(slope * lead / -b.exact.force_at_end, bound_factor,
-                                        "mean force of the last full step: the slope of F times the distance of that "
-                                        "step's middle from the end"));
+                  found.pull.rms() / -b.exact.force_at_end, slope * lead / -b.exact.force_at_end,
+                  Tolerance::model(uneven_end,
+                                   "mean force of the last full step: the slope of F times the distance of that "
+                                   "step's middle from the end; the next power of the step is 4 % of it, the end's "
+                                   "64 uneven phases leave 6 %")
+                      .relative());
   double least = 0.0;
   for (const double e : {0.9, 0.5, 0.1}) {
     Bounce clamped = bounce(e, EndRule::clamped, setup);
@@ -157,8 +180,11 @@ void check_orders(Findings& findings, const Setup& setup) {
          {Integrator{VelocityVerlet{}}, Integrator{CentralDifference{}}, Integrator{RungeKutta4{}}}) {
       const std::string label = fmt::format("e = 0.5, {}, {}", word_for(rule), talus::name(integrator));
       const Convergence found = restitution_errors(b, integrator, steps, findings);
-      findings.expect_order("order of e, " + label.substr(9), found, 0.9, 1.1,
-                            "the dashpot's force jumps at touch, a step resolves the jump to half a step");
+      findings.expect_order(
+          "order of e, " + label.substr(9), found, 0.93, 1.07,
+          "the dashpot's force jumps at touch, a step resolves the jump to half a step; the next "
+          "power, w h = .2 of the first at 16 steps, tilts the fit by up to .05, uneven phases of the "
+          "end (6 % of a rms) by .02");
       figure.series.push_back({label, found.steps(), found.errors(), Style::points});
     }
     Series predicted{.label = fmt::format("predicted, {}", word_for(rule)), .x = {}, .y = {}, .style = Style::lines};
@@ -176,10 +202,13 @@ void check_orders(Findings& findings, const Setup& setup) {
     figure.series.push_back(
         {fmt::format("e = 1, {}", talus::name(integrator)), found.steps(), found.errors(), Style::points});
     if (figure.slopes.empty()) {
-      findings.expect("rms error of e = 1 at 16 steps per contact", found.errors().front(), 0.0,
-                      Tolerance::truncation(second_order_constant / 256.0, bound_factor,
-                                            "constant .67/N^2, measured over N = 16 ... 512 with an independent code"));
-      figure.slopes = {{1.0, 1.0 / 64.0, 0.02, "h"}, {2.0, 1.0 / 64.0, 0.5 * second_order_constant / 4096.0, "h^2"}};
+      findings.expect(
+          "rms error of e = 1 at 16 steps per contact", found.errors().front(), second_order_constant / (16.5 * 16.5),
+          Tolerance::model(uneven_end,
+                           "pi^2/(2 sqrt(90) N^2) from the shares of a step at touch and end; the next term, "
+                           "(w h)^2, is 4 % of it, the end's 64 uneven phases leave 6 %")
+              .relative());
+      figure.slopes = {{1.0, 1.0 / 40.0, 0.06, "h"}, {2.0, 1.0 / 64.0, 0.5 * second_order_constant / 4096.0, "h^2"}};
     }
   }
   findings.figure(figure);
@@ -221,6 +250,7 @@ void run(Findings& findings, const Setup& setup) {
   check_orders(findings, setup);
   check_scales(findings, setup);
   check_masses(findings, setup);
+  check_frames(findings, setup);
   check_levers(findings, setup);
   if (setup.coarse) return;
   find_calibration_curves(findings);
@@ -270,6 +300,8 @@ Case restitution() {
                   "change of e, k = 4^1 ... 4^8, h = 2^-1 ... 2^-8"},
                  {"masses_added", "effective mass: the sum of the masses",
                   "rms relative error of e, mass ratios 1/100 ... 100"},
+                 {"closing_rate_with_plus", "the dashpot takes the sum of the velocities, as Eq. 20 is printed",
+                  "closing rate seen from moving frames, change of e"},
                  {"arm_forgotten", "off-centre impact with the two masses", "rms relative error of e, off centre"},
                  {"pin_forgotten", "pivoted impact with the two masses", "rms relative error of e, pivoted"}},
       .tier = Tier::quick,
