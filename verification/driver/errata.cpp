@@ -14,7 +14,7 @@ std::vector<Erratum> all_errata() {
        R"(that it "is only approximate when applied to a non-central impact between a spherical rock and a cylindrical )"
        R"(attenuator. Some numerical experimentation, therefore, is usually required".)",
        R"(The same with the effective mass at the contact point, $1/m_\mathrm{eff} = \sum (1/m + (r \times n)^2/I)$; )"
-       R"($I_p/h^2$ replaces the mass of a body pivoted a distance $h$ from the line of impact. No experiment is needed.)",
+       R"($I_p/h^2$ replaces the mass of a body pivoted a distance $h$ from the line of impact. It holds for stiff contacts.)",
        "Not a misprint but a limit. Exact for two free particles whose contact may pull, as long as the overlap is "
        "positive. In validation problem 2 the two particle masses give an effective e of .537 for the wanted .5; the "
        "pivoted mass 20.26 slug gives .5.",

@@ -208,7 +208,7 @@ void check_orders(Findings& findings, const Setup& setup) {
                            "pi^2/(2 sqrt(90) N^2) from the shares of a step at touch and end; the next term, "
                            "(w h)^2, is 4 % of it, the end's 64 uneven phases leave 6 %")
               .relative());
-      figure.slopes = {{1.0, 1.0 / 40.0, 0.06, "h"}, {2.0, 1.0 / 64.0, 0.5 * second_order_constant / 4096.0, "h^2"}};
+      figure.slopes = {{1.0, 1.0 / 40.0, 0.06, "h"}, {2.0, 1.0 / 64.0, 0.1 * second_order_constant / 4096.0, "h^2"}};
     }
   }
   findings.figure(figure);
