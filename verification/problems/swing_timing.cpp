@@ -85,7 +85,8 @@ void chart_error_against_time(Findings& findings) {
   Figure chart{.name = "work_precision_time",
                .title = "Error against time on a smooth swing",
                .caption = fmt::format(
-                   "As the chart against force evaluations, on this machine (see the first page): median of {} "
+                   "As the chart against force evaluations, the steps halved from point to point for every method, on "
+                   "this machine (see the first page): median of {} "
                    "interleaved repetitions of one run of .8 period without output; ledger off. Nothing is "
                    "checked on times. (Sum of the results, which shows that all were made: {:.6g}.)",
                    repetitions, sum),
