@@ -81,11 +81,13 @@ std::string margin_script(const Results& results, const Canvas& canvas, const st
   const std::size_t rows = std::max<std::size_t>(results.cases.size(), 1);
   std::string text = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string())) + frame(results, rows);
   std::string curves;
+  std::size_t in_key = 0;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     for (const bool passed : {true, false}) {
       bool some = false;
       const std::string points = dots(results, kinds[i].name, passed, some);
       if (!some) continue;
+      ++in_key;
       const std::string block = fmt::format("${}{}", passed ? "kind" : "failed", i);
       text += fmt::format("{} << END\n{}END\n", block, points);
       curves += fmt::format("{}{} using 1:2 with points linetype {}{} title '{}{}'", curves.empty() ? "" : ", ", block,
@@ -93,6 +95,7 @@ std::string margin_script(const Results& results, const Canvas& canvas, const st
     }
   }
   if (curves.empty()) curves = "NaN notitle";  // no check at all: the frame and the cases' names still tell that
+  if (in_key > kinds.size()) text += "set key maxrows 2\nset bmargin 6.3\n";  // one row would be cut at both ends
   const double height = 3.4 + 0.9 * static_cast<double>(rows);
   return text + drawn_in_each_format(canvas, stem, "plot " + curves, height);
 }
