@@ -102,8 +102,10 @@ void check_report_of_1993(Findings& findings) {
       "Eq. 21 is printed, none of the settings tabulated comes nearer to its numbers than .12 ft/s in v1, .066 ft/s in "
       "V1 and .013 rad; the effective restitution is .537 then. Section 3.6 says itself that Eq. 21 \"is only "
       "approximate when applied to a non-central impact\" and that \"some numerical experimentation, therefore, is "
-      "usually required\": if the damping was tuned to e = .5 in 1993, that alone explains speeds this near to 4.857 and "
-      "2.357 ft/s, since the pivoted mass is what such tuning finds (the printed pair means e = .498). With the pivoted mass, 12 nodes and some 40 steps per contact all "
+      "usually required\": if the damping was tuned to e = .5 in 1993, that alone explains speeds this near to 4.857 "
+      "and "
+      "2.357 ft/s, since the pivoted mass is what such tuning finds (the printed pair means e = .498). With the "
+      "pivoted mass, 12 nodes and some 40 steps per contact all "
       "three printed numbers appear; the shortfall of 4.85 from 4.857 is the error of the step in this setting. It is "
       "one setting that gives them, not proof that it was used.");
 }
