@@ -19,10 +19,10 @@ namespace talus::reports {
 /// The case's id, linked to its page.
 [[nodiscard]] std::string case_link(const CaseRecord& record);
 
-// Cells of a check's row.
+// Cells of a check's row. Digits: as many as tell measured and reference apart, up to a limit (the error is beside).
 [[nodiscard]] std::string name_with_unit(const Check& check);
-[[nodiscard]] std::string measured_text(const Check& check, int most_digits = 17);
-[[nodiscard]] std::string reference_text(const Check& check, int most_digits = 17);
+[[nodiscard]] std::string measured_text(const Check& check, int most_digits = 8);
+[[nodiscard]] std::string reference_text(const Check& check, int most_digits = 8);
 [[nodiscard]] std::string error_text(const Check& check);
 [[nodiscard]] std::string margin_text(const Check& check);
 [[nodiscard]] std::string kind_text(const Check& check);
