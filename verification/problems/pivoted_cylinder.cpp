@@ -358,6 +358,7 @@ Case pivoted_cylinder() {
                            {"end_rule.attractive", {"attractive"}},
                            {"end_rule.clamped", {"clamped"}},
                            {"method.resultant", {"production run"}},
+                           {"method.nodes", {"as the report prints it"}},
                            {"shape.circle", {"production run", "effective e"}},
                            {"shape.rectangle", {"production run", "effective e"}},
                            {"integrator.central_difference", {"order of v1", "steps per contact"}},
