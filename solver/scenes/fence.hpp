@@ -1,0 +1,167 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/base/fields.hpp"
+#include "solver/base/units.hpp"
+#include "solver/base/vec.hpp"
+#include "solver/laws/unilateral_spring.hpp"
+
+namespace talus::scenes {
+
+/// What an element of a fence is; the numbers are those of the 1993 deck.
+enum class ElementType { rock = 0, column = 1 };
+
+/// Solid whose density gives an element's mass and inertia; the numbers are those of the 1993 deck.
+enum class ElementSolid { ellipsoid = 0, block = 1, cylinder = 2 };
+
+/// One element of a fence: the ground, a rock, or the column that stands for all columns (Mustoe & Huttelmaier 1993,
+/// Appendix II.4). Its outline is |x/a|^n + |y/b|^n = 1 in its own axes with n = 2/power; power 0 stands for the
+/// nearly rectangular outline of 1993, except for ellipsoids, whose outline is the ellipse.
+struct FenceElement {
+  ElementType type{ElementType::rock};
+  ElementSolid solid{ElementSolid::ellipsoid};
+  int points{2};               ///< nodes of the outline in one quadrant, both ends counted: 4 (points - 1) in all
+  double a{};                  ///< half-length along local x [L] > 0
+  double b{};                  ///< half-length along local y [L] > 0
+  double power{};              ///< 2/n, in [0, 1]
+  double density{};            ///< [M/L^3] > 0
+  double bar_length{};         ///< attachment length of a column [L]; printed only, as in 1993
+  Vec2 position{};             ///< centroid, world [L]
+  double angle{};              ///< [rad], counter-clockwise > 0; a column stands upright at 0
+  Vec2 velocity{};             ///< [L/T]
+  double spin{};               ///< [rad/T], counter-clockwise > 0
+  Vec2 force{};                ///< applied at the centroid, world [F]
+  double moment{};             ///< applied [F L], counter-clockwise > 0
+  std::array<bool, 3> held{};  ///< x, y, rotation held
+  Vec2 fixed_point{};          ///< local coordinates of the point that the fixities hold [L]
+
+  friend bool operator==(const FenceElement&, const FenceElement&) = default;
+};
+
+/// How much of the fence a scene carries.
+enum class FenceSymmetry {
+  half,  ///< central column and one side, the central segment's force twice (1993): symmetric hits only
+  full,  ///< all columns
+};
+
+/// Central columns of an even count in the half model.
+enum class EvenCentre {
+  doubled,  ///< one body of twice the mass and inertia (1993, section 3.1)
+  pair,     ///< two bodies side by side
+};
+
+/// How contacts of a fence turn overlap into force.
+enum class FenceContact {
+  nodes,      ///< per boundary node, with the outlines and normals of 1993
+  resultant,  ///< one force for a pair
+};
+
+/// Mass from which Eq. 21 makes a dashpot of the coefficient of restitution.
+enum class FenceCalibration {
+  particles,       ///< the two bodies as particles (1993, Eq. 21)
+  effective_mass,  ///< what the bodies feel at the contact point
+};
+
+/// The last bottom segment, towards the fixed end.
+enum class BottomEnd {
+  free,      ///< none: the bottom cable ends at the last column
+  anchored,  ///< a segment to a fixed point below the top cable's end
+};
+
+/// Choices that no record of the 1993 deck makes. The defaults are the historical program.
+struct FenceOptions {
+  FenceSymmetry symmetry{FenceSymmetry::half};
+  EvenCentre even_centre{EvenCentre::doubled};
+  FenceContact contact{FenceContact::nodes};
+  FenceCalibration calibration{FenceCalibration::particles};
+  EndRule end_rule{EndRule::attractive};
+  BottomEnd bottom_end{BottomEnd::free};
+  std::string integrator{"central_difference"};
+
+  friend bool operator==(const FenceOptions&, const FenceOptions&) = default;
+};
+
+/// A rockfall fence with its rocks: the records of a 1993 deck (Mustoe & Huttelmaier 1993, Appendix II.4) as numbers in
+/// one consistent system of units. x is horizontal, across the fence; y up; z along the fence.
+struct Fence {
+  std::string title{};
+  UnitSystem units{us};
+
+  double step_factor{};               ///< fact_dt: multiple of the step of the 1993 rule; 0 stands for 1
+  long steps{};                       ///< niter: number of steps > 0
+  long print_every{};                 ///< nprint: steps between states of the listing and the geometry > 0
+  long history_every{};               ///< nhisto: steps between records of the histories > 0
+  double penetration{};               ///< f_penet: largest overlap as a share of the rock's radius > 0
+  int gravity_sign{-1};               ///< igrav: +1 or -1, direction of gravity along y
+  double gravity{};                   ///< grav: acceleration of free fall [L/T^2] >= 0
+  std::vector<int> history_elements;  ///< elno: numbers of the elements whose histories are kept
+  std::vector<int> history_codes;     ///< variab: codes of the quantities kept, 1 .. 61
+
+  FenceElement ground;              ///< element 1
+  std::vector<FenceElement> rocks;  ///< elements 2 .. nel - 1
+  FenceElement column;              ///< element nel: stands for every column
+
+  double span{};          ///< of the top cable between its fixed ends [L] > 0
+  double sag{};           ///< of the top cable at mid-span [L] > 0
+  double spacing{};       ///< dcol: distance between neighbouring columns along the fence [L] > 0
+  double young{};         ///< Young's modulus of both cables [F/L^2] > 0 (the deck: lb/in^2)
+  double y_top{};         ///< top joint above a column's centroid [L]
+  double y_bottom{};      ///< bottom joint, local y [L], < 0 below the centroid
+  int connections{2};     ///< nocab: 2 top and bottom cable, 1 top cable only
+  int columns{};          ///< ncol: columns in a layer > 0
+  double restitution{};   ///< e of all contacts, in (0, 1]
+  double area_top{};      ///< cross-section of the top cable [L^2] > 0 (the deck: in^2)
+  double area_bottom{};   ///< cross-section of one strand of the bottom cable [L^2] > 0 (the deck: in^2)
+  double friction{};      ///< coefficient of friction >= 0
+  double slack{};         ///< of the bottom cable between neighbouring columns [L] >= 0
+  double limit_top{};     ///< brek_top: yield force of the top cable [F] > 0
+  double limit_bottom{};  ///< brek_bot: yield force of the bottom cable [F] > 0
+
+  int layers{1};           ///< no_fence: 1 or 2
+  double layer_spacing{};  ///< sp_fence: centre to centre [L] > 0 for two layers
+  double
+      rock_overlap{};  ///< rf_overlap: largest overlap of rock and column [L]; 0: penetration times the rock's radius
+  double
+      layer_overlap{};  ///< ff_overlap: largest overlap of columns of two layers [L]; 0: penetration times half width
+
+  FenceOptions options{};
+
+  friend bool operator==(const Fence&, const Fence&) = default;
+};
+
+}  // namespace talus::scenes
+
+namespace talus {
+template <>
+struct Names<scenes::ElementType> {
+  static constexpr std::array<std::string_view, 2> list{"rock", "column"};
+};
+template <>
+struct Names<scenes::ElementSolid> {
+  static constexpr std::array<std::string_view, 3> list{"ellipsoid", "block", "cylinder"};
+};
+template <>
+struct Names<scenes::FenceSymmetry> {
+  static constexpr std::array<std::string_view, 2> list{"half", "full"};
+};
+template <>
+struct Names<scenes::EvenCentre> {
+  static constexpr std::array<std::string_view, 2> list{"doubled", "pair"};
+};
+template <>
+struct Names<scenes::FenceContact> {
+  static constexpr std::array<std::string_view, 2> list{"nodes", "resultant"};
+};
+template <>
+struct Names<scenes::FenceCalibration> {
+  static constexpr std::array<std::string_view, 2> list{"particles", "effective_mass"};
+};
+template <>
+struct Names<scenes::BottomEnd> {
+  static constexpr std::array<std::string_view, 2> list{"free", "anchored"};
+};
+}  // namespace talus
