@@ -26,7 +26,7 @@ class ImpactWatch {
   void operator()(const State& seen, const StepInfo&) {
     if (stage_ == Stage::after) return;
     State state = seen;
-    dynamics_->update(state, work_);
+    dynamics_->update_all(state, work_);
     dynamics_->settle(state, work_);
     const std::size_t first = dynamics_->layout().contact_slots[index(contact_)].mode;
     const std::size_t last = first + dynamics_->layout().contact_instances[index(contact_)];

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "solver/calibrate/restitution.hpp"
+#include "solver/laws/restitution.hpp"
 #include "solver/scenes/scene.hpp"
 
 namespace talus {

@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "solver/calibrate/restitution.hpp"
 #include "solver/integrate/integrator_list.hpp"
+#include "solver/laws/restitution.hpp"
 
 namespace talus {
 namespace {

@@ -3,11 +3,12 @@
 namespace talus {
 namespace {
 
-/// Books a force [F] from outside that acts at world point p, and a moment [F L] beside it.
-void book(Rates& out, Vec2 p, Vec2 force, double moment) {
-  out.impulse[0] += force.x;
-  out.impulse[1] += force.y;
-  out.impulse[2] += cross(p, force) + moment;
+/// Books a force [F] from outside that acts at world point p of each of several identical bodies, and a moment [F L]
+/// beside it.
+void book(Rates& out, double copies, Vec2 p, Vec2 force, double moment) {
+  out.impulse[0] += copies * force.x;
+  out.impulse[1] += copies * force.y;
+  out.impulse[2] += copies * (cross(p, force) + moment);
 }
 
 }  // namespace
@@ -30,7 +31,8 @@ BodyForces::BodyForces(const Model& model, const Layout& layout) : gravity_{mode
                             body.angle,
                             rotation(body.angle),
                             pin(body),
-                            -body.p_BPin};
+                            -body.p_BPin,
+                            static_cast<double>(body.copies)};
     (body.mobility == Mobility::free       ? free_
      : body.mobility == Mobility::particle ? particles_
      : pinned                              ? pinned_
@@ -70,7 +72,7 @@ void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
     out.v[body.first] = body.inverse_mass * force.x;
     out.v[body.first + 1] = body.inverse_mass * force.y;
     out.v[body.first + 2] = body.inverse_inertia * (wrench.moment + body.moment);
-    if (ledger) book(out, work.poses[body.body].p_WB, body.load, body.moment);
+    if (ledger) book(out, body.copies, work.poses[body.body].p_WB, body.load, body.moment);
   }
   for (const Compiled& body : particles_) {
     const Wrench& wrench = work.wrenches[body.body];
@@ -78,14 +80,14 @@ void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
     out.v[body.first] = body.inverse_mass * force.x;
     out.v[body.first + 1] = body.inverse_mass * force.y;
     // What keeps a particle from turning takes all moments on it, the applied one included.
-    if (ledger) book(out, work.poses[body.body].p_WB, body.load, -wrench.moment);
+    if (ledger) book(out, body.copies, work.poses[body.body].p_WB, body.load, -wrench.moment);
   }
   for (const Compiled& body : pinned_)
     pinned_rates(body, work, out, ledger);
   if (!ledger) return;
   for (const Compiled& body : fixed_) {
     const Wrench& wrench = work.wrenches[body.body];
-    book(out, body.p_WB, -wrench.force, -wrench.moment);
+    book(out, body.copies, body.p_WB, -wrench.force, -wrench.moment);
   }
 }
 
@@ -100,18 +102,18 @@ void BodyForces::pinned_rates(const Compiled& body, const Workspace& work, Rates
   out.v[body.first] = alpha;
   if (!ledger) return;
   const Vec2 acceleration = cross(alpha, r) - (pose.w_WB * pose.w_WB) * r;
-  book(out, pose.p_WB, body.load, body.moment);
-  book(out, body.p_WPin, body.mass * acceleration - force, 0.0);
+  book(out, body.copies, pose.p_WB, body.load, body.moment);
+  book(out, body.copies, body.p_WPin, body.mass * acceleration - force, 0.0);
 }
 
 Energies BodyForces::energies(const State& state, const Workspace& work) const {
   Energies sum;
   const auto add = [&](const Compiled& body, double turned) {
     const Pose& pose = work.poses[body.body];
-    sum.kinetic += 0.5 * body.mass * dot(pose.v_WB, pose.v_WB);
-    if (body.inertia > 0.0) sum.kinetic += 0.5 * body.inertia * pose.w_WB * pose.w_WB;
-    sum.gravity -= body.mass * dot(gravity_, pose.p_WB);
-    sum.applied -= dot(body.force, pose.p_WB - body.p_WB) + body.moment * turned;
+    sum.kinetic += 0.5 * body.copies * body.mass * dot(pose.v_WB, pose.v_WB);
+    if (body.inertia > 0.0) sum.kinetic += 0.5 * body.copies * body.inertia * pose.w_WB * pose.w_WB;
+    sum.gravity -= body.copies * body.mass * dot(gravity_, pose.p_WB);
+    sum.applied -= body.copies * (dot(body.force, pose.p_WB - body.p_WB) + body.moment * turned);
   };
   for (const Compiled& body : free_)
     add(body, state.q[body.first + 2] - body.angle);
@@ -127,8 +129,8 @@ Momenta BodyForces::momenta(const Workspace& work) const {
   for (const auto* bodies : {&free_, &particles_, &pinned_}) {
     for (const Compiled& body : *bodies) {
       const Pose& pose = work.poses[body.body];
-      sum.linear += body.mass * pose.v_WB;
-      sum.angular += body.mass * cross(pose.p_WB, pose.v_WB) + body.inertia * pose.w_WB;
+      sum.linear += body.copies * body.mass * pose.v_WB;
+      sum.angular += body.copies * (body.mass * cross(pose.p_WB, pose.v_WB) + body.inertia * pose.w_WB);
     }
   }
   return sum;

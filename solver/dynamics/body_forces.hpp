@@ -43,6 +43,7 @@ class BodyForces {
     Rotation R_WB;             ///< the same
     Vec2 p_WPin;               ///< pin in the world [L]
     Vec2 p_PinB;               ///< from the pin to the centre of mass, body coordinates [L]
+    double copies{1.0};        ///< identical bodies that this one stands for
   };
 
   void pinned_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const;

@@ -1,5 +1,6 @@
 #include "solver/dynamics/cable_forces.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -7,14 +8,6 @@
 
 namespace talus {
 namespace {
-
-CableForces::End compiled(const CableEnd& end) {
-  return end.body ? CableForces::End{true, *end.body, end.p} : CableForces::End{false, {}, end.p};
-}
-
-Vec2 velocity(const CableForces::End& end, Vec3 p_W, const Workspace& work) {
-  return end.on_body ? velocity_at(work.poses[index(end.body)], in_plane(p_W)) : Vec2{};
-}
 
 /// Calls visit(law, slot, cable) for each cable, law by law.
 template <class Laws, class Visit>
@@ -26,31 +19,30 @@ void for_each_cable(const Laws& laws, Visit&& visit) {
   std::apply([&](const auto&... array) { (each(array), ...); }, laws);
 }
 
-/// Pulls one end with the force; at a point of the world the anchor takes it, which is an impulse from outside.
-void pull(const CableForces::End& end, Vec2 force, Workspace& work, Rates* out) {
-  if (end.on_body) {
-    const Vec2 p_W = in_plane(position(end, work));
-    add_force(work.wrenches[index(end.body)], work.poses[index(end.body)].p_WB, p_W, force);
-  } else if (out) {
-    out->impulse[0] -= force.x;
-    out->impulse[1] -= force.y;
-    out->impulse[2] -= cross(in_plane(end.p), force);
-  }
+double body_copies(const Model& model, const Joint& joint) {
+  return joint.on_body ? model.bodies[index(joint.body)].copies : 1.0;
 }
 
 }  // namespace
 
-Vec3 position(const CableForces::End& end, const Workspace& work) {
-  if (!end.on_body) return end.p;
-  const Vec2 p = world_point(work.poses[index(end.body)], in_plane(end.p));
-  return {p.x, p.y, end.p.z};
+std::size_t CableForces::joint(const CableEnd& end) {
+  const Joint wanted{end.body.has_value(), end.body.value_or(BodyId{}), in_plane(end.p), end.p.z};
+  const auto found = std::find(joints_.begin(), joints_.end(), wanted);
+  if (found != joints_.end()) return static_cast<std::size_t>(found - joints_.begin());
+  joints_.push_back(wanted);
+  return joints_.size() - 1;
 }
 
 CableForces::CableForces(const Model& model, const Layout& layout) {
   for (std::size_t c = 0; c < model.cables.size(); ++c) {
     const Cable& cable = model.cables[c];
-    ends_.push_back({compiled(cable.a), compiled(cable.b)});
+    const std::size_t a = joint(cable.a), b = joint(cable.b);
+    const double across = joints_[b].along - joints_[a].along;
+    ends_.push_back(
+        {a, b, cable.copies / body_copies(model, joints_[a]), cable.copies / body_copies(model, joints_[b])});
+    across_squared_.push_back(across * across);
     rest_lengths_.push_back(cable.rest_length);
+    copies_.push_back(cable.copies);
     std::visit(
         [&](const auto& law) {
           auto& array = std::get<CableArray<std::decay_t<decltype(law)>>>(laws_);
@@ -64,52 +56,74 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
 }
 
 void CableForces::update(Workspace& work) const {
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const Joint& joint = joints_[j];
+    if (!joint.on_body) {
+      work.joints[j].p_WP = joint.p;
+      continue;
+    }
+    const Pose& body = work.poses[index(joint.body)];
+    const Vec2 arm = body.R_WB * joint.p;
+    work.joints[j] = {body.p_WB + arm, arm, body.v_WB + cross(body.w_WB, arm), {}};
+  }
   for (std::size_t c = 0; c < ends_.size(); ++c) {
-    const Vec3 p_WA = position(ends_[c].a, work);
-    const Vec3 p_WB = position(ends_[c].b, work);
-    work.paths[c] = path(p_WA, velocity(ends_[c].a, p_WA, work), p_WB, velocity(ends_[c].b, p_WB, work));
+    const JointPoint& a = work.joints[ends_[c].a];
+    const JointPoint& b = work.joints[ends_[c].b];
+    work.paths[c] = path(a.p_WP, a.v_WP, b.p_WP, b.v_WP, across_squared_[c]);
   }
 }
 
 void CableForces::settle(State& state, const Workspace& work) const {
   for_each_cable(laws_, [&](const auto& law, Slot slot, std::size_t c) {
-    settle_mode(law, slot, {elongation(work, c), work.paths[c].length_rate}, state, Mechanism::cable_release);
+    settle_mode(law, slot, kinematics(work, c), state, copies_[c]);
   });
 }
 
 void CableForces::add(const State& state, Workspace& work, Rates* out) const {
+  for (JointPoint& joint : work.joints)
+    joint.force = {};
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
     const Mode mode = state.mode[slot.mode];
     if (mode == 0) return;
     const Path& path = work.paths[c];
-    const LawForce tension = law({elongation(work, c), path.length_rate}, memory<L>(state, slot), mode);
-    const Vec2 on_a = tension.total() * path.pull_A;
-    pull(ends_[c].a, on_a, work, out);
-    pull(ends_[c].b, -on_a, work, out);
-    if (out) out->work[static_cast<std::size_t>(Mechanism::cable_damping)] += tension.dissipative * path.length_rate;
+    const LawForce tension = law(kinematics(work, c), memory<L>(state, slot), mode);
+    const Vec2 pull = tension.total() * path.pull_A;
+    work.joints[ends_[c].a].force += ends_[c].share_a * pull;
+    work.joints[ends_[c].b].force -= ends_[c].share_b * pull;
+    if (out) out->work[static_cast<std::size_t>(L::dissipation)] += copies_[c] * tension.dissipative * path.length_rate;
   });
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const JointPoint& joint = work.joints[j];
+    if (joints_[j].on_body) {
+      Wrench& wrench = work.wrenches[index(joints_[j].body)];
+      wrench.force += joint.force;
+      wrench.moment += cross(joint.arm, joint.force);
+    } else if (out) {
+      // The anchor takes the pull: an impulse from outside.
+      out->impulse[0] -= joint.force.x;
+      out->impulse[1] -= joint.force.y;
+      out->impulse[2] -= cross(joint.p_WP, joint.force);
+    }
+  }
 }
 
 void CableForces::guards(const State& state, const Workspace& work, std::span<double> out) const {
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    out[slot.mode] =
-        law.guard({elongation(work, c), work.paths[c].length_rate}, memory<L>(state, slot), state.mode[slot.mode]);
+    out[slot.mode] = law.guard(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);
   });
 }
 
 double CableForces::stored_energy(const State& state, const Workspace& work) const {
   double sum = 0.0;
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    sum += law.stored_energy({elongation(work, c), work.paths[c].length_rate}, memory<L>(state, slot),
-                             state.mode[slot.mode]);
+    sum += copies_[c] * law.stored_energy(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);
   });
   return sum;
 }
 
 void CableForces::tensions(const State& state, const Workspace& work, std::span<double> out) const {
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    out[c] =
-        law({elongation(work, c), work.paths[c].length_rate}, memory<L>(state, slot), state.mode[slot.mode]).total();
+    out[c] = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]).total();
   });
 }
 

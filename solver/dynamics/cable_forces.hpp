@@ -11,6 +11,15 @@
 
 namespace talus {
 
+/// A point at which cables end: of a body, or of the world. Cables that end at the same point share it.
+struct Joint {
+  bool on_body{};
+  BodyId body{};
+  Vec2 p;          ///< in body coordinates, or in the world [L]
+  double along{};  ///< place along the fence, z [L]
+  friend bool operator==(const Joint&, const Joint&) = default;
+};
+
 /// All cables of one law.
 template <class L>
 struct CableArray {
@@ -19,16 +28,30 @@ struct CableArray {
   std::vector<Slot> slots;
 };
 
-/// The cables of a model, compiled: paths, tensions, modes and energies.
+/// The cables of a model, compiled: joints, paths, tensions, modes and energies.
 class CableForces {
  public:
   CableForces(const Model& model, const Layout& layout);
 
+  /// Joints of a cable, and how much of its tension each takes: a cable that stands for several pulls several times
+  /// at a body that stands for itself alone.
+  struct Ends {
+    std::size_t a{};
+    std::size_t b{};
+    double share_a{1.0};
+    double share_b{1.0};
+  };
+
   std::size_t size() const { return ends_.size(); }
+  const std::vector<Joint>& joints() const { return joints_; }
+  const std::vector<Ends>& ends() const { return ends_; }
+  /// Tangent of each law instance, in order.
+  const std::vector<Tangent>& tangents() const { return tangents_; }
+
   void update(Workspace& work) const;
   void settle(State& state, const Workspace& work) const;
-  /// Adds the tensions to the wrenches of the bodies at the ends; with out, dissipated power and the anchors' impulse
-  /// as well.
+  /// Sums the tensions at the joints and adds them to the wrenches of the bodies; with out, dissipated power and the
+  /// anchors' impulse as well.
   void add(const State& state, Workspace& work, Rates* out) const;
   void guards(const State& state, const Workspace& work, std::span<double> out) const;
   double stored_energy(const State& state, const Workspace& work) const;
@@ -39,28 +62,19 @@ class CableForces {
     return work.paths[cable].length - rest_lengths_[cable];
   }
 
-  /// An end as compiled: a body's point (`on_body`) or a point of the world.
-  struct End {
-    bool on_body{};
-    BodyId body{};
-    Vec3 p;
-  };
-  struct Ends {
-    End a;
-    End b;
-  };
-  const std::vector<Ends>& ends() const { return ends_; }
-  /// Tangent of each law instance, in order.
-  const std::vector<Tangent>& tangents() const { return tangents_; }
-
  private:
+  std::size_t joint(const CableEnd& end);
+  Kinematics kinematics(const Workspace& work, std::size_t cable) const {
+    return {elongation(work, cable), work.paths[cable].length_rate};
+  }
+
   CableLaws::Tuple<CableArray> laws_;
+  std::vector<Joint> joints_;
   std::vector<Ends> ends_;
+  std::vector<double> across_squared_;
   std::vector<double> rest_lengths_;
+  std::vector<double> copies_;
   std::vector<Tangent> tangents_;
 };
-
-/// World position of a cable's end [L].
-[[nodiscard]] Vec3 position(const CableForces::End& end, const Workspace& work);
 
 }  // namespace talus

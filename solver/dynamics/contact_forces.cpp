@@ -1,5 +1,7 @@
 #include "solver/dynamics/contact_forces.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -19,13 +21,31 @@ Kinematics kinematics(const Workspace& work, std::size_t instance) {
   return {work.gaps[instance].depth, work.rates[instance]};
 }
 
-/// Calls visit(law, slot) for each law instance.
+/// Calls visit(law, slot, group) for each law instance within reach.
 template <class Laws, class Visit>
-void for_each_instance(const Laws& laws, Visit&& visit) {
+void for_each_near(const Laws& laws, const Workspace& work, Visit&& visit) {
   for_each_array(laws, [&](const auto& array) {
-    for (std::size_t i = 0; i < array.laws.size(); ++i)
-      visit(array.laws[i], array.slots[i]);
+    for (const ContactGroup& group : array.groups) {
+      if (!work.near[group.candidate]) continue;
+      for (std::size_t i = group.first; i < group.last; ++i)
+        visit(array.laws[i], array.slots[i], group);
+    }
   });
+}
+
+/// Works out the gaps of one array's groups that are within reach.
+template <class Array>
+void update_gaps(const Array& array, Workspace& work) {
+  for (const ContactGroup& group : array.groups) {
+    if (!work.near[group.candidate]) continue;
+    const Pose& A = work.poses[index(group.a)];
+    const Pose& B = work.poses[index(group.b)];
+    for (std::size_t i = group.first; i < group.last; ++i) {
+      const std::size_t instance = array.slots[i].mode;
+      work.gaps[instance] = gap(array.shapes_a[i], A, array.shapes_b[i], B);
+      work.rates[instance] = depth_rate(work.gaps[instance], A, B);
+    }
+  }
 }
 
 /// Fills the arrays of one law from the model, contact by contact.
@@ -35,52 +55,81 @@ class Compiler {
   Compiler(const Model& model, ContactArrays<L>& arrays, std::vector<ContactForces::Pair>& pairs)
       : model_{model}, arrays_{arrays}, pairs_{pairs} {}
 
-  void add(const Contact& contact, const L& law, Slot first) {
+  void add(std::size_t candidate, const Contact& contact, const L& law, Slot first) {
     const Shape& a = model_.bodies[index(contact.a)].shape;
     const Shape& b = model_.bodies[index(contact.b)].shape;
+    candidate_ = candidate;
+    contact_ = &contact;
+    law_ = law;
     next_ = first;
-    if (contact.method == ContactMethod::resultant) return add_resultant(contact.a, a, contact.b, b, law);
-    for (const Vec2 node : boundary_nodes(a, contact.nodes))
-      add_ball({node, 0.0}, contact.a, contact.b, b, law);
-    for (const Vec2 node : boundary_nodes(b, contact.nodes))
-      add_ball({node, 0.0}, contact.b, contact.a, a, law);
+    if (contact.method == ContactMethod::resultant) return add_resultant(contact.a, a, contact.b, b);
+    for (const Vec2 node : boundary_nodes(a, contact.nodes[0]))
+      add_ball({node, 0.0}, contact.a, contact.b, b);
+    for (const Vec2 node : boundary_nodes(b, contact.nodes[1]))
+      add_ball({node, 0.0}, contact.b, contact.a, a);
   }
 
  private:
   template <class ShapeA, class ShapeB>
-  void add(BodyId id_a, const ShapeA& a, BodyId id_b, const ShapeB& b, const L& law) {
+  void add(BodyId id_a, const ShapeA& a, BodyId id_b, const ShapeB& b) {
     auto& array = std::get<typename ContactArrays<L>::template Array<ShapeA, ShapeB>>(arrays_.arrays);
-    array.geometry.push_back({id_a, id_b, a, b});
-    array.laws.push_back(law);
+    if (array.groups.empty() || array.groups.back().candidate != candidate_ || array.groups.back().a != id_a)
+      array.groups.push_back(group(id_a, id_b, array.laws.size()));
+    array.shapes_a.push_back(a);
+    array.shapes_b.push_back(b);
+    array.laws.push_back(law_);
     array.slots.push_back(next_);
+    array.groups.back().last = array.laws.size();
     pairs_[next_.mode] = {id_a, id_b};
     next_ = {next_.mode + 1, next_.memory + L::memory_size};
   }
 
-  void add_ball(const Ball& ball, BodyId id_a, BodyId id_b, const Shape& b, const L& law) {
+  ContactGroup group(BodyId a, BodyId b, std::size_t first) const {
+    const double copies = contact_->copies;
+    return {candidate_,
+            a,
+            b,
+            first,
+            first,
+            copies / model_.bodies[index(a)].copies,
+            copies / model_.bodies[index(b)].copies,
+            copies};
+  }
+
+  void add_ball(const Ball& ball, BodyId id_a, BodyId id_b, const Shape& b) {
+    const bool node = contact_->method == ContactMethod::nodes;
     std::visit(
-        [&](const auto& target) {
-          if constexpr (std::is_same_v<std::decay_t<decltype(target)>, NoShape>) {
+        [&]<class Target>(const Target& target) {
+          if constexpr (std::is_same_v<Target, NoShape>) {
             TALUS_DEMAND(false);
+          } else if constexpr (std::is_same_v<Target, Superquadric>) {
+            if (node && contact_->node_depth == NodeDepth::side_face) return add(id_a, ball, id_b, SideFaces{target});
+            if (node && contact_->node_depth == NodeDepth::centroid_ray)
+              return add(id_a, ball, id_b, CentroidRays{target});
+            add(id_a, ball, id_b, target);
           } else {
-            add(id_a, ball, id_b, target, law);
+            add(id_a, ball, id_b, target);
           }
         },
         b);
   }
 
-  void add_resultant(BodyId id_a, const Shape& a, BodyId id_b, const Shape& b, const L& law) {
-    if (const auto* circle = std::get_if<Circle>(&a)) return add_ball({{}, circle->radius}, id_a, id_b, b, law);
-    if (const auto* circle = std::get_if<Circle>(&b)) return add_ball({{}, circle->radius}, id_b, id_a, a, law);
-    if (std::holds_alternative<HalfPlane>(a)) return add_resultant(id_b, b, id_a, a, law);
+  void add_resultant(BodyId id_a, const Shape& a, BodyId id_b, const Shape& b) {
+    if (const auto* circle = std::get_if<Circle>(&a)) return add_ball({{}, circle->radius}, id_a, id_b, b);
+    if (const auto* circle = std::get_if<Circle>(&b)) return add_ball({{}, circle->radius}, id_b, id_a, a);
+    if (std::holds_alternative<HalfPlane>(a)) return add_resultant(id_b, b, id_a, a);
+    if (const auto* outline = std::get_if<Superquadric>(&a)) return add(id_a, *outline, id_b, std::get<HalfPlane>(b));
     const auto& box = std::get<Rectangle>(a);
-    if (const auto* plane = std::get_if<HalfPlane>(&b)) return add(id_a, box, id_b, *plane, law);
-    add(id_a, box, id_b, std::get<Rectangle>(b), law);
+    if (const auto* plane = std::get_if<HalfPlane>(&b)) return add(id_a, box, id_b, *plane);
+    add(id_a, box, id_b, std::get<Rectangle>(b));
   }
 
   const Model& model_;
   ContactArrays<L>& arrays_;
   std::vector<ContactForces::Pair>& pairs_;
+  std::size_t candidate_{};
+  const Contact* contact_{};
+  L law_{};
   Slot next_;
 };
 
@@ -93,69 +142,77 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) {
   pairs_.resize(count);
   tangents_.resize(count);
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    const Contact& contact = model.contacts[c];
+    const Slot slot = layout.contact_slots[c];
+    const std::size_t instances = layout.contact_instances[c];
+    candidates_.push_back({contact.a, contact.b, bounds(model.bodies[index(contact.a)].shape),
+                           bounds(model.bodies[index(contact.b)].shape), slot.mode, slot.mode + instances});
     std::visit(
-        [&](const auto& law) {
-          using L = std::decay_t<decltype(law)>;
-          Compiler<L>{model, std::get<ContactArrays<L>>(laws_), pairs_}.add(model.contacts[c], law,
-                                                                            layout.contact_slots[c]);
-          for (std::size_t i = 0; i < layout.contact_instances[c]; ++i) {
-            tangents_[layout.contact_slots[c].mode + i] = law.tangent();
-          }
+        [&]<class L>(const L& law) {
+          Compiler<L>{model, std::get<ContactArrays<L>>(laws_), pairs_}.add(c, contact, law, slot);
+          std::fill_n(tangents_.begin() + static_cast<std::ptrdiff_t>(slot.mode), instances, law.tangent());
         },
-        model.contacts[c].law);
+        contact.law);
   }
 }
 
-void ContactForces::update(Workspace& work) const {
-  for_each_array(laws_, [&](const auto& array) {
-    for (std::size_t i = 0; i < array.laws.size(); ++i) {
-      const auto& contact = array.geometry[i];
-      const Pose& A = work.poses[index(contact.a)];
-      const Pose& B = work.poses[index(contact.b)];
-      const std::size_t instance = array.slots[i].mode;
-      work.gaps[instance] = gap(contact.shape_a, A, contact.shape_b, B);
-      work.rates[instance] = depth_rate(work.gaps[instance], A, B);
-    }
-  });
+void ContactForces::update(const State& state, Workspace& work) const {
+  for (std::size_t c = 0; c < candidates_.size(); ++c) {
+    const Candidate& pair = candidates_[c];
+    const auto mode = state.mode.begin();
+    const auto acts = [](Mode m) { return m != 0; };
+    // Bodies may have parted within one step: what still acts is looked at once more, to be ended.
+    work.near[c] = !out_of_reach(pair, work.poses[index(pair.a)], work.poses[index(pair.b)]) ||
+                   std::any_of(mode + static_cast<std::ptrdiff_t>(pair.first),
+                               mode + static_cast<std::ptrdiff_t>(pair.last), acts);
+  }
+  for_each_array(laws_, [&](const auto& array) { update_gaps(array, work); });
+}
+
+void ContactForces::update_all(Workspace& work) const {
+  std::fill(work.near.begin(), work.near.end(), char{1});
+  for_each_array(laws_, [&](const auto& array) { update_gaps(array, work); });
 }
 
 void ContactForces::settle(State& state, const Workspace& work) const {
-  for_each_instance(laws_, [&](const auto& law, Slot slot) {
-    settle_mode(law, slot, kinematics(work, slot.mode), state, Mechanism::contact_release);
+  for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup& group) {
+    settle_mode(law, slot, kinematics(work, slot.mode), state, group.copies);
   });
 }
 
 void ContactForces::add(const State& state, Workspace& work, Rates* out) const {
-  for_each_instance(laws_, [&]<class L>(const L& law, Slot slot) {
+  for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup& group) {
     const Mode mode = state.mode[slot.mode];
     if (mode == 0) return;
     const Kinematics x = kinematics(work, slot.mode);
     const LawForce force = law(x, memory<L>(state, slot), mode);
     const Gap& gap = work.gaps[slot.mode];
-    const Pair pair = pairs_[slot.mode];
     const Vec2 on_b = force.total() * gap.n_AB;
-    add_force(work.wrenches[index(pair.b)], work.poses[index(pair.b)].p_WB, gap.p_WC, on_b);
-    add_force(work.wrenches[index(pair.a)], work.poses[index(pair.a)].p_WB, gap.p_WC, -on_b);
-    if (out) out->work[static_cast<std::size_t>(Mechanism::contact_damping)] += force.dissipative * x.extent_rate;
+    add_force(work.wrenches[index(group.b)], work.poses[index(group.b)].p_WB, gap.p_WC, group.share_b * on_b);
+    add_force(work.wrenches[index(group.a)], work.poses[index(group.a)].p_WB, gap.p_WC, -group.share_a * on_b);
+    if (out) out->work[static_cast<std::size_t>(L::dissipation)] += group.copies * force.dissipative * x.extent_rate;
   });
 }
 
 void ContactForces::guards(const State& state, const Workspace& work, std::span<double> out) const {
-  for_each_instance(laws_, [&]<class L>(const L& law, Slot slot) {
+  std::fill_n(out.begin(), size(), std::numeric_limits<double>::infinity());
+  for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup&) {
     out[slot.mode] = law.guard(kinematics(work, slot.mode), memory<L>(state, slot), state.mode[slot.mode]);
   });
 }
 
 double ContactForces::stored_energy(const State& state, const Workspace& work) const {
   double sum = 0.0;
-  for_each_instance(laws_, [&]<class L>(const L& law, Slot slot) {
-    sum += law.stored_energy(kinematics(work, slot.mode), memory<L>(state, slot), state.mode[slot.mode]);
+  for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup& group) {
+    const double stored = law.stored_energy(kinematics(work, slot.mode), memory<L>(state, slot), state.mode[slot.mode]);
+    sum += group.copies * stored;
   });
   return sum;
 }
 
 void ContactForces::forces(const State& state, const Workspace& work, std::span<double> out) const {
-  for_each_instance(laws_, [&]<class L>(const L& law, Slot slot) {
+  std::fill_n(out.begin(), size(), 0.0);
+  for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup&) {
     out[slot.mode] = law(kinematics(work, slot.mode), memory<L>(state, slot), state.mode[slot.mode]).total();
   });
 }

@@ -4,7 +4,9 @@
 #include <tuple>
 #include <vector>
 
+#include "solver/dynamics/candidates.hpp"
 #include "solver/dynamics/workspace.hpp"
+#include "solver/geometry/node_depth.hpp"
 #include "solver/geometry/shape.hpp"
 #include "solver/laws/law_list.hpp"
 #include "solver/model/layout.hpp"
@@ -12,42 +14,58 @@
 
 namespace talus {
 
-/// Geometry of one contact instance between body A (the first shape) and body B (the second).
-template <class ShapeA, class ShapeB>
-struct PointContact {
+/// Law instances of one contact that share a kind of geometry: shape A of one body against shape B of another.
+struct ContactGroup {
+  std::size_t candidate{};  ///< the pair of bodies in the contact search
   BodyId a{};
   BodyId b{};
-  ShapeA shape_a;
-  ShapeB shape_b;
+  std::size_t first{};  ///< its instances in the array ...
+  std::size_t last{};   ///< ... end before this one
+  double share_a{1.0};  ///< force on A for each unit of the law's force: above 1 when a contact that stands for several
+  double share_b{1.0};  ///< acts on a body that stands for itself alone
+  double copies{1.0};   ///< identical contacts that this one stands for
 };
 
 /// All contact instances of one law, in one array for each kind of geometry, with the slots of their modes and memory.
 /// `slot` also is the place of the instance in Workspace::gaps (contacts have the first mode slots).
 template <class L>
 struct ContactArrays {
-  template <class ShapeA, class ShapeB>
+  template <class A, class B>
   struct Array {
-    std::vector<PointContact<ShapeA, ShapeB>> geometry;
+    using ShapeA = A;
+    using ShapeB = B;
+    std::vector<ContactGroup> groups;
+    std::vector<ShapeA> shapes_a;
+    std::vector<ShapeB> shapes_b;
     std::vector<L> laws;
     std::vector<Slot> slots;
   };
 
-  std::tuple<Array<Ball, Circle>, Array<Ball, Rectangle>, Array<Ball, HalfPlane>, Array<Rectangle, HalfPlane>,
-             Array<Rectangle, Rectangle>>
+  std::tuple<Array<Ball, Circle>, Array<Ball, Rectangle>, Array<Ball, Superquadric>, Array<Ball, SideFaces>,
+             Array<Ball, CentroidRays>, Array<Ball, HalfPlane>, Array<Rectangle, HalfPlane>,
+             Array<Superquadric, HalfPlane>, Array<Rectangle, Rectangle>>
       arrays;
 };
 
-/// The contacts of a model, compiled: gaps, forces, modes and energies of all law instances.
+/// The contacts of a model, compiled: gaps, forces, modes and energies of all law instances. Of a contact whose bodies
+/// are out of reach nothing is worked out.
 class ContactForces {
  public:
   ContactForces(const Model& model, const Layout& layout);
 
   /// Number of law instances: the length of Workspace::gaps and Workspace::rates.
   std::size_t size() const { return pairs_.size(); }
-  void update(Workspace& work) const;
+  /// Number of pairs that the search looks at: the length of Workspace::near.
+  std::size_t candidates() const { return candidates_.size(); }
+
+  /// Gaps of the pairs within reach, and of those that still act in this state.
+  void update(const State& state, Workspace& work) const;
+  /// Gaps of all pairs.
+  void update_all(Workspace& work) const;
   void settle(State& state, const Workspace& work) const;
   /// Adds the forces to the wrenches of both bodies; with out, the dissipated power as well.
   void add(const State& state, Workspace& work, Rates* out) const;
+  /// Infinity for instances out of reach.
   void guards(const State& state, const Workspace& work, std::span<double> out) const;
   double stored_energy(const State& state, const Workspace& work) const;
   /// Normal force of each instance [F], > 0 pushing apart.
@@ -63,6 +81,7 @@ class ContactForces {
 
  private:
   ContactLaws::Tuple<ContactArrays> laws_;
+  std::vector<Candidate> candidates_;
   std::vector<Pair> pairs_;
   std::vector<Tangent> tangents_;
 };

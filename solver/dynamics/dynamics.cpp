@@ -23,8 +23,10 @@ Workspace Dynamics::workspace() const {
   Workspace work;
   work.poses.resize(model_.bodies.size());
   work.wrenches.resize(model_.bodies.size());
+  work.joints.resize(cables_.joints().size());
   work.gaps.resize(contacts_.size());
   work.rates.resize(contacts_.size());
+  work.near.resize(contacts_.candidates());
   work.paths.resize(cables_.size());
   bodies_.place_fixed(work);
   return work;
@@ -32,8 +34,14 @@ Workspace Dynamics::workspace() const {
 
 void Dynamics::update(const State& state, Workspace& work) const {
   bodies_.update(state, work);
-  contacts_.update(work);
   cables_.update(work);
+  contacts_.update(state, work);
+}
+
+void Dynamics::update_all(const State& state, Workspace& work) const {
+  bodies_.update(state, work);
+  cables_.update(work);
+  contacts_.update_all(work);
 }
 
 void Dynamics::settle(State& state, const Workspace& work) const {
@@ -47,8 +55,9 @@ void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledge
   std::fill(out.z.begin(), out.z.end(), 0.0);
   std::fill(work.wrenches.begin(), work.wrenches.end(), Wrench{});
   Rates* const accounts = ledger ? &out : nullptr;
-  contacts_.add(state, work, accounts);
+  // Cables first: a half model's doubled pull and a full model's two pulls are then the same sum to the last bit.
   cables_.add(state, work, accounts);
+  contacts_.add(state, work, accounts);
   bodies_.rates(work, out, ledger);
 }
 

@@ -38,8 +38,11 @@ class Dynamics {
 
   [[nodiscard]] Workspace workspace() const;
 
-  /// Poses, gaps and paths of the state: what every function below reads.
+  /// Poses, paths and gaps of the state: what every function below reads. Gaps are worked out only of bodies within
+  /// reach of each other.
   void update(const State& state, Workspace& work) const;
+  /// The same with all gaps, however far apart the bodies.
+  void update_all(const State& state, Workspace& work) const;
   /// Brings each law's mode up to date and books the energy released by those changes.
   void settle(State& state, const Workspace& work) const;
   /// Rates of change in the state's modes; with `ledger` off the powers and impulses are left at zero.
@@ -51,7 +54,7 @@ class Dynamics {
   [[nodiscard]] Momenta momenta(const Workspace& work) const;
   /// Forces of all contacts and cables in the state's modes.
   void forces(const State& state, const Workspace& work, LawForces& out) const;
-  /// Largest overlap of a contact [L]; negative while its bodies are apart.
+  /// Largest overlap of a contact [L]; negative while its bodies are apart. Needs update_all().
   [[nodiscard]] double contact_depth(const Workspace& work, ContactId contact) const;
   /// Elongation of a cable [L]; negative while slack.
   [[nodiscard]] double elongation(const Workspace& work, CableId cable) const;

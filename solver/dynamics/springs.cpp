@@ -28,7 +28,7 @@ double effective_mass(const std::vector<double>& gradient, const std::vector<dou
 
 std::vector<Spring> springs(const Dynamics& dynamics, const State& state) {
   Workspace work = dynamics.workspace();
-  dynamics.update(state, work);
+  dynamics.update_all(state, work);
   std::vector<Spring> found;
   const ContactForces& contacts = dynamics.contacts();
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -43,10 +43,12 @@ std::vector<Spring> springs(const Dynamics& dynamics, const State& state) {
   for (std::size_t c = 0; c < cables.size(); ++c) {
     Spring spring{cables.tangents()[c].stiffness, cables.tangents()[c].damping, cables.elongation(work, c), 0.0,
                   std::vector<double>(state.q.size())};
-    const auto& [a, b] = cables.ends()[c];
+    const CableForces::Ends ends = cables.ends()[c];
+    const Joint& a = cables.joints()[ends.a];
+    const Joint& b = cables.joints()[ends.b];
     const Vec2 pull = work.paths[c].pull_A;
-    if (a.on_body) add_gradient(dynamics, work, a.body, in_plane(position(a, work)), -pull, spring.gradient);
-    if (b.on_body) add_gradient(dynamics, work, b.body, in_plane(position(b, work)), pull, spring.gradient);
+    if (a.on_body) add_gradient(dynamics, work, a.body, work.joints[ends.a].p_WP, -pull, spring.gradient);
+    if (b.on_body) add_gradient(dynamics, work, b.body, work.joints[ends.b].p_WP, pull, spring.gradient);
     found.push_back(std::move(spring));
   }
   for (Spring& spring : found)

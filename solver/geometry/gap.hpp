@@ -25,6 +25,7 @@ struct Depth {
 };
 [[nodiscard]] Depth depth_below(const Circle& shape, Vec2 p);
 [[nodiscard]] Depth depth_below(const Rectangle& shape, Vec2 p);
+[[nodiscard]] Depth depth_below(const Superquadric& shape, Vec2 p);
 [[nodiscard]] Depth depth_below(const HalfPlane& shape, Vec2 p);
 
 /// A ball of radius `radius` about the point p_A of body A: a circular body (its centre) or one boundary node (radius
@@ -47,6 +48,9 @@ template <class Target>
 
 /// Gap between a rectangle and a half-plane: at the lowest corner, half-way along the side when two are equally low.
 [[nodiscard]] Gap gap(const Rectangle& a, const Pose& A, const HalfPlane& b, const Pose& B);
+
+/// Gap between a superquadric and a half-plane: at the lowest point, exact for every exponent > 1.
+[[nodiscard]] Gap gap(const Superquadric& a, const Pose& A, const HalfPlane& b, const Pose& B);
 
 /// Gap between two rectangles along the side normal of least overlap (separating axes); found without a vertex inside,
 /// too. The force acts at the deepest point of the other rectangle's side, at the middle of the common part when it

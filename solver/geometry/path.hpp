@@ -11,14 +11,14 @@ struct Path {
   Vec2 pull_A;           ///< in-plane part of the unit vector from A to B: the direction in which tension pulls end A
 };
 
-/// Path between two points in space whose velocities lie in the plane of motion.
+/// Path between two points of planes of motion that lie `across` apart; given is across^2 [L^2].
 /// Errors: none; ends that coincide have no direction and give a zero pull (a model with such ends is refused when
 /// built).
-[[nodiscard]] inline Path path(Vec3 p_WA, Vec2 v_WA, Vec3 p_WB, Vec2 v_WB) {
-  const Vec3 r = p_WB - p_WA;
-  const double length = norm(r);
+[[nodiscard]] inline Path path(Vec2 p_WA, Vec2 v_WA, Vec2 p_WB, Vec2 v_WB, double across_squared) {
+  const Vec2 r = p_WB - p_WA;
+  const double length = std::sqrt(dot(r, r) + across_squared);
   if (length == 0.0) return {};
-  const Vec2 pull = (1.0 / length) * in_plane(r);
+  const Vec2 pull = (1.0 / length) * r;
   return {length, dot(v_WB - v_WA, pull), pull};
 }
 

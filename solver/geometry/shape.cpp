@@ -8,7 +8,7 @@ namespace talus {
 
 std::vector<std::string> shape_names() {
   return {std::string{NoShape::name}, std::string{Circle::name}, std::string{Rectangle::name},
-          std::string{HalfPlane::name}};
+          std::string{Superquadric::name}, std::string{HalfPlane::name}};
 }
 
 std::vector<Vec2> boundary_nodes(const Shape& shape, int count) {
@@ -17,6 +17,12 @@ std::vector<Vec2> boundary_nodes(const Shape& shape, int count) {
     for (int i = 0; i < count; ++i) {
       nodes.push_back(rotation(2.0 * std::numbers::pi * i / count) * Vec2{circle->radius, 0.0});
     }
+    return nodes;
+  }
+  if (const auto* outline = std::get_if<Superquadric>(&shape)) {
+    std::vector<Vec2> nodes;
+    for (int i = 0; i < count; ++i)
+      nodes.push_back(boundary_point(*outline, 2.0 * std::numbers::pi * (i + 0.5) / count));
     return nodes;
   }
   if (const auto* box = std::get_if<Rectangle>(&shape)) {

@@ -8,6 +8,7 @@
 
 #include "solver/base/fields.hpp"
 #include "solver/base/vec.hpp"
+#include "solver/geometry/superquadric.hpp"
 
 namespace talus {
 
@@ -51,13 +52,14 @@ struct HalfPlane {
   friend constexpr bool operator==(const HalfPlane&, const HalfPlane&) = default;
 };
 
-using Shape = std::variant<NoShape, Circle, Rectangle, HalfPlane>;
+using Shape = std::variant<NoShape, Circle, Rectangle, Superquadric, HalfPlane>;
 
 /// Names of all shapes, in the list's order.
 [[nodiscard]] std::vector<std::string> shape_names();
 
-/// Boundary nodes of a shape in body coordinates: `count` points at equal spacing from body x for a circle, the four
-/// corners for a rectangle (FENCE 1993 gave each such node a spring and a dashpot of its own), none for a half-plane.
+/// Boundary nodes of a shape in body coordinates (FENCE 1993 gave each such node a spring and a dashpot of its own):
+/// `count` points at equal spacing from body x for a circle; at the middles of `count` equal parts of the parametric
+/// angle for a superquadric (1993: four, near the corners); the four corners for a rectangle; none for a half-plane.
 [[nodiscard]] std::vector<Vec2> boundary_nodes(const Shape& shape, int count);
 
 }  // namespace talus

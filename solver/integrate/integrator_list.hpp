@@ -7,6 +7,7 @@
 
 #include "solver/integrate/central_difference.hpp"
 #include "solver/integrate/euler_cromer.hpp"
+#include "solver/integrate/lagged_central_difference.hpp"
 #include "solver/integrate/odeint_steppers.hpp"
 #include "solver/integrate/rk4.hpp"
 #include "solver/integrate/velocity_verlet.hpp"
@@ -15,8 +16,8 @@ namespace talus {
 
 /// The closed list of integrators. One line here makes a method selectable, tested and documented.
 using Integrator =
-    std::variant<CentralDifference, VelocityVerlet, EulerCromer, RungeKutta4, Odeint<OdeintMethod::dopri5>,
-                 Odeint<OdeintMethod::cash_karp54>, Odeint<OdeintMethod::fehlberg78>,
+    std::variant<CentralDifference, LaggedCentralDifference, VelocityVerlet, EulerCromer, RungeKutta4,
+                 Odeint<OdeintMethod::dopri5>, Odeint<OdeintMethod::cash_karp54>, Odeint<OdeintMethod::fehlberg78>,
                  Odeint<OdeintMethod::adams_bashforth_moulton8>, Odeint<OdeintMethod::bulirsch_stoer>>;
 
 /// Names of all integrators, in the list's order.

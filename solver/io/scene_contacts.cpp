@@ -51,7 +51,7 @@ SceneContact read_contact(SceneTable table, const Model& bodies) {
   contact.b = body_named(table, "between", bodies, between[1]);
   contact.method = table.choice_or("method", contact.method);
   if (contact.method == ContactMethod::nodes) {
-    if (table.has("nodes")) contact.nodes = table.whole("nodes");
+    if (table.has("nodes")) contact.nodes.fill(table.whole("nodes"));
     if (read.restitution && read.rule == RestitutionRule::effective_mass) {
       table.fail("restitution_rule", "contact by nodes has no single effective mass; it must be \"eq_21\"");
     }

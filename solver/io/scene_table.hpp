@@ -63,7 +63,7 @@ class SceneTable {
   /// The tables of an array of tables, [[key]]; none if the key is absent. Each is called by its own `name`.
   [[nodiscard]] std::vector<SceneTable> tables(std::string_view key);
 
-  /// Reads every field of T that has a key; a field that must be > 0 has to be there, another keeps its value.
+  /// Reads every field of T; one whose value is allowed as it stands may be left out.
   template <class T>
   void read_fields(T& value) {
     for (const auto& field : T::fields())
@@ -71,7 +71,7 @@ class SceneTable {
   }
   template <class T>
   void read_field(T& value, const Field<T>& field) {
-    if (field.range != Range::positive && !has(field.name)) return;
+    if (contains(field.range, value.*field.member) && !has(field.name)) return;
     value.*field.member = quantity(field.name, field.dimension, field.range);
   }
 

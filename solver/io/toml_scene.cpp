@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "solver/calibrate/restitution.hpp"
 #include "solver/dynamics/springs.hpp"
 #include "solver/io/scene_parts.hpp"
+#include "solver/laws/restitution.hpp"
 
 namespace talus {
 namespace {

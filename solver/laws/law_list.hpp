@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "solver/laws/elastic_plastic.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
 #include "solver/laws/tension_only.hpp"
 
@@ -16,18 +17,23 @@ namespace talus {
 /// A law of force along one line. What it is: a small value that turns kinematics, memory and mode into a force.
 /// It sees no body, no time step and no other law, remembers nothing itself, and is smooth inside a mode.
 ///   name, modes, memory_size  its name in scenes, the names of its modes (mode 0 is "not acting"), doubles of memory
+///   dissipation, release      where the work of its dissipative force and the energy its resets release are booked
 ///   fields()                  its parameters with dimension and range
 ///   law(x, memory, mode)      the force; calling it twice gives the same bits
 ///   stored_energy             what it holds; in a mode, d(stored)/d(extent) is the elastic force
 ///   guard                     positive while the mode lasts
 ///   tangent()                 the stiffest linear piece while it acts
 ///   reset                     the mode that follows, and the memory it starts with
+///   track (only if needed)    brings memory that follows the motion inside a mode, such as a largest stretch, up to
+///   date
 template <class L>
 concept Law = std::equality_comparable<L> &&
     requires(const L law, Kinematics x, std::span<const double> memory, std::span<double> writable, Mode mode) {
   { L::name } -> std::convertible_to<std::string_view>;
   { L::modes[0] } -> std::convertible_to<std::string_view>;
   { L::memory_size } -> std::convertible_to<std::size_t>;
+  { L::dissipation } -> std::convertible_to<Mechanism>;
+  { L::release } -> std::convertible_to<Mechanism>;
   L::fields();
   { law(x, memory, mode) } -> std::same_as<LawForce>;
   { law.stored_energy(x, memory, mode) } -> std::same_as<double>;
@@ -54,7 +60,7 @@ struct LawList {
 
 using ContactLaws = LawList<LinearSpringDashpot>;
 using ContactLaw = ContactLaws::Variant;
-using CableLaws = LawList<TensionOnly>;
+using CableLaws = LawList<TensionOnly, ElasticPlastic>;
 using CableLaw = CableLaws::Variant;
 
 }  // namespace talus

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "solver/laws/unilateral_spring.hpp"
+#include "solver/state/state.hpp"
 
 namespace talus {
 
@@ -14,6 +15,8 @@ struct LinearSpringDashpot {
   static constexpr std::string_view name = "linear_spring_dashpot";
   static constexpr std::array<std::string_view, 3> modes{"open", "touching", "released"};
   static constexpr std::size_t memory_size = 0;
+  static constexpr Mechanism dissipation = Mechanism::contact_damping;
+  static constexpr Mechanism release = Mechanism::contact_release;
 
   double stiffness{};  ///< k_n [F/L] > 0
   double damping{};    ///< c [F T/L] >= 0

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "solver/laws/unilateral_spring.hpp"
+#include "solver/state/state.hpp"
 
 namespace talus {
 
@@ -14,6 +15,8 @@ struct TensionOnly {
   static constexpr std::string_view name = "tension_only";
   static constexpr std::array<std::string_view, 3> modes{"slack", "taut", "released"};
   static constexpr std::size_t memory_size = 0;
+  static constexpr Mechanism dissipation = Mechanism::cable_damping;
+  static constexpr Mechanism release = Mechanism::cable_release;
 
   double stiffness{};  ///< k [F/L] > 0
   double damping{};    ///< c [F T/L] >= 0

@@ -31,6 +31,7 @@ struct Body {
   Vec2 p_BPin{};    ///< of a pinned body: the pin in body coordinates [L]
   Vec2 force{};     ///< constant applied force at the centre of mass, world [F]
   double moment{};  ///< constant applied moment [F L], counter-clockwise > 0
+  int copies{1};    ///< number of identical bodies that this one stands for, by symmetry of the scene
 
   static constexpr std::array<Field<Body>, 4> fields() {
     return {

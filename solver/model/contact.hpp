@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "solver/base/ids.hpp"
+#include "solver/geometry/node_depth.hpp"
 #include "solver/laws/law_list.hpp"
 
 namespace talus {
@@ -25,7 +27,9 @@ struct Contact {
   BodyId b{};
   ContactLaw law{};
   ContactMethod method{ContactMethod::resultant};
-  int nodes{12};  ///< boundary nodes of a circle when method is `nodes`
+  std::array<int, 2> nodes{12, 12};  ///< boundary nodes of a and b when method is `nodes`: of a circle or superquadric
+  NodeDepth node_depth{NodeDepth::nearest};  ///< of nodes in a superquadric when method is `nodes`
+  int copies{1};  ///< number of identical contacts that this one stands for, by symmetry of the scene
 };
 
 }  // namespace talus

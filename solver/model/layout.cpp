@@ -16,8 +16,8 @@ std::size_t memory_size(const auto& law) {
 /// Law instances of a contact: one for a resultant, one for each boundary node of either body otherwise.
 std::size_t instances(const Model& model, const Contact& contact) {
   if (contact.method == ContactMethod::resultant) return 1;
-  return boundary_nodes(model.bodies[index(contact.a)].shape, contact.nodes).size() +
-         boundary_nodes(model.bodies[index(contact.b)].shape, contact.nodes).size();
+  return boundary_nodes(model.bodies[index(contact.a)].shape, contact.nodes[0]).size() +
+         boundary_nodes(model.bodies[index(contact.b)].shape, contact.nodes[1]).size();
 }
 
 std::size_t first_coordinate(const Model& model, BodyId body) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
@@ -36,11 +37,12 @@ void check_vector(std::string_view kind, std::string_view name, std::string_view
 bool has_gap(const Shape& a, const Shape& b, ContactMethod method) {
   const auto is_box = [](const Shape& s) { return std::holds_alternative<Rectangle>(s); };
   const auto is_plane = [](const Shape& s) { return std::holds_alternative<HalfPlane>(s); };
+  const auto is_outline = [](const Shape& s) { return std::holds_alternative<Superquadric>(s); };
   const auto is_round = [](const Shape& s) { return std::holds_alternative<Circle>(s); };
   const bool outlined = !std::holds_alternative<NoShape>(a) && !std::holds_alternative<NoShape>(b);
   if (method == ContactMethod::nodes) return outlined && !(is_plane(a) && is_plane(b));
-  return outlined &&
-         (is_round(a) || is_round(b) || (is_box(a) && (is_box(b) || is_plane(b))) || (is_plane(a) && is_box(b)));
+  return outlined && (is_round(a) || is_round(b) || (is_box(a) && (is_box(b) || is_plane(b))) ||
+                      (is_plane(a) && (is_box(b) || is_outline(b))) || (is_outline(a) && is_plane(b)));
 }
 
 std::string_view shape_name(const Shape& shape) {
@@ -69,6 +71,9 @@ BodyId ModelBuilder::add(Body body) {
   check_vector("body", body.name, "pin", body.p_BPin);
   check_vector("body", body.name, "force", body.force);
   std::visit([&](const auto& shape) { check_fields("body", body.name, shape); }, body.shape);
+  if (const auto* outline = std::get_if<Superquadric>(&body.shape); outline && !(outline->exponent > 1.0)) {
+    throw InputError{fmt::format("body '{}': exponent is {}; it must be > 1", body.name, outline->exponent)};
+  }
   if (!moves && !(body.force == Vec2{}))
     throw InputError{fmt::format("body '{}': a fixed body takes no force", body.name)};
   if (!turns && body.moment != 0.0)
@@ -117,13 +122,15 @@ ContactId ModelBuilder::add(Contact contact) {
   if (!has_gap(a.shape, b.shape, contact.method)) {
     throw InputError{
         fmt::format("contact '{}': no contact between shapes '{}' and '{}' by method '{}'; known pairs: circle "
-                    "with circle, rectangle, half_plane; rectangle with rectangle, half_plane",
+                    "with circle, rectangle, superquadric, half_plane; rectangle with rectangle, half_plane; "
+                    "superquadric with half_plane",
                     contact.name, shape_name(a.shape), shape_name(b.shape),
                     Names<ContactMethod>::list[static_cast<std::size_t>(contact.method)])};
   }
-  if (contact.method == ContactMethod::nodes && (contact.nodes < 3 || contact.nodes > 100000)) {
-    throw InputError{
-        fmt::format("contact '{}': nodes is {}; it must be from 3 to 100000", contact.name, contact.nodes)};
+  if (contact.method == ContactMethod::nodes &&
+      (std::ranges::any_of(contact.nodes, [](int n) { return n < 3 || n > 100000; }))) {
+    throw InputError{fmt::format("contact '{}': nodes is {}, {}; each must be from 3 to 100000", contact.name,
+                                 contact.nodes[0], contact.nodes[1])};
   }
   std::visit([&](const auto& law) { check_fields("contact", contact.name, law); }, contact.law);
   model_.contacts.push_back(std::move(contact));

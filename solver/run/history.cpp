@@ -64,7 +64,7 @@ void Recorder::operator()(const State& state, const StepInfo& info) {
 
 void Recorder::fill_row(const State& state) {
   const Model& model = dynamics_->model();
-  dynamics_->update(state, work_);
+  dynamics_->update_all(state, work_);
   dynamics_->forces(state, work_, forces_);
   row_.assign({state.t});
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {

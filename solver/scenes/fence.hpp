@@ -72,6 +72,13 @@ enum class BottomEnd {
   anchored,  ///< a segment to a fixed point below the top cable's end
 };
 
+/// What happens at the start, when a rock touches the fence.
+enum class FenceStart {
+  plain,      ///< the bodies start with the velocities given
+  half_kick,  ///< the contact forces of the first touch act for half a step beforehand (1993; inferred from its
+              ///< listing)
+};
+
 /// Choices that no record of the 1993 deck makes. The defaults are the historical program.
 struct FenceOptions {
   FenceSymmetry symmetry{FenceSymmetry::half};
@@ -79,8 +86,9 @@ struct FenceOptions {
   FenceContact contact{FenceContact::nodes};
   FenceCalibration calibration{FenceCalibration::particles};
   EndRule end_rule{EndRule::attractive};
+  FenceStart start{FenceStart::half_kick};
   BottomEnd bottom_end{BottomEnd::free};
-  std::string integrator{"central_difference"};
+  std::string integrator{"lagged_central_difference"};
 
   friend bool operator==(const FenceOptions&, const FenceOptions&) = default;
 };
@@ -159,6 +167,10 @@ struct Names<scenes::FenceContact> {
 template <>
 struct Names<scenes::FenceCalibration> {
   static constexpr std::array<std::string_view, 2> list{"particles", "effective_mass"};
+};
+template <>
+struct Names<scenes::FenceStart> {
+  static constexpr std::array<std::string_view, 2> list{"plain", "half_kick"};
 };
 template <>
 struct Names<scenes::BottomEnd> {

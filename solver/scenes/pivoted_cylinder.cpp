@@ -19,8 +19,8 @@ Scene pivoted_cylinder(const PivotedCylinder& p) {
                                        .inertia = 0.4 * p.rock_mass * p.rock_radius * p.rock_radius,
                                        .shape = Circle{p.rock_radius},
                                        .p_WB = {-(p.half_width + p.rock_radius), 0.0}});
-  builder.add(
-      Contact{.name = "impact", .a = rock, .b = column, .law = p.contact, .method = p.method, .nodes = p.nodes});
+  builder.add(Contact{
+      .name = "impact", .a = rock, .b = column, .law = p.contact, .method = p.method, .nodes = {p.nodes, p.nodes}});
   Scene scene{.title = "Pivoted cylinder hit by a rock", .model = builder.build()};
   scene.initial = rest_state(scene.model);
   set_velocity(scene.model, scene.initial, rock, {p.speed, 0.0}, 0.0);

@@ -15,9 +15,12 @@ enum class Mechanism : std::size_t {
   contact_release,  ///< spring energy left in a contact that stops acting before its surfaces part: dissipated > 0
   cable_damping,    ///< dashpots of cables: dissipated > 0
   cable_release,    ///< spring energy left in a cable whose dashpot lets it go before it is slack: dissipated > 0
+  cable_yield,      ///< plastic work of cables drawn out: dissipated > 0
+  cable_break,      ///< energy that a cable held when it broke: dissipated > 0
 };
-inline constexpr std::array<std::string_view, 4> mechanism_names{"contact_damping", "contact_release", "cable_damping",
-                                                                 "cable_release"};
+inline constexpr std::array mechanism_names{std::string_view{"contact_damping"}, std::string_view{"contact_release"},
+                                            std::string_view{"cable_damping"},   std::string_view{"cable_release"},
+                                            std::string_view{"cable_yield"},     std::string_view{"cable_break"}};
 inline constexpr std::size_t mechanism_count = mechanism_names.size();
 
 /// Impulses that come from outside the moving bodies: x and y components [M L/T], and moment about the world's origin

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "solver/calibrate/restitution.hpp"
+#include "solver/laws/restitution.hpp"
 #include "solver/run/turning_point.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"

@@ -58,7 +58,7 @@ class Follower {
 
  private:
   [[nodiscard]] Sample sample(const State& state) {
-    dynamics_.update(state, work_);
+    dynamics_.update_all(state, work_);
     std::size_t deepest = 0;
     for (std::size_t i = 1; i < instances_; ++i) {
       if (work_.gaps[i].depth > work_.gaps[deepest].depth) deepest = i;

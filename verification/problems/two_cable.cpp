@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-#include "solver/calibrate/restitution.hpp"
+#include "solver/laws/restitution.hpp"
 #include "solver/run/energy_ledger.hpp"
 #include "solver/run/turning_point.hpp"
 #include "solver/scenes/two_cable.hpp"
@@ -110,7 +110,7 @@ class ParticleWatch {
   explicit ParticleWatch(const Dynamics& dynamics) : dynamics_{&dynamics}, work_{dynamics.workspace()} {}
 
   void operator()(const State& state, const StepInfo&) {
-    dynamics_->update(state, work_);
+    dynamics_->update_all(state, work_);
     const bool acts = state.mode[0] == UnilateralSpring::acting && work_.gaps[0].depth >= 0.0;
     touched_ = touched_ || acts;
     const double x = state.q[0], v = state.v[0];

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE calibrate
-#include "solver/calibrate/restitution.hpp"
+#include "solver/laws/restitution.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

@@ -144,11 +144,11 @@ BOOST_AUTO_TEST_CASE(depth_rate_is_the_rate_of_the_depth) {
 }
 
 BOOST_AUTO_TEST_CASE(path_length_rate_and_pull) {
-  const Path found = path({0, 0, 0}, {0, 0}, {3, 4, 12}, {1, 2});
+  const Path found = path({0, 0}, {0, 0}, {3, 4}, {1, 2}, 144);
   BOOST_TEST(found.length == 13.0);
   BOOST_TEST(found.length_rate == (3.0 + 8.0) / 13.0, boost::test_tools::tolerance(1e-15));
   BOOST_TEST(found.pull_A.x == 3.0 / 13.0, boost::test_tools::tolerance(1e-15));
-  BOOST_TEST(path({1, 1, 1}, {}, {1, 1, 1}, {}).pull_A.x == 0.0);
+  BOOST_TEST(path({1, 1}, {}, {1, 1}, {}, 0.0).pull_A.x == 0.0);
 }
 
 BOOST_AUTO_TEST_CASE(nodes_of_a_circle_start_at_local_x_and_a_rectangle_has_its_corners) {

@@ -102,8 +102,10 @@ BOOST_AUTO_TEST_CASE(work_advances_with_the_motion) {
     BOOST_TEST_CONTEXT(name(integrator)) {
       const End end = integrated(integrator, 4000, 5.0);
       const double gained = 0.5 * (end.state.v[0] * end.state.v[0] - 0.0625);
-      // Leapfrog methods take the power with the velocity at the start of the kick: first order, h max|a|^2 t/2 = 3e-3.
-      BOOST_TEST(std::abs(end.state.work[0] - gained) < 3e-3);
+      // Leapfrog methods take the power with the velocity at the start of the kick: first order, h max|a|^2 t/2 = 3e-3;
+      // the lagged one with that of a step before, three times as much.
+      BOOST_TEST(std::abs(end.state.work[0] - gained) <
+                 (name(integrator) == LaggedCentralDifference::name ? 9e-3 : 3e-3));
       BOOST_TEST(std::abs(end.state.impulse[0] - (end.state.v[0] - 0.25)) < 1e-12);
     }
   }

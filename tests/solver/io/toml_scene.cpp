@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/calibrate/restitution.hpp"
 #include "solver/io/toml_scene.hpp"
+#include "solver/laws/restitution.hpp"
 #include "solver/scenes/two_cable.hpp"
 
 using namespace talus;
@@ -110,7 +110,7 @@ ledger = "off"
   BOOST_TEST(law(read).stiffness == 12000.0);
   BOOST_TEST((law(read).end_rule == EndRule::clamped));
   BOOST_TEST(law(read).damping == eq_21(0.5, 12000.0, 37.23), boost::test_tools::tolerance(1e-15));
-  BOOST_TEST(read.model.contacts[0].nodes == 16);
+  BOOST_TEST(read.model.contacts[0].nodes[0] == 16);
   BOOST_TEST((read.model.contacts[0].method == ContactMethod::nodes));
   BOOST_TEST(std::get<Rectangle>(read.model.bodies[1].shape).half_width == 1.25);
   BOOST_TEST(read.model.bodies[1].p_WB.x == -3.0);

@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(names_and_keys) {
              "s.toml:6: body 'rock': mobility: found \"fre\"; nearest: free; known: free, particle, pinned, fixed");
   BOOST_TEST(message("\"circle\"", "\"circel\"") ==
              "s.toml:9: body 'rock': shape: kind: found \"circel\"; nearest: circle; known: none, circle, rectangle, "
-             "half_plane");
+             "superquadric, half_plane");
   BOOST_TEST(message("radius =", "radios =") ==
              "s.toml:9: body 'rock': shape: radios: this key is not known; nearest: radius; known: kind, radius");
   BOOST_TEST(message("\"rock\", \"ground\"", "\"rok\", \"ground\"") ==
@@ -104,10 +104,12 @@ BOOST_AUTO_TEST_CASE(names_and_keys) {
   BOOST_TEST(message("\"rock\", \"ground\"", "\"rock\"") ==
              "s.toml:18: contact 'bounce': between: found an array; it must be an array of 2 texts in quotes");
   BOOST_TEST(message("\"tension_only\"", "\"tension\"") ==
-             "s.toml:24: cable 'rope': law: found \"tension\"; nearest: tension_only; known: tension_only");
+             "s.toml:24: cable 'rope': law: found \"tension\"; nearest: tension_only; known: tension_only, "
+             "elastic_plastic");
   BOOST_TEST(message("\"rk4\"", "\"verlett\"") ==
              "s.toml:29: run: integrator: found \"verlett\"; nearest: velocity_verlet; known: central_difference, "
-             "velocity_verlet, euler_cromer, rk4, odeint_dopri5, odeint_cash_karp54, odeint_fehlberg78, odeint_abm8, "
+             "lagged_central_difference, velocity_verlet, euler_cromer, rk4, odeint_dopri5, odeint_cash_karp54, "
+             "odeint_fehlberg78, odeint_abm8, "
              "odeint_bulirsch_stoer");
   BOOST_TEST(message("\"SI\"", "\"si\"") == "s.toml:2: units: found \"si\"; nearest: SI; known: SI, US");
   BOOST_TEST(message("name = \"ground\"", "name = \"rock\"") ==

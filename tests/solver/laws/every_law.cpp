@@ -18,7 +18,8 @@ std::vector<L> examples() {
     for (const double damping : {0.0, 0.75}) {
       L law;
       law.stiffness = 5.0;
-      law.damping = damping;
+      if constexpr (requires { law.damping; }) law.damping = damping;
+      if constexpr (requires { law.yield; }) law.yield = 3.0;
       if constexpr (requires { law.end_rule; }) law.end_rule = rule;
       made.push_back(law);
     }
@@ -30,7 +31,7 @@ template <class Test>
 void over_all_laws(Test&& test) {
   const auto each = [&]<class L>(L) {
     for (const L& law : examples<L>()) {
-      BOOST_TEST_CONTEXT("law " << L::name << ", damping " << law.damping) { test(law); }
+      BOOST_TEST_CONTEXT("law " << L::name << ", damping " << law.tangent().damping) { test(law); }
     }
   };
   ContactLaws::for_each(each);
@@ -93,12 +94,13 @@ BOOST_AUTO_TEST_CASE(elastic_force_is_the_derivative_of_the_stored_energy) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(dashpot_never_gives_energy) {
+BOOST_AUTO_TEST_CASE(dissipative_force_never_gives_energy_while_its_mode_lasts) {
   over_all_laws([](const auto& law) {
     const auto memory = memory_of(law);
     for (const Mode mode : {Mode{0}, Mode{1}, Mode{2}}) {
       for (const double s : {-0.1, 0.0, 0.2}) {
         for (const double rate : {-3.0, -1e-6, 0.0, 4.0}) {
+          if (law.guard({s, rate}, memory, mode) < 0.0) continue;
           BOOST_TEST(law({s, rate}, memory, mode).dissipative * rate >= 0.0);
         }
       }
@@ -122,7 +124,7 @@ BOOST_AUTO_TEST_CASE(power_of_two_scaling_is_exact) {
     const auto memory = memory_of(law);
     auto scaled = law;
     scaled.stiffness = std::ldexp(law.stiffness, -4);
-    scaled.damping = std::ldexp(law.damping, -3);
+    if constexpr (requires { law.damping; }) scaled.damping = std::ldexp(law.damping, -3);
     const Kinematics x{0.1234567, -0.7654321};
     const Kinematics y{std::ldexp(x.extent, 3), std::ldexp(x.extent_rate, 2)};
     BOOST_TEST(scaled(y, memory, 1).total() == std::ldexp(law(x, memory, 1).total(), -1));

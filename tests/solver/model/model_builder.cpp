@@ -95,13 +95,14 @@ BOOST_AUTO_TEST_CASE(wrong_contacts_are_refused) {
           "contact 'c': neither 'wall' nor 'post' can move");
   refuses([&] { builder.add(Contact{.name = "c", .a = one, .b = two, .law = law}); },
           "contact 'c': no contact between shapes 'circle' and 'none' by method 'resultant'; known pairs: circle with "
-          "circle, "
-          "rectangle, half_plane; rectangle with rectangle, half_plane");
+          "circle, rectangle, superquadric, half_plane; rectangle with rectangle, half_plane; superquadric with "
+          "half_plane");
   refuses(
       [&] {
-        builder.add(Contact{.name = "c", .a = one, .b = wall, .law = law, .method = ContactMethod::nodes, .nodes = 2});
+        builder.add(
+            Contact{.name = "c", .a = one, .b = wall, .law = law, .method = ContactMethod::nodes, .nodes = {2, 2}});
       },
-      "contact 'c': nodes is 2; it must be from 3 to 100000");
+      "contact 'c': nodes is 2, 2; each must be from 3 to 100000");
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_needs_a_body) {
@@ -147,6 +148,6 @@ BOOST_AUTO_TEST_CASE(node_contacts_have_one_instance_a_node_both_ways) {
                       .b = two,
                       .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
                       .method = ContactMethod::nodes,
-                      .nodes = 12});
+                      .nodes = {12, 12}});
   BOOST_TEST(Layout{builder.build()}.contact_instances[0] == 16);
 }

@@ -1,4 +1,4 @@
-#include "solver/calibrate/restitution.hpp"
+#include "solver/laws/restitution.hpp"
 
 #include <fmt/format.h>
 

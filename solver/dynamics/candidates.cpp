@@ -1,0 +1,42 @@
+#include "solver/dynamics/candidates.hpp"
+
+#include <cmath>
+#include <variant>
+
+namespace talus {
+namespace {
+
+Bounds box(const NoShape&) { return {}; }
+Bounds box(const Circle& s) { return {s.radius, s.radius, true, false}; }
+Bounds box(const Rectangle& s) { return {s.half_width, s.half_height, false, false}; }
+Bounds box(const Superquadric& s) { return {s.half_width, s.half_height, false, false}; }
+Bounds box(const HalfPlane&) { return {0.0, 0.0, false, true}; }
+
+/// Half extents of the box along the world's axes.
+Vec2 extent(const Bounds& bounds, Rotation R) {
+  if (bounds.round) return {bounds.half_width, bounds.half_height};
+  const double c = std::abs(R.cosine), s = std::abs(R.sine);
+  return {c * bounds.half_width + s * bounds.half_height, s * bounds.half_width + c * bounds.half_height};
+}
+
+bool above(const Bounds& bounds, const Pose& body, const Pose& plane) {
+  const Vec2 n = plane.R_WB * Vec2{0.0, 1.0};
+  const Vec2 reach = extent(bounds, body.R_WB);
+  return dot(body.p_WB - plane.p_WB, n) > std::abs(n.x) * reach.x + std::abs(n.y) * reach.y;
+}
+
+}  // namespace
+
+Bounds bounds(const Shape& shape) {
+  return std::visit([](const auto& s) { return box(s); }, shape);
+}
+
+bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B) {
+  if (pair.bounds_b.plane) return above(pair.bounds_a, A, B);
+  if (pair.bounds_a.plane) return above(pair.bounds_b, B, A);
+  const Vec2 between = B.p_WB - A.p_WB;
+  const Vec2 reach = extent(pair.bounds_a, A.R_WB) + extent(pair.bounds_b, B.R_WB);
+  return std::abs(between.x) > reach.x || std::abs(between.y) > reach.y;
+}
+
+}  // namespace talus

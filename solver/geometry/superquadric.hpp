@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "solver/base/fields.hpp"
+#include "solver/base/vec.hpp"
+
+namespace talus {
+
+/// The outline |x/a|^n + |y/b|^n = 1 about the body's centre of mass (Barr 1981; Mustoe & Huttelmaier 1993, Eq. 1):
+/// an ellipse for n = 2, towards a rectangle as n grows.
+struct Superquadric {
+  static constexpr std::string_view name = "superquadric";
+  double half_width{};   ///< a, along the body's x axis [L] > 0
+  double half_height{};  ///< b, along the body's y axis [L] > 0
+  double exponent{2.0};  ///< n >= 1: below that the outline is not convex
+
+  static constexpr std::array<Field<Superquadric>, 3> fields() {
+    return {{{"half_width", dimension::length, &Superquadric::half_width, Range::positive, "half its size along x"},
+             {"half_height", dimension::length, &Superquadric::half_height, Range::positive, "half its size along y"},
+             {"exponent", dimension::number, &Superquadric::exponent, Range::positive, "n of |x/a|^n + |y/b|^n = 1"}}};
+  }
+  friend constexpr bool operator==(const Superquadric&, const Superquadric&) = default;
+};
+
+/// The gauge (|x/a|^n + |y/b|^n)^(1/n): below 1 inside, 1 on the outline, above 1 outside; p/gauge lies on the outline.
+[[nodiscard]] double gauge(const Superquadric& shape, Vec2 p);
+
+/// Whether a point lies inside: the gauge's comparison without its root.
+[[nodiscard]] bool is_inside(const Superquadric& shape, Vec2 p);
+
+/// base^exponent for base >= 0, the same bits on every machine.
+[[nodiscard]] double power(double base, double exponent);
+
+/// Point of the outline at the parametric angle t [rad]: (a sgn(cos t) |cos t|^(2/n), b sgn(sin t) |sin t|^(2/n)).
+[[nodiscard]] Vec2 boundary_point(const Superquadric& shape, double t);
+
+}  // namespace talus
