@@ -205,6 +205,9 @@ int calibrate_scene(const CalibrateOptions& options) {
 }
 
 int run_calibration(const CalibrateOptions& options) {
+  if (!(options.restitution > 0.0 && options.restitution <= 1.0)) {
+    throw InputError{fmt::format("--restitution: found {}; it must be in (0, 1]", options.restitution)};
+  }
   if (options.scene.empty()) {
     if (!options.contact.empty()) throw InputError{"--contact: it needs a scene; name its file"};
     return calibrate_impact(options);

@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
        "talus: --step: found \"5\"; the unit is missing; write e.g. \"5 s\"\n"},
       {{"run", scene("pendulum.toml"), "--end", "-5 s"}, "talus: --end: found \"-5 s\"; it must be > 0\n"},
       {{"calibrate", "--restitution", "1.5", "--masses", "1 kg", "--stiffness", "1 N/m"},
-       "talus: restitution is 1.5; it must be in (0, 1]\n"},
+       "talus: --restitution: found 1.5; it must be in (0, 1]\n"},
       {{"calibrate", "--restitution", "0.5", "--masses", "0 kg", "--stiffness", "1 N/m"},
        "talus: --masses: found \"0 kg\"; it must be > 0\n"},
       {{"calibrate", scene("two_cable.toml"), "--contact", "impct", "--restitution", "0.5"},
