@@ -138,12 +138,6 @@ ContactId contact_named(const Model& model, const std::string& name) {
   throw unknown_name("--contact: contact", name, known);
 }
 
-/// The scene with another damping of one contact.
-Scene with_damping(Scene scene, ContactId contact, double damping) {
-  std::visit([damping](auto& law) { law.damping = damping; }, scene.model.contacts[index(contact)].law);
-  return scene;
-}
-
 /// Damping ratio of a contact's first law instance.
 double damping_ratio_of(const Scene& scene, ContactId contact) {
   const Dynamics dynamics{scene.model};
@@ -211,6 +205,9 @@ int calibrate_scene(const CalibrateOptions& options) {
 }
 
 int run_calibration(const CalibrateOptions& options) {
+  if (!(options.restitution > 0.0 && options.restitution <= 1.0)) {
+    throw InputError{fmt::format("--restitution: found {}; it must be in (0, 1]", options.restitution)};
+  }
   if (options.scene.empty()) {
     if (!options.contact.empty()) throw InputError{"--contact: it needs a scene; name its file"};
     return calibrate_impact(options);

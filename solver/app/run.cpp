@@ -97,7 +97,7 @@ RunRecord run_scene(const Scene& scene) {
   Integrator integrator = scene.integrator;
   State state = scene.initial;
   system.settle(state);
-  Recorder recorder{dynamics, state};
+  Recorder recorder{dynamics, state, scene.plan.ledger};
   Progress progress{scene.plan.end};
   RunRecord record;
   State last = state;

@@ -62,7 +62,7 @@ void extremes(Page& page, const RunRecord& record) {
 }
 
 void ledger(Page& page, const RunRecord& record) {
-  if (!record.plan.ledger) return page.line("ledger: off");
+  if (!record.plan.ledger) return page.line("ledger: off; no energies, losses and closures were kept");
   const Accounts& accounts = record.accounts;
   const Energies& energies = accounts.energies;
   const std::string energy = symbol(record.units, dimension::energy);

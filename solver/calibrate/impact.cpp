@@ -74,10 +74,6 @@ class ImpactWatch {
   Impact impact_;
 };
 
-void set_damping(Scene& scene, ContactId contact, double damping) {
-  std::visit([damping](auto& law) { law.damping = damping; }, scene.model.contacts[index(contact)].law);
-}
-
 /// 2 sqrt(k m_eff) of a contact as the scene starts [F T/L]: the scale of dampings worth trying.
 double critical_damping(const Scene& scene, ContactId contact) {
   const Dynamics dynamics{scene.model};
@@ -147,6 +143,11 @@ constexpr double kept = 0.8;
 
 }  // namespace
 
+Scene with_damping(Scene scene, ContactId contact, double damping) {
+  std::visit([damping](auto& law) { law.damping = damping; }, scene.model.contacts[index(contact)].law);
+  return scene;
+}
+
 Impact simulate_impact(const Scene& scene, ContactId contact) {
   const Followed followed = follow_impact(scene, contact);
   if (followed.impact) return *followed.impact;
@@ -191,12 +192,10 @@ ImpactStep advise_impact_step(const LinearSpringDashpot& law, double effective_m
 
 Calibration calibrate(const Scene& scene, ContactId contact, double e, double tolerance) {
   if (!(e > 0.0 && e <= 1.0)) throw InputError{fmt::format("restitution is {}; it must be in (0, 1]", e)};
-  Scene varied = scene;
   Calibration found;
   const auto excess = [&](double damping) {
-    set_damping(varied, contact, damping);
     ++found.runs;
-    return simulate_impact(varied, contact).restitution - e;
+    return simulate_impact(with_damping(scene, contact, damping), contact).restitution - e;
   };
   const std::string& name = scene.model.contacts[index(contact)].name;
   const double undamped = excess(0.0);

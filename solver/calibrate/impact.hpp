@@ -7,6 +7,9 @@
 
 namespace talus {
 
+/// The scene with another damping of one contact [F T/L].
+[[nodiscard]] Scene with_damping(Scene scene, ContactId contact, double damping);
+
 /// What one simulated impact did.
 struct Impact {
   double restitution{};      ///< speed of separation over speed of approach along the normal

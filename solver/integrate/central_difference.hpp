@@ -17,7 +17,6 @@ namespace talus {
 struct CentralDifference {
   static constexpr std::string_view name = "central_difference";
   static constexpr int order = 2;
-  static constexpr Settling settling = Settling::every_evaluation;
 
   template <Splittable System>
   void start(System& system, State& state, double h) const {

@@ -28,7 +28,8 @@ concept Differentiable = requires(S& system, State& state, const State& fixed, R
 };
 
 /// A method of integration: it knows its system by one of the concepts above and nothing of bodies, files or observers.
-///   name, order, settling           its name in scenes; its order on smooth motion; when it brings modes up to date
+/// Every method brings the modes up to date before each force evaluation: the classical way, and that of 1993.
+///   name, order                     its name in scenes; its order on smooth motion
 ///   start(system, state, h)         once before the first step of length h (a staggered method shifts the state here)
 ///   step(system, state, h)          advances state by h, time included
 ///   synchronized(state, h)          the state with all parts at the same time, state.t; what observers see
@@ -36,7 +37,6 @@ template <class I, class S>
 concept IntegratorFor = requires(I integrator, S& system, State& state, const State& fixed, double h) {
   { I::name } -> std::convertible_to<std::string_view>;
   { I::order } -> std::convertible_to<int>;
-  { I::settling } -> std::convertible_to<Settling>;
   integrator.start(system, state, h);
   integrator.step(system, state, h);
   { integrator.synchronized(fixed, h) } -> std::convertible_to<State>;

@@ -11,7 +11,6 @@ namespace talus {
 struct EulerCromer {
   static constexpr std::string_view name = "euler_cromer";
   static constexpr int order = 1;
-  static constexpr Settling settling = Settling::every_evaluation;
 
   template <Splittable System>
   void start(System&, State&, double) const {}

@@ -22,7 +22,6 @@ class LaggedCentralDifference {
  public:
   static constexpr std::string_view name = "lagged_central_difference";
   static constexpr int order = 2;
-  static constexpr Settling settling = Settling::every_evaluation;
 
   template <Differentiable System>
   void start(System& system, State& state, double h) {

@@ -58,7 +58,6 @@ class Odeint {
                                            : method == OdeintMethod::adams_bashforth_moulton8 ? "odeint_abm8"
                                                                                               : "odeint_bulirsch_stoer";
   static constexpr int order = method == OdeintMethod::dopri5 || method == OdeintMethod::cash_karp54 ? 5 : 8;
-  static constexpr Settling settling = Settling::every_evaluation;
   static constexpr bool needs_tolerance = method == OdeintMethod::bulirsch_stoer;
   static constexpr bool has_step_control = method != OdeintMethod::adams_bashforth_moulton8;
 

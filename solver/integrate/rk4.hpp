@@ -14,7 +14,6 @@ class RungeKutta4 {
  public:
   static constexpr std::string_view name = "rk4";
   static constexpr int order = 4;
-  static constexpr Settling settling = Settling::every_evaluation;
 
   template <Differentiable System>
   void start(System& system, State& state, double) {

@@ -16,7 +16,6 @@ class VelocityVerlet {
  public:
   static constexpr std::string_view name = "velocity_verlet";
   static constexpr int order = 2;
-  static constexpr Settling settling = Settling::every_evaluation;
 
   template <Differentiable System>
   void start(System& system, State& state, double) {

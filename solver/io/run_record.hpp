@@ -49,8 +49,8 @@ struct RunRecord {
 /// The final positions and velocities of a scene's bodies.
 [[nodiscard]] std::vector<BodyState> body_states(const Model& model, const State& state);
 
-/// A history without the columns that need a ledger, and without extremes of them: what remains of `recorder` when it
-/// is off. Fills history, rows_cut, extremes and accounts of the record.
+/// What `recorder` kept: fills history, rows_cut, extremes and accounts of the record, the latter as far as it kept
+/// any.
 void record_history(RunRecord& record, const Recorder& recorder);
 
 }  // namespace talus

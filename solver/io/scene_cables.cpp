@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "solver/geometry/pose.hpp"
 #include "solver/io/scene_parts.hpp"
 
 namespace talus {
@@ -13,14 +12,6 @@ CableEnd read_end(SceneTable table, const Model& bodies) {
   const std::vector<double> p = table.quantities("point", dimension::length, 2, 3);
   end.p = {p[0], p[1], p.size() == 3 ? p[2] : 0.0};
   return end;
-}
-
-/// World position of an end as the bodies stand at the start [L].
-Vec3 start_position(const Model& bodies, const CableEnd& end) {
-  if (!end.body) return end.p;
-  const Body& body = bodies.bodies[index(*end.body)];
-  const Vec2 p = body.p_WB + rotation(body.angle) * in_plane(end.p);
-  return {p.x, p.y, end.p.z};
 }
 
 SceneCable read_cable(SceneTable table, const Model& bodies) {
@@ -37,7 +28,7 @@ SceneCable read_cable(SceneTable table, const Model& bodies) {
   });
   cable.a = read_end(table.table("from"), bodies);
   cable.b = read_end(table.table("to"), bodies);
-  const double distance = norm(start_position(bodies, cable.b) - start_position(bodies, cable.a));
+  const double distance = norm(reference_point(bodies, cable.b) - reference_point(bodies, cable.a));
   cable.rest_length = table.quantity_or("rest_length", dimension::length, distance, Range::non_negative) +
                       table.quantity_or("slack", dimension::length, 0.0);
   return read;

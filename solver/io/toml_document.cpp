@@ -1,6 +1,7 @@
 #include "solver/io/toml_document.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -65,7 +66,13 @@ std::string found(const TomlValue& value) {
   if (const auto* number = std::get_if<double>(&value.data)) return fmt::format("{}", *number);
   if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return fmt::format("{}", *whole);
   if (const auto* flag = std::get_if<bool>(&value.data)) return *flag ? "true" : "false";
-  if (std::holds_alternative<TomlArray>(value.data)) return "an array";
+  if (const auto* array = std::get_if<TomlArray>(&value.data)) {
+    std::vector<std::string> elements;
+    for (const TomlValue& element : *array)
+      elements.push_back(found(element));
+    const std::string text = fmt::format("[{}]", fmt::join(elements, ", "));
+    return text.size() <= 60 ? text : fmt::format("an array of {}", array->size());
+  }
   return std::holds_alternative<TomlTable>(value.data) ? "a table" : "a date or time";
 }
 

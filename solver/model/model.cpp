@@ -28,4 +28,11 @@ double inertia_about_pin(const Body& body) { return body.inertia + body.mass * d
 
 Vec2 pin(const Body& body) { return body.p_WB + rotation(body.angle) * body.p_BPin; }
 
+Vec3 reference_point(const Model& model, const CableEnd& end) {
+  if (!end.body) return end.p;
+  const Body& body = model.bodies[index(*end.body)];
+  const Vec2 p = body.p_WB + rotation(body.angle) * in_plane(end.p);
+  return {p.x, p.y, end.p.z};
+}
+
 }  // namespace talus

@@ -31,4 +31,7 @@ struct Model {
 /// World position of a pinned body's pin [L].
 [[nodiscard]] Vec2 pin(const Body& body);
 
+/// World position of a cable's end in the reference positions of the bodies [L].
+[[nodiscard]] Vec3 reference_point(const Model& model, const CableEnd& end);
+
 }  // namespace talus

@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "solver/base/error.hpp"
-#include "solver/geometry/pose.hpp"
 
 namespace talus {
 namespace {
@@ -47,14 +46,6 @@ bool has_gap(const Shape& a, const Shape& b, ContactMethod method) {
 
 std::string_view shape_name(const Shape& shape) {
   return std::visit([](const auto& s) { return s.name; }, shape);
-}
-
-/// World position of a cable's end in the reference positions.
-Vec3 reference_point(const Model& model, const CableEnd& end) {
-  if (!end.body) return end.p;
-  const Body& body = model.bodies[index(*end.body)];
-  const Vec2 p = body.p_WB + rotation(body.angle) * Vec2{end.p.x, end.p.y};
-  return {p.x, p.y, end.p.z};
 }
 
 }  // namespace

@@ -27,6 +27,10 @@ std::vector<Column> columns(const Model& model) {
     found.push_back({cable.name + ".elongation", dimension::length});
     found.push_back({cable.name + ".tension", dimension::force});
   }
+  return found;
+}
+
+void add_account_columns(std::vector<Column>& found) {
   for (const std::string_view part : {"kinetic", "gravity", "applied", "contacts", "cables"}) {
     found.push_back({fmt::format("energy.{}", part), dimension::energy});
   }
@@ -37,19 +41,24 @@ std::vector<Column> columns(const Model& model) {
   found.push_back({"closure.momentum_x", dimension::momentum});
   found.push_back({"closure.momentum_y", dimension::momentum});
   found.push_back({"closure.angular_momentum", dimension::angular_momentum});
-  return found;
 }
 
 }  // namespace
 
-Recorder::Recorder(const Dynamics& dynamics, const State& start)
-    : dynamics_{&dynamics}, work_{dynamics.workspace()}, ledger_{dynamics, start} {
+Recorder::Recorder(const Dynamics& dynamics, const State& start, bool ledger)
+    : dynamics_{&dynamics}, work_{dynamics.workspace()} {
   history_.columns = columns(dynamics.model());
+  if (!ledger) return;
+  ledger_.emplace(dynamics, start);
+  add_account_columns(history_.columns);
 }
 
 void Recorder::operator()(const State& state, const StepInfo& info) {
-  accounts_ = ledger_.accounts(state);
   fill_row(state);
+  if (ledger_) {
+    accounts_ = ledger_->accounts(state);
+    fill_accounts();
+  }
   if (extremes_.empty()) {
     for (const double value : row_)
       extremes_.push_back({value, state.t, value, state.t});
@@ -83,6 +92,9 @@ void Recorder::fill_row(const State& state) {
     row_.push_back(dynamics_->elongation(work_, cable));
     row_.push_back(forces_.tensions[i]);
   }
+}
+
+void Recorder::fill_accounts() {
   const Energies& energies = accounts_.energies;
   row_.insert(row_.end(), {energies.kinetic, energies.gravity, energies.applied, energies.contacts, energies.cables});
   row_.insert(row_.end(), accounts_.lost.begin(), accounts_.lost.end());

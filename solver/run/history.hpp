@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,19 +23,21 @@ struct History {
 };
 
 /// Fills a history and keeps the extreme values of every step: for each body that moves x, y, vx, vy and, if it turns,
-/// angle and spin; for each contact depth and force; for each cable elongation and tension; energies, losses and
-/// closures.
+/// angle and spin; for each contact depth and force; for each cable elongation and tension; with a ledger energies,
+/// losses and closures.
 class Recorder {
  public:
-  /// `start` is the run's first state. The Dynamics must outlive the recorder.
-  Recorder(const Dynamics& dynamics, const State& start);
+  /// `start` is the run's first state. `ledger` off draws no accounts and leaves their columns out. The Dynamics must
+  /// outlive the recorder.
+  Recorder(const Dynamics& dynamics, const State& start, bool ledger = true);
 
   /// Writes a row when one is due; the ledger and the extremes are brought up to date with every step.
   void operator()(const State& state, const StepInfo& info);
 
   const History& history() const { return history_; }
-  const EnergyLedger& ledger() const { return ledger_; }
-  /// The accounts at the last step seen.
+  /// Empty when the ledger is off.
+  const std::optional<EnergyLedger>& ledger() const { return ledger_; }
+  /// The accounts at the last step seen; all zero when the ledger is off.
   const Accounts& accounts() const { return accounts_; }
 
   /// Smallest and largest value of each column over all steps, with their times.
@@ -48,10 +51,11 @@ class Recorder {
 
  private:
   void fill_row(const State& state);
+  void fill_accounts();
 
   const Dynamics* dynamics_;
   Workspace work_;
-  EnergyLedger ledger_;
+  std::optional<EnergyLedger> ledger_;
   Accounts accounts_;
   History history_;
   LawForces forces_;

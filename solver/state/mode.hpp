@@ -8,10 +8,4 @@ namespace talus {
 /// changes.
 using Mode = std::uint8_t;
 
-/// When the modes of a scene are brought up to date with its motion.
-enum class Settling {
-  every_evaluation,  ///< before each force evaluation: the classical way, and that of 1993
-  accepted_step,     ///< after each accepted step only
-};
-
 }  // namespace talus

@@ -12,7 +12,7 @@ extern const char* const build_compiler;
 extern const char* const build_flags;
 /// "Release", "Debug", ...
 extern const char* const build_type;
-/// Library names and versions, as CMake found them.
+/// Library names and versions, as CMake found them or, where it does not say, as the header compiled against does.
 extern const std::vector<std::pair<std::string, std::string>> build_libraries;
 /// Git commit at the time of the build, or "unknown".
 extern const char* const source_revision;

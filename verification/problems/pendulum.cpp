@@ -10,7 +10,9 @@
 #include "verification/problems/odeint_findings.hpp"
 #include "verification/problems/swing.hpp"
 #include "verification/problems/swing_energy.hpp"
+#include "verification/problems/swing_period_findings.hpp"
 #include "verification/problems/swing_timing.hpp"
+#include "verification/problems/work_precision_findings.hpp"
 
 namespace talus::verification::problems {
 
@@ -19,6 +21,7 @@ Case pendulum();
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr long periods = 10000;  // of the runs whose energy is watched
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 constexpr const char* page = R"(
@@ -73,156 +76,6 @@ pin; a method with one wrong coefficient (its order falls); an adapter that star
 order; a symplectic method whose two halves see different forces (its energy would drift).
 )";
 
-/// Velocity Verlet, or what a fault puts in its place.
-Integrator verlet(const Setup& setup) {
-  if (setup.has("euler_cromer_for_verlet")) return make_integrator("euler_cromer");
-  return make_integrator(setup.has("rk4_for_verlet") ? "rk4" : "velocity_verlet");
-}
-
-/// A decimal number of 45 digits, rounded to 14 places by way of a long double, which carries 18 digits.
-std::string rounded(const std::string& decimal) { return fmt::format("{:.14f}", std::stold(decimal)); }
-
-void check_orders(Findings& findings, const Setup& setup) {
-  const double amplitude = 60.0 * degree;
-  const auto motion = bob_motion(amplitude);
-  const double duration = 0.8 * motion.period();
-  const Scene scene = scenes::pendulum(bob(setup, amplitude));
-  Figure chart{.name = "work_precision",
-               .title = "Work and precision on a smooth swing",
-               .caption =
-                   "Error at the end of 0.8 period (60 degrees) against force evaluations, for every integrator "
-                   "of the solver: steps halved from point to point for orders 1 and 2, divided by the square "
-                   "root of 2 for higher ones, and tolerances divided by ten for odeint_bulirsch_stoer, which has "
-                   "no fixed step. Dashed: the declared orders. The line is "
-                   "half a unit of the last place of the angle: round-off of n steps gathers above it. The "
-                   "chart against time depends on the machine: it is in the full tier (`make verify-full`).",
-               .x = {"force evaluations", "1", true},
-               .y = {"error", "rad", true},
-               .series = {},
-               .slopes = {},
-               .lines = {{'y', 0.5 * epsilon, "round-off of one operation"}}};
-  for (const auto& method : method_ranges) {
-    const bool is_verlet = method.name == "velocity_verlet";
-    if (setup.coarse && !is_verlet) continue;
-    const Integrator integrator = is_verlet ? verlet(setup) : make_integrator(method.name);
-    Convergence convergence;
-    Series series{.label = std::string(method.name), .x = {}, .y = {}};
-    const double ratio = setup.coarse ? 8.0 : std::pow(2.0, method.order < 3 ? 1.0 : 0.5);
-    // Three steps have to do when coarse: four times shorter ones, where the tilt is a sixteenth.
-    for (double n = static_cast<double>(method.first) * (setup.coarse ? 4.0 : 0.125); n < 2.5e5; n *= ratio) {
-      const long steps = std::lround(n);
-      if (steps < 5) continue;
-      const SwingError run = swing_error(scene, integrator, duration, steps, bob_frequency(), motion);
-      findings.count(static_cast<std::uint64_t>(run.evaluations));
-      if (steps >= method.first && steps <= method.last) convergence.add(1.0 / static_cast<double>(steps), run.error);
-      if (!(run.error > 1.0)) {
-        series.x.push_back(static_cast<double>(run.evaluations));
-        series.y.push_back(run.error);
-      }
-      if (run.evaluations > 170000 || run.error < 2e-14 || (setup.coarse && steps >= 4096)) break;
-    }
-    findings.expect_order("order of " + std::string(method.name), convergence, method.order - method.admitted(),
-                          method.order + method.admitted(),
-                          fmt::format("declared order {}; the next two terms of the expansion, taken from the errors "
-                                      "at three coarser steps, tilt the line fitted between {} and {} steps by "
-                                      "{:+.2g}: that and half of it again, for the terms after, either way",
-                                      method.order, method.first, method.last, method.tilt));
-    if (!series.x.empty() &&
-        (method.name == "odeint_abm8" || is_verlet || method.name == "euler_cromer" || method.name == "rk4")) {
-      const std::size_t middle = series.x.size() / 2;
-      chart.slopes.push_back({-static_cast<double>(method.order), series.x[middle], 0.5 * series.y[middle],
-                              fmt::format("order {}", method.order)});
-    }
-    chart.series.push_back(series);
-  }
-  if (setup.coarse) return;
-  Series stepless{.label = "odeint_bulirsch_stoer", .x = {}, .y = {}};
-  Convergence kept;
-  for (double tolerance = 1e-3; tolerance > 5e-14; tolerance *= 0.1) {
-    const SwingError run =
-        swing_error(scene, make_integrator("odeint_bulirsch_stoer", tolerance), duration, 1, bob_frequency(), motion);
-    kept.add(tolerance, run.error);
-    stepless.x.push_back(static_cast<double>(run.evaluations));
-    stepless.y.push_back(run.error);
-  }
-  findings.expect_order("error of odeint_bulirsch_stoer against tolerance", kept, 0.8, 1.2,
-                        "order and step are chosen so that the error of a step stays below the tolerance: "
-                        "proportional, with the scatter of the choices");
-  chart.series.push_back(stepless);
-  findings.figure(chart);
-}
-
-/// Periods from 0.1 to 179 degrees, by interpolated passages, against the elliptic integral; and by how much velocity
-/// Verlet misses it, against its own theory.
-void check_amplitudes(Findings& findings, const Setup& setup) {
-  constexpr double per_small_swing = 128.0;
-  const double h = 2.0 * pi / bob_frequency() / per_small_swing;
-  const double z = bob_frequency() * h;
-  Series measured{.label = "velocity_verlet", .x = {}, .y = {}, .style = Style::points};
-  Series theory{.label = "modified Hamiltonian", .x = {}, .y = {}, .style = Style::lines};
-  Series ratio{.label = "solver", .x = {}, .y = {}, .style = Style::points};
-  Series elliptic{.label = "2 K/pi", .x = {}, .y = {}, .style = Style::lines};
-  Table table{.name = "periods",
-              .caption =
-                  "Period of the pinned body: reference (computed at 50 digits, 15 shown), as simulated by "
-                  "velocity Verlet with 128 steps per small swing, and the relative error "
-                  "with its prediction.",
-              .columns = {"A [deg]", "T [s]", "simulated [s]", "relative error", "predicted"},
-              .rows = {}};
-  double worst = 0.0;
-  for (const double degrees : {0.1, 1.0, 10.0, 30.0, 60.0, 90.0, 120.0, 140.0, 150.0, 170.0, 175.0, 179.0}) {
-    if (setup.coarse && degrees != 60.0) continue;
-    const double amplitude = degrees * degree;
-    const double reference = bob_motion(amplitude).period();
-    const double period = period_of(scenes::pendulum(bob(setup, amplitude)), verlet(setup), h, 3.0 * reference);
-    const double constant = verlet_period_constant(amplitude);
-    worst = std::max(worst, std::abs((period / reference - 1.0) / (z * z) - constant));
-    findings.expect(fmt::format("period at {:g} degrees", degrees), period, reference,
-                    Tolerance::truncation(std::abs(constant) * z * z, 1.05,
-                                          "the second-order error of velocity Verlet's period as derived, times h^2; "
-                                          "the next term is below 5 % of it")
-                        .relative(),
-                    "s");
-    measured.x.push_back(degrees);
-    measured.y.push_back((period / reference - 1.0) / (z * z));
-    ratio.x.push_back(degrees);
-    ratio.y.push_back(period * bob_frequency() / (2.0 * pi));
-    table.rows.push_back({fmt::format("{:g}", degrees), rounded(bob_motion(amplitude).period_45_digits()),
-                          fmt::format("{:.10f}", period), fmt::format("{:.4e}", period / reference - 1.0),
-                          fmt::format("{:.4e}", constant * z * z)});
-  }
-  if (setup.coarse) return;
-  for (double degrees = 1.0; degrees <= 179.0; degrees += 1.0) {
-    theory.x.push_back(degrees);
-    theory.y.push_back(verlet_period_constant(degrees * degree));
-    elliptic.x.push_back(degrees);
-    elliptic.y.push_back(bob_motion(degrees * degree).period() * bob_frequency() / (2.0 * pi));
-  }
-  findings.expect("velocity Verlet's period constant, largest deviation", worst, 0.0,
-                  Tolerance::truncation(17.0 / 5760.0 * z * z, 1.05,
-                                        "next term of the expansion, largest for small swings: z/(2 asin(z/2)) = 1 - "
-                                        "z^2/24 - 17 z^4/5760 ..."));
-  findings.table(table);
-  findings.figure({.name = "period",
-                   .title = "Period against amplitude",
-                   .caption =
-                       "Period over that of small swings: simulated by the pinned body, and the elliptic "
-                       "integral. At this scale they cannot be told apart; the next figure shows the difference.",
-                   .x = {"amplitude", "deg"},
-                   .y = {"T w0/(2 pi)", "1"},
-                   .series = {elliptic, ratio}});
-  findings.figure({.name = "period_constant",
-                   .title = "Error constant of velocity Verlet's period",
-                   .caption =
-                       "Relative error of the period over $(w_0 h)^2$, 128 steps per small swing, and the constant "
-                       "that follows from the modified Hamiltonian: -1/24 for small swings, zero near 158 "
-                       "degrees, positive beyond.",
-                   .x = {"amplitude", "deg"},
-                   .y = {"(T_h/T - 1)/(w0 h)^2", "1"},
-                   .series = {theory, measured},
-                   .lines = {{'y', -1.0 / 24.0, "-1/24"}}});
-}
-
 /// Small swings, where each method is a 2 x 2 matrix whose rotation and growth are known to all orders.
 void check_small_swings(Findings& findings, const Setup& setup) {
   const double amplitude = 0.1 * degree;
@@ -263,8 +116,34 @@ void check_small_swings(Findings& findings, const Setup& setup) {
       steps, 2 * steps, std::log2(predicted / halved)));
 }
 
+/// The largest error of the energy within each hundredth of the run, for several methods.
+Figure energy_chart(const EnergyHistory& kept, double bound, const Setup& setup) {
+  Figure chart{.name = "energy_drift",
+               .title = "Energy over ten thousand periods",
+               .caption =
+                   "Largest relative error of the energy within each hundred periods (60 degrees; 64 steps per "
+                   "small period). The symplectic methods stay where they begin; Runge-Kutta methods lose "
+                   "energy in proportion to time. Line: bound of velocity Verlet from its modified Hamiltonian.",
+               .x = {"time", "periods", true},
+               .y = {"|E/E0 - 1|", "1", true},
+               .series = {},
+               .slopes = {},
+               .lines = {{'y', bound, "predicted bound"}}};
+  for (const char* name : {"central_difference", "velocity_verlet", "euler_cromer", "rk4", "odeint_dopri5"}) {
+    const EnergyHistory run = std::string_view{name} == "velocity_verlet"
+                                  ? kept
+                                  : energy_history(bob(setup, 60.0 * degree), make_integrator(name), 64, periods);
+    Series series{.label = name, .x = {}, .y = {}, .style = Style::lines};
+    for (std::size_t i = 0; i < run.lowest.size(); ++i) {
+      series.x.push_back(static_cast<double>(periods) / 100.0 * (static_cast<double>(i) + 1.0));
+      series.y.push_back(std::max(-run.lowest[i], run.highest[i]));
+    }
+    chart.series.push_back(series);
+  }
+  return chart;
+}
+
 void check_energy(Findings& findings, const Setup& setup) {
-  constexpr long periods = 10000;
   const double amplitude = 60.0 * degree;
   const double z = 2.0 * pi / 64.0;
   const double scale = 1.0 - std::cos(amplitude);  // E0 over m g a
@@ -290,34 +169,12 @@ void check_energy(Findings& findings, const Setup& setup) {
                   Tolerance::truncation(0.36 * std::pow(0.1 * degree, 2.0) * std::abs(loss), 1.5,
                                         "|R(iz)|^2 a step, to all orders, for a linear pendulum; the sine adds a share "
                                         "proportional to A^2, its constant measured at 1 degree"));
-  Figure chart{.name = "energy_drift",
-               .title = "Energy over ten thousand periods",
-               .caption =
-                   "Largest relative error of the energy within each hundred periods (60 degrees; 64 steps per "
-                   "small period). The symplectic methods stay where they begin; Runge-Kutta methods lose "
-                   "energy in proportion to time. Line: bound of velocity Verlet from its modified Hamiltonian.",
-               .x = {"time", "periods", true},
-               .y = {"|E/E0 - 1|", "1", true},
-               .series = {},
-               .slopes = {},
-               .lines = {{'y', std::abs(verlet_energy_swing(amplitude)) * z * z / scale, "predicted bound"}}};
-  for (const char* name : {"central_difference", "velocity_verlet", "euler_cromer", "rk4", "odeint_dopri5"}) {
-    const EnergyHistory run = std::string_view{name} == "velocity_verlet"
-                                  ? kept
-                                  : energy_history(bob(setup, amplitude), make_integrator(name), 64, periods);
-    Series series{.label = name, .x = {}, .y = {}, .style = Style::lines};
-    for (std::size_t i = 0; i < run.lowest.size(); ++i) {
-      series.x.push_back(static_cast<double>(periods) / 100.0 * (static_cast<double>(i) + 1.0));
-      series.y.push_back(std::max(-run.lowest[i], run.highest[i]));
-    }
-    chart.series.push_back(series);
-  }
-  findings.figure(chart);
+  findings.figure(energy_chart(kept, std::abs(verlet_energy_swing(amplitude)) * z * z / scale, setup));
 }
 
 void run(Findings& findings, const Setup& setup) {
   check_amplitudes(findings, setup);
-  check_orders(findings, setup);
+  check_work_and_precision(findings, setup);
   check_energy(findings, setup);
   check_rigid_limit(findings, setup);
   if (setup.coarse) return;

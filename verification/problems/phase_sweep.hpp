@@ -23,10 +23,13 @@ struct PhasedImpact {
   std::function<std::vector<double>(std::span<const double> times)> exact;
 };
 
+/// (3 - sqrt 5)/2, the offset common to all phases.
+inline constexpr double common_offset = 0.3819660112501051;
+
 /// How the step of a phase follows from the number N of steps per contact.
 enum class Offset {
   none,    ///< t_c/N: commensurate, errors of onset and release cancel
-  common,  ///< t_c/(N + .381966)
+  common,  ///< t_c/(N + common_offset)
   own,     ///< t_c/(N + offset), another offset for each phase: release phases are spread as the onset's
 };
 

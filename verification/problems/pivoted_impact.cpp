@@ -21,6 +21,13 @@ double impact_mass() {
   return reference::effective_mass(1.0 / problem.rock_mass, 1.0 / reference::effective_column_mass(problem));
 }
 
+double damping_ratio_of(const PivotedRun& run) {
+  const reference::PivotedContact contact = contact_of(run);
+  return contact.damping / (2.0 * std::sqrt(contact.stiffness * impact_mass()));
+}
+
+double frequency_of(const PivotedRun& run) { return std::sqrt(run.stiffness / impact_mass()); }
+
 reference::PivotedContact contact_of(const PivotedRun& run) {
   const double mass = run.dashpot == Dashpot::two_masses
                           ? reference::effective_mass(1.0 / problem.rock_mass, 1.0 / problem.mass)

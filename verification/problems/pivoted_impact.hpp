@@ -35,6 +35,12 @@ struct PivotedRun {
 /// Effective mass of the impact, M I_p/h^2 / (M + I_p/h^2) [slug].
 [[nodiscard]] double impact_mass();
 
+/// Damping ratio xi of the contact that this run ought to have.
+[[nodiscard]] double damping_ratio_of(const PivotedRun& run);
+
+/// Its undamped frequency w [rad/s].
+[[nodiscard]] double frequency_of(const PivotedRun& run);
+
 /// What the impact left behind.
 struct AfterImpact {
   double column{};           ///< speed of the centre of mass, (l/2) theta', carried back to the contact's end [ft/s]

@@ -7,19 +7,19 @@
 
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/calibration_findings.hpp"
 #include "verification/problems/disc_bounce.hpp"
 #include "verification/problems/effective_mass_findings.hpp"
 #include "verification/problems/leapfrog_impact_error.hpp"
+#include "verification/problems/restitution_order_findings.hpp"
 
 namespace talus::verification::problems {
 namespace {
 
 constexpr const char* page = R"(
-**Problem.** Two bodies meet at speed $v_0$ through a linear spring and a dashpot and part at speed $e v_0$. Which dashpot gives a
-wanted $e$, for free, off-centre and pivoted bodies and for both rules by which the contact may end? The solver runs each impact
-step by step; it is never told $e$.
+**Problem.** Two bodies meet at speed $v_0$ through a linear spring and a dashpot and part at speed $e v_0$. Which
+dashpot gives a wanted $e$, for free, off-centre and pivoted bodies and for both rules by which the contact may end?
+The solver runs each impact step by step; it is never told $e$.
 
 ```
         m1            m2             |  off centre       o pin
@@ -29,9 +29,10 @@ step by step; it is never told $e$.
      F = k d + c d'                  |                   |
 ```
 
-**Equations.** With the effective mass $m$ along the normal, the overlap obeys $m\ddot d + c\dot d + k d = 0$ from $d = 0$,
-$\dot d = v_0$. Put $\omega = \sqrt{k/m}$, $\xi = c/(2 m\omega)$, $s = \sqrt{1-\xi^2}$ and $A(\xi) = \arccos(\xi)/s$ (beyond
-$\xi = 1$: $\mathrm{arcosh}(\xi)/\sqrt{\xi^2-1}$; at 1: 1). Then $d = (v_0/\omega s)\,e^{-\xi\omega t}\sin s\omega t$, and
+**Equations.** With the effective mass $m$ along the normal, the overlap obeys $m\ddot d + c\dot d + k d = 0$ from
+$d = 0$, $\dot d = v_0$. Put $\omega = \sqrt{k/m}$, $\xi = c/(2 m\omega)$, $s = \sqrt{1-\xi^2}$ and
+$A(\xi) = \arccos(\xi)/s$ (beyond $\xi = 1$: $\mathrm{arcosh}(\xi)/\sqrt{\xi^2-1}$; at 1: 1). Then
+$d = (v_0/\omega s)\,e^{-\xi\omega t}\sin s\omega t$, and
 
 | end rule | ends when | $e$ | contact time $T$ | force at the end |
 |:--------|:--------|:----------------|:-------|:--------|
@@ -40,20 +41,21 @@ $\xi = 1$: $\mathrm{arcosh}(\xi)/\sqrt{\xi^2-1}$; at 1: 1). Then $d = (v_0/\omeg
 
 and the largest overlap is $(v_0/\omega)\exp(-\xi A)$ for both. The attractive $e$ solved for $c$ is Eq. 21,
 $$c = \frac{2\ln(1/e)\sqrt{k m}}{\sqrt{\pi^2 + \ln^2(1/e)}}.$$
-A unit impulse along the normal gives a body's contact point the mobility $1/M + a^2/I$ (free, the line of impact at distance $a$
-from the centre of mass) or $a^2/I_p$ (pivoted, $a$ from the pin); mobilities add to $1/m$. Nothing but $\xi$ enters $e$: not the
-stiffness, not the masses.
+A unit impulse along the normal gives a body's contact point the mobility $1/M + a^2/I$ (free, the line of impact at
+distance $a$ from the centre of mass) or $a^2/I_p$ (pivoted, $a$ from the pin); mobilities add to $1/m$. Nothing but
+$\xi$ enters $e$: not the stiffness, not the masses.
 
-**Error of a step.** Velocity Verlet and the central difference take the dashpot's velocity half a step late. That turns $m$ into
-$m - c h/2$, shifts $\ln e$ by $-(\pi/s^3)\,\xi^2\omega h/2$ (attractive) or $-\xi^2(A-\xi)/s^2\,\omega h$ (clamped), and
-likewise $T$ and the largest overlap. The force jumps by $2\xi m\omega v_0$ at touch, which a step resolves to $\pm h/2$: the
-speed after it is off by $2\xi\omega v_0 h\,u$ with $u$ uniform in $(-\frac12, \frac12)$; the attractive contact ends with a second jump. So the
-first-order error is known beforehand, constant included. The errors found are compared with it on both sides: half the predicted
-error fails as twice does. Undamped, what is left is $e - 1 = \frac12(\omega h)^2[u'(1-u') - u(1-u)]$ with the shares $u$, $u'$ of a step
-at touch and end: root mean square $\pi^2/(2\sqrt{90}\,N^2) = .520/N^2$.
+**Error of a step.** Velocity Verlet and the central difference take the dashpot's velocity half a step late. That
+turns $m$ into $m - c h/2$, shifts $\ln e$ by $-(\pi/s^3)\,\xi^2\omega h/2$ (attractive) or
+$-\xi^2(A-\xi)/s^2\,\omega h$ (clamped), and likewise $T$ and the largest overlap. The force jumps by
+$2\xi m\omega v_0$ at touch, which a step resolves to $\pm h/2$: the speed after it is off by $2\xi\omega v_0 h\,u$
+with $u$ uniform in $(-\frac12, \frac12)$; the attractive contact ends with a second jump. So the first-order error is
+known beforehand, constant included. The errors found are compared with it on both sides: half the predicted error
+fails as twice does. Undamped, what is left is $e - 1 = \frac12(\omega h)^2[u'(1-u') - u(1-u)]$ with the shares $u$,
+$u'$ of a step at touch and end: root mean square $\pi^2/(2\sqrt{90}\,N^2) = .520/N^2$.
 
-**Source.** Mustoe & Huttelmaier 1993, Eqs. 17, 19-21; Schwager & Poeschel, Granular Matter 9 (2007) 465 (clamped rule). The closed
-forms are derived in the reference's own comments and tested there at 50 digits.
+**Source.** Mustoe & Huttelmaier 1993, Eqs. 17, 19-21; Schwager & Poeschel, Granular Matter 9 (2007) 465 (clamped
+rule). The closed forms are derived in the reference's own comments and tested there at 50 digits.
 
 | symbol | meaning | value |
 |:--|:-----------|:--|
@@ -62,9 +64,10 @@ forms are derived in the reference's own comments and tested there at 50 digits.
 | $h$ | step | $T/(100 + f)$ with its own $f$ for each of 64 phases |
 | bar | $M$, half sides, disc's mass | 3, .5 x 4, 2; $k = 10^{12}$ |
 
-**What would break this.** Eq. 21 under the clamped rule, or without its 2; the sum of the masses for their product over the sum;
-a lever arm left out; the sum of the velocities for their difference (Eq. 20 as printed: $e$ would change with the frame); a dashpot that does not grow with $\sqrt{k m}$; a force that pulls although it must not; a step that divides
-the contact time, which makes the order look better than it is.
+**What would break this.** Eq. 21 under the clamped rule, or without its 2; the sum of the masses for their product
+over the sum; a lever arm left out; the sum of the velocities for their difference (Eq. 20 as printed: $e$ would
+change with the frame); a dashpot that does not grow with $\sqrt{k m}$; a force that pulls although it must not; a
+step that divides the contact time, which makes the order look better than it is.
 )";
 
 /// Errors over predicted ones; of several the one farthest from 1 stays.
@@ -152,68 +155,6 @@ void check_pull(Findings& findings, const Setup& setup) {
                   Tolerance::exact("each kick adds a force >= 0 or none: the speed away from the plane never falls"));
 }
 
-Convergence restitution_errors(const Bounce& b, const Integrator& integrator, const std::vector<double>& steps,
-                               Findings& findings, bool commensurate = false) {
-  Convergence convergence;
-  for (const double n : steps) {
-    const ImpactErrors found =
-        impact_errors([&b](double gap) { return disc_at(b, gap); }, b.exact, n, integrator, findings, commensurate);
-    convergence.add(1.0 / n, found.restitution.rms());
-  }
-  return convergence;
-}
-
-void check_orders(Findings& findings, const Setup& setup) {
-  Figure figure{.name = "error_of_e",
-                .title = "Error of the restitution against the step",
-                .caption =
-                    "Root mean square over 64 phases with a step of its own each. Points: the solver. Lines: the "
-                    "error predicted from lag and jumps (damped); nothing is fitted. With a dashpot every "
-                    "method is of first order, without one of second.",
-                .x = {.label = "step / contact time", .log = true},
-                .y = {.label = "relative error of e", .log = true},
-                .series = {}};
-  const auto steps = doublings(16.0, setup.coarse ? 3 : 6);
-  for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
-    const Bounce b = bounce(0.5, rule, setup);
-    for (const Integrator& integrator :
-         {Integrator{VelocityVerlet{}}, Integrator{CentralDifference{}}, Integrator{RungeKutta4{}}}) {
-      const std::string label = fmt::format("e = 0.5, {}, {}", word_for(rule), talus::name(integrator));
-      const Convergence found = restitution_errors(b, integrator, steps, findings);
-      findings.expect_order(
-          "order of e, " + label.substr(9), found, 0.93, 1.07,
-          "the dashpot's force jumps at touch, a step resolves the jump to half a step; the next "
-          "power, w h = .2 of the first at 16 steps, tilts the fit by up to .05, uneven phases of the "
-          "end (6 % of a rms) by .02");
-      figure.series.push_back({label, found.steps(), found.errors(), Style::points});
-    }
-    Series predicted{.label = fmt::format("predicted, {}", word_for(rule)), .x = {}, .y = {}, .style = Style::lines};
-    for (const double n : steps) {
-      predicted.x.push_back(1.0 / n);
-      predicted.y.push_back(predicted_restitution_error(b, n));
-    }
-    figure.series.push_back(predicted);
-  }
-  const Bounce elastic = bounce(1.0, EndRule::attractive, setup);
-  for (const Integrator& integrator : {Integrator{VelocityVerlet{}}, Integrator{RungeKutta4{}}}) {
-    const Convergence found = restitution_errors(elastic, integrator, steps, findings, setup.has("commensurate_step"));
-    findings.expect_order(fmt::format("order of e, undamped, {}", talus::name(integrator)), found, 1.85, 2.15,
-                          "the force is continuous; its slope jumps at touch and end, which costs h^2");
-    figure.series.push_back(
-        {fmt::format("e = 1, {}", talus::name(integrator)), found.steps(), found.errors(), Style::points});
-    if (figure.slopes.empty()) {
-      findings.expect(
-          "rms error of e = 1 at 16 steps per contact", found.errors().front(), second_order_constant / (16.5 * 16.5),
-          Tolerance::model(uneven_end,
-                           "pi^2/(2 sqrt(90) N^2) from the shares of a step at touch and end; the next term, "
-                           "(w h)^2, is 4 % of it, the end's 64 uneven phases leave 6 %")
-              .relative());
-      figure.slopes = {{1.0, 1.0 / 40.0, 0.06, "h"}, {2.0, 1.0 / 64.0, 0.1 * second_order_constant / 4096.0, "h^2"}};
-    }
-  }
-  findings.figure(figure);
-}
-
 /// Nothing but xi enters e: the same steps per contact, phases and dashpot rule at other masses and stiffnesses.
 void check_scales(Findings& findings, const Setup& setup) {
   const Bounce b = bounce(0.5, EndRule::attractive, setup);
@@ -247,7 +188,7 @@ void check_scales(Findings& findings, const Setup& setup) {
 void run(Findings& findings, const Setup& setup) {
   check_targets(findings, setup);
   check_pull(findings, setup);
-  check_orders(findings, setup);
+  check_restitution_orders(findings, setup);
   check_scales(findings, setup);
   check_masses(findings, setup);
   check_frames(findings, setup);

@@ -26,6 +26,12 @@ inline scenes::Pendulum bob(const Setup& setup, double amplitude) {
   return p;
 }
 
+/// Velocity Verlet, or what a fault puts in its place: `euler_cromer_for_verlet`, `rk4_for_verlet`.
+inline Integrator verlet(const Setup& setup) {
+  if (setup.has("euler_cromer_for_verlet")) return make_integrator("euler_cromer");
+  return make_integrator(setup.has("rk4_for_verlet") ? "rk4" : "velocity_verlet");
+}
+
 /// Frequency of its small swings by the case's own arithmetic (not the scene's), w0 = sqrt(m g a/(I + m a^2)) [rad/s].
 inline double bob_frequency() {
   const scenes::Pendulum p = bob({}, 1.0);

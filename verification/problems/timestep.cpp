@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "verification/check/case.hpp"
+#include "verification/problems/commensurate_findings.hpp"
 #include "verification/problems/leapfrog_impact_error.hpp"
 #include "verification/problems/linear_limit_findings.hpp"
 #include "verification/problems/smooth_motion_findings.hpp"
@@ -17,7 +18,6 @@ Case timestep();
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double common_offset = 0.3819660112501051;
 constexpr double wall_damping = 0.2;
 
 constexpr const char* page = R"(
@@ -42,8 +42,10 @@ the force has a kink, with a dashpot a jump, that falls anywhere within a step.
   $v/v_0 = \sqrt{[1 - \eta^2\theta(1-\theta)]/[1 - \eta^2\phi(1-\phi)]}$. Order 2. If all phases have one offset
   $\delta$ ($t_c/h = N + \delta$), $\phi = \theta + \delta$ and the rms is $\eta^2 \delta (1 - \delta)/(2\sqrt 3)$:
   $0.6726/N^2$ at $\delta = .382$. **At $\delta = 0$ it vanishes**: what remains comes from the leapfrog's period,
-  which is short by $\eta^2/24$, that is $\delta = -\pi^2/(24 N)$ and an rms of $\pi^4/(48 \sqrt 3)/N^3$: a false order 3.
-- *Undamped, RK4 without events.* The kink falls inside a step, which the four stages do not see: order 2, rms $0.2548/N^2$.
+  which is short by $\eta^2/24$, that is $\delta = -\pi^2/(24 N)$ and an rms of $\pi^4/(48 \sqrt 3)/N^3$: a false
+  order 3.
+- *Undamped, RK4 without events.* The kink falls inside a step, which the four stages do not see: order 2,
+  rms $0.2548/N^2$.
 - *Damped.* The force jumps by $2 \xi m w v_0$ at a moment known to a step only: order 1 for every method. Leapfrog: the
   speed is off by $2 \xi \eta u$, $u$ uniform in $(-1/2, 1/2)$; the dashpot's velocity lags half a step, which acts as
   the mass $m (1 - \xi \eta)$. RK4: $2 \xi \eta$ times weights of mean square $1/36$, no lag.
@@ -52,8 +54,8 @@ the force has a kink, with a dashpot a jump, that falls anywhere within a step.
   $w h = 2 (\sqrt{1 + \xi^2} - \xi)$.
 
 **Source.** Mustoe & Huttelmaier 1993, validation problems 1 and 2, Eqs. 17, 21, 23-26, 28; the error constants are
-derived here (`struck_scenes.hpp`, `leapfrog_impact_error.hpp`). References: closed forms of the impact; the soft contact
-of both problems by an independent integrator in extended precision with located events; quadrature and elliptic
+derived here (`struck_scenes.hpp`, `leapfrog_impact_error.hpp`). References: closed forms of the impact; the soft
+contact of both problems by an independent integrator in extended precision with located events; quadrature and elliptic
 functions for the smooth motions.
 
 **Parameters.**
@@ -111,12 +113,10 @@ std::vector<double> counts_of(const Setup& setup, double first, int decades_and_
 
 constexpr const char* one_offset =
     "second-order prediction; 64 phases integrate the fourth-order polynomial to 1e-3, and the next order is below "
-    "that "
-    "at the finest step";
+    "that at the finest step";
 constexpr const char* own_offsets =
     "first-term prediction for phases of onset and release that are spread evenly and independently; 64 pairs stand "
-    "for "
-    "that square to about 3 %";
+    "for that square to about 3 %";
 
 /// Why the line through six sweeps, from 8 to 8192 steps, may be tilted by .33 of what the order between the first two
 /// is off.
@@ -127,12 +127,39 @@ std::string pair_why(double off) {
       off);
 }
 
-void check_wall(Findings& findings, const Setup& setup) {
+/// The disc on the wall by one method, undamped and damped: two curves, and the lines predicted for them.
+void study_wall(const std::string& method, Figure& figure, Findings& findings, const Setup& setup) {
+  const bool rk4 = method == "rk4";
   // The fewest steps tilt most: three sweeps have to do when coarse, and begin at 32.
   const std::vector<double> wall_counts = counts_of(setup, setup.coarse ? 32.0 : 8.0, 6);
   const PhasedImpact elastic = struck_disc({});
   const PhasedImpact damped = struck_disc({.damping_ratio = wall_damping, .without_dashpot = setup.has("dashpot_off")});
   const double w_tc = 2.0 * std::acos(wall_damping) / std::sqrt(1.0 - wall_damping * wall_damping);
+  const double elastic_constant = rk4 ? rk4_elastic_constant(common_offset) : leapfrog_elastic_constant(common_offset);
+  const double damped_constant =
+      w_tc * (rk4 ? rk4_damped_constant(wall_damping, reference::EndRule::clamped)
+                  : leapfrog_impact_error(wall_damping, reference::EndRule::clamped).restitution);
+  // Leapfrog, undamped: its period shifts the offset by -pi^2/(24 N), the error by the share -.411/N. Others
+  // measured.
+  const double elastic_pair = rk4 ? 0.0033 : 0.0277;
+  const double damped_pair = rk4 ? 0.0045 : 0.0256;
+  const Offset offset = setup.has("commensurate_step") ? Offset::none : Offset::common;
+  figure.series.push_back(
+      study(findings, {"disc on a wall, undamped", elastic, method, wall_counts, offset, 2, elastic_constant,
+                       setup.coarse ? 0.004 : 0.001, one_offset, 0.33 * elastic_pair, pair_why(elastic_pair)}));
+  figure.series.push_back(study(findings, {"disc on a wall, damped", damped, method, wall_counts, Offset::own, 1,
+                                           damped_constant, setup.coarse ? 0.004 : 0.001,
+                                           "first-order prediction; its next order is below 1e-3 at the finest step",
+                                           0.33 * damped_pair, pair_why(damped_pair)}));
+  if (method == "central_difference") return;
+  // Labels stand at the anchors: those of rk4 apart from those of velocity Verlet.
+  const double anchor = rk4 ? 4e-4 : 2e-2;
+  figure.slopes.push_back(
+      {2.0, anchor, elastic_constant * anchor * anchor, fmt::format("{:.3f} h^2", elastic_constant)});
+  figure.slopes.push_back({1.0, anchor, damped_constant * anchor, fmt::format("{:.3f} h", damped_constant)});
+}
+
+void check_wall(Findings& findings, const Setup& setup) {
   Figure figure{.name = "wall",
                 .title = "A disc on a wall",
                 .caption =
@@ -145,36 +172,16 @@ void check_wall(Findings& findings, const Setup& setup) {
                 .y = {"rms relative error", "1", true},
                 .series = {}};
   for (const char* method : {"velocity_verlet", "rk4", "central_difference"}) {
-    const bool rk4 = std::string_view{method} == "rk4";
     if (setup.coarse && std::string_view{method} != "velocity_verlet") continue;
-    const double elastic_constant =
-        rk4 ? rk4_elastic_constant(common_offset) : leapfrog_elastic_constant(common_offset);
-    const double damped_constant =
-        w_tc * (rk4 ? rk4_damped_constant(wall_damping, reference::EndRule::clamped)
-                    : leapfrog_impact_error(wall_damping, reference::EndRule::clamped).restitution);
-    // Leapfrog, undamped: its period shifts the offset by -pi^2/(24 N), the error by the share -.411/N. Others
-    // measured.
-    const double elastic_pair = rk4 ? 0.0033 : 0.0277;
-    const double damped_pair = rk4 ? 0.0045 : 0.0256;
-    const Offset offset = setup.has("commensurate_step") ? Offset::none : Offset::common;
-    figure.series.push_back(
-        study(findings, {"disc on a wall, undamped", elastic, method, wall_counts, offset, 2, elastic_constant,
-                         setup.coarse ? 0.004 : 0.001, one_offset, 0.33 * elastic_pair, pair_why(elastic_pair)}));
-    figure.series.push_back(study(findings, {"disc on a wall, damped", damped, method, wall_counts, Offset::own, 1,
-                                             damped_constant, setup.coarse ? 0.004 : 0.001,
-                                             "first-order prediction; its next order is below 1e-3 at the finest step",
-                                             0.33 * damped_pair, pair_why(damped_pair)}));
-    if (method == std::string_view{"central_difference"}) continue;
-    // Labels stand at the anchors: those of rk4 apart from those of velocity Verlet.
-    const double anchor = rk4 ? 4e-4 : 2e-2;
-    figure.slopes.push_back(
-        {2.0, anchor, elastic_constant * anchor * anchor, fmt::format("{:.3f} h^2", elastic_constant)});
-    figure.slopes.push_back({1.0, anchor, damped_constant * anchor, fmt::format("{:.3f} h", damped_constant)});
+    study_wall(method, figure, findings, setup);
   }
   if (!setup.coarse) findings.figure(figure);
 }
 
-void check_cases(Findings& findings, const Setup& setup) {
+/// The particle on its cables or the column by one method, undamped and damped: two curves, and the lines predicted for
+/// them.
+void study_case(bool cables, const std::string& method, Figure& figure, Findings& findings, const Setup& setup) {
+  const bool rk4 = method == "rk4";
   const double xi = reference::damping_ratio(0.5, reference::EndRule::attractive);
   const double w_tc = pi / std::sqrt(1.0 - xi * xi);
   // The struck body's speed is proportional to 1 + e: a relative error r of e is one of e r/(1 + e) of the speed.
@@ -183,12 +190,27 @@ void check_cases(Findings& findings, const Setup& setup) {
   const std::string scatter_why =
       "64 pairs of phases stand for all to 3 % in each point: the line through six, a factor 4 apart, then scatters by "
       ".03/(ln 4 sqrt(17.5)) = .0052, and two standard deviations are admitted (.04 with three points)";
+  const std::string scene = cables ? "two cables" : "pivoted cylinder";
+  const auto struck = [&](double e) {
+    return cables ? struck_cables(e, setup.has("mass_halved") ? 0.5 : 1.0) : struck_column(e);
+  };
+  const double damped_constant = share * w_tc *
+                                 (rk4 ? rk4_damped_constant(xi, reference::EndRule::attractive)
+                                      : leapfrog_impact_error(xi, reference::EndRule::attractive).restitution);
+  figure.series.push_back(study(findings, {scene + ", damped", struck(0.5), method, counts_of(setup, 8.0, 6),
+                                           Offset::own, 1, damped_constant, 0.08, own_offsets, scatter, scatter_why}));
+  if (method == "central_difference") return;
+  const double elastic_constant = 0.5 * (rk4 ? rk4_elastic_constant() : leapfrog_elastic_constant());
+  figure.series.push_back(study(findings, {scene + ", undamped", struck(1.0), method, counts_of(setup, 8.0, 6),
+                                           Offset::own, 2, elastic_constant, 0.04, own_offsets, scatter, scatter_why}));
+  if (rk4) return;
+  figure.slopes = {{2.0, 1e-2, elastic_constant * 1e-4, fmt::format("{:.3f} h^2", elastic_constant)},
+                   {1.0, 1e-2, damped_constant * 1e-2, fmt::format("{:.3f} h", damped_constant)}};
+}
+
+void check_cases(Findings& findings, const Setup& setup) {
   for (const bool cables : {true, false}) {
     if (setup.coarse && !cables) continue;
-    const std::string scene = cables ? "two cables" : "pivoted cylinder";
-    const auto struck = [&](double e) {
-      return cables ? struck_cables(e, setup.has("mass_halved") ? 0.5 : 1.0) : struck_column(e);
-    };
     Figure figure{
         .name = cables ? "two_cables" : "pivoted_cylinder",
         .title = cables ? "Case 1, the particle between two cables" : "Case 2, the pivoted cylinder",
@@ -200,99 +222,11 @@ void check_cases(Findings& findings, const Setup& setup) {
         .y = {"rms relative error", "1", true},
         .series = {}};
     for (const char* method : {"velocity_verlet", "rk4", "central_difference"}) {
-      const bool rk4 = std::string_view{method} == "rk4";
       if (setup.coarse && std::string_view{method} != "velocity_verlet") continue;
-      const double damped_constant = share * w_tc *
-                                     (rk4 ? rk4_damped_constant(xi, reference::EndRule::attractive)
-                                          : leapfrog_impact_error(xi, reference::EndRule::attractive).restitution);
-      figure.series.push_back(
-          study(findings, {scene + ", damped", struck(0.5), method, counts_of(setup, 8.0, 6), Offset::own, 1,
-                           damped_constant, 0.08, own_offsets, scatter, scatter_why}));
-      if (std::string_view{method} == "central_difference") continue;
-      const double elastic_constant = 0.5 * (rk4 ? rk4_elastic_constant() : leapfrog_elastic_constant());
-      figure.series.push_back(
-          study(findings, {scene + ", undamped", struck(1.0), method, counts_of(setup, 8.0, 6), Offset::own, 2,
-                           elastic_constant, 0.04, own_offsets, scatter, scatter_why}));
-      if (rk4) continue;
-      figure.slopes = {{2.0, 1e-2, elastic_constant * 1e-4, fmt::format("{:.3f} h^2", elastic_constant)},
-                       {1.0, 1e-2, damped_constant * 1e-2, fmt::format("{:.3f} h", damped_constant)}};
+      study_case(cables, method, figure, findings, setup);
     }
     if (!setup.coarse) findings.figure(figure);
   }
-}
-
-/// What a step that divides the contact time shows instead.
-void check_commensurate(Findings& findings) {
-  const PhasedImpact elastic = struck_disc({});
-  Figure figure{.name = "commensurate",
-                .title = "How a commensurate step hides the order",
-                .caption =
-                    "The same undamped disc with t_c/h a whole number N, and with N + 0.382. The errors of onset "
-                    "and release then cancel for every phase, and Verlet seems of order 3, RK4 of order 4.",
-                .x = {"step / contact time", "1", true},
-                .y = {"rms relative error", "1", true},
-                .series = {}};
-  for (const char* method : {"velocity_verlet", "rk4"}) {
-    const bool rk4 = std::string_view{method} == "rk4";
-    const std::vector<double> counts = doublings(16.0, rk4 ? 6 : 8);
-    const Sweep hidden = sweep(elastic, make_integrator(method), counts, Offset::none);
-    const Sweep honest = sweep(elastic, make_integrator(method), counts, Offset::common);
-    const int seen = rk4 ? 4 : 3;
-    findings.expect_order(fmt::format("commensurate steps: false order of {}", method), hidden.rms, seen - 0.1,
-                          seen + 0.1,
-                          "onset and release errors of second order are equal and opposite for every phase; "
-                          "what is left is of the next order");
-    figure.series.push_back({fmt::format("{}, t_c/h = N", method), hidden.rms.steps(), hidden.rms.errors()});
-    figure.series.push_back({fmt::format("{}, t_c/h = N + 0.382", method), honest.rms.steps(), honest.rms.errors()});
-    figure.slopes.push_back(
-        {static_cast<double>(seen), hidden.rms.steps()[3], 0.5 * hidden.rms.errors()[3], fmt::format("h^{}", seen)});
-    if (rk4) continue;
-    findings.expect("commensurate steps: rms constant of velocity_verlet",
-                    hidden.rms.errors().back() * std::pow(hidden.steps.back(), 3.0),
-                    std::pow(pi, 4.0) / (48.0 * std::numbers::sqrt3),
-                    Tolerance::model(1e-3,
-                                     "the leapfrog's period, short by eta^2/24, is an offset of -pi^2/(24 N) "
-                                     "steps; the next order is below 1e-3 at the finest step")
-                        .relative());
-    figure.slopes.push_back({2.0, honest.rms.steps()[3], 2.0 * honest.rms.errors()[3], "h^2"});
-  }
-  findings.figure(figure);
-}
-
-/// Each phase by itself at one coarse step, against the exact map of the leapfrog.
-void check_phases(Findings& findings) {
-  const double count = 16.0;
-  const std::vector<double> counts{count};
-  const Sweep swept = sweep(struck_disc({}), make_integrator("velocity_verlet"), counts, Offset::common);
-  const double eta = pi / (count + common_offset);
-  // Rotation of the leapfrog a step, and the angle of the state at its first point in contact.
-  const double turn = 2.0 * std::asin(0.5 * eta);
-  Series solver{
-      .label = "solver", .x = even_phases(fewest_phases), .y = swept.by_phase.front(), .style = Style::points};
-  Series theory{.label = "exact map of the leapfrog", .x = {}, .y = {}, .style = Style::lines};
-  double worst = 0.0;
-  for (std::size_t i = 0; i < solver.x.size(); ++i) {
-    const double theta = 1.0 - solver.x[i];
-    const double start = std::atan2(eta * theta * std::sqrt(1.0 - 0.25 * eta * eta), 1.0 - 0.5 * eta * eta * theta);
-    const double inside = std::floor((pi - start) / turn);  // steps after the first point, the depth still positive
-    const double q = std::sin(start + inside * turn);       // last depth in contact over the amplitude
-    const double p = std::cos(start + inside * turn);       // velocity there, over the amplitude, < 0
-    const double amplitude = std::sqrt(1.0 - eta * eta * theta * (1.0 - theta));
-    const double depth = q * amplitude / std::sqrt(1.0 - 0.25 * eta * eta);
-    theory.x.push_back(solver.x[i]);
-    theory.y.push_back(-(p * amplitude - 0.5 * eta * depth) - 1.0);
-    worst = std::max(worst, std::abs(theory.y.back() - solver.y[i]));
-  }
-  findings.expect("error of each of 64 phases at 16.4 steps per contact", worst, 0.0,
-                  Tolerance::round_off(64.0 * 2.2e-16,
-                                       "the map is exact: 20 steps, each with three roundings of a number below 1"));
-  findings.figure({.name = "phases",
-                   .title = "Error against onset phase",
-                   .caption = "Relative error of the exit speed for each onset phase at 16.4 steps per contact, and "
-                              "the closed form of the leapfrog's map. One run can show any of these, zero included.",
-                   .x = {"onset phase", "1"},
-                   .y = {"relative error of the exit speed", "1"},
-                   .series = {theory, solver}});
 }
 
 void run(Findings& findings, const Setup& setup) {

@@ -8,7 +8,9 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -99,7 +101,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
        "talus: --step: found \"5\"; the unit is missing; write e.g. \"5 s\"\n"},
       {{"run", scene("pendulum.toml"), "--end", "-5 s"}, "talus: --end: found \"-5 s\"; it must be > 0\n"},
       {{"calibrate", "--restitution", "1.5", "--masses", "1 kg", "--stiffness", "1 N/m"},
-       "talus: restitution is 1.5; it must be in (0, 1]\n"},
+       "talus: --restitution: found 1.5; it must be in (0, 1]\n"},
       {{"calibrate", "--restitution", "0.5", "--masses", "0 kg", "--stiffness", "1 N/m"},
        "talus: --masses: found \"0 kg\"; it must be > 0\n"},
       {{"calibrate", scene("two_cable.toml"), "--contact", "impct", "--restitution", "0.5"},
@@ -158,6 +160,30 @@ BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
   const auto summary = nlohmann::json::parse(json.out);
   BOOST_TEST(summary.at("steps").get<long>() == 150000);
   BOOST_TEST(summary.at("outcome").at("kind").get<std::string>() == "finished");
+}
+
+// Without a ledger the same rows end before the first column of the accounts, and no file speaks of them.
+BOOST_AUTO_TEST_CASE(a_run_without_a_ledger_keeps_no_accounts) {
+  const Folder folder;
+  const std::string plain = talus::read_text(scene("pendulum.toml"));  // [run] is its last table
+  std::ofstream{folder.path / "off.toml"} << plain << "ledger = \"off\"\n";
+  const std::string with = (folder.path / "with").string();
+  const std::string without = (folder.path / "without").string();
+  BOOST_REQUIRE(talus_ran({"run", scene("pendulum.toml"), "--out", with}).code == 0);
+  const Ended off = talus_ran({"run", (folder.path / "off.toml").string(), "--out", without});
+  BOOST_REQUIRE(off.code == 0);
+  BOOST_TEST(holds(off.out, "\nledger: off; no energies, losses and closures were kept\n"));
+  const auto summary = nlohmann::json::parse(talus::read_text(without + "/summary.json"));
+  BOOST_TEST(summary.at("ledger").get<std::string>() == "off");
+  for (const char* file : {"/summary.json", "/history.csv", "/plot.json"}) {
+    for (const char* part : {"energy.", "lost.", "closure."})
+      BOOST_TEST(!holds(talus::read_text(without + file), part));
+  }
+  std::istringstream all{talus::read_text(with + "/history.csv")}, motion{talus::read_text(without + "/history.csv")};
+  int lines = 0;
+  for (std::string longer, shorter; std::getline(all, longer) && std::getline(motion, shorter); ++lines)
+    BOOST_TEST(longer.rfind(shorter + ',', 0) == 0U);
+  BOOST_TEST(lines == 1002);  // 10 s in records of 10 ms, the start, and the header
 }
 
 BOOST_AUTO_TEST_CASE(the_command_line_changes_the_plan) {

@@ -102,7 +102,10 @@ BOOST_AUTO_TEST_CASE(names_and_keys) {
   BOOST_TEST(message("\"rock\", \"ground\"", "\"rok\", \"ground\"") ==
              "s.toml:18: contact 'bounce': between: body 'rok' is not known; nearest: rock; known: rock, ground");
   BOOST_TEST(message("\"rock\", \"ground\"", "\"rock\"") ==
-             "s.toml:18: contact 'bounce': between: found an array; it must be an array of 2 texts in quotes");
+             "s.toml:18: contact 'bounce': between: found [\"rock\"]; it must be an array of 2 texts in quotes");
+  BOOST_TEST(
+      message("\"rock\", \"ground\"", "\"a rock with a long name\", \"another with a long name\", \"and a third\"") ==
+      "s.toml:18: contact 'bounce': between: found an array of 3; it must be an array of 2 texts in quotes");
   BOOST_TEST(message("\"tension_only\"", "\"tension\"") ==
              "s.toml:24: cable 'rope': law: found \"tension\"; nearest: tension_only; known: tension_only, "
              "elastic_plastic");

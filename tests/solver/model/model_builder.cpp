@@ -2,6 +2,7 @@
 #include "solver/model/model_builder.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -150,4 +151,21 @@ BOOST_AUTO_TEST_CASE(node_contacts_have_one_instance_a_node_both_ways) {
                       .method = ContactMethod::nodes,
                       .nodes = {12, 12}});
   BOOST_TEST(Layout{builder.build()}.contact_instances[0] == 16);
+}
+
+// A quarter turn takes the body's x axis to the world's y; the place along the fence is the body's own.
+BOOST_AUTO_TEST_CASE(a_cable_end_stands_with_its_body) {
+  ModelBuilder builder;
+  Body turned = rock();
+  turned.p_WB = {1.0, 2.0};
+  turned.angle = std::acos(0.0);
+  const BodyId body = builder.add(turned);
+  const Model model = builder.build();
+  const Vec3 on_body = reference_point(model, {.body = body, .p = {3.0, 0.0, 5.0}});
+  BOOST_TEST(std::abs(on_body.x - 1.0) < 1e-15);  // 3 times the rounding of a right angle, 6e-17
+  BOOST_TEST(on_body.y == 5.0);
+  BOOST_TEST(on_body.z == 5.0);
+  const Vec3 in_world = reference_point(model, {.body = {}, .p = {3.0, 0.0, 5.0}});
+  BOOST_TEST(in_world.x == 3.0);
+  BOOST_TEST(in_world.y == 0.0);
 }

@@ -31,7 +31,7 @@ Run run(const Scene& scene) {
   const Observer observer = std::ref(recorder);
   Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1});
   return {outcome, state, recorder.history(),
-          recorder.ledger().largest_energy_closure() / recorder.ledger().energy_scale()};
+          recorder.ledger()->largest_energy_closure() / recorder.ledger()->energy_scale()};
 }
 
 Scene bounce(EndRule rule, const char* integrator, double step) {

@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE results
 #include "verification/driver/results.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -38,6 +39,11 @@ BOOST_AUTO_TEST_CASE(the_provenance_names_build_and_machine) {
   BOOST_TEST(from.cores >= 1u);
   for (const auto& library : from.libraries)
     BOOST_TEST(!library.second.empty(), library.first);
+  // Every sine and cosine of the solver is SLEEF's.
+  const auto sleef = std::find_if(from.libraries.begin(), from.libraries.end(),
+                                  [](const auto& library) { return library.first == "SLEEF"; });
+  BOOST_REQUIRE(sleef != from.libraries.end());
+  BOOST_TEST(sleef->second.find_first_not_of("0123456789.") == std::string::npos, sleef->second);
 }
 
 BOOST_AUTO_TEST_CASE(a_selected_case_without_its_record_fails) {
