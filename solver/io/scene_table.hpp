@@ -69,7 +69,7 @@ class SceneTable {
   /// The same for tables without names, called by their numbers from 1.
   [[nodiscard]] std::vector<SceneTable> numbered_tables(std::string_view key);
 
-  /// Reads every field of T that has a key; a field that cannot be 0 has to be there, another keeps its value.
+  /// Reads every field of T; one whose value is allowed as it stands may be left out.
   template <class T>
   void read_fields(T& value) {
     for (const auto& field : T::fields())
@@ -77,7 +77,7 @@ class SceneTable {
   }
   template <class T>
   void read_field(T& value, const Field<T>& field) {
-    if (contains(field.range, 0.0) && !has(field.name)) return;
+    if (contains(field.range, value.*field.member) && !has(field.name)) return;
     value.*field.member = field.dimension == dimension::number ? number(field.name, field.range)
                                                                : quantity(field.name, field.dimension, field.range);
   }
