@@ -24,6 +24,7 @@ struct Command {
 [[nodiscard]] Command add_run(CLI::App& talus);
 [[nodiscard]] Command add_check(CLI::App& talus);
 [[nodiscard]] Command add_calibrate(CLI::App& talus);
+[[nodiscard]] Command add_convert(CLI::App& talus);
 [[nodiscard]] Command add_plot(CLI::App& talus);
 [[nodiscard]] Command add_list(CLI::App& talus);
 

@@ -7,6 +7,7 @@
 #include "solver/base/error.hpp"
 #include "solver/geometry/shape.hpp"
 #include "solver/integrate/integrator_list.hpp"
+#include "solver/io/fence_names.hpp"
 #include "solver/laws/law_list.hpp"
 #include "solver/model/contact.hpp"
 #include "solver/model/model.hpp"
@@ -24,16 +25,26 @@ void for_each(Visit&& visit) {
 }
 
 std::string dimension_words(Dimension dimension) {
+  if (dimension == dimension::number) return words(dimension);
   return fmt::format("{}, e.g. {} or {}", words(dimension), symbol(si, dimension), symbol(us, dimension));
+}
+
+void print_field(std::string_view name, std::string_view meaning, Range range, Dimension dimension) {
+  fmt::print("    {:<13} {}{}\n    {:<13}   {}\n", name, meaning,
+             range == Range::any ? "" : fmt::format(" {}", words(range)), "", dimension_words(dimension));
 }
 
 template <class T>
 void print_fields() {
-  for (const auto& field : T::fields()) {
-    const std::string range = field.range == Range::any ? "" : fmt::format(" {}", words(field.range));
-    fmt::print("    {:<13} {}{}\n    {:<13}   {}\n", field.name, field.meaning, range, "",
-               dimension_words(field.dimension));
-  }
+  for (const auto& field : T::fields())
+    print_field(field.name, field.meaning, field.range, field.dimension);
+}
+
+template <class T>
+void print_counts() {
+  for (const auto& field : T::counts())
+    fmt::print("    {:<13} {}\n    {:<13}   a whole number, {} .. {}\n", field.name, field.meaning, "", field.least,
+               field.most);
 }
 
 template <class Enum>
@@ -90,6 +101,23 @@ void list_units() {
     fmt::print("  {:<4} {}, {}, {}; force in {}\n", system.name, system.mass, system.length, system.time, system.force);
 }
 
+void list_fence_fields() {
+  fmt::print(
+      "[fence]    in place of bodies, contacts, cables and run: history_elements  history_codes  ground  rock  column\n"
+      "           options, and (a name before a colon is that of the deck of 1993)\n");
+  print_counts<scenes::Fence>();
+  print_fields<scenes::Fence>();
+  fmt::print("[fence.ground]  [[fence.rock]]  [fence.column]  solid  held, and\n");
+  print_counts<scenes::FenceElement>();
+  print_fields<scenes::FenceElement>();
+  for (const auto& field : scenes::FenceElement::vectors())
+    print_field(field.name, field.meaning, Range::any, field.dimension);
+  print_names<scenes::ElementSolid>("solid");
+  fmt::print("[fence.options] integrator, and\n");
+  for_each_choice(scenes::FenceOptions{},
+                  [](std::string_view name, auto choice) { print_names<decltype(choice)>(name); });
+}
+
 void list_fields() {
   fmt::print(
       "file       title  units  gravity\n"
@@ -102,6 +130,7 @@ void list_fields() {
       "[run]      integrator  tolerance  step  end  interval  ledger\n");
   list_laws();
   list_shapes();
+  list_fence_fields();
 }
 
 const std::vector<std::pair<std::string, void (*)()>>& topics() {

@@ -36,6 +36,9 @@ inline constexpr Dimension energy = force * length;
 inline constexpr Dimension angular_momentum = momentum * length;
 inline constexpr Dimension inertia = mass * length * length;
 inline constexpr Dimension stiffness = force / length;
+inline constexpr Dimension area = length * length;
+inline constexpr Dimension density = mass / area / length;
+inline constexpr Dimension pressure = force / area;
 inline constexpr Dimension damping = force / velocity;
 inline constexpr Dimension frequency = number / time;
 }  // namespace dimension

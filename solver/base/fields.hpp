@@ -2,13 +2,15 @@
 
 #include <array>
 #include <string_view>
+#include <variant>
 
 #include "solver/base/dimension.hpp"
+#include "solver/base/vec.hpp"
 
 namespace talus {
 
 /// Values that a numeric field may take.
-enum class Range { any, positive, non_negative };
+enum class Range { any, positive, non_negative, fraction, positive_fraction };
 
 /// The words of an error message for a range: "it must be ...".
 constexpr std::string_view words(Range range) {
@@ -17,6 +19,10 @@ constexpr std::string_view words(Range range) {
       return "> 0";
     case Range::non_negative:
       return ">= 0";
+    case Range::fraction:
+      return "in [0, 1]";
+    case Range::positive_fraction:
+      return "in (0, 1]";
     case Range::any:
       break;
   }
@@ -30,6 +36,10 @@ constexpr bool contains(Range range, double value) {
       return value > 0.0 && value - value == 0.0;
     case Range::non_negative:
       return value >= 0.0 && value - value == 0.0;
+    case Range::fraction:
+      return value >= 0.0 && value <= 1.0;
+    case Range::positive_fraction:
+      return value > 0.0 && value <= 1.0;
     case Range::any:
       break;
   }
@@ -45,6 +55,25 @@ struct Field {
   double T::*member;         ///< where it is kept, in the scene's consistent units
   Range range;               ///< values allowed
   std::string_view meaning;  ///< one line: meaning, sign, frame
+};
+
+/// A vector parameter of T; the components may be any finite numbers.
+template <class T>
+struct VectorField {
+  std::string_view name;
+  Dimension dimension;
+  Vec2 T::*member;
+  std::string_view meaning;
+};
+
+/// A parameter of T that is a whole number between `least` and `most`.
+template <class T>
+struct CountField {
+  std::string_view name;
+  std::variant<int T::*, long T::*> member;
+  long least;
+  long most;
+  std::string_view meaning;
 };
 
 /// A named set of values of an enum, in the enum's order: the closed list that parsing and messages go by.

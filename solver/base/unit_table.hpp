@@ -27,7 +27,6 @@ struct Unit {
 };
 
 inline constexpr double pi = std::numbers::pi;
-inline constexpr Dimension pressure = dimension::force / dimension::length / dimension::length;
 
 /// All units that a scene or a command line may use. lb is a mass, lbf = lb g_n a force, g a gram.
 inline constexpr std::array units{
@@ -64,11 +63,11 @@ inline constexpr std::array units{
     Unit{"kip", dimension::force, {1e3, 1.0, 0, 1, 1}},
     Unit{"J", dimension::energy, {}},
     Unit{"kJ", dimension::energy, {1e3}},
-    Unit{"Pa", pressure, {}},
-    Unit{"kPa", pressure, {1e3}},
-    Unit{"MPa", pressure, {1e6}},
-    Unit{"GPa", pressure, {1e9}},
-    Unit{"psi", pressure, {144.0, 1.0, -2, 1, 1}},
+    Unit{"Pa", dimension::pressure, {}},
+    Unit{"kPa", dimension::pressure, {1e3}},
+    Unit{"MPa", dimension::pressure, {1e6}},
+    Unit{"GPa", dimension::pressure, {1e9}},
+    Unit{"psi", dimension::pressure, {144.0, 1.0, -2, 1, 1}},
 };
 
 /// Words for a dimension, and how its consistent unit is written: M, L, T and F stand for the system's own symbols.
@@ -94,7 +93,9 @@ inline constexpr std::array named_dimensions{
     NamedDimension{dimension::inertia, "a moment of inertia", "M L^2"},
     NamedDimension{dimension::stiffness, "a stiffness", "F/L"},
     NamedDimension{dimension::damping, "a damping coefficient", "F T/L"},
-    NamedDimension{pressure, "a pressure", "F/L^2"},
+    NamedDimension{dimension::area, "an area", "L^2"},
+    NamedDimension{dimension::density, "a density", "M/L^3"},
+    NamedDimension{dimension::pressure, "a pressure", "F/L^2"},
     NamedDimension{dimension::frequency, "a frequency", "1/T"},
 };
 

@@ -88,8 +88,10 @@ class QuantityText {
   QuantityText(std::string_view text, Dimension wanted, const UnitSystem& system)
       : text_{text}, wanted_{wanted}, system_{system} {}
 
-  double value() {
-    const double number = read_number();
+  double value() { return times_units(read_number()); }
+
+  /// `number` of the units that follow.
+  double times_units(double number) {
     Product product;
     if (!at_end()) read_units(product);
     if (product.dimension != wanted_) fail_dimension(product.dimension);
@@ -252,6 +254,10 @@ std::string words(Dimension dimension) {
 
 double parse_quantity(std::string_view text, Dimension wanted, const UnitSystem& system) {
   return QuantityText{text, wanted, system}.value();
+}
+
+double consistent(double number, std::string_view unit, Dimension wanted, const UnitSystem& system) {
+  return QuantityText{unit, wanted, system}.times_units(number);
 }
 
 }  // namespace talus

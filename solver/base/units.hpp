@@ -56,4 +56,8 @@ inline constexpr UnitSystem us{"US", "slug", "ft", "s", "lbf", exact::slug_in_kg
 /// a unit of another dimension than `wanted`.
 [[nodiscard]] double parse_quantity(std::string_view text, Dimension wanted, const UnitSystem& system);
 
+/// `number` of a unit, e.g. 2e7 of "psi", in consistent units of `system`: to the last bit what parse_quantity makes of
+/// the two written together. Errors: as parse_quantity.
+[[nodiscard]] double consistent(double number, std::string_view unit, Dimension wanted, const UnitSystem& system);
+
 }  // namespace talus

@@ -132,11 +132,30 @@ double SceneTable::number(std::string_view key, Range range) {
   fail_at(value.line, key, fmt::format("found {}; it must be {}", found(value), words(range)));
 }
 
-int SceneTable::whole(std::string_view key) {
-  const TomlValue& value = demand(key);
+int SceneTable::whole(std::string_view key) { return whole_of(key, demand(key)); }
+
+int SceneTable::whole_of(std::string_view key, const TomlValue& value) const {
   const auto* integer = std::get_if<std::int64_t>(&value.data);
   if (integer != nullptr && std::abs(*integer) <= 1'000'000'000) return static_cast<int>(*integer);
   fail_at(value.line, key, fmt::format("found {}; it must be a whole number, e.g. 12", found(value)));
+}
+
+std::vector<int> SceneTable::wholes(std::string_view key) {
+  const TomlValue& value = demand(key);
+  const auto* elements = std::get_if<TomlArray>(&value.data);
+  if (elements == nullptr) {
+    fail_at(value.line, key, fmt::format("found {}; it must be an array of whole numbers, e.g. [1, 2]", found(value)));
+  }
+  std::vector<int> result;
+  for (const TomlValue& element : *elements)
+    result.push_back(whole_of(key, element));
+  return result;
+}
+
+void SceneTable::fail_range(std::string_view key, long found, long least, long most) const {
+  fail(key, most - least == 1
+                ? fmt::format("found {}; it must be {} or {}", found, least, most)
+                : fmt::format("found {}; it must be a whole number between {} and {}", found, least, most));
 }
 
 std::string SceneTable::text(std::string_view key) {
@@ -165,6 +184,23 @@ std::string SceneTable::choice(std::string_view key, const std::vector<std::stri
        fmt::format("found \"{}\"; nearest: {}; known: {}", name, nearest_name(name, known), fmt::join(known, ", ")));
 }
 
+std::vector<std::string> SceneTable::choices(std::string_view key, const std::vector<std::string>& known) {
+  const TomlValue& value = demand(key);
+  std::vector<std::string> result;
+  const auto* elements = std::get_if<TomlArray>(&value.data);
+  for (std::size_t i = 0; elements != nullptr && i < elements->size(); ++i) {
+    const auto* text = std::get_if<std::string>(&(*elements)[i].data);
+    if (text == nullptr || std::find(known.begin(), known.end(), *text) == known.end()) {
+      fail_at((*elements)[i].line, key,
+              fmt::format("found {}; known: {}", found((*elements)[i]), fmt::join(known, ", ")));
+    }
+    result.push_back(*text);
+  }
+  if (elements != nullptr) return result;
+  fail_at(value.line, key,
+          fmt::format("found {}; it must be an array of names out of: {}", found(value), fmt::join(known, ", ")));
+}
+
 SceneTable SceneTable::table(std::string_view key) {
   const TomlValue& value = demand(key);
   if (!std::holds_alternative<TomlTable>(value.data)) {
@@ -173,7 +209,7 @@ SceneTable SceneTable::table(std::string_view key) {
   return {*source_, value, noun_.empty() ? std::string{key} : fmt::format("{}: {}", noun_, key)};
 }
 
-std::vector<SceneTable> SceneTable::tables(std::string_view key) {
+std::vector<SceneTable> SceneTable::numbered_tables(std::string_view key) {
   std::vector<SceneTable> result;
   if (!has(key)) return result;
   const TomlValue& value = *find(key);
@@ -183,14 +219,20 @@ std::vector<SceneTable> SceneTable::tables(std::string_view key) {
     fail_at(value.line, key,
             fmt::format("found {}; each {} is a table of its own, headed [[{}]]", found(value), key, key));
   }
-  for (const TomlValue& element : *elements) {
-    SceneTable unnamed{*source_, element, fmt::format("{} {}", key, result.size() + 1)};
-    const std::string name = unnamed.text("name");
+  const std::string of = noun_.empty() ? "" : noun_ + ": ";
+  for (const TomlValue& element : *elements)
+    result.emplace_back(*source_, element, fmt::format("{}{} {}", of, key, result.size() + 1));
+  return result;
+}
+
+std::vector<SceneTable> SceneTable::tables(std::string_view key) {
+  std::vector<SceneTable> result = numbered_tables(key);
+  for (SceneTable& table : result) {
+    const std::string name = table.text("name");
     if (const std::string_view why = objection(name); !why.empty()) {
-      unnamed.fail("name", fmt::format("found \"{}\"; {}", name, why));
+      table.fail("name", fmt::format("found \"{}\"; {}", name, why));
     }
-    result.emplace_back(*source_, element, fmt::format("{} '{}'", key, name));
-    static_cast<void>(result.back().has("name"));
+    table.noun_ = fmt::format("{} '{}'", key, name);
   }
   return result;
 }

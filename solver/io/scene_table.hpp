@@ -44,8 +44,12 @@ class SceneTable {
   [[nodiscard]] double number(std::string_view key, Range range = Range::any);
   /// A whole number.
   [[nodiscard]] int whole(std::string_view key);
+  /// An array of whole numbers.
+  [[nodiscard]] std::vector<int> wholes(std::string_view key);
   [[nodiscard]] std::string text(std::string_view key);
   [[nodiscard]] std::vector<std::string> texts(std::string_view key, std::size_t count);
+  /// Any of a closed list of names, in an array.
+  [[nodiscard]] std::vector<std::string> choices(std::string_view key, const std::vector<std::string>& known);
   /// One of a closed list of names.
   [[nodiscard]] std::string choice(std::string_view key, const std::vector<std::string>& known);
   /// One of the names of an enum; `absent` where the key is not given.
@@ -62,6 +66,8 @@ class SceneTable {
   [[nodiscard]] SceneTable table(std::string_view key);
   /// The tables of an array of tables, [[key]]; none if the key is absent. Each is called by its own `name`.
   [[nodiscard]] std::vector<SceneTable> tables(std::string_view key);
+  /// The same for tables without names, called by their numbers from 1.
+  [[nodiscard]] std::vector<SceneTable> numbered_tables(std::string_view key);
 
   /// Reads every field of T; one whose value is allowed as it stands may be left out.
   template <class T>
@@ -72,7 +78,15 @@ class SceneTable {
   template <class T>
   void read_field(T& value, const Field<T>& field) {
     if (contains(field.range, value.*field.member) && !has(field.name)) return;
-    value.*field.member = quantity(field.name, field.dimension, field.range);
+    value.*field.member = field.dimension == dimension::number ? number(field.name, field.range)
+                                                               : quantity(field.name, field.dimension, field.range);
+  }
+  /// A whole number in the range of its field.
+  template <class T>
+  void read_count(T& value, const CountField<T>& field) {
+    const int count = whole(field.name);
+    if (count < field.least || count > field.most) fail_range(field.name, count, field.least, field.most);
+    std::visit([&](auto member) { value.*member = count; }, field.member);
   }
 
   /// Refuses a key that is there, saying why it has no place.
@@ -96,6 +110,8 @@ class SceneTable {
   const TomlValue* find(std::string_view key) const;
   const TomlValue& demand(std::string_view key);
   double quantity_of(std::string_view key, const TomlValue& value, Dimension dimension, Range range) const;
+  int whole_of(std::string_view key, const TomlValue& value) const;
+  [[noreturn]] void fail_range(std::string_view key, long found, long least, long most) const;
   [[noreturn]] void fail_at(int line, std::string_view key, std::string_view words) const;
   std::string place(int line) const;
 

@@ -39,6 +39,28 @@ struct FenceElement {
   std::array<bool, 3> held{};  ///< x, y, rotation held
   Vec2 fixed_point{};          ///< local coordinates of the point that the fixities hold [L]
 
+  static constexpr std::array<Field<FenceElement>, 8> fields() {
+    using F = FenceElement;
+    return {{{"a", dimension::length, &F::a, Range::positive, "half-length along local x"},
+             {"b", dimension::length, &F::b, Range::positive, "half-length along local y"},
+             {"power", dimension::number, &F::power, Range::fraction, "outline |x/a|^n + |y/b|^n = 1 with n = 2/power"},
+             {"density", dimension::density, &F::density, Range::positive, "mass density"},
+             {"bar_length", dimension::length, &F::bar_length, Range::non_negative, "attachment length; only printed"},
+             {"angle", dimension::angle, &F::angle, Range::any, "orientation, counter-clockwise positive"},
+             {"spin", dimension::angular_velocity, &F::spin, Range::any, "counter-clockwise positive"},
+             {"moment", dimension::moment, &F::moment, Range::any, "constant moment, counter-clockwise positive"}}};
+  }
+  static constexpr std::array<VectorField<FenceElement>, 4> vectors() {
+    using F = FenceElement;
+    return {{{"position", dimension::length, &F::position, "of the centroid"},
+             {"velocity", dimension::velocity, &F::velocity, "of the centroid"},
+             {"force", dimension::force, &F::force, "constant force at the centroid"},
+             {"fixed_point", dimension::length, &F::fixed_point, "point held, in the element's own axes"}}};
+  }
+  static constexpr std::array<CountField<FenceElement>, 1> counts() {
+    return {{{"points", &FenceElement::points, 2, 1000, "nodes of a quadrant of the outline, both ends counted"}}};
+  }
+
   friend bool operator==(const FenceElement&, const FenceElement&) = default;
 };
 
@@ -137,6 +159,46 @@ struct Fence {
       layer_overlap{};  ///< ff_overlap: largest overlap of columns of two layers [L]; 0: penetration times half width
 
   FenceOptions options{};
+
+  static constexpr std::array<Field<Fence>, 19> fields() {
+    using F = Fence;
+    return {{{"step_factor", dimension::number, &F::step_factor, Range::non_negative,
+              "fact_dt: multiple (0: one) of the step of the 1993 rule"},
+             {"penetration", dimension::number, &F::penetration, Range::positive,
+              "f_penet: largest overlap as a share of the rock's radius"},
+             {"gravity", dimension::acceleration, &F::gravity, Range::non_negative, "grav: acceleration of free fall"},
+             {"span", dimension::length, &F::span, Range::positive, "of the top cable between its fixed ends"},
+             {"sag", dimension::length, &F::sag, Range::positive, "of the top cable at mid-span"},
+             {"spacing", dimension::length, &F::spacing, Range::positive, "dcol: distance of neighbouring columns"},
+             {"young", dimension::pressure, &F::young, Range::positive, "Young's modulus of both cables"},
+             {"y_top", dimension::length, &F::y_top, Range::any, "top joint above a column's centroid"},
+             {"y_bottom", dimension::length, &F::y_bottom, Range::any, "y_bot: bottom joint, < 0 below the centroid"},
+             {"restitution", dimension::number, &F::restitution, Range::positive_fraction, "ecoeff: of all contacts"},
+             {"area_top", dimension::area, &F::area_top, Range::positive, "cross-section of the top cable"},
+             {"area_bottom", dimension::area, &F::area_bottom, Range::positive,
+              "area_bot: cross-section of one strand of the bottom cable"},
+             {"friction", dimension::number, &F::friction, Range::non_negative, "frict: coefficient of friction"},
+             {"slack", dimension::length, &F::slack, Range::non_negative, "of the bottom cable between two columns"},
+             {"limit_top", dimension::force, &F::limit_top, Range::positive, "brek_top: yield force of the top cable"},
+             {"limit_bottom", dimension::force, &F::limit_bottom, Range::positive,
+              "brek_bot: yield force of the bottom cable"},
+             {"layer_spacing", dimension::length, &F::layer_spacing, Range::non_negative,
+              "sp_fence: distance of two layers, centre to centre"},
+             {"rock_overlap", dimension::length, &F::rock_overlap, Range::non_negative,
+              "rf_overlap: largest overlap of rock and column (0: penetration times the rock's radius)"},
+             {"layer_overlap", dimension::length, &F::layer_overlap, Range::non_negative,
+              "ff_overlap: largest overlap of columns of two layers (0: penetration times half width)"}}};
+  }
+  static constexpr std::array<CountField<Fence>, 7> counts() {
+    using F = Fence;
+    return {{{"steps", &F::steps, 1, 1'000'000'000, "niter: number of steps"},
+             {"print_every", &F::print_every, 1, 1'000'000'000, "nprint: steps between states of the listing"},
+             {"history_every", &F::history_every, 1, 1'000'000'000, "nhisto: steps between records of the histories"},
+             {"gravity_sign", &F::gravity_sign, -1, 1, "igrav: direction of gravity along y, 1 or -1"},
+             {"connections", &F::connections, 1, 2, "nocab: 2 top and bottom cable, 1 top cable only"},
+             {"columns", &F::columns, 1, 1000, "ncol: columns in a layer"},
+             {"layers", &F::layers, 1, 2, "no_fence: layers of the fence"}}};
+  }
 
   friend bool operator==(const Fence&, const Fence&) = default;
 };

@@ -77,7 +77,7 @@ bool holds(const std::string& text, std::string_view part) { return text.find(pa
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(help_and_version) {
-  for (const std::string command : {"run", "check", "calibrate", "plot", "list"}) {
+  for (const std::string command : {"run", "check", "calibrate", "convert", "plot", "list"}) {
     const Ended help = talus_ran({command, "--help"});
     BOOST_TEST(help.code == 0);
     BOOST_TEST(holds(help.out, "Example"));
@@ -88,9 +88,9 @@ BOOST_AUTO_TEST_CASE(help_and_version) {
 
 BOOST_AUTO_TEST_CASE(wrong_command_lines) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
-      {{}, "talus: a command is missing; known: run, check, calibrate, plot, list\nhelp: talus --help\n"},
+      {{}, "talus: a command is missing; known: run, check, calibrate, convert, plot, list\nhelp: talus --help\n"},
       {{"rnu"},
-       "talus: command 'rnu' is not known; nearest: run; known: run, check, calibrate, plot, list\n"
+       "talus: command 'rnu' is not known; nearest: run; known: run, check, calibrate, convert, plot, list\n"
        "help: talus --help\n"},
       {{"run"}, "talus: SCENE is required\nhelp: talus run --help\n"},
       {{"run", scene("pendulum.toml"), "--uot", "d"},
@@ -114,6 +114,29 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
     BOOST_TEST(ended.err == message);
     BOOST_TEST(ended.out.empty());
   }
+}
+
+BOOST_AUTO_TEST_CASE(convert_between_decks_and_scenes) {
+  const Folder folder;
+  const std::string scene_file = (folder.path / "s.TOML").string();
+  const std::string deck = (folder.path / "s.dat").string();
+  const Ended there = talus_ran({"convert", scene("fence/sample2.DAT"), scene_file});
+  BOOST_TEST(there.code == 0);
+  BOOST_TEST(there.err.empty());
+  BOOST_TEST(talus::read_text(scene_file) == talus::read_text(scene("fence/sample2.toml")));
+  BOOST_TEST(talus_ran({"convert", scene_file, deck}).code == 0);
+  const std::string again = (folder.path / "again.toml").string();
+  BOOST_TEST(talus_ran({"convert", deck, again}).code == 0);
+  BOOST_TEST(talus::read_text(again) == talus::read_text(scene_file));
+
+  const Ended extension = talus_ran({"convert", deck, (folder.path / "s.txt").string()});
+  BOOST_TEST(extension.code == 2);
+  BOOST_TEST(holds(extension.err, "found the extension \".txt\"; it must be .DAT (a deck of 1993) or .toml (a scene)"));
+  const Ended no_fence = talus_ran({"convert", scene("two_cable.toml"), deck});
+  BOOST_TEST(no_fence.code == 2);
+  BOOST_TEST(holds(no_fence.err, "two_cable.toml: it has no table [fence]; only a fence can be converted"));
+  BOOST_TEST(talus_ran({"convert", (folder.path / "none.DAT").string(), scene_file}).code == 4);
+  BOOST_TEST(talus_ran({"convert", deck, (folder.path / "no/folder.toml").string()}).code == 4);
 }
 
 BOOST_AUTO_TEST_CASE(files_that_cannot_be_read_or_written) {

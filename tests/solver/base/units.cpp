@@ -132,3 +132,19 @@ BOOST_AUTO_TEST_CASE(messages_say_what_was_found_and_what_is_allowed) {
   BOOST_TEST(message("0.5 m", dimension::number, si) ==
              "found \"0.5 m\"; that is a length; it must be a pure number, e.g. \"0.5\"");
 }
+
+// A deck's number and a scene's quantity of the same digits are the same double.
+BOOST_AUTO_TEST_CASE(numbers_of_a_unit_are_quantities) {
+  for (const char* number : {"2e7", "1.076", "0.1", "-3.3333333333333335", "1e-300"}) {
+    for (const UnitSystem& system : {si, us}) {
+      BOOST_TEST(consistent(std::stod(number), "psi", dimension::pressure, system) ==
+                 parse_quantity(std::string{number} + " psi", dimension::pressure, system));
+      BOOST_TEST(consistent(std::stod(number), "in^2", dimension::area, system) ==
+                 parse_quantity(std::string{number} + " in^2", dimension::area, system));
+    }
+    BOOST_TEST(consistent(std::stod(number), "", dimension::number, us) == std::stod(number));
+  }
+  BOOST_TEST(symbol(us, dimension::density) == "slug/ft^3");
+  BOOST_TEST(symbol(si, dimension::area) == "m^2");
+  BOOST_CHECK_THROW(static_cast<void>(consistent(1.0, "psi", dimension::area, us)), InputError);
+}

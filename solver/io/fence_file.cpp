@@ -1,0 +1,39 @@
+#include "solver/io/fence_file.hpp"
+
+#include <fmt/format.h>
+
+#include "solver/base/error.hpp"
+#include "solver/io/dat_deck.hpp"
+#include "solver/io/toml_fence.hpp"
+
+namespace talus {
+
+FenceFormat fence_format(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension)
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (extension == ".dat") return FenceFormat::deck;
+  if (extension == ".toml") return FenceFormat::toml;
+  throw InputError{fmt::format("{}: found the extension \"{}\"; it must be .DAT (a deck of 1993) or .toml (a scene)",
+                               file.string(), file.extension().string())};
+}
+
+scenes::Fence read_fence(const std::filesystem::path& file) {
+  if (fence_format(file) == FenceFormat::deck) return read_deck(file);
+  const TomlValue document = parse_toml(read_text(file), file.string());
+  SceneSource source{file.string(), si};
+  SceneTable table{source, document, ""};
+  if (!table.has("fence")) {
+    throw InputError{
+        fmt::format("{}: it has no table [fence]; only a fence can be converted, since the records of a "
+                    "deck describe nothing else",
+                    file.string())};
+  }
+  return read_fence(table, source);
+}
+
+std::string fence_text(const scenes::Fence& fence, FenceFormat format) {
+  return format == FenceFormat::deck ? deck_text(fence) : fence_toml(fence);
+}
+
+}  // namespace talus

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "solver/scenes/fence.hpp"
+
+namespace talus {
+
+/// Ways to write a fence down.
+enum class FenceFormat {
+  deck,  ///< input file of the 1993 program: .DAT
+  toml,  ///< scene file with a table [fence]: .toml
+};
+
+/// The format that a file's extension names, in capitals or not. Errors: InputError naming those known.
+[[nodiscard]] FenceFormat fence_format(const std::filesystem::path& file);
+
+/// Reads a fence in the format of the file's extension. Errors: IoError; InputError, also for a scene file without a
+/// table [fence].
+[[nodiscard]] scenes::Fence read_fence(const std::filesystem::path& file);
+
+/// A fence as text of that format. Errors: InputError if the format cannot say it.
+[[nodiscard]] std::string fence_text(const scenes::Fence& fence, FenceFormat format);
+
+}  // namespace talus

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "solver/scenes/fence.hpp"
+
+namespace talus {
+
+/// Names of the motions of an element that can be held, in the order of its flags.
+inline constexpr std::array<std::string_view, 3> held_axes{"x", "y", "rotation"};
+
+/// Calls visit(name, choice) for each option that is one of the names of an enum, in the struct's order. (Taking the
+/// struct apart by all its members lets none be forgotten.)
+template <class Options, class Visit>
+void for_each_choice(Options&& options, Visit&& visit) {
+  auto& [symmetry, even_centre, contact, calibration, end_rule, bottom_end, integrator] = options;
+  visit("symmetry", symmetry);
+  visit("even_centre", even_centre);
+  visit("contact", contact);
+  visit("calibration", calibration);
+  visit("end_rule", end_rule);
+  visit("bottom_end", bottom_end);
+  static_cast<void>(integrator);
+}
+
+/// The name of a choice.
+template <class Enum>
+std::string_view choice_name(Enum choice) {
+  return Names<Enum>::list[static_cast<std::size_t>(choice)];
+}
+
+}  // namespace talus

@@ -1,0 +1,129 @@
+#include "solver/io/fence_rules.hpp"
+
+#include <fmt/format.h>
+
+namespace talus {
+namespace {
+
+using scenes::ElementSolid;
+using scenes::ElementType;
+using scenes::Fence;
+using scenes::FenceElement;
+using Fault = std::optional<FenceFault>;
+
+std::string amount(double value, const Fence& fence, Dimension dimension) {
+  return fmt::format("{} {}", value, symbol(fence.units, dimension));
+}
+
+Fault element_fault(const FenceElement& element, std::size_t number) {
+  const auto code = static_cast<std::size_t>(element.solid);
+  const bool cylinder = element.solid == ElementSolid::cylinder;
+  if (cylinder != (element.type == ElementType::column)) {
+    return FenceFault{
+        number, "solid",
+        fmt::format("found {} ({}); it must be {}", code, Names<ElementSolid>::list[code],
+                    cylinder ? "0 (ellipsoid) or 1 (block) for the ground and rocks" : "2 (cylinder) for a column")};
+  }
+  const bool moves_where_held[] = {element.held[0] && element.velocity.x != 0.0,
+                                   element.held[1] && element.velocity.y != 0.0,
+                                   element.held[2] && element.spin != 0.0};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!moves_where_held[axis]) continue;
+    const double found = axis == 0 ? element.velocity.x : axis == 1 ? element.velocity.y : element.spin;
+    return FenceFault{number, axis == 2 ? "spin" : "velocity",
+                      fmt::format("found {} {}; it must be 0, since this motion is held", found,
+                                  axis == 0   ? "along x"
+                                  : axis == 1 ? "along y"
+                                              : "as spin")};
+  }
+  return {};
+}
+
+Fault layer_fault(const Fence& fence) {
+  if (fence.gravity_sign == 0) return FenceFault{0, "gravity_sign", "found 0; it must be 1 or -1"};
+  const double width = (fence.columns - 1) * fence.spacing;
+  if (!(width < fence.span)) {
+    return FenceFault{
+        0, "columns",
+        fmt::format("found {}: {} apart they take {}; it must be less than the span, {}", fence.columns,
+                    amount(fence.spacing, fence, dimension::length), amount(width, fence, dimension::length),
+                    amount(fence.span, fence, dimension::length))};
+  }
+  if (!(fence.y_top > fence.y_bottom)) {
+    return FenceFault{
+        0, "y_top",
+        fmt::format("found {}; it must be above the bottom joint, {}", amount(fence.y_top, fence, dimension::length),
+                    amount(fence.y_bottom, fence, dimension::length))};
+  }
+  if (fence.layers == 2 && fence.layer_spacing == 0.0) {
+    return FenceFault{0, "layer_spacing", "found 0; it must be > 0 for two layers"};
+  }
+  return {};
+}
+
+Fault history_fault(const Fence& fence) {
+  if (fence.history_codes.size() > most_history_codes) {
+    return FenceFault{
+        0, "history_codes",
+        fmt::format("found {} codes; there can be at most {}", fence.history_codes.size(), most_history_codes)};
+  }
+  for (const int code : fence.history_codes) {
+    if (code >= 1 && code <= last_history_code) continue;
+    return FenceFault{0, "history_codes", fmt::format("found {}; it must be in 1 .. {}", code, last_history_code)};
+  }
+  for (const int element : fence.history_elements) {
+    if (element >= 1 && element <= element_count(fence)) continue;
+    return FenceFault{0, "history_elements",
+                      fmt::format("found {}; it must be in 1 .. {}: the ground, the rocks ({}), then for each layer "
+                                  "half its columns and a fixed end",
+                                  element, element_count(fence), fence.rocks.size())};
+  }
+  return {};
+}
+
+/// Length of the UTF-8 sequence at the start of `text`; 0 if there is none.
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return 1;
+  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  }
+  const bool overlong = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xf0 && byte(1) < 0x90);
+  const bool surrogate = lead == 0xed && byte(1) >= 0xa0;
+  const bool beyond = lead == 0xf4 && byte(1) >= 0x90;
+  return overlong || surrogate || beyond ? 0 : length;
+}
+
+}  // namespace
+
+long element_count(const Fence& fence) {
+  return 1 + static_cast<long>(fence.rocks.size()) + fence.layers * ((fence.columns + 1) / 2 + 1L);
+}
+
+std::optional<FenceFault> fault(const Fence& fence) {
+  if (Fault found = element_fault(fence.ground, 1)) return found;
+  for (std::size_t i = 0; i < fence.rocks.size(); ++i) {
+    if (Fault found = element_fault(fence.rocks[i], i + 2)) return found;
+  }
+  if (Fault found = element_fault(fence.column, fence.rocks.size() + 2)) return found;
+  if (Fault found = layer_fault(fence)) return found;
+  return history_fault(fence);
+}
+
+std::string objection_to_title(std::string_view title) {
+  while (!title.empty()) {
+    const auto lead = static_cast<unsigned char>(title.front());
+    const std::size_t length = utf8_length(title);
+    if (length == 0) return fmt::format("found the byte 0x{:02x}; a title is ASCII or UTF-8 text", lead);
+    if ((lead < 0x20 && lead != '\t') || lead == 0x7f) {
+      return fmt::format("found the control character 0x{:02x}; a title is one line of text", lead);
+    }
+    title.remove_prefix(length);
+  }
+  return "";
+}
+
+}  // namespace talus

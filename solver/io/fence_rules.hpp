@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "solver/scenes/fence.hpp"
+
+namespace talus {
+
+/// What is wrong with the records of a fence taken together.
+struct FenceFault {
+  std::size_t element{};  ///< number of the element concerned; 0: the fence itself
+  std::string field;      ///< name of the member of Fence or FenceElement
+  std::string words;      ///< what was found and what is allowed
+};
+
+/// The first breach of the rules that hold between records, whatever file they come from; none if the fence can be
+/// built. Rules for one number alone are its field's.
+[[nodiscard]] std::optional<FenceFault> fault(const scenes::Fence& fence);
+
+/// Elements of a fence as numbered in 1993: the ground, the rocks, then for each layer half its columns, the central
+/// one first, and one fixed end.
+[[nodiscard]] long element_count(const scenes::Fence& fence);
+
+/// Why a text cannot be a title; empty if it can.
+[[nodiscard]] std::string objection_to_title(std::string_view title);
+
+/// Number of codes that the 1993 program could store.
+inline constexpr std::size_t most_history_codes = 8;
+/// Largest code of a quantity in its list.
+inline constexpr int last_history_code = 61;
+
+}  // namespace talus

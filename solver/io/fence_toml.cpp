@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "solver/io/fence_names.hpp"
+#include "solver/io/quantity_text.hpp"
+#include "solver/io/toml_fence.hpp"
+
+namespace talus {
+namespace {
+
+using scenes::Fence;
+using scenes::FenceElement;
+
+/// A quantity in quotes, in the units of the deck where they keep its bits, else in consistent units; a bare number.
+std::string quantity(double value, Dimension dimension, const UnitSystem& units) {
+  if (dimension == dimension::number) {
+    const std::string text = decimal(value, "", dimension, units).text;
+    // A whole number would lose the sign of -0.
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+  }
+  const std::string unit = units == us ? deck_unit(dimension) : symbol(units, dimension);
+  const Decimal number = decimal(value, unit, dimension, units);
+  if (number.exact) return fmt::format("\"{} {}\"", number.text, unit);
+  const std::string own = symbol(units, dimension);
+  return fmt::format("\"{} {}\"", decimal(value, own, dimension, units).text, own);
+}
+
+/// Text as a basic string of TOML.
+std::string in_quotes(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
+template <class T>
+std::string number_lines(const T& value, const UnitSystem& units) {
+  std::string text;
+  for (const auto& field : T::counts()) {
+    std::visit([&](auto member) { text += fmt::format("{} = {}\n", field.name, value.*member); }, field.member);
+  }
+  for (const auto& field : T::fields())
+    text += fmt::format("{} = {}\n", field.name, quantity(value.*field.member, field.dimension, units));
+  return text;
+}
+
+std::string element_lines(std::string_view head, const FenceElement& element, const UnitSystem& units) {
+  std::string text = fmt::format("\n{}\nsolid = \"{}\"\n", head, choice_name(element.solid));
+  text += number_lines(element, units);
+  for (const auto& field : FenceElement::vectors()) {
+    const Vec2 vector = element.*field.member;
+    text += fmt::format("{} = [{}, {}]\n", field.name, quantity(vector.x, field.dimension, units),
+                        quantity(vector.y, field.dimension, units));
+  }
+  std::vector<std::string> held;
+  for (std::size_t i = 0; i < element.held.size(); ++i) {
+    if (element.held[i]) held.push_back(in_quotes(held_axes[i]));
+  }
+  return held.empty() ? text : text + fmt::format("held = [{}]\n", fmt::join(held, ", "));
+}
+
+std::string option_lines(const scenes::FenceOptions& options) {
+  std::string text = "\n[fence.options]\n";
+  for_each_choice(options, [&](std::string_view name, auto choice) {
+    text += fmt::format("{} = \"{}\"\n", name, choice_name(choice));
+  });
+  return text + fmt::format("integrator = \"{}\"\n", options.integrator);
+}
+
+}  // namespace
+
+std::string fence_toml(const Fence& fence) {
+  std::string text = fence.title.empty() ? "" : fmt::format("title = {}\n", in_quotes(fence.title));
+  text += fmt::format("units = \"{}\"\n\n[fence]\n", fence.units.name);
+  text += number_lines(fence, fence.units);
+  text += fmt::format("history_elements = [{}]\n", fmt::join(fence.history_elements, ", "));
+  text += fmt::format("history_codes = [{}]\n", fmt::join(fence.history_codes, ", "));
+  text += element_lines("[fence.ground]", fence.ground, fence.units);
+  for (const FenceElement& rock : fence.rocks)
+    text += element_lines("[[fence.rock]]", rock, fence.units);
+  text += element_lines("[fence.column]", fence.column, fence.units);
+  return fence.options == scenes::FenceOptions{} ? text : text + option_lines(fence.options);
+}
+
+}  // namespace talus

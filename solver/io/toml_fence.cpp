@@ -1,0 +1,99 @@
+#include "solver/io/toml_fence.hpp"
+
+#include <algorithm>
+
+#include "solver/integrate/integrator_list.hpp"
+#include "solver/io/fence_names.hpp"
+#include "solver/io/fence_rules.hpp"
+
+namespace talus {
+namespace {
+
+using scenes::ElementType;
+using scenes::Fence;
+using scenes::FenceElement;
+
+/// Names of all fields of T.
+template <class T>
+std::vector<std::string> keys() {
+  std::vector<std::string> names = field_names<T>();
+  for (const auto& field : T::counts())
+    names.emplace_back(field.name);
+  return names;
+}
+
+FenceElement read_element(SceneTable& table, ElementType type) {
+  std::vector<std::string> known = keys<FenceElement>();
+  for (const auto& field : FenceElement::vectors())
+    known.emplace_back(field.name);
+  known.insert(known.end(), {"solid", "held"});
+  table.allow(known);
+  FenceElement element;
+  element.type = type;
+  static_cast<void>(table.text("solid"));
+  element.solid = table.choice_or("solid", element.solid);
+  table.read_fields(element);
+  for (const auto& field : FenceElement::counts())
+    table.read_count(element, field);
+  for (const auto& field : FenceElement::vectors())
+    element.*field.member = table.vector_or(field.name, field.dimension, {});
+  if (table.has("held")) {
+    for (const std::string& axis : table.choices("held", {held_axes.begin(), held_axes.end()}))
+      element.held[static_cast<std::size_t>(std::ranges::find(held_axes, axis) - held_axes.begin())] = true;
+  }
+  return element;
+}
+
+scenes::FenceOptions read_options(SceneTable table) {
+  scenes::FenceOptions options;
+  for_each_choice(options, [&](std::string_view name, auto& choice) { choice = table.choice_or(name, choice); });
+  if (table.has("integrator")) options.integrator = table.choice("integrator", integrator_names());
+  table.allow({});
+  return options;
+}
+
+/// The tables of a fence's elements: the ground, the rocks and the column, in this order.
+std::vector<SceneTable> element_tables(SceneTable& table) {
+  std::vector<SceneTable> tables{table.table("ground")};
+  for (const SceneTable& rock : table.numbered_tables("rock"))
+    tables.push_back(rock);
+  if (tables.size() == 1) table.fail("rock", "it is missing; a fence has at least one rock, headed [[fence.rock]]");
+  tables.push_back(table.table("column"));
+  return tables;
+}
+
+std::vector<int> wholes_or_none(SceneTable& table, std::string_view key) {
+  return table.has(key) ? table.wholes(key) : std::vector<int>{};
+}
+
+}  // namespace
+
+Fence read_fence(SceneTable& file, SceneSource& source) {
+  file.allow({"title", "units", "fence"});
+  source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
+  Fence fence;
+  fence.units = source.units;
+  if (file.has("title")) fence.title = file.text("title");
+  if (const std::string why = objection_to_title(fence.title); !why.empty()) file.fail("title", why);
+  SceneTable table = file.table("fence");
+  std::vector<std::string> known = keys<Fence>();
+  known.insert(known.end(), {"history_elements", "history_codes", "ground", "rock", "column", "options"});
+  table.allow(known);
+  table.read_fields(fence);
+  for (const auto& field : Fence::counts())
+    table.read_count(fence, field);
+  fence.history_elements = wholes_or_none(table, "history_elements");
+  fence.history_codes = wholes_or_none(table, "history_codes");
+  std::vector<SceneTable> elements = element_tables(table);
+  fence.ground = read_element(elements.front(), ElementType::rock);
+  for (std::size_t i = 1; i + 1 < elements.size(); ++i)
+    fence.rocks.push_back(read_element(elements[i], ElementType::rock));
+  fence.column = read_element(elements.back(), ElementType::column);
+  if (table.has("options")) fence.options = read_options(table.table("options"));
+  if (const auto found = fault(fence)) {
+    (found->element == 0 ? table : elements[found->element - 1]).fail(found->field, found->words);
+  }
+  return fence;
+}
+
+}  // namespace talus

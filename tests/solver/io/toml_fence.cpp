@@ -1,0 +1,109 @@
+#define BOOST_TEST_MODULE toml_fence
+#include "solver/io/toml_fence.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "solver/base/error.hpp"
+#include "solver/io/dat_deck.hpp"
+#include "solver/io/fence_file.hpp"
+
+using namespace talus;
+using scenes::Fence;
+
+namespace {
+
+std::filesystem::path folder() { return std::filesystem::path{TALUS_CASES} / "fence"; }
+
+Fence read(const std::string& text) {
+  const TomlValue document = parse_toml(text, "s.toml");
+  SceneSource source{"s.toml", si};
+  SceneTable table{source, document, ""};
+  return read_fence(table, source);
+}
+
+/// The sample's scene file with `part` replaced.
+std::string changed(std::string_view part, std::string_view replacement) {
+  std::string text = read_text(folder() / "sample2.toml");
+  const std::size_t at = text.find(part);
+  BOOST_REQUIRE(at != std::string::npos);
+  return text.replace(at, part.size(), replacement);
+}
+
+std::string message(std::string_view part, std::string_view replacement) {
+  try {
+    static_cast<void>(read(changed(part, replacement)));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(scene_files_beside_decks_say_the_same) {
+  int decks = 0;
+  for (const auto& entry : std::filesystem::directory_iterator{folder()}) {
+    if (entry.path().extension() != ".DAT") continue;
+    std::filesystem::path scene = entry.path();
+    scene.replace_extension(".toml");
+    BOOST_TEST((read_fence(entry.path()) == read_fence(scene)));
+    BOOST_TEST(fence_toml(read_fence(entry.path())) == read_text(scene));
+    ++decks;
+  }
+  BOOST_TEST(decks >= 7);
+}
+
+BOOST_AUTO_TEST_CASE(other_ways_to_write_it) {
+  const Fence sound = read_deck(folder() / "sample2.DAT");
+  BOOST_TEST((read(changed("\"2.5 ft\"", "\"30 in\"")) == sound));
+  BOOST_TEST((read(changed("friction = 0.0\n", "")) == sound));
+  BOOST_TEST((read(changed("bar_length = \"0 ft\"\n", "")) == sound));
+  BOOST_TEST(read(changed("title", "# title")).title.empty());
+  const Fence modern = read(read_text(folder() / "sample2.toml") +
+                            "[fence.options]\nsymmetry = \"full\"\nend_rule = \"clamped\"\nintegrator = \"rk4\"\n");
+  BOOST_TEST((modern.options.symmetry == scenes::FenceSymmetry::full));
+  BOOST_TEST((modern.options.end_rule == EndRule::clamped));
+  BOOST_TEST(modern.options.integrator == "rk4");
+  BOOST_TEST((read(fence_toml(modern)) == modern));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_fences) {
+  const std::string keys = "this key is not known; nearest: ";
+  BOOST_TEST(message("\"20000000 psi\"", "\"20000000 lbf\"") ==
+             "s.toml:18: fence: young: found \"20000000 lbf\"; that is a force; it must be a pressure, e.g. \"20000000 "
+             "lbf/ft^2\"");
+  BOOST_TEST(message("\"20000000 psi\"", "20000000").substr(0, 57) ==
+             "s.toml:18: fence: young: found 20000000; the unit is miss");
+  BOOST_TEST(message("restitution = 0.4", "restitution = 1.4") ==
+             "s.toml:21: fence: restitution: found 1.4; it must be in (0, 1]");
+  BOOST_TEST(message("restitution = 0.4\n", "").substr(0, 44) == "s.toml:4: fence: restitution: it is missing");
+  BOOST_TEST(message("columns = 13", "columns = 23") ==
+             "s.toml:10: fence: columns: found 23: 2.5 ft apart they take 55 ft; it must be less than the span, 55 ft");
+  BOOST_TEST(message("connections = 2", "connections = 3") ==
+             "s.toml:9: fence: connections: found 3; it must be 1 or 2");
+  BOOST_TEST(message("steps = 3000", "stps = 3000").substr(0, 67) ==
+             "s.toml:5: fence: stps: this key is not known; nearest: steps; known");
+  BOOST_TEST(
+      message("solid = \"ellipsoid\"", "solid = \"cylinder\"") ==
+      "s.toml:52: fence: rock 1: solid: found 2 (cylinder); it must be 0 (ellipsoid) or 1 (block) for the ground "
+      "and rocks");
+  BOOST_TEST(message("[[fence.rock]]", "[[fence.rok]]").find("fence: rok: " + keys + "rock") != std::string::npos);
+  BOOST_TEST(message("held = [\"x\", ", "held = [\"z\", ") ==
+             "s.toml:49: fence: ground: held: found \"z\"; known: x, y, rotation");
+  BOOST_TEST(message("6, 7, 8, 35, 36]", "6, 7, 8, 35, 62]") ==
+             "s.toml:32: fence: history_codes: found 62; it must be in 1 .. 61");
+  BOOST_TEST(message("[2, 3, 4, 5, 6]", "7") ==
+             "s.toml:31: fence: history_elements: found 7; it must be an array of whole numbers, e.g. [1, 2]");
+  BOOST_TEST(message("[fence]", "[run]\nend = \"1 s\"\n[fence]").substr(0, 60) ==
+             "s.toml:4: run: this key is not known; nearest: units; known:");
+  BOOST_TEST(message("DOUBLE", "two\\nlines") ==
+             "s.toml:1: title: found the control character 0x0a; a title is one line of text");
+}
+
+BOOST_AUTO_TEST_CASE(files_by_extension) {
+  BOOST_TEST((fence_format("A.DAT") == FenceFormat::deck));
+  BOOST_TEST((fence_format("a.dat") == FenceFormat::deck));
+  BOOST_TEST((fence_format("a.Toml") == FenceFormat::toml));
+  BOOST_CHECK_THROW(static_cast<void>(fence_format("a.txt")), InputError);
+  BOOST_CHECK_THROW(static_cast<void>(read_fence(folder().parent_path() / "two_cable.toml")), InputError);
+}
