@@ -38,7 +38,7 @@ Outcome run(RigidBodySystem& system, Method& method, State& state, const RunPlan
   State seen = state;
   system.settle(state);
   for (const Observer& observe : observers)
-    observe(state, {0, system.evaluations(), true});
+    observe(state, {0, system.evaluations(), true, &state});
   method.start(system, state, plan.step);
   for (long n = 1; n <= steps; ++n) {
     method.step(system, state, plan.step);
@@ -53,7 +53,7 @@ Outcome run(RigidBodySystem& system, Method& method, State& state, const RunPlan
     system.settle(seen);
     const bool last = n == steps || (stop && stop(seen));
     for (const Observer& observe : observers)
-      observe(seen, {n, system.evaluations(), last || n % every == 0});
+      observe(seen, {n, system.evaluations(), last || n % every == 0, &state});
     if (last) break;
   }
   state = State{method.synchronized(state, plan.step)};

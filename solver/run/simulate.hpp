@@ -12,9 +12,11 @@ namespace talus {
 
 /// What an observer is told beside the state.
 struct StepInfo {
-  long step{};         ///< steps done; 0 for the initial state
-  long evaluations{};  ///< force evaluations done
-  bool due{};          ///< a record of the history falls on this step (always on the first and the last)
+  long step{};          ///< steps done; 0 for the initial state
+  long evaluations{};   ///< force evaluations done
+  bool due{};           ///< a record of the history falls on this step (always on the first and the last)
+  const State* held{};  ///< the state as the integrator holds it: of a staggered method, velocities at t and
+                        ///< coordinates half a step on, as the listings of 1993 print them
 };
 
 /// Sees the state, all parts at the same time, after the start and after each step; cannot change the run.
