@@ -23,3 +23,5 @@ set key bmargin center vertical Left reverse samplen 2.5 spacing 1.05
 set lmargin 11
 set rmargin 4
 set tmargin 1.6
+# A slope may end on the limits at both ends, and by a rounding beyond them.
+set clip two

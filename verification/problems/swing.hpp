@@ -71,6 +71,8 @@ struct MethodRange {
   double tilt;
   /// Half of the tilt again, for the terms after those two: how far the fitted order may lie from `order`, either way.
   [[nodiscard]] constexpr double admitted() const { return tilt < 0.0 ? -1.5 * tilt : 1.5 * tilt; }
+  /// Whether it is one of odeint's steppers: these are drawn apart from the solver's own methods.
+  [[nodiscard]] constexpr bool is_odeint() const { return name.substr(0, 7) == "odeint_"; }
 };
 
 /// All fixed-step methods; bulirsch_stoer has no fixed step.

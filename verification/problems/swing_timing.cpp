@@ -9,6 +9,7 @@
 #include <random>
 
 #include "verification/problems/swing.hpp"
+#include "verification/problems/work_precision_findings.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -60,15 +61,9 @@ std::vector<Timed> points(const Scene& scene, double duration, const reference::
   return found;
 }
 
-}  // namespace
-
-void chart_error_against_time(Findings& findings) {
-  const double amplitude = 60.0 * degree;
-  const auto motion = bob_motion(amplitude);
-  const double duration = 0.8 * motion.period();
-  const Scene scene = scenes::pendulum(bob({}, amplitude));
+/// Times all points, in another order each repetition. Returns the sum of the results, which shows that all were made.
+double measure(std::vector<Timed>& timed, const Scene& scene, double duration) {
   const Dynamics dynamics{scene.model};
-  std::vector<Timed> timed = points(scene, duration, motion);
   double sum = 0.0;
   for (Timed& point : timed) {
     const double once = measured_seconds(scene, dynamics, point, duration, sum);
@@ -82,35 +77,60 @@ void chart_error_against_time(Findings& findings) {
     for (const std::size_t i : order)
       timed[i].seconds.push_back(measured_seconds(scene, dynamics, timed[i], duration, sum));
   }
-  Figure chart{.name = "work_precision_time",
-               .title = "Error against time on a smooth swing",
-               .caption = fmt::format(
-                   "As the chart against force evaluations, the steps halved from point to point for every method, on "
-                   "this machine (see the first page): median of {} "
-                   "interleaved repetitions of one run of .8 period without output; ledger off. Nothing is "
-                   "checked on times. (Sum of the results, which shows that all were made: {:.6g}.)",
-                   repetitions, sum),
-               .x = {"time of a run", "us", true},
-               .y = {"error", "rad", true},
-               .series = {},
-               .slopes = {},
-               .lines = {{'y', 0.5 * std::numeric_limits<double>::epsilon(), "round-off of one operation"}}};
-  for (const MethodRange& method : method_ranges) {
-    Series series{.label = std::string{method.name}, .x = {}, .y = {}};
-    for (Timed& point : timed) {
-      if (point.method != method.name) continue;
-      std::nth_element(point.seconds.begin(), point.seconds.begin() + repetitions / 2, point.seconds.end());
-      series.x.push_back(1e6 * point.seconds[repetitions / 2]);
-      series.y.push_back(point.error);
-    }
-    const std::size_t middle = series.x.size() / 2;
-    if (method.name == "velocity_verlet" || method.name == "rk4" || method.name == "odeint_abm8") {
-      chart.slopes.push_back({-static_cast<double>(method.order), series.x[middle], 0.3 * series.y[middle],
-                              fmt::format("order {}", method.order)});
-    }
-    chart.series.push_back(series);
+  return sum;
+}
+
+/// Error against the median time of one method.
+Series curve(const MethodRange& method, std::vector<Timed>& timed) {
+  Series series{.label = std::string{method.name}, .x = {}, .y = {}};
+  for (Timed& point : timed) {
+    if (point.method != method.name) continue;
+    std::nth_element(point.seconds.begin(), point.seconds.begin() + repetitions / 2, point.seconds.end());
+    series.x.push_back(1e6 * point.seconds[repetitions / 2]);
+    series.y.push_back(point.error);
   }
-  findings.figure(chart);
+  return series;
+}
+
+Figure chart(const char* name, const char* title, const std::string& caption) {
+  return {.name = name,
+          .title = title,
+          .caption = caption,
+          .x = {"time of a run", "us", true},
+          .y = {"error", "rad", true},
+          .series = {},
+          .slopes = {},
+          .lines = {{'y', 0.5 * std::numeric_limits<double>::epsilon(), "round-off of one operation"}}};
+}
+
+}  // namespace
+
+void chart_error_against_time(Findings& findings) {
+  const double amplitude = 60.0 * degree;
+  const auto motion = bob_motion(amplitude);
+  const double duration = 0.8 * motion.period();
+  const Scene scene = scenes::pendulum(bob({}, amplitude));
+  std::vector<Timed> timed = points(scene, duration, motion);
+  const double sum = measure(timed, scene, duration);
+  Figure own = chart(
+      "work_precision_time", "Error against time on a smooth swing: the solver's own methods",
+      fmt::format("As the charts against force evaluations, the steps halved from point to point for every method, on "
+                  "this machine (see the first page): median of {} interleaved repetitions of one run of .8 period "
+                  "without output; ledger off. Nothing is checked on times. (Sum of the results, which shows that all "
+                  "were made: {:.6g}.)",
+                  repetitions, sum));
+  Figure odeint = chart("work_precision_time_odeint", "Error against time on a smooth swing: odeint's steppers",
+                        "As the figure before, for odeint's steppers, and rk4 again to compare with.");
+  Series rk4;
+  for (const MethodRange& method : method_ranges) {
+    const Series series = curve(method, timed);
+    draw(method, series, method.is_odeint() ? odeint : own);
+    if (method.name == "rk4") rk4 = series;
+  }
+  rk4.style = Style::lines;
+  odeint.series.push_back(rk4);
+  findings.figure(own);
+  findings.figure(odeint);
 }
 
 }  // namespace talus::verification::problems

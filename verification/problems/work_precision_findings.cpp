@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include "verification/check/convergence.hpp"
 #include "verification/problems/swing.hpp"
@@ -70,39 +71,67 @@ Series study_tolerance(const Swing& swing, Findings& findings) {
   return stepless;
 }
 
+/// Error against force evaluations, without curves.
+Figure chart(const char* name, const char* title, const std::string& caption) {
+  return {.name = name,
+          .title = title,
+          .caption = "Error at the end of 0.8 period (60 degrees) against force evaluations, " + caption +
+                     " Dashed: the declared orders. The line is half a unit of the last place of the angle: round-off "
+                     "of n steps gathers above it.",
+          .x = {"force evaluations", "1", true},
+          .y = {"error", "rad", true},
+          .series = {},
+          .slopes = {},
+          .lines = {{'y', 0.5 * epsilon, "round-off of one operation"}}};
+}
+
+/// Where the slope of a method's order is drawn to compare with, so that slopes and labels stand clear of the curves.
+struct SlopePlace {
+  double share;   ///< of the curve's points before it
+  double height;  ///< over the curve there; 0: the method has no slope
+};
+SlopePlace slope_place(std::string_view method) {
+  if (method == "euler_cromer") return {0.75, 0.2};
+  if (method == "velocity_verlet") return {0.95, 0.1};
+  if (method == "rk4") return {0.75, 0.1};
+  if (method == "odeint_dopri5") return {0.5, 20.0};
+  return {0.5, method == "odeint_fehlberg78" ? 0.05 : 0.0};
+}
+
 }  // namespace
+
+void draw(const MethodRange& method, const Series& series, Figure& chart) {
+  chart.series.push_back(series);
+  const SlopePlace place = slope_place(method.name);
+  if (place.height == 0.0 || series.x.empty()) return;
+  const auto at = static_cast<std::size_t>(place.share * static_cast<double>(series.x.size()));
+  chart.slopes.push_back({-static_cast<double>(method.order), series.x[at], place.height * series.y[at],
+                          fmt::format("order {}", method.order)});
+}
 
 void check_work_and_precision(Findings& findings, const Setup& setup) {
   const Swing swing{.scene = scenes::pendulum(bob(setup, amplitude))};
-  Figure chart{.name = "work_precision",
-               .title = "Work and precision on a smooth swing",
-               .caption =
-                   "Error at the end of 0.8 period (60 degrees) against force evaluations, for every integrator "
-                   "of the solver: steps halved from point to point for orders 1 and 2, divided by the square "
-                   "root of 2 for higher ones, and tolerances divided by ten for odeint_bulirsch_stoer, which has "
-                   "no fixed step. Dashed: the declared orders. The line is "
-                   "half a unit of the last place of the angle: round-off of n steps gathers above it. The "
-                   "chart against time depends on the machine: it is in the full tier (`make verify-full`).",
-               .x = {"force evaluations", "1", true},
-               .y = {"error", "rad", true},
-               .series = {},
-               .slopes = {},
-               .lines = {{'y', 0.5 * epsilon, "round-off of one operation"}}};
+  Figure own = chart("work_precision", "Work and precision on a smooth swing: the solver's own methods",
+                     "for the solver's own methods: steps halved from point to point for orders 1 and 2, divided by "
+                     "the square root of 2 for rk4. The next figure has odeint's steppers.");
+  Figure odeint = chart("work_precision_odeint", "Work and precision on a smooth swing: odeint's steppers",
+                        "for odeint's steppers, and rk4 again to compare with: steps divided by the square root of 2 "
+                        "from point to point, and tolerances divided by ten for odeint_bulirsch_stoer, which has no "
+                        "fixed step. Charts against time depend on the machine: they are in the full tier (`make "
+                        "verify-full`).");
+  Series rk4;
   for (const auto& method : method_ranges) {
-    const bool is_verlet = method.name == "velocity_verlet";
-    if (setup.coarse && !is_verlet) continue;
+    if (setup.coarse && method.name != "velocity_verlet") continue;
     const Series series = study(method, swing, findings, setup);
-    if (!series.x.empty() &&
-        (method.name == "odeint_abm8" || is_verlet || method.name == "euler_cromer" || method.name == "rk4")) {
-      const std::size_t middle = series.x.size() / 2;
-      chart.slopes.push_back({-static_cast<double>(method.order), series.x[middle], 0.5 * series.y[middle],
-                              fmt::format("order {}", method.order)});
-    }
-    chart.series.push_back(series);
+    draw(method, series, method.is_odeint() ? odeint : own);
+    if (method.name == "rk4") rk4 = series;
   }
   if (setup.coarse) return;
-  chart.series.push_back(study_tolerance(swing, findings));
-  findings.figure(chart);
+  odeint.series.push_back(study_tolerance(swing, findings));
+  rk4.style = Style::lines;
+  odeint.series.push_back(rk4);
+  findings.figure(own);
+  findings.figure(odeint);
 }
 
 }  // namespace talus::verification::problems
