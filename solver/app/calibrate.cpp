@@ -11,7 +11,7 @@
 #include "solver/base/error.hpp"
 #include "solver/calibrate/impact.hpp"
 #include "solver/calibrate/step_advice.hpp"
-#include "solver/io/toml_scene.hpp"
+#include "solver/io/scene_file.hpp"
 
 namespace talus::app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "solver/app/command.hpp"
 #include "solver/calibrate/step_advice.hpp"
-#include "solver/io/toml_scene.hpp"
+#include "solver/io/scene_file.hpp"
 #include "solver/run/simulate.hpp"
 
 namespace talus::app {
@@ -122,7 +122,7 @@ int check(const std::string& file) {
 Command add_check(CLI::App& talus) {
   CLI::App* app = talus.add_subcommand("check", "Read a scene and say what it carries and what its step is worth");
   const auto scene = std::make_shared<std::string>();
-  app->add_option("SCENE", *scene, "scene file (.toml)")->required();
+  app->add_option("SCENE", *scene, "scene file (.toml) or deck of 1993 (.DAT)")->required();
   app->footer("Example:\n  talus check cases/pivoted_cylinder.toml");
   return {app, [scene] { return check(*scene); }};
 }

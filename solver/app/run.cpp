@@ -15,6 +15,7 @@
 #include "solver/io/csv.hpp"
 #include "solver/io/json.hpp"
 #include "solver/io/plot_record.hpp"
+#include "solver/io/scene_file.hpp"
 #include "solver/io/toml_scene.hpp"
 
 namespace talus::app {
@@ -165,7 +166,7 @@ int run(const RunOptions& options) {
 Command add_run(CLI::App& talus) {
   CLI::App* app = talus.add_subcommand("run", "Run a scene; print its summary, write its histories");
   const auto options = std::make_shared<RunOptions>();
-  app->add_option("SCENE", options->scene, "scene file (.toml)")->required();
+  app->add_option("SCENE", options->scene, "scene file (.toml) or deck of 1993 (.DAT)")->required();
   app->add_option(
       "--out", options->folder,
       "folder for history.csv, final_state.json, summary.json and plot.json; without it nothing is written");

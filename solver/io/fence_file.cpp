@@ -8,12 +8,23 @@
 
 namespace talus {
 
-FenceFormat fence_format(const std::filesystem::path& file) {
+namespace {
+
+/// The extension in small letters.
+std::string small_extension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension)
     c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  if (extension == ".dat") return FenceFormat::deck;
-  if (extension == ".toml") return FenceFormat::toml;
+  return extension;
+}
+
+}  // namespace
+
+bool is_deck(const std::filesystem::path& file) { return small_extension(file) == ".dat"; }
+
+FenceFormat fence_format(const std::filesystem::path& file) {
+  if (is_deck(file)) return FenceFormat::deck;
+  if (small_extension(file) == ".toml") return FenceFormat::toml;
   throw InputError{fmt::format("{}: found the extension \"{}\"; it must be .DAT (a deck of 1993) or .toml (a scene)",
                                file.string(), file.extension().string())};
 }

@@ -17,6 +17,9 @@ enum class FenceFormat {
 /// The format that a file's extension names, in capitals or not. Errors: InputError naming those known.
 [[nodiscard]] FenceFormat fence_format(const std::filesystem::path& file);
 
+/// Whether a file's extension is that of a deck.
+[[nodiscard]] bool is_deck(const std::filesystem::path& file);
+
 /// Reads a fence in the format of the file's extension. Errors: IoError; InputError, also for a scene file without a
 /// table [fence].
 [[nodiscard]] scenes::Fence read_fence(const std::filesystem::path& file);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "solver/scenes/fence_scene.hpp"
+
 namespace talus {
 namespace {
 
@@ -98,10 +100,6 @@ std::size_t utf8_length(std::string_view text) {
 }
 
 }  // namespace
-
-long element_count(const Fence& fence) {
-  return 1 + static_cast<long>(fence.rocks.size()) + fence.layers * ((fence.columns + 1) / 2 + 1L);
-}
 
 std::optional<FenceFault> fault(const Fence& fence) {
   if (Fault found = element_fault(fence.ground, 1)) return found;

@@ -20,10 +20,6 @@ struct FenceFault {
 /// built. Rules for one number alone are its field's.
 [[nodiscard]] std::optional<FenceFault> fault(const scenes::Fence& fence);
 
-/// Elements of a fence as numbered in 1993: the ground, the rocks, then for each layer half its columns, the central
-/// one first, and one fixed end.
-[[nodiscard]] long element_count(const scenes::Fence& fence);
-
 /// Why a text cannot be a title; empty if it can.
 [[nodiscard]] std::string objection_to_title(std::string_view title);
 

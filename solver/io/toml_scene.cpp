@@ -6,7 +6,9 @@
 
 #include "solver/dynamics/springs.hpp"
 #include "solver/io/scene_parts.hpp"
+#include "solver/io/toml_fence.hpp"
 #include "solver/laws/restitution.hpp"
+#include "solver/scenes/fence_scene.hpp"
 
 namespace talus {
 namespace {
@@ -101,6 +103,10 @@ Scene read_scene(std::string_view text, std::string_view name) {
   const TomlValue document = parse_toml(text, name);
   SceneSource source{std::string{name}, si};
   SceneTable file{source, document, ""};
+  if (file.has("fence")) {
+    const scenes::Fence fence = read_fence(file, source);
+    return file.table("fence").placed([&] { return scenes::fence_scene(fence).scene; });
+  }
   file.allow({"title", "units", "gravity", "body", "contact", "cable", "run"});
   source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
   Scene scene;
@@ -121,7 +127,5 @@ void check_step_count(const RunPlan& plan) {
   if (steps <= 1e12) return;
   throw InputError{fmt::format("run: the end is {:.3g} steps away; it must be at most 1e12", steps)};
 }
-
-Scene read_scene(const std::filesystem::path& file) { return read_scene(read_text(file), file.string()); }
 
 }  // namespace talus

@@ -1,18 +1,15 @@
 #pragma once
 
-#include <filesystem>
 #include <string_view>
 
 #include "solver/scenes/scene.hpp"
 
 namespace talus {
 
-/// Reads a scene from a TOML file. Quantities are texts with units ("65 ft/s"), pure numbers are bare.
-/// Errors: IoError if the file cannot be read; InputError for everything in it that is wrong, of the form
+/// Reads a scene from a TOML text: bodies with what acts between them and a plan, or a table [fence]. Quantities are
+/// texts with units ("65 ft/s"), pure numbers are bare; `name` is the file named in errors.
+/// Errors: InputError for everything in it that is wrong, of the form
 /// `file.toml:17: body 'rock': mass: found "-3 kg"; it must be > 0`.
-[[nodiscard]] Scene read_scene(const std::filesystem::path& file);
-
-/// The same from a text; `name` is the file named in errors.
 [[nodiscard]] Scene read_scene(std::string_view text, std::string_view name);
 
 /// Refuses a plan of more steps than can be run. Errors: InputError with the number of steps.

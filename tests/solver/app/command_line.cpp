@@ -139,6 +139,35 @@ BOOST_AUTO_TEST_CASE(convert_between_decks_and_scenes) {
   BOOST_TEST(talus_ran({"convert", deck, (folder.path / "no/folder.toml").string()}).code == 4);
 }
 
+BOOST_AUTO_TEST_CASE(decks_and_their_scenes_run_alike) {
+  const std::string deck = scene("fence/sample2.DAT");
+  const std::string converted = scene("fence/sample2.toml");
+  const Ended checked = talus_ran({"check", deck});
+  BOOST_TEST(checked.code == 0);
+  BOOST_TEST(checked.out == talus_ran({"check", converted}).out);
+  const Folder folder;
+  const std::string by_deck = (folder.path / "deck").string();
+  const std::string by_scene = (folder.path / "scene").string();
+  BOOST_TEST(talus_ran({"run", deck, "--end", "5 ms", "--out", by_deck}).code == 0);
+  BOOST_TEST(talus_ran({"run", converted, "--end", "5 ms", "--out", by_scene}).code == 0);
+  for (const char* file : {"/history.csv", "/final_state.json"})
+    BOOST_TEST(talus::read_text(by_deck + file) == talus::read_text(by_scene + file));
+}
+
+BOOST_AUTO_TEST_CASE(fences_that_cannot_be_built) {
+  const Folder folder;
+  for (const char* name : {"fence/sample2.DAT", "fence/sample2.toml"}) {
+    const std::string text = talus::read_text(scene(name));
+    const std::size_t speed = text.find("-65");
+    const std::string file = (folder.path / fs::path{name}.filename()).string();
+    std::ofstream{file} << text.substr(0, speed) << '0' << text.substr(speed + 3);
+    const Ended still = talus_ran({"check", file});
+    BOOST_TEST(still.code == 2);
+    BOOST_TEST(holds(still.err, "talus: " + file + ":"));
+    BOOST_TEST(holds(still.err, "no rock moves"));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(files_that_cannot_be_read_or_written) {
   const Ended missing = talus_ran({"run", "nowhere.toml"});
   BOOST_TEST(missing.code == 4);

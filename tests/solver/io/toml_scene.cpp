@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/io/scene_file.hpp"
 #include "solver/io/toml_scene.hpp"
 #include "solver/laws/restitution.hpp"
 #include "solver/scenes/two_cable.hpp"

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "solver/base/error.hpp"
+#include "solver/io/scene_file.hpp"
 #include "solver/io/toml_scene.hpp"
 
 // Each test takes the sound scene, makes it wrong in one place and expects one message, word for word.
@@ -118,9 +119,9 @@ BOOST_AUTO_TEST_CASE(names_and_keys) {
   BOOST_TEST(message("name = \"ground\"", "name = \"rock\"") ==
              "s.toml:11: body 'rock' exists already; names must differ");
   BOOST_TEST(message("name = \"ground\"\n", "") == "s.toml:11: body 2: name: it is missing");
-  BOOST_TEST(
-      message("[run]", "[rum]") ==
-      "s.toml:28: rum: this key is not known; nearest: run; known: title, units, gravity, body, contact, cable, run");
+  BOOST_TEST(message("[run]", "[rum]") ==
+             "s.toml:28: rum: this key is not known; nearest: run; known: fence, title, units, gravity, body, contact, "
+             "cable, run");
   BOOST_TEST(message("[[cable]]", "[cable]") ==
              "s.toml:22: cable: found a table; each cable is a table of its own, headed [[cable]]");
 }
