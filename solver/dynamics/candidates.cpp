@@ -12,11 +12,18 @@ Bounds box(const Rectangle& s) { return {s.half_width, s.half_height, false, fal
 Bounds box(const Superquadric& s) { return {s.half_width, s.half_height, false, false}; }
 Bounds box(const HalfPlane&) { return {0.0, 0.0, false, true}; }
 
-/// Half extents of the box along the world's axes.
+/// Half extents of the box along the axes of a frame in which it stands at R.
 Vec2 extent(const Bounds& bounds, Rotation R) {
   if (bounds.round) return {bounds.half_width, bounds.half_height};
   const double c = std::abs(R.cosine), s = std::abs(R.sine);
   return {c * bounds.half_width + s * bounds.half_height, s * bounds.half_width + c * bounds.half_height};
+}
+
+/// Whether box A lies beyond a side of box B: the test of separating axes with B's axes.
+bool beyond(const Bounds& a, const Pose& A, const Bounds& b, const Pose& B) {
+  const Placement seen = placement(A, B);
+  const Vec2 reach = extent(a, seen.R);
+  return std::abs(seen.p.x) > b.half_width + reach.x || std::abs(seen.p.y) > b.half_height + reach.y;
 }
 
 bool above(const Bounds& bounds, const Pose& body, const Pose& plane) {
@@ -34,9 +41,9 @@ Bounds bounds(const Shape& shape) {
 bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B) {
   if (pair.bounds_b.plane) return above(pair.bounds_a, A, B);
   if (pair.bounds_a.plane) return above(pair.bounds_b, B, A);
-  const Vec2 between = B.p_WB - A.p_WB;
-  const Vec2 reach = extent(pair.bounds_a, A.R_WB) + extent(pair.bounds_b, B.R_WB);
-  return std::abs(between.x) > reach.x || std::abs(between.y) > reach.y;
+  if (pair.bounds_b.round) return beyond(pair.bounds_b, B, pair.bounds_a, A);
+  return beyond(pair.bounds_a, A, pair.bounds_b, B) ||
+         (!pair.bounds_a.round && beyond(pair.bounds_b, B, pair.bounds_a, A));
 }
 
 }  // namespace talus

@@ -28,8 +28,8 @@ struct Candidate {
   std::size_t last{};   ///< one past its last
 };
 
-/// Whether boxes around the two shapes, sides along the world's axes, lie apart (a half-plane: whether the other's box
-/// lies above it). Never says so of bodies that touch.
+/// Whether a side of one of the boxes separates the two shapes (a half-plane: whether the other's box lies above it).
+/// Never says so of bodies that touch.
 [[nodiscard]] bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B);
 
 }  // namespace talus

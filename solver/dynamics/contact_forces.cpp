@@ -33,16 +33,27 @@ void for_each_near(const Laws& laws, const Workspace& work, Visit&& visit) {
   });
 }
 
-/// Works out the gaps of one array's groups that are within reach.
+/// Works out the gaps of one array's groups that are within reach. Of a ball outside its target that does not act
+/// (`state` given) only the depth: nothing else is asked of it.
 template <class Array>
-void update_gaps(const Array& array, Workspace& work) {
+void update_gaps(const Array& array, const State* state, Workspace& work) {
   for (const ContactGroup& group : array.groups) {
     if (!work.near[group.candidate]) continue;
     const Pose& A = work.poses[index(group.a)];
     const Pose& B = work.poses[index(group.b)];
+    [[maybe_unused]] const Placement A_in_B = placement(A, B);
     for (std::size_t i = group.first; i < group.last; ++i) {
       const std::size_t instance = array.slots[i].mode;
-      work.gaps[instance] = gap(array.shapes_a[i], A, array.shapes_b[i], B);
+      if constexpr (std::is_same_v<typename Array::ShapeA, Ball>) {
+        const Depth found = ball_depth(array.shapes_a[i], A_in_B, array.shapes_b[i]);
+        if (found.depth < 0.0 && state && state->mode[instance] == 0) {
+          work.gaps[instance].depth = found.depth;
+          continue;
+        }
+        work.gaps[instance] = ball_gap(array.shapes_a[i], A, found, B);
+      } else {
+        work.gaps[instance] = gap(array.shapes_a[i], A, array.shapes_b[i], B);
+      }
       work.rates[instance] = depth_rate(work.gaps[instance], A, B);
     }
   }
@@ -166,16 +177,18 @@ void ContactForces::update(const State& state, Workspace& work) const {
                    std::any_of(mode + static_cast<std::ptrdiff_t>(pair.first),
                                mode + static_cast<std::ptrdiff_t>(pair.last), acts);
   }
-  for_each_array(laws_, [&](const auto& array) { update_gaps(array, work); });
+  for_each_array(laws_, [&](const auto& array) { update_gaps(array, &state, work); });
 }
 
 void ContactForces::update_all(Workspace& work) const {
   std::fill(work.near.begin(), work.near.end(), char{1});
-  for_each_array(laws_, [&](const auto& array) { update_gaps(array, work); });
+  for_each_array(laws_, [&](const auto& array) { update_gaps(array, nullptr, work); });
 }
 
 void ContactForces::settle(State& state, const Workspace& work) const {
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup& group) {
+    // The gap declares onset: what does not act and does not touch stays so.
+    if (state.mode[slot.mode] == 0 && work.gaps[slot.mode].depth < 0.0) return;
     settle_mode(law, slot, kinematics(work, slot.mode), state, group.copies);
   });
 }

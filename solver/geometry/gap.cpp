@@ -77,13 +77,6 @@ Vec2 deepest_point(const Side& face, const Rectangle& box, const Pose& pose) {
 
 }  // namespace
 
-Depth depth_below(const Circle& shape, Vec2 p) {
-  const double distance = norm(p);
-  // At the very centre every direction is as good; body x keeps the answer finite and repeatable.
-  if (distance == 0.0) return {shape.radius, {1.0, 0.0}};
-  return {shape.radius - distance, (1.0 / distance) * p};
-}
-
 Depth depth_below(const Rectangle& shape, Vec2 p) {
   const double beyond_x = std::abs(p.x) - shape.half_width;
   const double beyond_y = std::abs(p.y) - shape.half_height;
@@ -95,8 +88,6 @@ Depth depth_below(const Rectangle& shape, Vec2 p) {
   if (beyond_x >= beyond_y) return {-beyond_x, {sign(p.x), 0.0}};
   return {-beyond_y, {0.0, sign(p.y)}};
 }
-
-Depth depth_below(const HalfPlane&, Vec2 p) { return {-p.y, {0.0, 1.0}}; }
 
 Gap gap(const Rectangle& a, const Pose& A, const HalfPlane&, const Pose& B) {
   const Vec2 n = B.R_WB * Vec2{0.0, 1.0};

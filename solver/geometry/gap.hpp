@@ -23,10 +23,15 @@ struct Depth {
   double depth{};
   Vec2 normal;
 };
-[[nodiscard]] Depth depth_below(const Circle& shape, Vec2 p);
+[[nodiscard]] inline Depth depth_below(const Circle& shape, Vec2 p) {
+  const double distance = norm(p);
+  // At the very centre every direction is as good; body x keeps the answer finite and repeatable.
+  if (distance == 0.0) return {shape.radius, {1.0, 0.0}};
+  return {shape.radius - distance, (1.0 / distance) * p};
+}
 [[nodiscard]] Depth depth_below(const Rectangle& shape, Vec2 p);
 [[nodiscard]] Depth depth_below(const Superquadric& shape, Vec2 p);
-[[nodiscard]] Depth depth_below(const HalfPlane& shape, Vec2 p);
+[[nodiscard]] inline Depth depth_below(const HalfPlane&, Vec2 p) { return {-p.y, {0.0, 1.0}}; }
 
 /// A ball of radius `radius` about the point p_A of body A: a circular body (its centre) or one boundary node (radius
 /// 0).
@@ -35,15 +40,24 @@ struct Ball {
   double radius{};  ///< [L] >= 0
 };
 
+/// Depth of a ball on A in the shape of B: as in Gap, with the outward unit normal of B's surface in B's own frame.
+template <class Target>
+[[nodiscard]] Depth ball_depth(const Ball& ball, const Placement& A_in_B, const Target& target) {
+  const Depth found = depth_below(target, A_in_B.p + A_in_B.R * ball.center_A);
+  return {ball.radius + found.depth, found.normal};
+}
+
+/// The gap that belongs to a ball's depth in the shape of B.
+[[nodiscard]] inline Gap ball_gap(const Ball& ball, const Pose& A, const Depth& found, const Pose& B) {
+  const Vec2 n = B.R_WB * found.normal;
+  // Half-way through the overlap; any point of the normal's line gives the same forces and moments.
+  return {found.depth, -n, world_point(A, ball.center_A) - (ball.radius - 0.5 * found.depth) * n};
+}
+
 /// Gap between a ball on A and the shape of B. Exact for a ball outside and for one whose centre is inside.
 template <class Target>
 [[nodiscard]] Gap gap(const Ball& ball, const Pose& A, const Target& target, const Pose& B) {
-  const Vec2 center = world_point(A, ball.center_A);
-  const Depth found = depth_below(target, unrotate(B.R_WB, center - B.p_WB));
-  const double depth = ball.radius + found.depth;
-  const Vec2 n = B.R_WB * found.normal;
-  // Half-way through the overlap; any point of the normal's line gives the same forces and moments.
-  return {depth, -n, center - (ball.radius - 0.5 * depth) * n};
+  return ball_gap(ball, A, ball_depth(ball, placement(A, B), target), B);
 }
 
 /// Gap between a rectangle and a half-plane: at the lowest corner, half-way along the side when two are equally low.

@@ -1,46 +1,45 @@
 #include "solver/geometry/node_depth.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace talus {
 namespace {
 
-/// Depth below the sides of the box around the outline: not above zero wherever the outline cannot be either.
-double box_depth(const Superquadric& shape, Vec2 p) {
-  return std::min(shape.half_width - std::abs(p.x), shape.half_height - std::abs(p.y));
-}
+/// |x/a|^n + |y/b|^n and its gradient's direction, for a point in the box around the outline.
+struct Powers {
+  double sum{};
+  Vec2 gradient;  ///< over n
+};
 
-Vec2 side_normal(Vec2 p) { return {std::copysign(1.0, p.x), 0.0}; }
-
-/// Direction of the gradient of |x/a|^n + |y/b|^n, by the larger term so that nothing overflows.
-Vec2 gradient_direction(const Superquadric& shape, Vec2 p) {
+Powers powers(const Superquadric& shape, Vec2 p) {
   const double u = std::abs(p.x) / shape.half_width;
   const double v = std::abs(p.y) / shape.half_height;
-  const double most = std::max(u, v);
-  if (most == 0.0) return {1.0, 0.0};
-  const double gx = std::copysign(power(u / most, shape.exponent - 1.0) / shape.half_width, p.x);
-  const double gy = std::copysign(power(v / most, shape.exponent - 1.0) / shape.half_height, p.y);
-  const double length = std::sqrt(gx * gx + gy * gy);
-  return {gx / length, gy / length};
+  const double u_less = power(u, shape.exponent - 1.0);
+  const double v_less = power(v, shape.exponent - 1.0);
+  return {u * u_less + v * v_less,
+          {std::copysign(u_less / shape.half_width, p.x), std::copysign(v_less / shape.half_height, p.y)}};
 }
 
-double ray_depth(const Superquadric& shape, Vec2 p) {
-  const double f = gauge(shape, p);
-  return f == 0.0 ? std::min(shape.half_width, shape.half_height) : (1.0 / f - 1.0) * norm(p);
-}
+/// Of a point outside the outline, to first order in its distance along the ray: negative, and nought on the outline.
+double depth_outside(double sum, double exponent, Vec2 p) { return (1.0 - sum) / exponent * norm(p); }
 
 }  // namespace
 
-Depth depth_below(const SideFaces& shape, Vec2 p) {
-  if (const double depth = box_depth(shape.outline, p); depth <= 0.0) return {depth, side_normal(p)};
-  if (!is_inside(shape.outline, p)) return {ray_depth(shape.outline, p), side_normal(p)};
-  return {shape.outline.half_width - std::abs(p.x), side_normal(p)};
+Depth depth_in_box(const SideFaces& shape, Vec2 p) {
+  const Vec2 normal{std::copysign(1.0, p.x), 0.0};
+  const double sum = powers(shape.outline, p).sum;
+  if (sum >= 1.0) return {depth_outside(sum, shape.outline.exponent, p), normal};
+  return {shape.outline.half_width - std::abs(p.x), normal};
 }
 
-Depth depth_below(const CentroidRays& shape, Vec2 p) {
-  if (const double depth = box_depth(shape.outline, p); depth <= 0.0) return {depth, side_normal(p)};
-  return {ray_depth(shape.outline, p), gradient_direction(shape.outline, p)};
+Depth depth_in_box(const CentroidRays& shape, Vec2 p) {
+  const auto [sum, gradient] = powers(shape.outline, p);
+  const double length = norm(gradient);
+  // At the very centre, and so near it that the powers vanish, every direction is as good.
+  const Vec2 normal = length > 0.0 ? (1.0 / length) * gradient : Vec2{1.0, 0.0};
+  if (sum >= 1.0) return {depth_outside(sum, shape.outline.exponent, p), normal};
+  const double f = gauge(shape.outline, p);
+  return {f == 0.0 ? std::min(shape.outline.half_width, shape.outline.half_height) : (1.0 / f - 1.0) * norm(p), normal};
 }
 
 }  // namespace talus

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "solver/geometry/gap.hpp"
 
 namespace talus {
@@ -15,16 +18,30 @@ struct Names<NodeDepth> {
   static constexpr std::array<std::string_view, 3> list{"nearest", "side_face", "centroid_ray"};
 };
 
+/// Depth below the sides of the box around an outline [L]: not above zero wherever the outline's cannot be either.
+[[nodiscard]] inline double box_depth(const Superquadric& shape, Vec2 p) {
+  return std::min(shape.half_width - std::abs(p.x), shape.half_height - std::abs(p.y));
+}
+
 /// The outline as seen by the rule `side_face`; outside the depth is negative, no distance.
 struct SideFaces {
   Superquadric outline;
 };
-[[nodiscard]] Depth depth_below(const SideFaces& shape, Vec2 p);
+/// The same for a point in the box around the outline.
+[[nodiscard]] Depth depth_in_box(const SideFaces& shape, Vec2 p);
+[[nodiscard]] inline Depth depth_below(const SideFaces& shape, Vec2 p) {
+  const double depth = box_depth(shape.outline, p);
+  return depth <= 0.0 ? Depth{depth, {std::copysign(1.0, p.x), 0.0}} : depth_in_box(shape, p);
+}
 
 /// The outline as seen by the rule `centroid_ray`.
 struct CentroidRays {
   Superquadric outline;
 };
-[[nodiscard]] Depth depth_below(const CentroidRays& shape, Vec2 p);
+[[nodiscard]] Depth depth_in_box(const CentroidRays& shape, Vec2 p);
+[[nodiscard]] inline Depth depth_below(const CentroidRays& shape, Vec2 p) {
+  const double depth = box_depth(shape.outline, p);
+  return depth <= 0.0 ? Depth{depth, {std::copysign(1.0, p.x), 0.0}} : depth_in_box(shape, p);
+}
 
 }  // namespace talus

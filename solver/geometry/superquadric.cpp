@@ -8,9 +8,30 @@
 #include "solver/geometry/pose.hpp"
 
 namespace talus {
+namespace {
 
-// SLEEF's plain-C routine, as for the sine.
-double power(double base, double exponent) { return Sleef_cinz_powd1_u10purec(base, exponent); }
+/// base^exponent by squaring.
+double whole_power(double base, int exponent) {
+  double product = 1.0;
+  for (; exponent > 0; exponent /= 2) {
+    if (exponent % 2 == 1) product *= base;
+    base *= base;
+  }
+  return product;
+}
+
+constexpr double largest_whole_exponent = 64.0;
+
+}  // namespace
+
+// SLEEF's plain-C routine, as for the sine; whole exponents, which most outlines have, by multiplication.
+double power(double base, double exponent) {
+  if (exponent >= 0.0 && exponent <= largest_whole_exponent) {
+    const int whole = static_cast<int>(exponent);
+    if (static_cast<double>(whole) == exponent) return whole_power(base, whole);
+  }
+  return Sleef_cinz_powd1_u10purec(base, exponent);
+}
 
 // The larger term is taken out before the power, so that neither a far point nor a high exponent overflows.
 double gauge(const Superquadric& shape, Vec2 p) {

@@ -59,7 +59,7 @@ struct ElasticPlastic {
   constexpr double guard(Kinematics x, std::span<const double> memory, Mode mode) const {
     const double elastic = x.extent - memory[0];
     if (mode == slack) return -elastic;
-    if (mode == taut) return std::min(elastic, limit() / stiffness - elastic);
+    if (mode == taut) return std::min(elastic, limit() - stiffness * elastic);
     if (mode == yielding) return std::min(x.extent_rate, rupture - memory[0]);
     return 1.0;
   }
