@@ -1,0 +1,59 @@
+/// The contact search against brute force: a pair that it leaves out never touches.
+#define BOOST_TEST_MODULE candidates
+#include "solver/dynamics/candidates.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <random>
+
+#include "solver/geometry/gap.hpp"
+
+using namespace talus;
+
+namespace {
+
+struct RandomPoses {
+  std::mt19937_64 random{3};
+  std::uniform_real_distribution<double> place{-4.0, 4.0}, angle{-7.0, 7.0};
+  Pose operator()() { return {{place(random), place(random)}, rotation(angle(random)), {}, 0.0}; }
+};
+
+/// Counts the pairs left out of 20000 and demands that none of them overlaps by the exact gap.
+template <class A, class B>
+int left_out(const A& a, const B& b, auto&& depth) {
+  RandomPoses pose;
+  int count = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Candidate pair{BodyId{}, BodyId{}, bounds(Shape{a}), bounds(Shape{b}), 0, 0};
+    const Pose A_pose = pose(), B_pose = pose();
+    if (!out_of_reach(pair, A_pose, B_pose)) continue;
+    ++count;
+    BOOST_REQUIRE(depth(A_pose, B_pose) <= 0.0);
+  }
+  return count;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(circle_and_rectangle) {
+  const Circle circle{0.7};
+  const Rectangle box{0.5, 1.5};
+  const int found = left_out(circle, box, [&](const Pose& A, const Pose& B) {
+    return gap(Ball{{}, circle.radius}, A, box, B).depth;
+  });
+  BOOST_TEST(found > 10000);
+  const int swapped = left_out(box, circle, [&](const Pose& A, const Pose& B) {
+    return gap(Ball{{}, circle.radius}, B, box, A).depth;
+  });
+  BOOST_TEST(swapped > 10000);
+}
+
+BOOST_AUTO_TEST_CASE(rectangles) {
+  const Rectangle a{0.5, 1.5}, b{1.0, 0.3};
+  BOOST_TEST(left_out(a, b, [&](const Pose& A, const Pose& B) { return gap(a, A, b, B).depth; }) > 10000);
+}
+
+BOOST_AUTO_TEST_CASE(rectangle_and_half_plane_at_any_slope) {
+  const Rectangle a{0.5, 1.5};
+  BOOST_TEST(left_out(a, HalfPlane{}, [&](const Pose& A, const Pose& B) { return gap(a, A, HalfPlane{}, B).depth; }) >
+             5000);
+}

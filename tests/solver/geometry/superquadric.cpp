@@ -1,0 +1,127 @@
+/// Superquadrics, the node depths of 1993, mass properties, and the rotation they all stand on.
+#define BOOST_TEST_MODULE superquadric
+#include "solver/geometry/superquadric.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "solver/geometry/mass_properties.hpp"
+#include "solver/geometry/node_depth.hpp"
+
+using namespace talus;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Superquadric outline(double n) { return {1.25, 4.0, n}; }
+
+/// Nearest distance to the outline by brute force: each face run through along itself, the point folded into the first
+/// quadrant.
+double brute_distance(const Superquadric& shape, Vec2 p) {
+  const Vec2 folded{std::abs(p.x), std::abs(p.y)};
+  const double a = shape.half_width, b = shape.half_height, n = shape.exponent;
+  double best = std::numeric_limits<double>::infinity();
+  constexpr int count = 100000;
+  for (int i = 0; i <= count; ++i) {
+    const double along = static_cast<double>(i) / count;
+    const double across = std::pow(1.0 - std::pow(along, n), 1.0 / n);
+    best = std::min({best, norm(Vec2{a * across, b * along} - folded), norm(Vec2{a * along, b * across} - folded)});
+  }
+  return best;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(rotation_is_within_a_unit_of_the_last_place) {
+  std::mt19937_64 random{1};
+  std::uniform_real_distribution<double> angles{-0.8, 0.8};
+  for (int i = 0; i < 200000; ++i) {
+    const double angle = angles(random) * (i % 2 == 0 ? 1.0 : 1e-4);
+    const Rotation r = rotation(angle);
+    const long double sine = std::sin(static_cast<long double>(angle)),
+                      cosine = std::cos(static_cast<long double>(angle));
+    const double unit = std::nextafter(std::abs(r.sine), 2.0) - std::abs(r.sine);
+    BOOST_REQUIRE(std::abs(static_cast<double>(r.sine - sine)) <= unit);
+    BOOST_REQUIRE(std::abs(static_cast<double>(r.cosine - cosine)) <= 0x1p-53);
+  }
+  BOOST_TEST(rotation(-0.3).sine == -rotation(0.3).sine);
+  BOOST_TEST(rotation(0.0).cosine == 1.0);
+}
+
+BOOST_AUTO_TEST_CASE(gauge_is_one_on_the_outline) {
+  for (const double n : {2.0, 3.5, 8.0, 20.0, 50.0}) {
+    for (int i = 0; i < 100; ++i) {
+      const Vec2 p = boundary_point(outline(n), 0.01 + 2.0 * pi * i / 100);
+      BOOST_TEST(gauge(outline(n), p) == 1.0, boost::test_tools::tolerance(1e-14));
+      BOOST_TEST(is_inside(outline(n), 0.999 * p));
+      BOOST_TEST(!is_inside(outline(n), 1.001 * p));
+    }
+  }
+  BOOST_TEST(gauge({1.0, 1.0, 1000.0}, {1e300, 1.0}) == 1e300);  // no overflow far away
+}
+
+BOOST_AUTO_TEST_CASE(nodes_of_1993) {
+  // Four nodes at the parametric 45 degrees: (a, b) 2^(-1/20), which FENCE's columns have at (1.2074, 3.8637).
+  const auto nodes = boundary_nodes(outline(20.0), 4);
+  BOOST_TEST(nodes.size() == 4u);
+  BOOST_TEST(nodes[0].x == 1.25 * std::pow(2.0, -0.05), boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(nodes[0].y == 4.0 * std::pow(2.0, -0.05), boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(nodes[2].x == -nodes[0].x, boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(nearest_depth_agrees_with_brute_force) {
+  std::mt19937_64 random{7};
+  std::uniform_real_distribution<double> x{-2.5, 2.5}, y{-6.0, 6.0};
+  for (const double n : {2.0, 4.0, 20.0}) {
+    for (int i = 0; i < 12; ++i) {
+      const Vec2 p{x(random), y(random)};
+      const Depth found = depth_below(outline(n), p);
+      const double sign = is_inside(outline(n), p) ? 1.0 : -1.0;
+      // Half a grid step of 4e-5 off the nearest point at a distance d costs (2e-5)^2/(2 d), d being .05 or more for
+      // all but points too near to matter.
+      BOOST_TEST(std::abs(found.depth - sign * brute_distance(outline(n), p)) < 1e-8);
+      BOOST_TEST(norm(found.normal) == 1.0, boost::test_tools::tolerance(1e-14));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ellipse_touches_a_plane_at_its_support) {
+  // Support of an ellipse at angle phi: sqrt(a^2 sin^2 + b^2 cos^2) below its centre.
+  const Pose ground{};
+  for (const double angle : {0.0, 0.4, 1.1, 2.0, -0.7}) {
+    const Pose body{{0.3, 2.0}, rotation(angle), {}, 0.0};
+    const double support = std::hypot(1.25 * std::sin(angle), 4.0 * std::cos(angle));
+    BOOST_TEST(gap(outline(2.0), body, HalfPlane{}, ground).depth == support - 2.0,
+               boost::test_tools::tolerance(1e-13));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(side_faces_and_rays_change_sign_on_the_outline) {
+  for (int i = 0; i < 64; ++i) {
+    const Vec2 p = boundary_point(outline(20.0), 0.05 + 2.0 * pi * i / 64);
+    for (const double share : {0.999, 1.001}) {
+      const Vec2 near = share * p;
+      BOOST_TEST((depth_below(SideFaces{outline(20.0)}, near).depth > 0.0) == (share < 1.0));
+      BOOST_TEST((depth_below(CentroidRays{outline(20.0)}, near).depth > 0.0) == (share < 1.0));
+    }
+  }
+  BOOST_TEST(depth_below(SideFaces{outline(20.0)}, {-1.0, 0.5}).depth == 0.25);
+  BOOST_TEST(depth_below(SideFaces{outline(20.0)}, {-1.0, 0.5}).normal.x == -1.0);
+  const Depth ray = depth_below(CentroidRays{outline(20.0)}, {1.0, 0.0});
+  BOOST_TEST(ray.depth == 0.25, boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(solids_have_the_masses_that_the_listing_of_sample2_prints) {
+  // Mustoe & Huttelmaier 1993, Appendix II.5.2: 40.00, 1337; 37.23, 21.48; 29.85, 170.8 (four digits).
+  BOOST_TEST(std::abs(block(10.0, 0.5, 0.1).mass - 40.0) < 5e-3);
+  BOOST_TEST(std::abs(block(10.0, 0.5, 0.1).inertia - 1337.0) < 0.5);
+  BOOST_TEST(std::abs(ellipsoid(1.201, 1.201, 5.13).mass - 37.23) < 5e-3);
+  BOOST_TEST(std::abs(ellipsoid(1.201, 1.201, 5.13).inertia - 21.48) < 5e-3);
+  BOOST_TEST(std::abs(cylinder(1.25, 4.0, 0.76).mass - 29.85) < 1e-2);
+  BOOST_TEST(std::abs(cylinder(1.25, 4.0, 0.76).inertia - 170.8) < 5e-2);
+}
