@@ -1,5 +1,7 @@
 #include "solver/dynamics/body_forces.hpp"
 
+#include <algorithm>
+
 namespace talus {
 namespace {
 
@@ -46,11 +48,25 @@ void BodyForces::place_fixed(Workspace& work) const {
     work.poses[body.body] = {body.p_WB, body.R_WB, {}, 0.0};
 }
 
+void BodyForces::list_awake(Waking& waking) const {
+  waking.bodies.clear();
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    if (waking.awake[free_[i].body]) waking.bodies.push_back(i);
+  }
+}
+
 void BodyForces::update(const State& state, Workspace& work) const {
-  for (const Compiled& body : free_) {
+  const auto place = [&](const Compiled& body) {
     const double* q = &state.q[body.first];
     const double* v = &state.v[body.first];
     work.poses[body.body] = {{q[0], q[1]}, rotation(q[2]), {v[0], v[1]}, v[2]};
+  };
+  if (work.waking.whole) {
+    for (const Compiled& body : free_)
+      place(body);
+  } else {
+    for (const std::size_t i : work.waking.bodies)
+      place(free_[i]);
   }
   for (const Compiled& body : particles_) {
     const double* q = &state.q[body.first];
@@ -66,13 +82,19 @@ void BodyForces::update(const State& state, Workspace& work) const {
 }
 
 void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
-  for (const Compiled& body : free_) {
+  const Waking& waking = work.waking;
+  if (waking.bodies.size() < free_.size()) std::fill(out.v.begin(), out.v.end(), 0.0);
+  for (const std::size_t i : waking.bodies) {
+    const Compiled& body = free_[i];
     const Wrench& wrench = work.wrenches[body.body];
     const Vec2 force = wrench.force + body.load;
     out.v[body.first] = body.inverse_mass * force.x;
     out.v[body.first + 1] = body.inverse_mass * force.y;
     out.v[body.first + 2] = body.inverse_inertia * (wrench.moment + body.moment);
-    if (ledger) book(out, body.copies, work.poses[body.body].p_WB, body.load, body.moment);
+  }
+  if (ledger) {
+    for (const Compiled& body : free_)
+      book(out, body.copies, work.poses[body.body].p_WB, body.load, body.moment);
   }
   for (const Compiled& body : particles_) {
     const Wrench& wrench = work.wrenches[body.body];

@@ -17,7 +17,9 @@ class BodyForces {
 
   /// Poses of the bodies that cannot move: once, when the workspace is made.
   void place_fixed(Workspace& work) const;
-  /// Poses of all others.
+  /// Lists the free bodies that are awake.
+  void list_awake(Waking& waking) const;
+  /// Poses of all others, or of those that are awake.
   void update(const State& state, Workspace& work) const;
   /// Accelerations from the wrenches in `work` (contacts and cables), the weights and the applied forces; with `ledger`
   /// also the impulse from outside: weights, applied forces and the reactions of whatever holds a body.

@@ -48,6 +48,8 @@ class CableForces {
   /// Tangent of each law instance, in order.
   const std::vector<Tangent>& tangents() const { return tangents_; }
 
+  /// Lists the joints and cables to work out: all, or those of which an end is on a body that is awake or held.
+  void list_awake(Waking& waking) const;
   void update(Workspace& work) const;
   void settle(State& state, const Workspace& work) const;
   /// Sums the tensions at the joints and adds them to the wrenches of the bodies; with out, dissipated power and the
@@ -55,6 +57,10 @@ class CableForces {
   void add(const State& state, Workspace& work, Rates* out) const;
   void guards(const State& state, const Workspace& work, std::span<double> out) const;
   double stored_energy(const State& state, const Workspace& work) const;
+  /// Lists the sleeping bodies on which a cable pulls otherwise than at rest, by more than `share` of its tension.
+  void list_woken(const State& state, const Workspace& work, double share, std::vector<BodyId>& woken) const;
+  /// Keeps the present pulls as those at rest.
+  void keep_rest(const State& state, const Workspace& work);
   /// Tension of each cable [F] >= 0.
   void tensions(const State& state, const Workspace& work, std::span<double> out) const;
   /// Elongation of one cable [L]; negative while slack.
@@ -74,6 +80,7 @@ class CableForces {
   std::vector<double> across_squared_;
   std::vector<double> rest_lengths_;
   std::vector<double> copies_;
+  std::vector<Vec2> rest_pulls_;  ///< tension times direction, of each cable at rest
   std::vector<Tangent> tangents_;
 };
 

@@ -193,6 +193,15 @@ void ContactForces::settle(State& state, const Workspace& work) const {
   });
 }
 
+void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken) const {
+  for (std::size_t c = 0; c < candidates_.size(); ++c) {
+    if (!work.near[c]) continue;
+    for (const BodyId body : {candidates_[c].a, candidates_[c].b}) {
+      if (!work.waking.awake[index(body)]) woken.push_back(body);
+    }
+  }
+}
+
 void ContactForces::add(const State& state, Workspace& work, Rates* out) const {
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup& group) {
     const Mode mode = state.mode[slot.mode];

@@ -63,6 +63,8 @@ class ContactForces {
   /// Gaps of all pairs.
   void update_all(Workspace& work) const;
   void settle(State& state, const Workspace& work) const;
+  /// Lists the sleeping bodies that have another within reach.
+  void list_woken(const Workspace& work, std::vector<BodyId>& woken) const;
   /// Adds the forces to the wrenches of both bodies; with out, the dissipated power as well.
   void add(const State& state, Workspace& work, Rates* out) const;
   /// Infinity for instances out of reach.

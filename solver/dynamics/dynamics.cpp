@@ -17,6 +17,12 @@ Dynamics::Dynamics(const Model& model)
     : model_{model}, layout_{model}, bodies_{model_, layout_}, contacts_{model_, layout_}, cables_{model_, layout_} {
   for (const Coordinate& coordinate : layout_.coordinates)
     inertias_.push_back(inertia(model_, coordinate));
+  if (layout_.sleepers.empty()) return;
+  Workspace work = workspace();
+  State rest = rest_state(model_);
+  update_all(rest, work);
+  cables_.settle(rest, work);
+  cables_.keep_rest(rest, work);
 }
 
 Workspace Dynamics::workspace() const {
@@ -29,24 +35,57 @@ Workspace Dynamics::workspace() const {
   work.near.resize(contacts_.candidates());
   work.paths.resize(cables_.size());
   bodies_.place_fixed(work);
+  list_awake(rest_state(model_), work.waking, true);
+  work.waking.modes.clear();  // stands for no state yet
   return work;
 }
 
+/// The sleeping bodies of the state, and what is to be worked out: of the evaluation after a change of modes the whole,
+/// so that what goes on sleeping has its poses, paths and pulls from then.
+void Dynamics::list_awake(const State& state, Waking& waking, bool whole) const {
+  const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
+  waking.modes.assign(modes, state.mode.end());
+  waking.awake.assign(model_.bodies.size(), 1);
+  for (std::size_t i = 0; i < layout_.sleepers.size(); ++i)
+    waking.awake[index(layout_.sleepers[i])] = static_cast<char>(waking.modes[i]);
+  waking.whole = whole;
+  bodies_.list_awake(waking);
+  cables_.list_awake(waking);
+}
+
 void Dynamics::update(const State& state, Workspace& work) const {
+  if (!layout_.sleepers.empty()) {
+    const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
+    const bool changed = !std::equal(work.waking.modes.begin(), work.waking.modes.end(), modes, state.mode.end());
+    if (changed || work.waking.whole) list_awake(state, work.waking, changed);
+  }
   bodies_.update(state, work);
   cables_.update(work);
   contacts_.update(state, work);
 }
 
 void Dynamics::update_all(const State& state, Workspace& work) const {
+  list_awake(state, work.waking, true);
   bodies_.update(state, work);
   cables_.update(work);
   contacts_.update_all(work);
 }
 
-void Dynamics::settle(State& state, const Workspace& work) const {
+void Dynamics::settle(State& state, Workspace& work) const {
   contacts_.settle(state, work);
   cables_.settle(state, work);
+  if (layout_.sleepers.empty()) return;
+  std::vector<BodyId> woken;
+  contacts_.list_woken(work, woken);
+  cables_.list_woken(state, work, model_.sleep == Sleep::exact ? 0.0 : 1e-13, woken);
+  if (woken.empty()) return;
+  for (const BodyId body : woken) {
+    const auto place = std::lower_bound(layout_.sleepers.begin(), layout_.sleepers.end(), body);
+    state.mode[layout_.first_sleeper + static_cast<std::size_t>(place - layout_.sleepers.begin())] = Mode{1};
+  }
+  // A woken body's own cables may wake its neighbours.
+  update(state, work);
+  settle(state, work);
 }
 
 void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledger) const {

@@ -43,8 +43,9 @@ class Dynamics {
   void update(const State& state, Workspace& work) const;
   /// The same with all gaps, however far apart the bodies.
   void update_all(const State& state, Workspace& work) const;
-  /// Brings each law's mode up to date and books the energy released by those changes.
-  void settle(State& state, const Workspace& work) const;
+  /// Brings each law's mode up to date, books the energy released by those changes, and wakes bodies on which something
+  /// acts otherwise than at rest.
+  void settle(State& state, Workspace& work) const;
   /// Rates of change in the state's modes; with `ledger` off the powers and impulses are left at zero.
   void rates(const State& state, Workspace& work, Rates& out, bool ledger = true) const;
   /// Guards of all law instances in the state's modes, by mode slot; positive while the mode lasts.
@@ -60,6 +61,8 @@ class Dynamics {
   [[nodiscard]] double elongation(const Workspace& work, CableId cable) const;
 
  private:
+  void list_awake(const State& state, Waking& waking, bool whole) const;
+
   Model model_;
   Layout layout_;
   BodyForces bodies_;

@@ -6,6 +6,7 @@
 #include "solver/geometry/gap.hpp"
 #include "solver/geometry/path.hpp"
 #include "solver/geometry/pose.hpp"
+#include "solver/state/mode.hpp"
 
 namespace talus {
 
@@ -23,6 +24,16 @@ struct JointPoint {
   Vec2 force;  ///< sum of the pulls of all cables that end here [F]
 };
 
+/// What of a scene an evaluation works out: all but sleeping bodies and the cables between them.
+struct Waking {
+  std::vector<Mode> modes;  ///< sleep modes of the state that the lists stand for
+  bool whole{true};         ///< this evaluation works out all paths and poses, because the modes have just changed
+  std::vector<char> awake;  ///< one for each body
+  std::vector<std::size_t> bodies;               ///< places of the awake free bodies in their array
+  std::vector<std::size_t> joints;               ///< joints to work out
+  std::vector<std::vector<std::size_t>> cables;  ///< for each law, places of the cables to work out in its array
+};
+
 /// Scratch of one force evaluation, kept by the caller so that a step allocates nothing and Dynamics stays pure.
 struct Workspace {
   std::vector<Pose> poses;         ///< one for each body
@@ -31,7 +42,8 @@ struct Workspace {
   std::vector<Path> paths;         ///< one for each cable
   std::vector<Gap> gaps;           ///< one for each law instance of the contacts that is near
   std::vector<double> rates;       ///< their depth rates [L/T]
-  std::vector<char> near;          ///< one for each pair of the contact search: whether its gaps were worked out
+  Waking waking;
+  std::vector<char> near;  ///< one for each pair of the contact search: whether its gaps were worked out
 };
 
 }  // namespace talus

@@ -14,7 +14,7 @@ inline constexpr std::array<std::string_view, 3> held_axes{"x", "y", "rotation"}
 /// struct apart by all its members lets none be forgotten.)
 template <class Options, class Visit>
 void for_each_choice(Options&& options, Visit&& visit) {
-  auto& [symmetry, even_centre, contact, calibration, end_rule, start, bottom_end, integrator] = options;
+  auto& [symmetry, even_centre, contact, calibration, end_rule, start, bottom_end, sleep, integrator] = options;
   visit("symmetry", symmetry);
   visit("even_centre", even_centre);
   visit("contact", contact);
@@ -22,6 +22,7 @@ void for_each_choice(Options&& options, Visit&& visit) {
   visit("end_rule", end_rule);
   visit("start", start);
   visit("bottom_end", bottom_end);
+  visit("sleep", sleep);
   static_cast<void>(integrator);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <variant>
 
 #include "solver/base/error.hpp"
@@ -57,6 +58,11 @@ Layout::Layout(const Model& model) {
     mode_count += 1;
     memory_count += memory_size(cable.law);
   }
+  first_sleeper = mode_count;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    if (model.sleep != Sleep::off && model.bodies[i].sleeps) sleepers.push_back(static_cast<BodyId>(i));
+  }
+  mode_count += sleepers.size();
 }
 
 State rest_state(const Model& model) {
@@ -91,6 +97,11 @@ void set_velocity(const Model& model, State& state, BodyId body, Vec2 v_WB, doub
     state.v[first + 1] = v_WB.y;
   }
   if (turns) state.v[first + (translates ? 2 : 0)] = w_WB;
+  const Layout layout{model};
+  const auto sleeper = std::find(layout.sleepers.begin(), layout.sleepers.end(), body);
+  if (sleeper != layout.sleepers.end()) {
+    state.mode[layout.first_sleeper + static_cast<std::size_t>(sleeper - layout.sleepers.begin())] = Mode{1};
+  }
 }
 
 double angle(const Model& model, const State& state, BodyId body) {

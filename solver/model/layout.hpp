@@ -26,7 +26,7 @@ struct Slot {
 };
 
 /// Where everything of a Model stands in a State: coordinates body by body, then one slot for each law instance (the
-/// instances of contacts in order, then the cables).
+/// instances of contacts in order, then the cables), and for each body that may sleep.
 struct Layout {
   explicit Layout(const Model& model);
 
@@ -35,6 +35,8 @@ struct Layout {
   std::vector<Slot> contact_slots;             ///< first slot of each contact; an instance follows the other
   std::vector<std::size_t> contact_instances;  ///< number of law instances of each contact
   std::vector<Slot> cable_slots;               ///< slot of each cable
+  std::vector<BodyId> sleepers;                ///< bodies that may sleep in this model, in order
+  std::size_t first_sleeper{};                 ///< their mode slots: 0 asleep, 1 awake
   std::size_t mode_count{};
   std::size_t memory_count{};
 };
@@ -42,7 +44,7 @@ struct Layout {
 /// The state in which all bodies rest at their reference positions, all laws in mode 0 and all memory zero.
 [[nodiscard]] State rest_state(const Model& model);
 
-/// Sets the velocity of a body's centre of mass [L/T] and its angular velocity [rad/T].
+/// Sets the velocity of a body's centre of mass [L/T] and its angular velocity [rad/T]; wakes it if it sleeps.
 /// Errors: InputError if the body cannot move that way (a pinned body takes the angular velocity only, a particle
 /// none).
 void set_velocity(const Model& model, State& state, BodyId body, Vec2 v_WB, double w_WB);

@@ -11,12 +11,24 @@
 
 namespace talus {
 
+/// When bodies that may sleep are woken.
+enum class Sleep {
+  off,    ///< they never sleep
+  exact,  ///< by the first change of a pull on them that is not zero: the same bits as `off`
+  on,     ///< by a change of more than 1e-13 of the pull
+};
+template <>
+struct Names<Sleep> {
+  static constexpr std::array<std::string_view, 3> list{"off", "exact", "on"};
+};
+
 /// What exists in a scene. Made by ModelBuilder, which checks it; never changed afterwards.
 struct Model {
   std::vector<Body> bodies;
   std::vector<Cable> cables;
   std::vector<Contact> contacts;
-  Vec2 gravity;          ///< acceleration of free fall, world [L/T^2]
+  Vec2 gravity;  ///< acceleration of free fall, world [L/T^2]
+  Sleep sleep{Sleep::off};
   UnitSystem units{si};  ///< a tag for labels; the solver does not use it
 };
 

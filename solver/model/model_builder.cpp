@@ -69,6 +69,9 @@ BodyId ModelBuilder::add(Body body) {
     throw InputError{fmt::format("body '{}': a fixed body takes no force", body.name)};
   if (!turns && body.moment != 0.0)
     throw InputError{fmt::format("body '{}': it cannot turn and takes no moment", body.name)};
+  if (body.sleeps && body.mobility != Mobility::free) {
+    throw InputError{fmt::format("body '{}': only a free body can sleep", body.name)};
+  }
   if (moves && std::holds_alternative<HalfPlane>(body.shape)) {
     throw InputError{fmt::format("body '{}': a half_plane cannot move; its mobility must be fixed", body.name)};
   }

@@ -12,6 +12,9 @@ class ModelBuilder {
   /// Acceleration of free fall, world [L/T^2].
   void gravity(Vec2 acceleration) { model_.gravity = acceleration; }
 
+  /// Whether bodies that may sleep do.
+  void sleep(Sleep choice) { model_.sleep = choice; }
+
   /// Adds a body. Errors: an empty or used name, a mass or inertia that is not > 0 where the mobility needs one, a
   /// shape with a size that is not > 0, a half-plane that can move, a number that is not finite.
   BodyId add(Body body);

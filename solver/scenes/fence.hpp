@@ -9,6 +9,7 @@
 #include "solver/base/units.hpp"
 #include "solver/base/vec.hpp"
 #include "solver/laws/unilateral_spring.hpp"
+#include "solver/model/model.hpp"
 
 namespace talus::scenes {
 
@@ -110,6 +111,7 @@ struct FenceOptions {
   EndRule end_rule{EndRule::attractive};
   FenceStart start{FenceStart::half_kick};
   BottomEnd bottom_end{BottomEnd::free};
+  Sleep sleep{Sleep::exact};  ///< of columns that nothing has moved; `on` forgoes the smallest digits of the listing
   std::string integrator{"lagged_central_difference"};
 
   friend bool operator==(const FenceOptions&, const FenceOptions&) = default;

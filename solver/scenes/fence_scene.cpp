@@ -69,6 +69,7 @@ class FenceMaker {
  public:
   explicit FenceMaker(const Fence& fence) : fence_{fence}, builder_{fence.units} {
     builder_.gravity({0.0, fence.gravity_sign * fence.gravity});
+    builder_.sleep(fence.options.sleep);
     for (const FenceElement& rock : fence.rocks)
       speed_ = std::max(speed_, norm(rock.velocity));
     if (speed_ == 0.0) throw InputError{"fence: no rock moves; the contact stiffnesses follow from a rock's speed"};
@@ -86,6 +87,10 @@ class FenceMaker {
     for (std::size_t i = 0; i < fence_.rocks.size(); ++i) {
       const FenceElement& rock = fence_.rocks[i];
       set_velocity(made_.scene.model, made_.scene.initial, rocks_[i], rock.velocity, rock.spin);
+    }
+    if (!(fence_.column.velocity == Vec2{}) || fence_.column.spin != 0.0) {
+      for (const BodyId column : columns_)
+        set_velocity(made_.scene.model, made_.scene.initial, column, fence_.column.velocity, fence_.column.spin);
     }
     plan();
     if (fence_.options.start == FenceStart::half_kick) kick_half_a_step();
@@ -169,6 +174,7 @@ void FenceMaker::add_layer(int layer) {
   const std::string prefix = layer == 1 ? "" : "back_";
   const double x = e.position.x - (layer - 1) * fence_.layer_spacing;
   Body pattern = body(e, "", fence_.options.contact);
+  pattern.sleeps = pattern.mobility == Mobility::free;
   const double weight = pattern.mass * fence_.gravity;
   const StaticShape shape = static_shape(fence_, weight);
   if (layer == 1) made_.horizontal_tension = shape.horizontal_tension;

@@ -24,7 +24,7 @@ struct Named {
 };
 
 /// Table 2's fence with another number of columns: the same spacing, end segments and share of sag.
-Scene fence(int columns, int layers) {
+Scene fence(int columns, int layers, Sleep sleep = Sleep::off) {
   scenes::Fence deck = read_deck(TALUS_CASES "/fence/table_2.DAT");
   const double widening = (columns - deck.columns) * deck.spacing;
   deck.sag *= (deck.span + widening) / deck.span;
@@ -33,6 +33,7 @@ Scene fence(int columns, int layers) {
   deck.layers = layers;
   deck.layer_spacing = 2.6;
   deck.layer_overlap = 0.5;
+  deck.options.sleep = sleep;
   return scenes::fence_scene(deck).scene;
 }
 
@@ -43,8 +44,13 @@ void print_fence_costs() {
   for (const int layers : {1, 2})
     fences.push_back({fmt::format("13 columns, {} layer{}", layers, layers == 1 ? "" : "s"), fence(13, layers), false});
   fences.push_back({"13 columns, 1 layer, ledger", fence(13, 1), true});
-  for (const int columns : {101, 1001})
-    fences.push_back({fmt::format("{} columns, 1 layer", columns), fence(columns, 1), false});
+  for (const Sleep sleep : {Sleep::off, Sleep::exact, Sleep::on}) {
+    for (const int columns : {13, 101, 1001}) {
+      fences.push_back(
+          {fmt::format("{} columns, sleep {}", columns, Names<Sleep>::list[static_cast<std::size_t>(sleep)]),
+           fence(columns, 1, sleep), false});
+    }
+  }
   std::vector<std::unique_ptr<Dynamics>> dynamics;
   std::vector<Task> tasks;
   for (const Named& named : fences) {

@@ -119,6 +119,25 @@ BOOST_AUTO_TEST_CASE(half_and_full_model_agree_to_the_last_bit_for_an_odd_count)
   }
 }
 
+BOOST_AUTO_TEST_CASE(sleep_costs_nothing_but_digits_that_nobody_reads) {
+  Fence fence = sample2(1, 41);
+  fence.span = 125.0, fence.sag = 12.5;
+  const auto end_of = [&](Sleep sleep) {
+    fence.options.sleep = sleep;
+    return run(fence_scene(fence), 0.05).state;
+  };
+  const State off = end_of(Sleep::off), exact = end_of(Sleep::exact), on = end_of(Sleep::on);
+  BOOST_TEST(exact.q == off.q);
+  BOOST_TEST(exact.v == off.v);
+  BOOST_TEST(exact.work == off.work);
+  for (std::size_t i = 0; i < off.q.size(); ++i)
+    BOOST_TEST(std::abs(on.q[i] - off.q[i]) < 1e-10);
+  BOOST_TEST(on.v[0] == off.v[0], boost::test_tools::tolerance(1e-10));
+  // The last column has not been reached.
+  BOOST_TEST(off.q[off.q.size() - 3] != fence_scene(fence).scene.initial.q[off.q.size() - 3]);
+  BOOST_TEST(on.q[off.q.size() - 3] == fence_scene(fence).scene.initial.q[off.q.size() - 3]);
+}
+
 BOOST_AUTO_TEST_CASE(half_model_of_an_even_count_agrees_with_the_full_one) {
   // The segment between the central columns stays straight: its pull has no part in the plane.
   Fence fence = sample2(1, 12);
