@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -6,8 +7,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "solver/app/command.hpp"
+#include "solver/app/fence_files.hpp"
 #include "solver/app/run_summary.hpp"
 #include "solver/base/error.hpp"
 #include "solver/calibrate/step_advice.hpp"
@@ -34,14 +37,15 @@ struct RunOptions {
 };
 
 /// The scene with what the command line changes of it.
-Scene changed_scene(const RunOptions& options) {
-  Scene scene = read_scene(fs::path{options.scene});
+SceneFile changed_scene(const RunOptions& options) {
+  SceneFile file = read_scene_file(fs::path{options.scene});
+  Scene& scene = file.scene;
   const UnitSystem& units = scene.model.units;
   if (!options.end.empty()) scene.plan.end = option_quantity("--end", options.end, dimension::time, units);
   if (!options.step.empty()) scene.plan.step = option_quantity("--step", options.step, dimension::time, units);
   if (!options.integrator.empty()) scene.integrator = make_integrator(options.integrator, options.tolerance);
   check_step_count(scene.plan);
-  return scene;
+  return file;
 }
 
 /// Shows on a terminal how far a run has come, once it takes longer than a second.
@@ -92,8 +96,7 @@ StepRatio step_ratio(const Scene& scene) {
           beyond};
 }
 
-RunRecord run_scene(const Scene& scene) {
-  const Dynamics dynamics{scene.model};
+RunRecord run_scene(const Scene& scene, const Dynamics& dynamics, FenceFiles* fence_files) {
   RigidBodySystem system{dynamics, scene.plan.ledger};
   Integrator integrator = scene.integrator;
   State state = scene.initial;
@@ -104,6 +107,7 @@ RunRecord run_scene(const Scene& scene) {
   State last = state;
   const Observer observers[] = {[&](const State& seen, const StepInfo& info) {
     recorder(seen, info);
+    if (fence_files) (*fence_files)(seen, info);
     progress(seen.t, info.step);
     last = seen;
     record.steps = info.step;
@@ -123,14 +127,11 @@ RunRecord run_scene(const Scene& scene) {
   return record;
 }
 
-void write_files(const RunRecord& record, const fs::path& folder) {
-  make_folder(folder);
-  // An earlier run's summary would vouch for a mixture if this one cannot finish.
-  std::error_code none;
-  fs::remove(folder / "summary.json", none);
+void write_files(const RunRecord& record, const FenceFiles* fence_files, const fs::path& folder) {
   write_whole(folder / "history.csv", csv(record.history, record.units));
   write_whole(folder / "final_state.json", final_state_json(record));
   write_whole(folder / "plot.json", plot_json(record, "history.csv"));
+  if (fence_files) fence_files->write();
   write_whole(folder / "summary.json", summary_json(record));  // last: its presence says that all is there
 }
 
@@ -141,20 +142,44 @@ void print_failure(std::string_view words) {
   fmt::print(stderr, "{}talus: {}{}\n", red ? "\033[31m" : "", words, red ? "\033[0m" : "");
 }
 
+/// Makes the folder before the run: a wrong one must not cost a run.
+void prepare(const fs::path& folder) {
+  make_folder(folder);
+  // An earlier run's summary would vouch for a mixture if this one cannot finish.
+  std::error_code none;
+  fs::remove(folder / "summary.json", none);
+}
+
+/// The files that only fences leave; none without a folder. What is wrong names the scene's file.
+std::optional<FenceFiles> fence_files(const SceneFile& file, const Dynamics& dynamics, const RunOptions& options) {
+  if (!file.fence || options.folder.empty()) return {};
+  try {
+    return std::optional<FenceFiles>{std::in_place, *file.fence,    file.scene.plan,
+                                     dynamics,      options.folder, fs::path{options.scene}.stem().string()};
+  } catch (const InputError& error) {
+    throw InputError{options.scene + ": " + error.what()};
+  }
+}
+
 int run(const RunOptions& options) {
   if (options.tolerance != 0.0 && options.integrator.empty()) {
     throw InputError{"--tolerance: it goes with --integrator; name both"};
   }
-  const Scene scene = changed_scene(options);
-  if (!options.folder.empty()) make_folder(options.folder);  // before the run: a wrong folder must not cost a run
-  const StepRatio ratio = step_ratio(scene);
+  const SceneFile file = changed_scene(options);
+  if (!options.folder.empty()) prepare(options.folder);
+  const Dynamics dynamics{file.scene.model};
+  std::optional<FenceFiles> of_fence = fence_files(file, dynamics, options);
+  FenceFiles* const also = of_fence ? &*of_fence : nullptr;
+  const StepRatio ratio = step_ratio(file.scene);
   if (ratio.beyond) print_failure(fmt::format("warning: {}; the answer may grow without bound", ratio.words));
-  RunRecord record = run_scene(scene);
+  RunRecord record = run_scene(file.scene, dynamics, also);
   if (!record.outcome && !ratio.words.empty()) record.outcome.words += fmt::format("; {}", ratio.words);
-  if (!options.folder.empty()) write_files(record, options.folder);
+  if (also) record.notes = also->left_out();
+  if (!options.folder.empty()) write_files(record, also, options.folder);
   fmt::print("{}", options.json ? summary_json(record) : run_summary(record));
   if (!options.folder.empty() && !options.json) {
-    fmt::print("files: {}: history.csv, final_state.json, summary.json, plot.json\n", options.folder);
+    fmt::print("files: {}: history.csv, final_state.json, summary.json, plot.json{}{}\n", options.folder,
+               also ? ", " : "", also ? fmt::format("{}", fmt::join(also->names(), ", ")) : "");
   }
   if (record.outcome) return ok;
   print_failure(record.outcome.words);
@@ -169,7 +194,8 @@ Command add_run(CLI::App& talus) {
   app->add_option("SCENE", options->scene, "scene file (.toml) or deck of 1993 (.DAT)")->required();
   app->add_option(
       "--out", options->folder,
-      "folder for history.csv, final_state.json, summary.json and plot.json; without it nothing is written");
+      "folder for history.csv, final_state.json, summary.json and plot.json, and for a fence its listing NAME.OUT, the "
+      "deck's histories NAME.history.csv and .json and the geometry NAME.pvd; without it nothing is written");
   app->add_flag("--json", options->json, "print the summary as JSON");
   app->add_option("--end", options->end, "time at which the run ends instead of the scene's, e.g. \"5 s\"");
   app->add_option("--step", options->step, "step instead of the scene's, e.g. \"10 us\"");
@@ -178,6 +204,7 @@ Command add_run(CLI::App& talus) {
   app->footer(
       "Examples:\n"
       "  talus run cases/two_cable.toml --out out\n"
+      "  talus run cases/fence/sample2.DAT --out out\n"
       "  talus run cases/two_cable.toml --end \"2 s\" --integrator odeint_dopri5 --tolerance 1e-9 --json\n"
       "A run that diverges keeps its history up to there; its summary says why, and the exit code is 3.");
   return {app, [options] { return run(*options); }};

@@ -93,6 +93,8 @@ std::string run_summary(const RunRecord& record) {
   final_state(page, record);
   extremes(page, record);
   ledger(page, record);
+  for (const std::string& note : record.notes)
+    page.line("note: {}", note);
   return page.text();
 }
 

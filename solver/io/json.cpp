@@ -104,7 +104,8 @@ std::string summary_json(const RunRecord& record) {
                   {"history_rows_cut", record.rows_cut},
                   {"ledger", ledger(record)},
                   {"extremes", extremes(record)},
-                  {"bodies", bodies(record)}};
+                  {"bodies", bodies(record)},
+                  {"notes", record.notes}};
   return json.dump(2) + "\n";
 }
 

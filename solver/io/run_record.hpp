@@ -42,8 +42,9 @@ struct RunRecord {
   double largest_energy_closure{};
   double energy_scale{};
   std::vector<ExtremeRecord> extremes;
-  History history;         ///< rows up to the first that holds a number that is not finite
-  std::size_t rows_cut{};  ///< rows left out after that
+  History history;                 ///< rows up to the first that holds a number that is not finite
+  std::size_t rows_cut{};          ///< rows left out after that
+  std::vector<std::string> notes;  ///< what was asked for and is not in the files, in words
 };
 
 /// The final positions and velocities of a scene's bodies.

@@ -5,18 +5,20 @@
 #include "solver/io/fence_file.hpp"
 #include "solver/io/toml_document.hpp"
 #include "solver/io/toml_scene.hpp"
-#include "solver/scenes/fence_scene.hpp"
 
 namespace talus {
 
-Scene read_scene(const std::filesystem::path& file) {
-  if (!is_deck(file)) return read_scene(read_text(file), file.string());
+SceneFile read_scene_file(const std::filesystem::path& file) {
+  if (!is_deck(file)) return read_scene_file(read_text(file), file.string());
   const scenes::Fence fence = read_deck(file);
   try {
-    return scenes::fence_scene(fence).scene;
+    const scenes::FenceScene made = scenes::fence_scene(fence);
+    return {made.scene, FenceInput{fence, made}};
   } catch (const InputError& error) {
     throw InputError{file.string() + ": " + error.what()};
   }
 }
+
+Scene read_scene(const std::filesystem::path& file) { return read_scene_file(file).scene; }
 
 }  // namespace talus

@@ -99,13 +99,14 @@ State start_state(const Parts& parts, const Model& model) {
 
 }  // namespace
 
-Scene read_scene(std::string_view text, std::string_view name) {
+SceneFile read_scene_file(std::string_view text, std::string_view name) {
   const TomlValue document = parse_toml(text, name);
   SceneSource source{std::string{name}, si};
   SceneTable file{source, document, ""};
   if (file.has("fence")) {
     const scenes::Fence fence = read_fence(file, source);
-    return file.table("fence").placed([&] { return scenes::fence_scene(fence).scene; });
+    const scenes::FenceScene made = file.table("fence").placed([&] { return scenes::fence_scene(fence); });
+    return {made.scene, FenceInput{fence, made}};
   }
   file.allow({"title", "units", "gravity", "body", "contact", "cable", "run"});
   source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
@@ -115,8 +116,10 @@ Scene read_scene(std::string_view text, std::string_view name) {
   scene.model = built(parts, file);
   scene.initial = start_state(parts, scene.model);
   read_run(file.table("run"), scene);
-  return scene;
+  return {std::move(scene)};
 }
+
+Scene read_scene(std::string_view text, std::string_view name) { return read_scene_file(text, name).scene; }
 
 void check_step_count(const RunPlan& plan) {
   if (!std::isfinite(plan.step) || !std::isfinite(plan.end)) throw InputError{"run: step and end must be finite"};

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "solver/scenes/scene.hpp"
+#include "solver/io/scene_file.hpp"
 
 namespace talus {
 
@@ -10,6 +10,9 @@ namespace talus {
 /// texts with units ("65 ft/s"), pure numbers are bare; `name` is the file named in errors.
 /// Errors: InputError for everything in it that is wrong, of the form
 /// `file.toml:17: body 'rock': mass: found "-3 kg"; it must be > 0`.
+[[nodiscard]] SceneFile read_scene_file(std::string_view text, std::string_view name);
+
+/// The scene alone.
 [[nodiscard]] Scene read_scene(std::string_view text, std::string_view name);
 
 /// Refuses a plan of more steps than can be run. Errors: InputError with the number of steps.

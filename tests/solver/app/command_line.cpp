@@ -154,6 +154,42 @@ BOOST_AUTO_TEST_CASE(decks_and_their_scenes_run_alike) {
     BOOST_TEST(talus::read_text(by_deck + file) == talus::read_text(by_scene + file));
 }
 
+BOOST_AUTO_TEST_CASE(a_fence_leaves_its_listing_histories_and_geometry) {
+  const Folder folder;
+  const std::string by_deck = (folder.path / "deck").string();
+  const std::string by_scene = (folder.path / "scene").string();
+  const Ended ended = talus_ran({"run", scene("fence/sample2.DAT"), "--end", "10 ms", "--out", by_deck});
+  BOOST_TEST(ended.code == 0);
+  const std::string left_out = "element 2: codes 51, 52, 48 left out: no cable begins at it\n";
+  BOOST_TEST(holds(ended.out, "\nnote: " + left_out));
+  BOOST_TEST(holds(ended.out, "plot.json, sample2.OUT, sample2.history.csv, sample2.history.json, sample2.pvd\n"));
+  BOOST_TEST(talus::read_text(by_deck + "/sample2.history.csv").rfind("# " + left_out + "time [s],element2.vx", 0) ==
+             0U);
+  const auto summary = nlohmann::json::parse(talus::read_text(by_deck + "/summary.json"));
+  BOOST_TEST(summary.at("notes").size() == 1U);
+  BOOST_TEST(holds(talus::read_text(by_deck + "/sample2.OUT"), "\ntime = .993E-02 secs\n"));
+  BOOST_TEST(fs::exists(by_deck + "/sample2_geometry/sample2_00000120.vtp"));
+  BOOST_TEST(talus_ran({"run", scene("fence/sample2.toml"), "--end", "10 ms", "--out", by_scene}).code == 0);
+  for (const char* file : {"/sample2.OUT", "/sample2.history.csv", "/sample2.history.json", "/sample2.pvd",
+                           "/sample2_geometry/sample2_00000120.vtp"})
+    BOOST_TEST(talus::read_text(by_deck + file) == talus::read_text(by_scene + file));
+}
+
+BOOST_AUTO_TEST_CASE(history_codes_that_are_none_stop_a_run_at_its_start) {
+  const Folder folder;
+  std::string text = talus::read_text(scene("fence/sample2.DAT"));
+  text.replace(text.find("51 52 48"), 8, "51 28 48");
+  const std::string deck = (folder.path / "old.DAT").string();
+  std::ofstream{deck} << text;
+  const Ended ended = talus_ran({"run", deck, "--out", (folder.path / "run").string()});
+  BOOST_TEST(ended.code == 2);
+  BOOST_TEST(ended.err.rfind("talus: " + deck +
+                                 ": history_codes (variab): found 28 (OLD ELEMENT VELOCITY AT CENTROID "
+                                 "ROT.): ",
+                             0) == 0U);
+  BOOST_TEST(!fs::exists(folder.path / "run" / "history.csv"));
+}
+
 BOOST_AUTO_TEST_CASE(fences_that_cannot_be_built) {
   const Folder folder;
   for (const char* name : {"fence/sample2.DAT", "fence/sample2.toml"}) {

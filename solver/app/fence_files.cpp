@@ -1,0 +1,32 @@
+#include "solver/app/fence_files.hpp"
+
+#include "solver/io/atomic_file.hpp"
+
+namespace talus::app {
+
+FenceFiles::FenceFiles(const FenceInput& input, const RunPlan& plan, const Dynamics& dynamics,
+                       const std::filesystem::path& folder, const std::string& name)
+    : folder_{folder},
+      name_{name},
+      history_{input.fence, input.made, dynamics},
+      listing_{input.fence, input.made, plan},
+      geometry_{dynamics, folder, name, input.fence.print_every} {}
+
+void FenceFiles::operator()(const State& state, const StepInfo& info) {
+  history_(state, info);
+  listing_(state, info);
+  geometry_(state, info);
+}
+
+void FenceFiles::write() const {
+  write_whole(folder_ / (name_ + ".OUT"), listing_.text());
+  write_whole(folder_ / (name_ + ".history.csv"), history_.csv_text());
+  write_whole(folder_ / (name_ + ".history.json"), history_.json_text());
+  geometry_.write_index();
+}
+
+std::vector<std::string> FenceFiles::names() const {
+  return {name_ + ".OUT", name_ + ".history.csv", name_ + ".history.json", name_ + ".pvd"};
+}
+
+}  // namespace talus::app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "solver/io/fence_history.hpp"
+#include "solver/io/out_listing.hpp"
+#include "solver/io/scene_file.hpp"
+#include "solver/io/vtp_series.hpp"
+
+namespace talus::app {
+
+/// The files that a fence's run leaves beside those of every run: the listing NAME.OUT, the deck's histories
+/// NAME.history.csv and NAME.history.json, and the geometry NAME.pvd with NAME_geometry/.
+class FenceFiles {
+ public:
+  /// Arguments must outlive it. Errors: InputError for history codes that are none; IoError.
+  FenceFiles(const FenceInput& input, const RunPlan& plan, const Dynamics& dynamics,
+             const std::filesystem::path& folder, const std::string& name);
+
+  void operator()(const State& state, const StepInfo& info);
+  /// Writes what is not yet written. Errors: IoError.
+  void write() const;
+
+  /// Names of the files, for the summary.
+  std::vector<std::string> names() const;
+  /// Histories that were asked for and do not exist, in words.
+  const std::vector<std::string>& left_out() const { return history_.left_out(); }
+
+ private:
+  std::filesystem::path folder_;
+  std::string name_;
+  FenceHistory history_;
+  OutListing listing_;
+  VtpSeries geometry_;
+};
+
+}  // namespace talus::app

@@ -1,0 +1,156 @@
+#include "solver/io/vtp_series.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <utility>
+
+#include "solver/io/atomic_file.hpp"
+
+namespace talus {
+namespace {
+
+/// Parts of a round outline.
+constexpr int parts = 96;
+
+/// Outline in the body's axes: the first point again at the end, but for a half-plane's.
+std::vector<Vec2> outline(const Shape& shape, double reach) {
+  std::vector<Vec2> points;
+  if (std::holds_alternative<NoShape>(shape)) return points;
+  if (std::holds_alternative<HalfPlane>(shape)) return {{-reach, 0.0}, {reach, 0.0}};
+  if (const auto* r = std::get_if<Rectangle>(&shape)) {
+    points = {{r->half_width, r->half_height},
+              {-r->half_width, r->half_height},
+              {-r->half_width, -r->half_height},
+              {r->half_width, -r->half_height}};
+  } else {
+    const auto* circle = std::get_if<Circle>(&shape);
+    const Superquadric round =
+        circle ? Superquadric{circle->radius, circle->radius, 2.0} : std::get<Superquadric>(shape);
+    for (int i = 0; i < parts; ++i)
+      points.push_back(boundary_point(round, 2.0 * std::numbers::pi * i / parts));
+  }
+  points.push_back(points.front());
+  return points;
+}
+
+/// Text as it may stand in an attribute of XML.
+std::string escaped(std::string_view text) {
+  std::string made;
+  for (const char c : text) {
+    if (c == '&' || c == '<' || c == '"') {
+      made += c == '&' ? "&amp;" : c == '<' ? "&lt;" : "&quot;";
+    } else {
+      made += c;
+    }
+  }
+  return made;
+}
+
+/// Poly lines with their data, as they go into a file.
+class PolyLines {
+ public:
+  void add(Vec2 p, double z, long body) {
+    fmt::format_to(std::back_inserter(points_), "{} {} {}\n", p.x, p.y, z);
+    fmt::format_to(std::back_inserter(connectivity_), "{} ", count_);
+    fmt::format_to(std::back_inserter(point_bodies_), "{} ", body);
+    finite_ = finite_ && std::isfinite(p.x) && std::isfinite(p.y);
+    ++count_;
+  }
+  /// Ends a line of the points added since the last.
+  void end(long body, long cable, double tension, bool slack) {
+    fmt::format_to(std::back_inserter(offsets_), "{} ", count_);
+    fmt::format_to(std::back_inserter(bodies_), "{} ", body);
+    fmt::format_to(std::back_inserter(cables_), "{} ", cable);
+    fmt::format_to(std::back_inserter(tensions_), "{} ", tension);
+    fmt::format_to(std::back_inserter(slacks_), "{} ", slack ? 1 : 0);
+    finite_ = finite_ && std::isfinite(tension);
+    ++lines_;
+  }
+  bool finite() const { return finite_; }
+
+  std::string xml() const {
+    const auto array = [](std::string_view type, std::string_view name, int components, const std::string& values) {
+      return fmt::format(
+          "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n{}\n</DataArray>\n", type,
+          name, components, values);
+    };
+    return fmt::format(
+               "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+               "<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" "
+               "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
+               count_, lines_) +
+           "<PointData>\n" + array("Int32", "body", 1, point_bodies_) + "</PointData>\n<CellData>\n" +
+           array("Int32", "body", 1, bodies_) + array("Int32", "cable", 1, cables_) +
+           array("Float64", "tension", 1, tensions_) + array("UInt8", "slack", 1, slacks_) + "</CellData>\n<Points>\n" +
+           array("Float64", "Points", 3, points_) + "</Points>\n<Lines>\n" +
+           array("Int64", "connectivity", 1, connectivity_) + array("Int64", "offsets", 1, offsets_) +
+           "</Lines>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+  }
+
+ private:
+  std::string points_, connectivity_, point_bodies_, offsets_, bodies_, cables_, tensions_, slacks_;
+  long count_{0}, lines_{0};
+  bool finite_{true};
+};
+
+}  // namespace
+
+VtpSeries::VtpSeries(const Dynamics& dynamics, std::filesystem::path folder, std::string name, long every)
+    : dynamics_{&dynamics},
+      folder_{std::move(folder)},
+      name_{std::move(name)},
+      every_{every},
+      work_{dynamics.workspace()},
+      along_(dynamics.model().bodies.size(), 0.0) {
+  std::error_code none;
+  std::filesystem::remove(folder_ / (name_ + ".pvd"), none);
+  make_folder(folder_ / (name_ + "_geometry"));
+  const Model& model = dynamics.model();
+  for (const Joint& joint : dynamics.cables().joints()) {
+    if (joint.on_body) along_[index(joint.body)] = joint.along;
+  }
+  double reach = 0.0;
+  for (const Body& body : model.bodies)
+    reach = std::max({reach, std::abs(body.p_WB.x), std::abs(body.p_WB.y)});
+  for (const Body& body : model.bodies)
+    outlines_.push_back(outline(body.shape, 2.0 * reach));
+}
+
+void VtpSeries::operator()(const State& state, const StepInfo& info) {
+  if (info.step % every_ != 0) return;
+  dynamics_->update(state, work_);
+  dynamics_->forces(state, work_, forces_);
+  PolyLines lines;
+  for (std::size_t i = 0; i < outlines_.size(); ++i) {
+    const auto body = static_cast<long>(i);
+    for (const Vec2 p : outlines_[i])
+      lines.add(world_point(work_.poses[i], p), along_[i], body);
+    if (!outlines_[i].empty()) lines.end(body, -1, 0.0, false);
+  }
+  const CableForces& cables = dynamics_->cables();
+  for (std::size_t c = 0; c < cables.size(); ++c) {
+    for (const std::size_t j : {cables.ends()[c].a, cables.ends()[c].b}) {
+      const Joint& joint = cables.joints()[j];
+      lines.add(work_.joints[j].p_WP, joint.along, joint.on_body ? static_cast<long>(index(joint.body)) : -1);
+    }
+    lines.end(-1, static_cast<long>(c), forces_.tensions[c], forces_.tensions[c] == 0.0);
+  }
+  if (!lines.finite()) return;
+  files_.push_back({state.t, fmt::format("{0}_geometry/{0}_{1:08}.vtp", name_, info.step)});
+  write_whole(folder_ / files_.back().path, lines.xml());
+}
+
+void VtpSeries::write_index() const {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+      "<Collection>\n";
+  for (const File& file : files_)
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", file.time, escaped(file.path));
+  write_whole(folder_ / (name_ + ".pvd"), text + "</Collection>\n</VTKFile>\n");
+}
+
+}  // namespace talus

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "solver/dynamics/dynamics.hpp"
+#include "solver/run/simulate.hpp"
+
+namespace talus {
+
+/// The geometry of a run as a series of VTK XML poly data, FOLDER/NAME_geometry/NAME_00000060.vtp, and its index
+/// FOLDER/NAME.pvd, which ParaView opens. Each file holds poly lines in the scene's units: first the outlines of the
+/// bodies, then the cables. Bodies and cables stand at their place z along the fence. A half-plane is drawn as far as
+/// the scene reaches. Cell data: `body` (its number in the model, -1 for a cable), `cable` (-1 for an outline),
+/// `tension` (0 for an outline) and `slack` (1 for a cable without tension). Point data: `body` (-1 for a point of the
+/// world). States are synchronised: positions at the time that the index gives.
+class VtpSeries {
+ public:
+  /// Every `every` steps from the start on. The Dynamics must outlive it. An index of before is removed. Errors:
+  /// IoError.
+  VtpSeries(const Dynamics& dynamics, std::filesystem::path folder, std::string name, long every);
+
+  /// Writes a file if one is due and all its numbers are finite. Errors: IoError.
+  void operator()(const State& state, const StepInfo& info);
+  /// Writes the index of the files written so far. Errors: IoError.
+  void write_index() const;
+
+ private:
+  struct File {
+    double time{};
+    std::string path;  ///< from the index's folder
+  };
+  const Dynamics* dynamics_;
+  std::filesystem::path folder_;
+  std::string name_;
+  long every_;
+  Workspace work_;
+  LawForces forces_;
+  std::vector<double> along_;                ///< place of each body along the fence [L]
+  std::vector<std::vector<Vec2>> outlines_;  ///< of each body, in its own axes; closed but for a half-plane's
+  std::vector<File> files_;
+};
+
+}  // namespace talus
