@@ -5,8 +5,8 @@
 
 namespace talus::verification::problems {
 
-/// The relation between the peaks of joint and top cable: our runs obey it, and of the printed pairs three do not
-/// (errata E20, E21). Fault `mass_doubled`.
+/// The relation between the peaks of joint and top cable: our runs obey it, and of the printed pairs three do not.
+/// Fault `mass_doubled`.
 void check_pairs(Findings& findings, const std::vector<RowRun>& rows, const Setup& setup);
 
 }  // namespace talus::verification::problems
