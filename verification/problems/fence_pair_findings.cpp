@@ -91,7 +91,7 @@ void check_printed_pairs(Findings& findings, const FirstSegment& segment) {
       const double beyond = beyond_digits(segment, row);
       cells.insert(cells.end(), {fmt::format("{:.0f}", segment.joint(row.top.value)),
                                  fmt::format("{:.0f}", segment.tension(row.joint.value)),
-                                 beyond > 0.0 ? fmt::format("**{:.0f}**", beyond) : "0", ""});
+                                 beyond > 0.0 ? fmt::format("{:.0f}", beyond) : "0", ""});
     }
     table.rows.push_back(cells);
   }

@@ -73,7 +73,7 @@ void draw_histories(Findings& findings) {
       Figure figure{.name = fmt::format("fig_{}_{}", 12 + table, plot.name),
                     .title = fmt::format("Fig. {}: {}", 12 + table, plot.label),
                     .caption = fmt::format("{} lb rock, yc = 0, bottom cable with .5 ft slack, beside the central "
-                                           "column: the {}, as in Fig. {} of the report.",
+                                           "column: the {}, for Fig. {} of the report.",
                                            600 * (table - 1), plot.label, 12 + table),
                     .x = {.label = "time", .unit = "s"},
                     .y = {.label = plot.label, .unit = plot.unit},
