@@ -15,7 +15,7 @@ struct Erratum {
   std::string proved_by;  ///< Id of the case that shows it.
 };
 
-/// The errata that the cases prove, in the order of the report's equations.
+/// The errata that the cases prove, numbered as they were found.
 [[nodiscard]] std::vector<Erratum> all_errata();
 
 }  // namespace talus::verification

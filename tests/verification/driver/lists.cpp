@@ -60,3 +60,26 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_the_errata_are_right) {
   const double xi = L / std::sqrt(pi * pi + L * L) * std::sqrt(particles / pivoted);
   BOOST_TEST(std::exp(-pi * xi / std::sqrt(1.0 - xi * xi)) == 0.537, boost::test_tools::tolerance(1e-3));
 }
+
+// The numbers of the errata of the fence, from Table 1 (gravity of the decks).
+BOOST_AUTO_TEST_CASE(the_numbers_of_the_errata_of_the_fence_are_right) {
+  const double g = 32.18, d = 2.5, pi = std::acos(-1.0);
+  BOOST_TEST(0.76 * g == 24.5, boost::test_tools::tolerance(2e-3));
+  BOOST_TEST(0.38 * g == 12.2, boost::test_tools::tolerance(3e-3));
+  BOOST_TEST(4.0 * std::pow(std::sin(13.0 * pi / 28.0), 2) == 3.95, boost::test_tools::tolerance(1e-3));
+  // The segment beside the centre: half a column's weight W at the horizontal tension W/f sum (i + 1/2) d_i.
+  const double weight = 0.38 * g * pi * 1.25 * 1.25 * 8.0;
+  const double horizontal = weight / 5.5 * (d * (0.5 + 1.5 + 2.5 + 3.5 + 4.5 + 5.5) + 12.5 * 6.5);
+  const double length = d * std::sqrt(1.0 + std::pow(0.5 * weight / horizontal, 2));
+  const double start = horizontal * length / d;
+  BOOST_TEST(start == 11026.0, boost::test_tools::tolerance(1e-4));
+  const double k = 2e7 * 1.076 / length;
+  const auto joint = [&](double tension) {
+    const double l = length + (tension - start) / k;
+    return 2.0 * tension * std::sqrt(l * l - d * d) / l;
+  };
+  BOOST_TEST(joint(2.62e5) == 8.01e4, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(joint(2.83e5) == 9.02e4, boost::test_tools::tolerance(4e-3));
+  BOOST_TEST(joint(2.66e5) == 8.18e4, boost::test_tools::tolerance(4e-3));
+  BOOST_TEST(joint(2.87e5) == 9.21e4, boost::test_tools::tolerance(4e-3));
+}
