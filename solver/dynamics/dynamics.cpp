@@ -1,6 +1,7 @@
 #include "solver/dynamics/dynamics.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace talus {
 namespace {
@@ -18,11 +19,25 @@ Dynamics::Dynamics(const Model& model)
   for (const Coordinate& coordinate : layout_.coordinates)
     inertias_.push_back(inertia(model_, coordinate));
   if (layout_.sleepers.empty()) return;
+  find_rest();
+}
+
+/// Keeps the cables' pulls at rest, and which sleepers those pulls, their weight and their load do not balance.
+void Dynamics::find_rest() {
   Workspace work = workspace();
   State rest = rest_state(model_);
+  std::fill(rest.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper), rest.mode.end(), Mode{1});
   update_all(rest, work);
   cables_.settle(rest, work);
   cables_.keep_rest(rest, work);
+  Rates accelerations{rest};
+  std::fill(work.wrenches.begin(), work.wrenches.end(), Wrench{});
+  cables_.add(rest, work, nullptr);
+  bodies_.rates(work, accelerations, false);
+  for (const BodyId body : layout_.sleepers) {
+    const auto first = accelerations.v.begin() + static_cast<std::ptrdiff_t>(layout_.first[index(body)]);
+    if (std::any_of(first, first + 3, [](double a) { return a != 0.0; })) restless_.push_back(body);
+  }
 }
 
 Workspace Dynamics::workspace() const {
@@ -76,6 +91,8 @@ void Dynamics::settle(State& state, Workspace& work) const {
   cables_.settle(state, work);
   if (layout_.sleepers.empty()) return;
   std::vector<BodyId> woken;
+  std::copy_if(restless_.begin(), restless_.end(), std::back_inserter(woken),
+               [&work](BodyId body) { return !work.waking.awake[index(body)]; });
   contacts_.list_woken(work, woken);
   cables_.list_woken(state, work, model_.sleep == Sleep::exact ? 0.0 : 1e-13, woken);
   if (woken.empty()) return;

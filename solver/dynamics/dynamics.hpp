@@ -61,6 +61,7 @@ class Dynamics {
   [[nodiscard]] double elongation(const Workspace& work, CableId cable) const;
 
  private:
+  void find_rest();
   void list_awake(const State& state, Waking& waking, bool whole) const;
 
   Model model_;
@@ -69,6 +70,7 @@ class Dynamics {
   ContactForces contacts_;
   CableForces cables_;
   std::vector<double> inertias_;
+  std::vector<BodyId> restless_;  ///< bodies that may sleep but are not in balance at their reference position
 };
 
 }  // namespace talus
