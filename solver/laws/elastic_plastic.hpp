@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "solver/base/fields.hpp"
 #include "solver/laws/kinematics.hpp"
@@ -12,14 +13,21 @@
 
 namespace talus {
 
+/// A point of a yield force that grows with the plastic stretch.
+struct YieldPoint {
+  double stretch{};  ///< [L]
+  double force{};    ///< [F]
+  friend constexpr bool operator==(const YieldPoint&, const YieldPoint&) = default;
+};
+
 /// A cable that pulls elastically, yields at a tension that it holds while it is drawn out, and may break
-/// (Mustoe & Huttelmaier 1993, section 2.4: linear elastic or perfectly elastic-plastic). With e the elongation and p
-/// the plastic stretch, which is its memory:
+/// (Mustoe & Huttelmaier 1993, section 2.4: linear elastic or perfectly elastic-plastic; hardening is not in the
+/// report). With e the elongation, p the plastic stretch, which is its memory, and Y(p) the yield force:
 ///
 ///   slack     T = 0                          until e > p
-///   taut      T = k (e - p)                  until e < p, or T reaches the yield force or the strength
-///   yielding  T = yield, p = e - yield/k     until the cable shortens, or p reaches the rupture stretch
-///   broken    T = 0                          for good
+///   taut      T = k (e - p)                  until e < p, or T reaches Y(p) or the strength
+///   yielding  T = Y(p) = k (e - p)           until the cable shortens, p reaches the rupture stretch, or T the
+///   strength broken    T = 0                          for good
 struct ElasticPlastic {
   static constexpr std::string_view name = "elastic_plastic";
   static constexpr std::array<std::string_view, 4> modes{"slack", "taut", "yielding", "broken"};
@@ -30,13 +38,19 @@ struct ElasticPlastic {
 
   double stiffness{};          ///< k [F/L] > 0
   double yield{unlimited};     ///< yield force [F] > 0
-  double strength{unlimited};  ///< tension at which it breaks [F] > 0; above the yield force it is never reached
+  double hardening{};          ///< slope of Y(p), behind the last point of its table [F/L] >= 0
+  double strength{unlimited};  ///< tension at which it breaks [F] > 0; a yield force below it that does not harden is
+                               ///< never passed
   double rupture{unlimited};   ///< plastic stretch at which it breaks [L] > 0
+  std::vector<YieldPoint> table{};  ///< points of Y(p) behind (0, yield), straight between them; stretches and forces
+                                    ///< grow from point to point
 
-  static constexpr std::array<Field<ElasticPlastic>, 4> fields() {
+  static constexpr std::array<Field<ElasticPlastic>, 5> fields() {
     return {{{"stiffness", dimension::stiffness, &ElasticPlastic::stiffness, Range::positive,
               "axial stiffness k: tension for each unit of elongation"},
              {"yield", dimension::force, &ElasticPlastic::yield, Range::positive, "tension at which the cable yields"},
+             {"hardening", dimension::stiffness, &ElasticPlastic::hardening, Range::non_negative,
+              "growth of the yield force with the plastic stretch"},
              {"strength", dimension::force, &ElasticPlastic::strength, Range::positive,
               "tension at which the cable breaks"},
              {"rupture", dimension::length, &ElasticPlastic::rupture, Range::positive,
@@ -45,32 +59,38 @@ struct ElasticPlastic {
 
   constexpr LawForce operator()(Kinematics x, std::span<const double> memory, Mode mode) const {
     if (mode == taut) return {stiffness * (x.extent - memory[0]), 0.0};
-    // What the cable is drawn out by is lost: in this mode its stored energy does not change. Less than the yield force
-    // is met only when steps are so coarse that the cable is already shortening.
-    if (mode == yielding) return {0.0, std::clamp(stiffness * (x.extent - memory[0]), 0.0, yield)};
-    return {};
+    if (mode != yielding) return {};
+    // What the cable is drawn out by is lost; only as far as it hardens does its stored energy grow. Less than the
+    // yield force is met only when steps are so coarse that the cable is already shortening.
+    const double tension = std::clamp(stiffness * (x.extent - memory[0]), 0.0, backbone(x.extent));
+    const double slope = drawn_piece(x.extent).slope;
+    const double elastic = slope / (stiffness + slope);
+    return {elastic * tension, (1.0 - elastic) * tension};
   }
 
   constexpr double stored_energy(Kinematics x, std::span<const double> memory, Mode mode) const {
     if (mode == taut) return 0.5 * stiffness * (x.extent - memory[0]) * (x.extent - memory[0]);
-    return mode == yielding ? 0.5 * yield * yield / stiffness : 0.0;
+    return mode == yielding ? 0.5 * backbone(x.extent) * backbone(x.extent) / stiffness : 0.0;
   }
 
   constexpr double guard(Kinematics x, std::span<const double> memory, Mode mode) const {
     const double elastic = x.extent - memory[0];
     if (mode == slack) return -elastic;
-    if (mode == taut) return std::min(elastic, limit() - stiffness * elastic);
-    if (mode == yielding) return std::min(x.extent_rate, rupture - memory[0]);
+    if (mode == taut) return std::min(elastic, limit(memory[0]) - stiffness * elastic);
+    if (mode == yielding) return std::min({x.extent_rate, rupture - memory[0], strength - yield_force(memory[0])});
     return 1.0;
   }
 
   constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
     const double elastic = x.extent - memory[0];
-    if (mode == yielding) return memory[0] >= rupture ? broken_with(yield * yield) : Reset{taut, 0.0};
+    if (mode == yielding) {
+      const double tension = yield_force(memory[0]);
+      return memory[0] >= rupture || tension >= strength ? broken_with(tension) : Reset{taut, 0.0};
+    }
     if (elastic < 0.0 || (elastic == 0.0 && x.extent_rate < 0.0)) return {slack, 0.0};
     const double tension = stiffness * elastic;
-    if (tension < limit()) return {taut, 0.0};
-    if (strength <= yield) return broken_with(tension * tension);
+    if (tension < limit(memory[0])) return {taut, 0.0};
+    if (strength <= yield_force(memory[0])) return broken_with(tension);
     draw_out(x, memory);
     return {x.extent_rate > 0.0 ? yielding : taut, 0.0};
   }
@@ -82,16 +102,54 @@ struct ElasticPlastic {
 
   constexpr Tangent tangent() const { return {stiffness, 0.0}; }
 
-  friend constexpr bool operator==(const ElasticPlastic&, const ElasticPlastic&) = default;
+  /// Elongation at which a cable with this memory is just slack [L].
+  constexpr double natural_elongation(std::span<const double> memory) const { return memory[0]; }
+
+  friend bool operator==(const ElasticPlastic&, const ElasticPlastic&) = default;
 
  private:
   static constexpr double unlimited = std::numeric_limits<double>::max();
 
-  constexpr double limit() const { return std::min(yield, strength); }
-  constexpr void draw_out(Kinematics x, std::span<double> memory) const {
-    memory[0] = std::max(memory[0], x.extent - yield / stiffness);
+  constexpr double limit(double stretch) const { return std::min(yield_force(stretch), strength); }
+  /// A straight piece of Y(p), from a plastic stretch on.
+  struct Piece {
+    double stretch{};  ///< [L]
+    double force{};    ///< Y there [F]
+    double slope{};    ///< [F/L]
+  };
+  /// The first piece that `reaches(end)` says to end far enough, or the last.
+  template <class Reaches>
+  constexpr Piece piece(Reaches&& reaches) const {
+    Piece now{0.0, yield, hardening};
+    for (const YieldPoint& end : table) {
+      now.slope = (end.force - now.force) / (end.stretch - now.stretch);
+      if (reaches(end)) return now;
+      now = {end.stretch, end.force, hardening};
+    }
+    return now;
   }
-  constexpr Reset broken_with(double tension_squared) const { return {broken, 0.5 * tension_squared / stiffness}; }
+  /// Y(p).
+  constexpr double yield_force(double stretch) const {
+    if (table.empty() && hardening == 0.0) return yield;
+    const Piece at = piece([&](const YieldPoint& end) { return stretch <= end.stretch; });
+    return at.force + at.slope * (stretch - at.stretch);
+  }
+  /// The piece on which k (e - p) = Y(p).
+  constexpr Piece drawn_piece(double elongation) const {
+    return piece([&](const YieldPoint& end) { return elongation <= end.stretch + end.force / stiffness; });
+  }
+  /// p of k (e - p) = Y(p).
+  constexpr double drawn(double elongation) const {
+    const Piece at = drawn_piece(elongation);
+    if (at.slope == 0.0) return elongation - at.force / stiffness;
+    return at.stretch + (stiffness * (elongation - at.stretch) - at.force) / (stiffness + at.slope);
+  }
+  /// Tension while drawn out to this elongation.
+  constexpr double backbone(double elongation) const { return yield_force(drawn(elongation)); }
+  constexpr void draw_out(Kinematics x, std::span<double> memory) const {
+    memory[0] = std::max(memory[0], drawn(x.extent));
+  }
+  constexpr Reset broken_with(double tension) const { return {broken, 0.5 * tension * tension / stiffness}; }
 };
 
 }  // namespace talus

@@ -102,3 +102,38 @@ BOOST_AUTO_TEST_CASE(breaks_when_drawn_out_to_its_rupture_stretch) {
   BOOST_TEST(cable.mode == ElasticPlastic::broken);
   BOOST_TEST(cable.released == 0.25);
 }
+
+BOOST_AUTO_TEST_CASE(hardens_along_a_line_and_along_a_table) {
+  // k = 8, yield 2: drawn to e the plastic stretch is p = (8 e - 2)/(8 + H), the tension 2 + H p.
+  DrawnCable line{.law = {.stiffness = 8.0, .yield = 2.0, .hardening = 2.0}};
+  line.draw(1.0, 4096);
+  BOOST_TEST(line.memory[0] == 0.6, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(line.tension(1.0) == 3.2, boost::test_tools::tolerance(1e-12));
+  // The same to p = .25 (tension 2.5), flat from there to p = 1.25, then with slope 4.
+  DrawnCable table{.law = {.stiffness = 8.0, .yield = 2.0, .hardening = 4.0}};
+  table.law.table = {{0.25, 2.5}, {1.25, 2.5}};
+  table.draw(1.0, 4096);
+  BOOST_TEST(table.memory[0] == 1.0 - 2.5 / 8.0, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(table.tension(1.0) == 2.5, boost::test_tools::tolerance(1e-12));
+  table.draw(2.0, 4096);
+  const double stretch = 1.25 + (8.0 * 0.75 - 2.5) / 12.0;
+  BOOST_TEST(table.memory[0] == stretch, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(table.tension(1.0) == 8.0 * (2.0 - stretch), boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(hardening_books_what_is_not_given_back) {
+  // Area under the curve to e = 1 less what is stored there, T^2/(2k): .25 up to the yield at e = .25, a trapezium of
+  // 2 and 3.2 over .75, less .64. The step in which it begins to yield is booked at its trapezium.
+  DrawnCable cable{.law = {.stiffness = 8.0, .yield = 2.0, .hardening = 2.0}};
+  cable.draw(1.0, 4096);
+  const double area = 0.25 + 0.5 * (2.0 + 3.2) * 0.75;
+  BOOST_TEST(std::abs(cable.dissipated - (area - 0.64)) < 2.0 / 4096.0);
+}
+
+BOOST_AUTO_TEST_CASE(hardening_ends_at_the_strength) {
+  DrawnCable cable{.law = {.stiffness = 8.0, .yield = 2.0, .hardening = 2.0, .strength = 3.0}};
+  cable.draw(0.8, 4096);  // tension 2.88
+  BOOST_TEST(cable.mode == ElasticPlastic::yielding);
+  cable.draw(1.0, 4096);
+  BOOST_TEST(cable.mode == ElasticPlastic::broken);
+}

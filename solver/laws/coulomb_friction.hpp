@@ -1,0 +1,64 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "solver/base/fields.hpp"
+#include "solver/state/mode.hpp"
+
+namespace talus {
+
+/// Friction at a contact by a spring and a slider in series (Cundall & Strack 1979; Mustoe & Huttelmaier 1993, Eq. 18
+/// with the sign of the stretch, which the report leaves out). With N the normal force and s the stretch of the spring,
+/// which is the law's memory:
+///
+///   sticking   ds/dt = slip rate,           F = k_s s               while k_s |s| < mu N
+///   slipping   s = +-mu N/k_s,              F = +-mu N              while the bodies go on slipping that way
+///   open       s = 0,                       F = 0                   without a normal force that pushes
+///
+/// Between two force evaluations the stretch follows the slip; each evaluation takes it back to the limit of the normal
+/// force of that moment (`settle`).
+struct CoulombFriction {
+  static constexpr std::array<std::string_view, 4> modes{"open", "sticking", "slipping_forward", "slipping_backward"};
+  enum : Mode { open, sticking, slipping_forward, slipping_backward };
+
+  double coefficient{};  ///< mu >= 0
+  double stiffness{};    ///< k_s [F/L] > 0
+
+  /// What a return to the limit leaves, and what it cost.
+  struct Settled {
+    Mode mode{};
+    double stretch{};     ///< [L]
+    double dissipated{};  ///< work of the slider, and of the spring let go where the contact opens [F L]
+  };
+
+  /// `stretch` as it stands after the slip so far, `normal` the normal force [F], <= 0 where nothing pushes.
+  constexpr Settled settle(double stretch, double normal) const {
+    if (!(normal > 0.0)) return {open, 0.0, stored_energy(stretch)};
+    const double limit = coefficient * normal / stiffness;
+    if (std::abs(stretch) <= limit) return {sticking, stretch, 0.0};
+    const double dissipated = coefficient * normal * (std::abs(stretch) - limit);
+    return {stretch > 0.0 ? slipping_forward : slipping_backward, std::copysign(limit, stretch), dissipated};
+  }
+
+  /// Force that resists the slip [F], with the sign of the stretch.
+  constexpr double operator()(double stretch, double normal) const {
+    const double limit = coefficient * std::max(normal, 0.0);
+    return std::clamp(stiffness * stretch, -limit, limit);
+  }
+
+  constexpr double stored_energy(double stretch) const { return 0.5 * stiffness * stretch * stretch; }
+
+  /// Positive while the mode lasts; `slip_rate` [L/T] as in the stretch.
+  constexpr double guard(double stretch, double slip_rate, double normal, Mode mode) const {
+    if (mode == open) return -normal;
+    if (mode == sticking) return coefficient * normal / stiffness - std::abs(stretch);
+    return mode == slipping_forward ? slip_rate : -slip_rate;
+  }
+
+  friend constexpr bool operator==(const CoulombFriction&, const CoulombFriction&) = default;
+};
+
+}  // namespace talus
