@@ -102,11 +102,13 @@ RunRecord run_scene(const Scene& scene, const Dynamics& dynamics, FenceFiles* fe
   State state = scene.initial;
   system.settle(state);
   Recorder recorder{dynamics, state, scene.plan.ledger};
+  FailureLog failures{dynamics};
   Progress progress{scene.plan.end};
   RunRecord record;
   State last = state;
   const Observer observers[] = {[&](const State& seen, const StepInfo& info) {
     recorder(seen, info);
+    failures(seen, info);
     if (fence_files) (*fence_files)(seen, info);
     progress(seen.t, info.step);
     last = seen;
@@ -123,6 +125,7 @@ RunRecord run_scene(const Scene& scene, const Dynamics& dynamics, FenceFiles* fe
   record.contacts = scene.model.contacts.size();
   record.cables = scene.model.cables.size();
   record.bodies = body_states(scene.model, last);
+  record.failures = failures.failures();
   record_history(record, recorder);
   return record;
 }

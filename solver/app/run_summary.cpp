@@ -49,6 +49,13 @@ void final_state(Page& page, const RunRecord& record) {
   }
 }
 
+void failures(Page& page, const RunRecord& record) {
+  if (record.failures.empty()) return;
+  page.line("yielded and broke, in this order");
+  for (const Failure& failure : record.failures)
+    page.line("  t = {:<12.6g} {} {}", failure.time, failure.part, failure.what);
+}
+
 void extremes(Page& page, const RunRecord& record) {
   page.line("extremes over all steps");
   page.line("  {:<24}{:>14}{:>12}{:>16}{:>12}  unit", "quantity", "least", "at t", "largest", "at t");
@@ -91,6 +98,7 @@ std::string run_summary(const RunRecord& record) {
   Page page;
   head(page, record);
   final_state(page, record);
+  failures(page, record);
   extremes(page, record);
   ledger(page, record);
   for (const std::string& note : record.notes)

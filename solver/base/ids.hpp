@@ -12,6 +12,8 @@ enum class BodyId : std::uint32_t {};
 enum class CableId : std::uint32_t {};
 /// Position of a contact in Model::contacts.
 enum class ContactId : std::uint32_t {};
+/// Position of a hanger in Model::hangers.
+enum class HangerId : std::uint32_t {};
 
 /// The plain array index of an id.
 template <class Id>

@@ -35,6 +35,14 @@ void for_each_awake(const Laws& laws, const Waking& waking, Visit&& visit) {
   });
 }
 
+/// Calls visit(law, slot) for one cable.
+template <class Laws, class Visit>
+void visit_cable(const Laws& laws, CablePlace place, Visit&& visit) {
+  for_each_array(laws, [&](const auto& array, std::size_t law) {
+    if (law == place.law) visit(array.laws[place.index], array.slots[place.index]);
+  });
+}
+
 double body_copies(const Model& model, const Joint& joint) {
   return joint.on_body ? model.bodies[index(joint.body)].copies : 1.0;
 }
@@ -62,6 +70,7 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
     std::visit(
         [&](const auto& law) {
           auto& array = std::get<CableArray<std::decay_t<decltype(law)>>>(laws_);
+          places_.push_back({cable.law.index(), array.laws.size()});
           array.cable.push_back(c);
           array.laws.push_back(law);
           array.slots.push_back(layout.cable_slots[c]);
@@ -69,9 +78,17 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
         },
         cable.law);
   }
+  first_hanger_ = layout.first_hanger;
+  for (const Hanger& hanger : model.hangers) {
+    Holder holder{joint({hanger.body, hanger.p}), hanger.strength, {}};
+    for (std::size_t c = 0; c < ends_.size(); ++c) {
+      if (ends_[c].a == holder.joint || ends_[c].b == holder.joint) holder.cables.push_back(c);
+    }
+    holders_.push_back(std::move(holder));
+  }
 }
 
-void CableForces::list_awake(Waking& waking) const {
+void CableForces::list_awake(Waking& waking, const Rigging& rigging) const {
   std::vector<char> listed(joints_.size(), 0);
   const auto moves = [&](std::size_t j) { return joints_[j].on_body && waking.awake[index(joints_[j].body)]; };
   waking.cables.resize(std::tuple_size_v<decltype(laws_)>);
@@ -79,7 +96,8 @@ void CableForces::list_awake(Waking& waking) const {
     waking.cables[law].clear();
     for (std::size_t i = 0; i < array.laws.size(); ++i) {
       const auto [a, b, share_a, share_b] = ends_[array.cable[i]];
-      if (!waking.whole && !moves(a) && !moves(b)) continue;
+      const bool chained = !rigging.broken.empty() && (rigging.broken[a] || rigging.broken[b]);
+      if (!waking.whole && !chained && !moves(a) && !moves(b)) continue;
       waking.cables[law].push_back(i);
       listed[a] = listed[b] = 1;
     }
@@ -90,7 +108,102 @@ void CableForces::list_awake(Waking& waking) const {
   }
 }
 
-void CableForces::update(Workspace& work) const {
+bool CableForces::rig(const State& state, Rigging& rigging) const {
+  const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(first_hanger_);
+  const auto last = modes + static_cast<std::ptrdiff_t>(holders_.size());
+  if (std::equal(rigging.modes.begin(), rigging.modes.end(), modes, last)) return false;
+  rigging.modes.assign(modes, last);
+  rigging.broken.assign(joints_.size(), 0);
+  rigging.chains.clear();
+  for (std::size_t h = 0; h < holders_.size(); ++h)
+    rigging.broken[holders_[h].joint] = rigging.modes[h] != 0;
+  std::vector<char> used(ends_.size(), 0);
+  for (std::size_t c = 0; c < ends_.size(); ++c) {
+    if (used[c] || (!rigging.broken[ends_[c].a] && !rigging.broken[ends_[c].b])) continue;
+    rigging.chains.push_back(chain_from(c, rigging, used));
+  }
+  return true;
+}
+
+/// The whole chain of which a cable is part, from an end that is held if there is one.
+Chain CableForces::chain_from(std::size_t cable, const Rigging& rigging, std::vector<char>& used) const {
+  used[cable] = 1;
+  Chain chain{Chain::Start::held, {ends_[cable].a, ends_[cable].b}, {cable}};
+  extend(chain, rigging, used);
+  std::reverse(chain.joints.begin(), chain.joints.end());
+  std::reverse(chain.cables.begin(), chain.cables.end());
+  extend(chain, rigging, used);
+  if (rigging.broken[chain.joints.back()] && !rigging.broken[chain.joints.front()]) {
+    std::reverse(chain.joints.begin(), chain.joints.end());
+    std::reverse(chain.cables.begin(), chain.cables.end());
+  }
+  const std::size_t start = chain.joints.front();
+  if (!rigging.broken[start]) return chain;
+  const Ends& first = ends_[chain.cables.front()];
+  const bool mirrored = (first.a == start ? first.share_a : first.share_b) > 1.0;
+  chain.start = mirrored && !rigging.broken[chain.joints.back()] ? Chain::Start::mirrored : Chain::Start::loose;
+  return chain;
+}
+
+/// Goes on from the chain's last joint as long as that is a broken hanger with another cable.
+void CableForces::extend(Chain& chain, const Rigging& rigging, std::vector<char>& used) const {
+  for (bool found = true; found && rigging.broken[chain.joints.back()];) {
+    found = false;
+    const std::size_t end = chain.joints.back();
+    for (std::size_t c = 0; c < ends_.size() && !found; ++c) {
+      if (used[c] || (ends_[c].a != end && ends_[c].b != end)) continue;
+      used[c] = 1;
+      chain.cables.push_back(c);
+      chain.joints.push_back(ends_[c].a == end ? ends_[c].b : ends_[c].a);
+      found = true;
+    }
+  }
+}
+
+/// Lays a chain straight. Its points have no mass, so that all its cables have one tension T and each an elongation
+/// e_i = p_i + T/k_i of its own natural elongation p_i and compliance 1/k_i:  T = (l - sum(l0_i + p_i))/sum(1/k_i).
+/// Behind a plane of symmetry the chain goes on as its mirror image: it runs straight along the fence and pulls nothing
+/// in the plane of motion. Loose, or with a broken cable in it, it carries nothing.
+void CableForces::straighten(const Chain& chain, const State& state, Workspace& work) const {
+  double natural = 0.0, compliance = 0.0;
+  bool carries = chain.start != Chain::Start::loose;
+  std::vector<double> lengths, compliances;
+  for (const std::size_t c : chain.cables) {
+    lengths.push_back(rest_lengths_[c]);
+    compliances.push_back(1.0 / tangents_[c].stiffness);
+    visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
+      if constexpr (requires { law.natural_elongation(memory<L>(state, slot)); })
+        lengths.back() += law.natural_elongation(memory<L>(state, slot));
+      if constexpr (requires { L::broken; }) carries = carries && state.mode[slot.mode] != L::broken;
+    });
+    natural += lengths.back();
+    compliance += compliances.back();
+  }
+  const JointPoint start = work.joints[chain.joints.front()];
+  const JointPoint end = work.joints[chain.joints.back()];
+  const double across = joints_[chain.joints.back()].along - joints_[chain.joints.front()].along;
+  Path whole = chain.start == Chain::Start::held ? path(start.p_WP, start.v_WP, end.p_WP, end.v_WP, across * across)
+                                                 : Path{std::abs(across), 0.0, {}};
+  if (chain.start == Chain::Start::loose) whole.length = natural;
+  const double tension = carries ? (whole.length - natural) / compliance : 0.0;
+  double along = 0.0;
+  for (std::size_t i = 0; i < chain.cables.size(); ++i) {
+    const std::size_t c = chain.cables[i];
+    const double share = compliances[i] / compliance;
+    const double length = lengths[i] + tension * compliances[i];
+    const Vec2 pull = ends_[c].a == chain.joints[i] ? whole.pull_A : -whole.pull_A;
+    work.paths[c] = {length, share * whole.length_rate, pull};
+    along += length;
+    if (i + 1 == chain.cables.size()) break;
+    const double part = whole.length > 0.0 ? std::clamp(along / whole.length, 0.0, 1.0) : 1.0;
+    JointPoint& point = work.joints[chain.joints[i + 1]];
+    const JointPoint& from = chain.start == Chain::Start::held ? start : end;
+    point = {from.p_WP + part * (end.p_WP - from.p_WP), {}, from.v_WP + part * (end.v_WP - from.v_WP), {}};
+  }
+  if (chain.start != Chain::Start::held) work.joints[chain.joints.front()] = {end.p_WP, {}, end.v_WP, {}};
+}
+
+void CableForces::update(const State& state, Workspace& work) const {
   for (const std::size_t j : work.waking.joints) {
     const Joint& joint = joints_[j];
     if (!joint.on_body) {
@@ -106,6 +219,44 @@ void CableForces::update(Workspace& work) const {
     const JointPoint& b = work.joints[ends_[c].b];
     work.paths[c] = path(a.p_WP, a.v_WP, b.p_WP, b.v_WP, across_squared_[c]);
   });
+  for (const Chain& chain : work.rigging.chains)
+    straighten(chain, state, work);
+}
+
+double CableForces::load(const Holder& holder, const State& state, const Workspace& work) const {
+  Vec2 pull;
+  for (const std::size_t c : holder.cables) {
+    const Ends& ends = ends_[c];
+    visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
+      const double tension = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]).total();
+      pull += (ends.a == holder.joint ? ends.share_a : -ends.share_b) * tension * work.paths[c].pull_A;
+    });
+  }
+  return norm(pull);
+}
+
+std::vector<HangerId> CableForces::overloaded(const State& state, const Workspace& work) const {
+  std::vector<HangerId> found;
+  double most = 1.0;
+  for (std::size_t h = 0; h < holders_.size(); ++h) {
+    if (state.mode[first_hanger_ + h] != 0) continue;
+    const double share = load(holders_[h], state, work) / holders_[h].strength;
+    if (share < most) continue;
+    if (share > most) found.clear();
+    most = share;
+    found.push_back(static_cast<HangerId>(h));
+  }
+  return found;
+}
+
+std::vector<BodyId> CableForces::joined_bodies(HangerId hanger) const {
+  std::vector<BodyId> bodies;
+  for (const std::size_t c : holders_[index(hanger)].cables) {
+    for (const std::size_t j : {ends_[c].a, ends_[c].b}) {
+      if (joints_[j].on_body) bodies.push_back(joints_[j].body);
+    }
+  }
+  return bodies;
 }
 
 void CableForces::settle(State& state, const Workspace& work) const {
@@ -128,7 +279,7 @@ void CableForces::add(const State& state, Workspace& work, Rates* out) const {
     if (out) out->work[static_cast<std::size_t>(L::dissipation)] += copies_[c] * tension.dissipative * path.length_rate;
   });
   for (const std::size_t j : work.waking.joints) {
-    if (!joints_[j].on_body) continue;
+    if (!joints_[j].on_body || (!work.rigging.broken.empty() && work.rigging.broken[j])) continue;
     const JointPoint& joint = work.joints[j];
     Wrench& wrench = work.wrenches[index(joints_[j].body)];
     wrench.force += joint.force;
@@ -170,6 +321,10 @@ void CableForces::guards(const State& state, const Workspace& work, std::span<do
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
     out[slot.mode] = law.guard(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);
   });
+  for (std::size_t h = 0; h < holders_.size(); ++h) {
+    if (state.mode[first_hanger_ + h] == 0)
+      out[first_hanger_ + h] = holders_[h].strength - load(holders_[h], state, work);
+  }
 }
 
 double CableForces::stored_energy(const State& state, const Workspace& work) const {

@@ -28,6 +28,12 @@ struct CableArray {
   std::vector<Slot> slots;
 };
 
+/// Where one cable's law stands: in the list of laws, and in its array.
+struct CablePlace {
+  std::size_t law{};
+  std::size_t index{};
+};
+
 /// The cables of a model, compiled: joints, paths, tensions, modes and energies.
 class CableForces {
  public:
@@ -48,9 +54,16 @@ class CableForces {
   /// Tangent of each law instance, in order.
   const std::vector<Tangent>& tangents() const { return tangents_; }
 
-  /// Lists the joints and cables to work out: all, or those of which an end is on a body that is awake or held.
-  void list_awake(Waking& waking) const;
-  void update(Workspace& work) const;
+  /// Brings the rigging up to the state's broken hangers; whether it changed.
+  bool rig(const State& state, Rigging& rigging) const;
+  /// Lists the joints and cables to work out: all, or those of which an end is on a body that is awake or held, and
+  /// those that go on through broken hangers.
+  void list_awake(Waking& waking, const Rigging& rigging) const;
+  void update(const State& state, Workspace& work) const;
+  /// Hangers on which the cables pull with their strength or more, and of these the ones most overloaded.
+  std::vector<HangerId> overloaded(const State& state, const Workspace& work) const;
+  /// The bodies at both ends of the hanger's cables.
+  std::vector<BodyId> joined_bodies(HangerId hanger) const;
   void settle(State& state, const Workspace& work) const;
   /// Sums the tensions at the joints and adds them to the wrenches of the bodies; with out, dissipated power and the
   /// anchors' impulse as well.
@@ -69,7 +82,19 @@ class CableForces {
   }
 
  private:
+  /// A hanger, compiled.
+  struct Holder {
+    std::size_t joint{};
+    double strength{};
+    std::vector<std::size_t> cables;  ///< one or two that end at its joint
+  };
+
   std::size_t joint(const CableEnd& end);
+  /// Sum of the pulls on a hanger [F].
+  double load(const Holder& holder, const State& state, const Workspace& work) const;
+  Chain chain_from(std::size_t cable, const Rigging& rigging, std::vector<char>& used) const;
+  void extend(Chain& chain, const Rigging& rigging, std::vector<char>& used) const;
+  void straighten(const Chain& chain, const State& state, Workspace& work) const;
   Kinematics kinematics(const Workspace& work, std::size_t cable) const {
     return {elongation(work, cable), work.paths[cable].length_rate};
   }
@@ -80,6 +105,9 @@ class CableForces {
   std::vector<double> across_squared_;
   std::vector<double> rest_lengths_;
   std::vector<double> copies_;
+  std::vector<CablePlace> places_;
+  std::vector<Holder> holders_;
+  std::size_t first_hanger_{};    ///< mode slot of the first hanger
   std::vector<Vec2> rest_pulls_;  ///< tension times direction, of each cable at rest
   std::vector<Tangent> tangents_;
 };

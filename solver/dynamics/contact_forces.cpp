@@ -1,7 +1,6 @@
 #include "solver/dynamics/contact_forces.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <variant>
 
@@ -31,6 +30,51 @@ void for_each_near(const Laws& laws, const Workspace& work, Visit&& visit) {
         visit(array.laws[i], array.slots[i], group);
     }
   });
+}
+
+/// One instance of friction, and the normal force at it.
+struct Slider {
+  const ContactGroup& group;
+  const CoulombFriction& law;
+  Slot slot;
+  std::size_t instance{};  ///< of the contact, in Workspace::gaps
+  double normal{};         ///< [F]
+};
+
+/// Calls visit(slider) for each instance of friction within reach.
+template <class Laws, class Visit>
+void for_each_slider(const Laws& laws, const State& state, const Workspace& work, Visit&& visit) {
+  for_each_array(laws, [&](const auto& array) {
+    for (const ContactGroup& group : array.groups) {
+      if (!group.friction || !work.near[group.candidate]) continue;
+      for (std::size_t i = group.first; i < group.last; ++i) {
+        using L = typename std::decay_t<decltype(array.laws)>::value_type;
+        const Slot slot{group.first_friction.mode + i - group.first, group.first_friction.memory + i - group.first};
+        const Slot normal = array.slots[i];
+        const Mode mode = state.mode[normal.mode];
+        if (mode == 0 && state.mode[slot.mode] == CoulombFriction::open) continue;
+        const double force =
+            mode == 0 ? 0.0 : array.laws[i](kinematics(work, normal.mode), memory<L>(state, normal), mode).total();
+        visit(Slider{group, *group.friction, slot, normal.mode, force});
+      }
+    }
+  });
+}
+
+/// Across a gap, counter-clockwise from its normal: the direction in which slip of B past A is positive.
+Vec2 tangent(const Gap& gap) { return {-gap.n_AB.y, gap.n_AB.x}; }
+
+double slip_rate(const Workspace& work, const Slider& slider) {
+  const Gap& gap = work.gaps[slider.instance];
+  const Pose& A = work.poses[index(slider.group.a)];
+  const Pose& B = work.poses[index(slider.group.b)];
+  return dot(velocity_at(B, gap.p_WC) - velocity_at(A, gap.p_WC), tangent(gap));
+}
+
+/// Adds a force [F] on B, and its opposite on A, at the contact point.
+void add_pair(Workspace& work, const ContactGroup& group, const Gap& gap, Vec2 on_b) {
+  add_force(work.wrenches[index(group.b)], work.poses[index(group.b)].p_WB, gap.p_WC, group.share_b * on_b);
+  add_force(work.wrenches[index(group.a)], work.poses[index(group.a)].p_WB, gap.p_WC, -group.share_a * on_b);
 }
 
 /// Works out the gaps of one array's groups that are within reach. Of a ball outside its target that does not act
@@ -66,13 +110,14 @@ class Compiler {
   Compiler(const Model& model, ContactArrays<L>& arrays, std::vector<ContactForces::Pair>& pairs)
       : model_{model}, arrays_{arrays}, pairs_{pairs} {}
 
-  void add(std::size_t candidate, const Contact& contact, const L& law, Slot first) {
+  void add(std::size_t candidate, const Contact& contact, const L& law, Slot first, Slot friction) {
     const Shape& a = model_.bodies[index(contact.a)].shape;
     const Shape& b = model_.bodies[index(contact.b)].shape;
     candidate_ = candidate;
     contact_ = &contact;
     law_ = law;
     next_ = first;
+    next_friction_ = friction;
     if (contact.method == ContactMethod::resultant) return add_resultant(contact.a, a, contact.b, b);
     for (const Vec2 node : boundary_nodes(a, contact.nodes[0]))
       add_ball({node, 0.0}, contact.a, contact.b, b);
@@ -93,6 +138,7 @@ class Compiler {
     array.groups.back().last = array.laws.size();
     pairs_[next_.mode] = {id_a, id_b};
     next_ = {next_.mode + 1, next_.memory + L::memory_size};
+    next_friction_ = {next_friction_.mode + 1, next_friction_.memory + 1};
   }
 
   ContactGroup group(BodyId a, BodyId b, std::size_t first) const {
@@ -104,7 +150,9 @@ class Compiler {
             first,
             copies / model_.bodies[index(a)].copies,
             copies / model_.bodies[index(b)].copies,
-            copies};
+            copies,
+            contact_->friction,
+            next_friction_};
   }
 
   void add_ball(const Ball& ball, BodyId id_a, BodyId id_b, const Shape& b) {
@@ -142,6 +190,7 @@ class Compiler {
   const Contact* contact_{};
   L law_{};
   Slot next_;
+  Slot next_friction_;
 };
 
 }  // namespace
@@ -160,7 +209,8 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) {
                            bounds(model.bodies[index(contact.b)].shape), slot.mode, slot.mode + instances});
     std::visit(
         [&]<class L>(const L& law) {
-          Compiler<L>{model, std::get<ContactArrays<L>>(laws_), pairs_}.add(c, contact, law, slot);
+          Compiler<L>{model, std::get<ContactArrays<L>>(laws_), pairs_}.add(c, contact, law, slot,
+                                                                            layout.friction_slots[c]);
           std::fill_n(tangents_.begin() + static_cast<std::ptrdiff_t>(slot.mode), instances, law.tangent());
         },
         contact.law);
@@ -191,6 +241,19 @@ void ContactForces::settle(State& state, const Workspace& work) const {
     if (state.mode[slot.mode] == 0 && work.gaps[slot.mode].depth < 0.0) return;
     settle_mode(law, slot, kinematics(work, slot.mode), state, group.copies);
   });
+  for_each_slider(laws_, state, work, [&](const Slider& slider) {
+    double& stretch = state.z[slider.slot.memory];
+    const auto settled = slider.law.settle(stretch, slider.normal);
+    stretch = settled.stretch;
+    state.mode[slider.slot.mode] = settled.mode;
+    state.work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.copies * settled.dissipated;
+  });
+}
+
+void ContactForces::memory_rates(const State& state, const Workspace& work, Rates& out) const {
+  for_each_slider(laws_, state, work, [&](const Slider& slider) {
+    if (state.mode[slider.slot.mode] != CoulombFriction::open) out.z[slider.slot.memory] = slip_rate(work, slider);
+  });
 }
 
 void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken) const {
@@ -209,17 +272,24 @@ void ContactForces::add(const State& state, Workspace& work, Rates* out) const {
     const Kinematics x = kinematics(work, slot.mode);
     const LawForce force = law(x, memory<L>(state, slot), mode);
     const Gap& gap = work.gaps[slot.mode];
-    const Vec2 on_b = force.total() * gap.n_AB;
-    add_force(work.wrenches[index(group.b)], work.poses[index(group.b)].p_WB, gap.p_WC, group.share_b * on_b);
-    add_force(work.wrenches[index(group.a)], work.poses[index(group.a)].p_WB, gap.p_WC, -group.share_a * on_b);
+    add_pair(work, group, gap, force.total() * gap.n_AB);
     if (out) out->work[static_cast<std::size_t>(L::dissipation)] += group.copies * force.dissipative * x.extent_rate;
+  });
+  for_each_slider(laws_, state, work, [&](const Slider& slider) {
+    const Gap& gap = work.gaps[slider.instance];
+    const double force = slider.law(state.z[slider.slot.memory], slider.normal);
+    add_pair(work, slider.group, gap, -force * tangent(gap));
   });
 }
 
 void ContactForces::guards(const State& state, const Workspace& work, std::span<double> out) const {
-  std::fill_n(out.begin(), size(), std::numeric_limits<double>::infinity());
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup&) {
     out[slot.mode] = law.guard(kinematics(work, slot.mode), memory<L>(state, slot), state.mode[slot.mode]);
+  });
+  for_each_slider(laws_, state, work, [&](const Slider& slider) {
+    const Slot slot = slider.slot;
+    out[slot.mode] =
+        slider.law.guard(state.z[slot.memory], slip_rate(work, slider), slider.normal, state.mode[slot.mode]);
   });
 }
 
@@ -228,6 +298,9 @@ double ContactForces::stored_energy(const State& state, const Workspace& work) c
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup& group) {
     const double stored = law.stored_energy(kinematics(work, slot.mode), memory<L>(state, slot), state.mode[slot.mode]);
     sum += group.copies * stored;
+  });
+  for_each_slider(laws_, state, work, [&](const Slider& slider) {
+    sum += slider.group.copies * slider.law.stored_energy(state.z[slider.slot.memory]);
   });
   return sum;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -24,6 +25,8 @@ struct ContactGroup {
   double share_a{1.0};  ///< force on A for each unit of the law's force: above 1 when a contact that stands for several
   double share_b{1.0};  ///< acts on a body that stands for itself alone
   double copies{1.0};   ///< identical contacts that this one stands for
+  std::optional<CoulombFriction> friction{};  ///< none: nothing tangential is worked out
+  Slot first_friction{};                      ///< of its instance `first`; those of the others follow
 };
 
 /// All contact instances of one law, in one array for each kind of geometry, with the slots of their modes and memory.
@@ -67,8 +70,10 @@ class ContactForces {
   void list_woken(const Workspace& work, std::vector<BodyId>& woken) const;
   /// Adds the forces to the wrenches of both bodies; with out, the dissipated power as well.
   void add(const State& state, Workspace& work, Rates* out) const;
-  /// Infinity for instances out of reach.
+  /// Of the instances within reach.
   void guards(const State& state, const Workspace& work, std::span<double> out) const;
+  /// Rates of the memory that follows the motion: the slip rate where two bodies touch and friction acts.
+  void memory_rates(const State& state, const Workspace& work, Rates& out) const;
   double stored_energy(const State& state, const Workspace& work) const;
   /// Normal force of each instance [F], > 0 pushing apart.
   void forces(const State& state, const Workspace& work, std::span<double> out) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace talus {
 namespace {
@@ -18,6 +19,8 @@ Dynamics::Dynamics(const Model& model)
     : model_{model}, layout_{model}, bodies_{model_, layout_}, contacts_{model_, layout_}, cables_{model_, layout_} {
   for (const Coordinate& coordinate : layout_.coordinates)
     inertias_.push_back(inertia(model_, coordinate));
+  follows_motion_ = std::any_of(model_.contacts.begin(), model_.contacts.end(),
+                                [](const Contact& contact) { return contact.friction.has_value(); });
   if (layout_.sleepers.empty()) return;
   find_rest();
 }
@@ -50,14 +53,17 @@ Workspace Dynamics::workspace() const {
   work.near.resize(contacts_.candidates());
   work.paths.resize(cables_.size());
   bodies_.place_fixed(work);
-  list_awake(rest_state(model_), work.waking, true);
+  const State rest = rest_state(model_);
+  cables_.rig(rest, work.rigging);
+  list_awake(rest, work, true);
   work.waking.modes.clear();  // stands for no state yet
   return work;
 }
 
 /// The sleeping bodies of the state, and what is to be worked out: of the evaluation after a change of modes the whole,
 /// so that what goes on sleeping has its poses, paths and pulls from then.
-void Dynamics::list_awake(const State& state, Waking& waking, bool whole) const {
+void Dynamics::list_awake(const State& state, Workspace& work, bool whole) const {
+  Waking& waking = work.waking;
   const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
   waking.modes.assign(modes, state.mode.end());
   waking.awake.assign(model_.bodies.size(), 1);
@@ -65,30 +71,34 @@ void Dynamics::list_awake(const State& state, Waking& waking, bool whole) const 
     waking.awake[index(layout_.sleepers[i])] = static_cast<char>(waking.modes[i]);
   waking.whole = whole;
   bodies_.list_awake(waking);
-  cables_.list_awake(waking);
+  cables_.list_awake(waking, work.rigging);
 }
 
 void Dynamics::update(const State& state, Workspace& work) const {
+  const bool rerigged = cables_.rig(state, work.rigging);
   if (!layout_.sleepers.empty()) {
     const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
-    const bool changed = !std::equal(work.waking.modes.begin(), work.waking.modes.end(), modes, state.mode.end());
-    if (changed || work.waking.whole) list_awake(state, work.waking, changed);
+    const bool changed =
+        rerigged || !std::equal(work.waking.modes.begin(), work.waking.modes.end(), modes, state.mode.end());
+    if (changed || work.waking.whole) list_awake(state, work, changed);
   }
   bodies_.update(state, work);
-  cables_.update(work);
+  cables_.update(state, work);
   contacts_.update(state, work);
 }
 
 void Dynamics::update_all(const State& state, Workspace& work) const {
-  list_awake(state, work.waking, true);
+  cables_.rig(state, work.rigging);
+  list_awake(state, work, true);
   bodies_.update(state, work);
-  cables_.update(work);
+  cables_.update(state, work);
   contacts_.update_all(work);
 }
 
 void Dynamics::settle(State& state, Workspace& work) const {
   contacts_.settle(state, work);
   cables_.settle(state, work);
+  if (!model_.hangers.empty() && break_hangers(state, work)) return settle(state, work);
   if (layout_.sleepers.empty()) return;
   std::vector<BodyId> woken;
   std::copy_if(restless_.begin(), restless_.end(), std::back_inserter(woken),
@@ -96,19 +106,44 @@ void Dynamics::settle(State& state, Workspace& work) const {
   contacts_.list_woken(work, woken);
   cables_.list_woken(state, work, model_.sleep == Sleep::exact ? 0.0 : 1e-13, woken);
   if (woken.empty()) return;
-  for (const BodyId body : woken) {
-    const auto place = std::lower_bound(layout_.sleepers.begin(), layout_.sleepers.end(), body);
-    state.mode[layout_.first_sleeper + static_cast<std::size_t>(place - layout_.sleepers.begin())] = Mode{1};
-  }
+  wake(state, woken);
   // A woken body's own cables may wake its neighbours.
   update(state, work);
   settle(state, work);
 }
 
+void Dynamics::wake(State& state, const std::vector<BodyId>& bodies) const {
+  for (const BodyId body : bodies) {
+    const auto place = std::lower_bound(layout_.sleepers.begin(), layout_.sleepers.end(), body);
+    if (place == layout_.sleepers.end() || *place != body) continue;
+    state.mode[layout_.first_sleeper + static_cast<std::size_t>(place - layout_.sleepers.begin())] = Mode{1};
+  }
+}
+
+/// Breaks the most overloaded hangers, and books what the cables lose while they straighten; false if none is.
+bool Dynamics::break_hangers(State& state, Workspace& work) const {
+  const std::vector<HangerId> overloaded = cables_.overloaded(state, work);
+  if (overloaded.empty()) return false;
+  const double before = cables_.stored_energy(state, work);
+  for (const HangerId hanger : overloaded) {
+    state.mode[layout_.first_hanger + index(hanger)] = Mode{1};
+    wake(state, cables_.joined_bodies(hanger));
+  }
+  update(state, work);
+  cables_.settle(state, work);
+  state.work[static_cast<std::size_t>(Mechanism::hanger_break)] += before - cables_.stored_energy(state, work);
+  return true;
+}
+
+void Dynamics::memory_rates(const State& state, const Workspace& work, Rates& out) const {
+  std::fill(out.z.begin(), out.z.end(), 0.0);
+  contacts_.memory_rates(state, work, out);
+}
+
 void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledger) const {
   out.work.fill(0.0);
   out.impulse.fill(0.0);
-  std::fill(out.z.begin(), out.z.end(), 0.0);
+  memory_rates(state, work, out);
   std::fill(work.wrenches.begin(), work.wrenches.end(), Wrench{});
   Rates* const accounts = ledger ? &out : nullptr;
   // Cables first: a half model's doubled pull and a full model's two pulls are then the same sum to the last bit.
@@ -118,6 +153,7 @@ void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledge
 }
 
 void Dynamics::guards(const State& state, const Workspace& work, std::span<double> out) const {
+  std::fill(out.begin(), out.end(), std::numeric_limits<double>::infinity());
   contacts_.guards(state, work, out);
   cables_.guards(state, work, out);
 }

@@ -43,12 +43,17 @@ class Dynamics {
   void update(const State& state, Workspace& work) const;
   /// The same with all gaps, however far apart the bodies.
   void update_all(const State& state, Workspace& work) const;
-  /// Brings each law's mode up to date, books the energy released by those changes, and wakes bodies on which something
-  /// acts otherwise than at rest.
+  /// Whether some memory follows the motion, as that of friction does.
+  bool follows_motion() const { return follows_motion_; }
+  /// Rates of that memory alone, to out.z.
+  void memory_rates(const State& state, const Workspace& work, Rates& out) const;
+  /// Brings each law's mode up to date, breaks hangers, books the energy released by those changes, and wakes bodies on
+  /// which something acts otherwise than at rest.
   void settle(State& state, Workspace& work) const;
   /// Rates of change in the state's modes; with `ledger` off the powers and impulses are left at zero.
   void rates(const State& state, Workspace& work, Rates& out, bool ledger = true) const;
-  /// Guards of all law instances in the state's modes, by mode slot; positive while the mode lasts.
+  /// Guards of all law instances and hangers in the state's modes, by mode slot; positive while the mode lasts, and
+  /// infinite where nothing can end it from here.
   void guards(const State& state, const Workspace& work, std::span<double> out) const;
 
   [[nodiscard]] Energies energies(const State& state, const Workspace& work) const;
@@ -62,7 +67,9 @@ class Dynamics {
 
  private:
   void find_rest();
-  void list_awake(const State& state, Waking& waking, bool whole) const;
+  void list_awake(const State& state, Workspace& work, bool whole) const;
+  void wake(State& state, const std::vector<BodyId>& bodies) const;
+  bool break_hangers(State& state, Workspace& work) const;
 
   Model model_;
   Layout layout_;
@@ -70,6 +77,7 @@ class Dynamics {
   ContactForces contacts_;
   CableForces cables_;
   std::vector<double> inertias_;
+  bool follows_motion_{};
   std::vector<BodyId> restless_;  ///< bodies that may sleep but are not in balance at their reference position
 };
 

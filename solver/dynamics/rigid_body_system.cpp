@@ -10,11 +10,20 @@ static_assert(Splittable<RigidBodySystem> && Differentiable<RigidBodySystem>);
 RigidBodySystem::RigidBodySystem(const Dynamics& dynamics, bool ledger)
     : dynamics_{&dynamics}, work_{dynamics.workspace()}, rates_{rest_state(dynamics.model())}, ledger_{ledger} {}
 
-void RigidBodySystem::drift(State& state, double h) const { drift_coordinates(state, h); }
+void RigidBodySystem::drift(State& state, double h) {
+  if (!dynamics_->follows_motion()) return drift_coordinates(state, h);
+  // Midpoint rule for the memory: second order, and the same backwards.
+  drift_coordinates(state, 0.5 * h);
+  dynamics_->update(state, work_);
+  dynamics_->memory_rates(state, work_, rates_);
+  for (std::size_t i = 0; i < state.z.size(); ++i)
+    state.z[i] += h * rates_.z[i];
+  drift_coordinates(state, 0.5 * h);
+}
 
 void RigidBodySystem::kick(State& state, double h) {
   evaluate(state, rates_);
-  advance_rates(state, rates_, h);
+  kick_velocities(state, rates_, h);
 }
 
 void RigidBodySystem::settle(State& state) {

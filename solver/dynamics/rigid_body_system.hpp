@@ -11,7 +11,7 @@ class RigidBodySystem {
   /// `ledger` off leaves work and impulse of the states untouched. The Dynamics must outlive the system.
   explicit RigidBodySystem(const Dynamics& dynamics, bool ledger = true);
 
-  void drift(State& state, double h) const;
+  void drift(State& state, double h);
   void kick(State& state, double h);
   void settle(State& state);
   void derivative(const State& state, Rates& out);

@@ -34,6 +34,26 @@ struct Waking {
   std::vector<std::vector<std::size_t>> cables;  ///< for each law, places of the cables to work out in its array
 };
 
+/// Cables that go on as one through broken hangers: straight from the first joint to the last, with one tension.
+struct Chain {
+  /// What holds the first joint.
+  enum class Start {
+    held,      ///< a body or an anchor
+    mirrored,  ///< the chain's own image behind a plane of symmetry of the scene: it runs straight along the fence
+    loose,     ///< nothing: its hanger broke and no other cable ended there
+  };
+  Start start{Start::held};
+  std::vector<std::size_t> joints;  ///< one more than cables; all but the ends are broken hangers
+  std::vector<std::size_t> cables;
+};
+
+/// How the cables run, by the hangers that are broken.
+struct Rigging {
+  std::vector<Mode> modes;   ///< of the hangers, for which the rest stands
+  std::vector<char> broken;  ///< one for each joint: no longer on its body
+  std::vector<Chain> chains;
+};
+
 /// Scratch of one force evaluation, kept by the caller so that a step allocates nothing and Dynamics stays pure.
 struct Workspace {
   std::vector<Pose> poses;         ///< one for each body
@@ -43,6 +63,7 @@ struct Workspace {
   std::vector<Gap> gaps;           ///< one for each law instance of the contacts that is near
   std::vector<double> rates;       ///< their depth rates [L/T]
   Waking waking;
+  Rigging rigging;
   std::vector<char> near;  ///< one for each pair of the contact search: whether its gaps were worked out
 };
 

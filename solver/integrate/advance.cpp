@@ -7,15 +7,19 @@ void drift_coordinates(State& state, double h) {
     state.q[i] += h * state.v[i];
 }
 
-void advance_rates(State& state, const Rates& rates, double h) {
+void kick_velocities(State& state, const Rates& rates, double h) {
   for (std::size_t i = 0; i < state.v.size(); ++i)
     state.v[i] += h * rates.v[i];
-  for (std::size_t i = 0; i < state.z.size(); ++i)
-    state.z[i] += h * rates.z[i];
   for (std::size_t i = 0; i < state.work.size(); ++i)
     state.work[i] += h * rates.work[i];
   for (std::size_t i = 0; i < state.impulse.size(); ++i)
     state.impulse[i] += h * rates.impulse[i];
+}
+
+void advance_rates(State& state, const Rates& rates, double h) {
+  kick_velocities(state, rates, h);
+  for (std::size_t i = 0; i < state.z.size(); ++i)
+    state.z[i] += h * rates.z[i];
 }
 
 }  // namespace talus

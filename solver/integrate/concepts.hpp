@@ -7,21 +7,22 @@
 namespace talus {
 
 /// A system whose motion can be advanced in two halves, each of them exact for its own part.
-///   drift(state, h)  moves the coordinates with the present velocities; no force is evaluated
-///   kick(state, h)   brings the modes up to date, evaluates the forces once, advances velocities, memory, work and
-///   impulse
+///   drift(state, h)  moves the coordinates, and the memory that follows the motion, with the present velocities; no
+///                    force is evaluated
+///   kick(state, h)   brings the modes up to date, evaluates the forces once, advances velocities, work and impulse
 template <class S>
 concept Splittable = requires(S& system, State& state, double h) {
   system.drift(state, h);
   system.kick(state, h);
 };
 
-/// A system that gives its rates of change.
+/// A system that gives its rates of change, and drifts as above.
 ///   settle(state)           brings the modes up to date with coordinates and velocities
 ///   derivative(state, out)  rates in the state's present modes; one force evaluation; the same bits each time
 ///   evaluate(state, out)    both at once, for one force evaluation
 template <class S>
 concept Differentiable = requires(S& system, State& state, const State& fixed, Rates& rates) {
+  system.drift(state, 1.0);
   system.settle(state);
   system.derivative(fixed, rates);
   system.evaluate(state, rates);

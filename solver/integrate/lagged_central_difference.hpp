@@ -37,7 +37,7 @@ class LaggedCentralDifference {
     // The velocities of this step are the old ones of the next.
     std::swap(state.v, old_velocity_);
     old_velocity_ = state.v;
-    advance_rates(state, rates_, h);
+    kick_velocities(state, rates_, h);
     system.drift(state, h);
     state.t += h;
   }

@@ -25,10 +25,10 @@ class VelocityVerlet {
 
   template <Differentiable System>
   void step(System& system, State& state, double h) {
-    advance_rates(state, rates_, 0.5 * h);
-    drift_coordinates(state, h);
+    kick_velocities(state, rates_, 0.5 * h);
+    system.drift(state, h);
     system.evaluate(state, rates_);
-    advance_rates(state, rates_, 0.5 * h);
+    kick_velocities(state, rates_, 0.5 * h);
     state.t += h;
   }
 

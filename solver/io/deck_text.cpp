@@ -91,6 +91,8 @@ std::vector<std::string> choices(const scenes::FenceOptions& options) {
     result.push_back(fmt::format("{} = \"{}\"", name, choice_name(choice)));
   });
   result.push_back(fmt::format("integrator = \"{}\"", options.integrator));
+  for (const auto& field : scenes::FenceOptions::fields())
+    result.push_back(fmt::format("{} = {}", field.name, options.*field.member));
   return result;
 }
 
@@ -103,6 +105,12 @@ std::string deck_text(const Fence& fence) {
   if (!beyond.empty()) {
     throw InputError{fmt::format("a deck has no record for the options of a fence; found {}; it must be {}",
                                  fmt::join(beyond, ", "), fmt::join(of_1993, ", "))};
+  }
+  if (!fence.changed_columns.empty()) throw InputError{"a deck has one kind of column; found a changed_column"};
+  for (std::size_t i = 0; i < fence.rocks.size(); ++i) {
+    if (fence.rocks[i].along == 0.0) continue;
+    throw InputError{fmt::format("a deck has no place along the fence; found along = {} at rock {}; it must be 0",
+                                 fence.rocks[i].along, i + 1)};
   }
   DeckWriter writer{fence};
   deck_records::pass(writer, fence);

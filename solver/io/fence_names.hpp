@@ -14,7 +14,8 @@ inline constexpr std::array<std::string_view, 3> held_axes{"x", "y", "rotation"}
 /// struct apart by all its members lets none be forgotten.)
 template <class Options, class Visit>
 void for_each_choice(Options&& options, Visit&& visit) {
-  auto& [symmetry, even_centre, contact, calibration, end_rule, start, bottom_end, sleep, integrator] = options;
+  auto& [symmetry, even_centre, contact, calibration, end_rule, start, bottom_end, column_ground, sleep, integrator,
+         shear_ratio, hanger_strength, strength_top, strength_bottom, hardening, rupture] = options;
   visit("symmetry", symmetry);
   visit("even_centre", even_centre);
   visit("contact", contact);
@@ -22,7 +23,11 @@ void for_each_choice(Options&& options, Visit&& visit) {
   visit("end_rule", end_rule);
   visit("start", start);
   visit("bottom_end", bottom_end);
+  visit("column_ground", column_ground);
   visit("sleep", sleep);
+  // The numbers have their fields.
+  for (const double& number : {shear_ratio, hanger_strength, strength_top, strength_bottom, hardening, rupture})
+    static_cast<void>(number);
   static_cast<void>(integrator);
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "solver/scenes/fence_scene.hpp"
 
 namespace talus {
@@ -39,6 +41,20 @@ Fault element_fault(const FenceElement& element, std::size_t number) {
                                               : "as spin")};
   }
   return {};
+}
+
+/// Where rocks may be along the fence.
+Fault along_fault(const FenceElement& element, std::size_t number, const Fence& fence, bool rock) {
+  if (element.along == 0.0) return {};
+  const std::string found = fmt::format("found {}", amount(element.along, fence, dimension::length));
+  if (!rock) return FenceFault{number, "along", found + "; only a rock has a place along the fence"};
+  if (fence.options.symmetry == scenes::FenceSymmetry::half)
+    return FenceFault{number, "along", found + "; it must be 0 in the half model, which is symmetric"};
+  const double reach = 0.5 * fence.columns * fence.spacing;
+  if (std::abs(element.along) <= reach) return {};
+  return FenceFault{number, "along",
+                    fmt::format("{}; it must be in front of the columns, within {} of mid-span", found,
+                                amount(reach, fence, dimension::length))};
 }
 
 Fault layer_fault(const Fence& fence) {
@@ -107,6 +123,12 @@ std::optional<FenceFault> fault(const Fence& fence) {
     if (Fault found = element_fault(fence.rocks[i], i + 2)) return found;
   }
   if (Fault found = element_fault(fence.column, fence.rocks.size() + 2)) return found;
+  for (std::size_t i = 0; i < fence.rocks.size(); ++i) {
+    if (Fault found = along_fault(fence.rocks[i], i + 2, fence, true)) return found;
+  }
+  if (Fault found = along_fault(fence.ground, 1, fence, false)) return found;
+  if (Fault found = along_fault(fence.column, fence.rocks.size() + 2, fence, false)) return found;
+  if (fence.options.hardening >= 1.0) return FenceFault{0, "options", "hardening: found 1; it must be < 1"};
   if (Fault found = layer_fault(fence)) return found;
   return history_fault(fence);
 }

@@ -49,6 +49,7 @@ std::string number_lines(const T& value, const UnitSystem& units) {
 std::string element_lines(std::string_view head, const FenceElement& element, const UnitSystem& units) {
   std::string text = fmt::format("\n{}\nsolid = \"{}\"\n", head, choice_name(element.solid));
   text += number_lines(element, units);
+  if (element.along != 0.0) text += fmt::format("along = {}\n", quantity(element.along, dimension::length, units));
   for (const auto& field : FenceElement::vectors()) {
     const Vec2 vector = element.*field.member;
     text += fmt::format("{} = [{}, {}]\n", field.name, quantity(vector.x, field.dimension, units),
@@ -61,12 +62,12 @@ std::string element_lines(std::string_view head, const FenceElement& element, co
   return held.empty() ? text : text + fmt::format("held = [{}]\n", fmt::join(held, ", "));
 }
 
-std::string option_lines(const scenes::FenceOptions& options) {
+std::string option_lines(const scenes::FenceOptions& options, const UnitSystem& units) {
   std::string text = "\n[fence.options]\n";
   for_each_choice(options, [&](std::string_view name, auto choice) {
     text += fmt::format("{} = \"{}\"\n", name, choice_name(choice));
   });
-  return text + fmt::format("integrator = \"{}\"\n", options.integrator);
+  return text + fmt::format("integrator = \"{}\"\n", options.integrator) + number_lines(options, units);
 }
 
 }  // namespace
@@ -81,7 +82,9 @@ std::string fence_toml(const Fence& fence) {
   for (const FenceElement& rock : fence.rocks)
     text += element_lines("[[fence.rock]]", rock, fence.units);
   text += element_lines("[fence.column]", fence.column, fence.units);
-  return fence.options == scenes::FenceOptions{} ? text : text + option_lines(fence.options);
+  for (const scenes::ChangedColumn& column : fence.changed_columns)
+    text += "\n[[fence.changed_column]]\n" + number_lines(column, fence.units);
+  return fence.options == scenes::FenceOptions{} ? text : text + option_lines(fence.options, fence.units);
 }
 
 }  // namespace talus

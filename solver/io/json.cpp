@@ -70,6 +70,13 @@ Json extremes(const RunRecord& record) {
   return json;
 }
 
+Json failures(const RunRecord& record) {
+  Json json = Json::array();
+  for (const Failure& failure : record.failures)
+    json.push_back({{"time", number(failure.time)}, {"part", failure.part}, {"what", failure.what}});
+  return json;
+}
+
 Json bodies(const RunRecord& record) {
   Json json = Json::array();
   for (const BodyState& body : record.bodies) {
@@ -104,6 +111,7 @@ std::string summary_json(const RunRecord& record) {
                   {"history_rows_cut", record.rows_cut},
                   {"ledger", ledger(record)},
                   {"extremes", extremes(record)},
+                  {"failures", failures(record)},
                   {"bodies", bodies(record)},
                   {"notes", record.notes}};
   return json.dump(2) + "\n";

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/run/failure_log.hpp"
 #include "solver/run/history.hpp"
 #include "solver/run/outcome.hpp"
 #include "solver/scenes/scene.hpp"
@@ -42,6 +43,7 @@ struct RunRecord {
   double largest_energy_closure{};
   double energy_scale{};
   std::vector<ExtremeRecord> extremes;
+  std::vector<Failure> failures;   ///< in the order in which cables yielded, and cables and hangers broke
   History history;                 ///< rows up to the first that holds a number that is not finite
   std::size_t rows_cut{};          ///< rows left out after that
   std::vector<std::string> notes;  ///< what was asked for and is not in the files, in words

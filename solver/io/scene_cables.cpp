@@ -22,8 +22,15 @@ SceneCable read_cable(SceneTable table, const Model& bodies) {
   visit_named<CableLaw>(law, [&](auto wanted) {
     std::vector<std::string> keys = field_names<decltype(wanted)>();
     keys.insert(keys.end(), {"from", "to", "rest_length", "slack"});
+    if constexpr (requires { wanted.table; }) keys.emplace_back("table");
     table.allow(keys);
     table.read_fields(wanted);
+    if constexpr (requires { wanted.table; }) {
+      if (table.has("table")) {
+        for (const auto& [stretch, force] : table.pairs("table", dimension::length, dimension::force))
+          wanted.table.push_back({stretch, force});
+      }
+    }
     cable.law = wanted;
   });
   cable.a = read_end(table.table("from"), bodies);
@@ -34,7 +41,25 @@ SceneCable read_cable(SceneTable table, const Model& bodies) {
   return read;
 }
 
+SceneHanger read_hanger(SceneTable table, const Model& bodies) {
+  SceneHanger read{table, {}};
+  read.hanger.name = table.text("name");
+  table.allow({"body", "point", "strength"});
+  read.hanger.body = body_named(table, "body", bodies, table.text("body"));
+  const std::vector<double> p = table.quantities("point", dimension::length, 2, 3);
+  read.hanger.p = {p[0], p[1], p.size() == 3 ? p[2] : 0.0};
+  read.hanger.strength = table.quantity("strength", dimension::force, Range::positive);
+  return read;
+}
+
 }  // namespace
+
+std::vector<SceneHanger> read_hangers(SceneTable& file, const Model& bodies) {
+  std::vector<SceneHanger> hangers;
+  for (const SceneTable& table : file.tables("hanger"))
+    hangers.push_back(read_hanger(table, bodies));
+  return hangers;
+}
 
 std::vector<SceneCable> read_cables(SceneTable& file, const Model& bodies) {
   std::vector<SceneCable> cables;

@@ -18,7 +18,7 @@ template <class L>
 void read_law(SceneTable& table, SceneContact& read) {
   L law;
   std::vector<std::string> keys = field_names<L>();
-  keys.insert(keys.end(), {"between", "method", "nodes"});
+  keys.insert(keys.end(), {"between", "method", "nodes", "node_depth", "friction", "shear_stiffness"});
   if constexpr (Restituting<L>) keys.insert(keys.end(), {"end_rule", "restitution", "restitution_rule"});
   table.allow(keys);
   table.read_fields(law);
@@ -40,6 +40,24 @@ void read_law(SceneTable& table, SceneContact& read) {
   read.contact.law = law;
 }
 
+/// Boundary nodes of both bodies: one number, or one for each.
+std::array<int, 2> read_nodes(SceneTable& table) {
+  const std::vector<int> counts = table.wholes_or_one("nodes");
+  if (counts.size() > 2) table.fail("nodes", fmt::format("found {} numbers; give one, or one a body", counts.size()));
+  return {counts.front(), counts.back()};
+}
+
+/// Friction, if the contact has any: the shear stiffness is the normal one unless it is given.
+std::optional<CoulombFriction> read_friction(SceneTable& table, const ContactLaw& law) {
+  if (!table.has("friction")) {
+    table.refuse("shear_stiffness", "without friction it has no use; leave it out or give friction");
+    return {};
+  }
+  const double normal = std::visit([](const auto& l) { return l.tangent().stiffness; }, law);
+  return CoulombFriction{table.number("friction", Range::non_negative),
+                         table.quantity_or("shear_stiffness", dimension::stiffness, normal, Range::positive)};
+}
+
 SceneContact read_contact(SceneTable table, const Model& bodies) {
   SceneContact read{table, {}, {}, RestitutionRule::effective_mass};
   Contact& contact = read.contact;
@@ -51,13 +69,16 @@ SceneContact read_contact(SceneTable table, const Model& bodies) {
   contact.b = body_named(table, "between", bodies, between[1]);
   contact.method = table.choice_or("method", contact.method);
   if (contact.method == ContactMethod::nodes) {
-    if (table.has("nodes")) contact.nodes.fill(table.whole("nodes"));
+    if (table.has("nodes")) contact.nodes = read_nodes(table);
+    contact.node_depth = table.choice_or("node_depth", contact.node_depth);
     if (read.restitution && read.rule == RestitutionRule::effective_mass) {
       table.fail("restitution_rule", "contact by nodes has no single effective mass; it must be \"eq_21\"");
     }
   } else {
-    table.refuse("nodes", "contact by resultant has no nodes; leave it out");
+    for (const std::string_view key : {"nodes", "node_depth"})
+      table.refuse(key, "contact by resultant has no nodes; leave it out");
   }
+  contact.friction = read_friction(table, contact.law);
   return read;
 }
 

@@ -43,10 +43,17 @@ struct SceneCable {
   Cable cable;
 };
 
+/// A hanger as written.
+struct SceneHanger {
+  SceneTable table;
+  Hanger hanger;
+};
+
 /// The readers of a scene's parts. All errors are InputError with file, line, name and field.
 [[nodiscard]] std::vector<SceneBody> read_bodies(SceneTable& file);
 [[nodiscard]] std::vector<SceneContact> read_contacts(SceneTable& file, const Model& bodies);
 [[nodiscard]] std::vector<SceneCable> read_cables(SceneTable& file, const Model& bodies);
+[[nodiscard]] std::vector<SceneHanger> read_hangers(SceneTable& file, const Model& bodies);
 
 /// The body of that name, wanted by `key` of a table. Errors: an unknown name, with the nearest known.
 [[nodiscard]] BodyId body_named(const SceneTable& table, std::string_view key, const Model& bodies,

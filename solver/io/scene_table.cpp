@@ -140,6 +140,32 @@ int SceneTable::whole_of(std::string_view key, const TomlValue& value) const {
   fail_at(value.line, key, fmt::format("found {}; it must be a whole number, e.g. 12", found(value)));
 }
 
+std::vector<int> SceneTable::wholes_or_one(std::string_view key) {
+  const TomlValue& value = demand(key);
+  if (!std::holds_alternative<TomlArray>(value.data)) return {whole_of(key, value)};
+  std::vector<int> result = wholes(key);
+  if (result.empty()) fail_at(value.line, key, "found no number; give one");
+  return result;
+}
+
+std::vector<std::array<double, 2>> SceneTable::pairs(std::string_view key, Dimension first, Dimension second) {
+  const TomlValue& value = demand(key);
+  const std::string example =
+      fmt::format("[\"1 {}\", \"1 {}\"]", symbol(source_->units, first), symbol(source_->units, second));
+  const auto* points = std::get_if<TomlArray>(&value.data);
+  if (points == nullptr) fail_at(value.line, key, fmt::format("found {}; it must be [{}, ...]", found(value), example));
+  std::vector<std::array<double, 2>> result;
+  for (const TomlValue& point : *points) {
+    const auto* pair = std::get_if<TomlArray>(&point.data);
+    if (pair == nullptr || pair->size() != 2) {
+      fail_at(point.line, key, fmt::format("found {}; each point must be a pair, e.g. {}", found(point), example));
+    }
+    result.push_back(
+        {quantity_of(key, (*pair)[0], first, Range::any), quantity_of(key, (*pair)[1], second, Range::any)});
+  }
+  return result;
+}
+
 std::vector<int> SceneTable::wholes(std::string_view key) {
   const TomlValue& value = demand(key);
   const auto* elements = std::get_if<TomlArray>(&value.data);

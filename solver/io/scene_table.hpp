@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,6 +45,10 @@ class SceneTable {
   [[nodiscard]] double number(std::string_view key, Range range = Range::any);
   /// A whole number.
   [[nodiscard]] int whole(std::string_view key);
+  /// A whole number, or an array of them that is not empty.
+  [[nodiscard]] std::vector<int> wholes_or_one(std::string_view key);
+  /// An array of pairs of quantities.
+  [[nodiscard]] std::vector<std::array<double, 2>> pairs(std::string_view key, Dimension first, Dimension second);
   /// An array of whole numbers.
   [[nodiscard]] std::vector<int> wholes(std::string_view key);
   [[nodiscard]] std::string text(std::string_view key);

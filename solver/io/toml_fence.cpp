@@ -1,10 +1,13 @@
 #include "solver/io/toml_fence.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/fence_names.hpp"
 #include "solver/io/fence_rules.hpp"
+#include "solver/scenes/fence_scene.hpp"
 
 namespace talus {
 namespace {
@@ -26,13 +29,14 @@ FenceElement read_element(SceneTable& table, ElementType type) {
   std::vector<std::string> known = keys<FenceElement>();
   for (const auto& field : FenceElement::vectors())
     known.emplace_back(field.name);
-  known.insert(known.end(), {"solid", "held"});
+  known.insert(known.end(), {"solid", "held", "along"});
   table.allow(known);
   FenceElement element;
   element.type = type;
   static_cast<void>(table.text("solid"));
   element.solid = table.choice_or("solid", element.solid);
   table.read_fields(element);
+  element.along = table.quantity_or("along", dimension::length, 0.0);
   for (const auto& field : FenceElement::counts())
     table.read_count(element, field);
   for (const auto& field : FenceElement::vectors())
@@ -48,8 +52,24 @@ scenes::FenceOptions read_options(SceneTable table) {
   scenes::FenceOptions options;
   for_each_choice(options, [&](std::string_view name, auto& choice) { choice = table.choice_or(name, choice); });
   if (table.has("integrator")) options.integrator = table.choice("integrator", integrator_names());
-  table.allow({});
+  table.read_fields(options);
+  table.allow(field_names<scenes::FenceOptions>());
   return options;
+}
+
+/// A changed column: what its table leaves out is as with the others.
+scenes::ChangedColumn read_changed(SceneTable& table, const Fence& fence) {
+  table.allow(keys<scenes::ChangedColumn>());
+  const FenceElement& pattern = fence.column;
+  scenes::ChangedColumn column{1, pattern.a, pattern.b, pattern.density, fence.y_top, fence.y_bottom};
+  table.read_fields(column);
+  for (const auto& field : scenes::ChangedColumn::counts())
+    table.read_count(column, field);
+  if (const int most = columns_of_half(fence); column.place > most) {
+    table.fail("place", fmt::format("found {}; it must be in 1 .. {}", column.place, most));
+  }
+  if (!(column.y_top > column.y_bottom)) table.fail("y_top", "it must be above the bottom joint");
+  return column;
 }
 
 /// The tables of a fence's elements: the ground, the rocks and the column, in this order.
@@ -77,7 +97,8 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   if (const std::string why = objection_to_title(fence.title); !why.empty()) file.fail("title", why);
   SceneTable table = file.table("fence");
   std::vector<std::string> known = keys<Fence>();
-  known.insert(known.end(), {"history_elements", "history_codes", "ground", "rock", "column", "options"});
+  known.insert(known.end(),
+               {"history_elements", "history_codes", "ground", "rock", "column", "changed_column", "options"});
   table.allow(known);
   table.read_fields(fence);
   for (const auto& field : Fence::counts())
@@ -89,6 +110,8 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   for (std::size_t i = 1; i + 1 < elements.size(); ++i)
     fence.rocks.push_back(read_element(elements[i], ElementType::rock));
   fence.column = read_element(elements.back(), ElementType::column);
+  for (SceneTable& changed : table.numbered_tables("changed_column"))
+    fence.changed_columns.push_back(read_changed(changed, fence));
   if (table.has("options")) fence.options = read_options(table.table("options"));
   if (const auto found = fault(fence)) {
     (found->element == 0 ? table : elements[found->element - 1]).fail(found->field, found->words);

@@ -19,6 +19,7 @@ struct Parts {
   std::vector<SceneBody> bodies;
   std::vector<SceneContact> contacts;
   std::vector<SceneCable> cables;
+  std::vector<SceneHanger> hangers;
 };
 
 /// The model of the parts; what a builder refuses gets the line of the table concerned.
@@ -31,6 +32,8 @@ Model built(const Parts& parts, const SceneTable& file) {
     read.table.placed([&] { return builder.add(read.contact); });
   for (const SceneCable& read : parts.cables)
     read.table.placed([&] { return builder.add(read.cable); });
+  for (const SceneHanger& read : parts.hangers)
+    read.table.placed([&] { return builder.add(read.hanger); });
   return file.placed([&] { return builder.build(); });
 }
 
@@ -72,6 +75,7 @@ Parts read_parts(SceneTable& file) {
   const Model bodies = built(parts, file);
   parts.contacts = read_contacts(file, bodies);
   parts.cables = read_cables(file, bodies);
+  parts.hangers = read_hangers(file, bodies);
   set_damping(parts.contacts, built(parts, file));
   return parts;
 }
@@ -108,7 +112,7 @@ SceneFile read_scene_file(std::string_view text, std::string_view name) {
     const scenes::FenceScene made = file.table("fence").placed([&] { return scenes::fence_scene(fence); });
     return {made.scene, FenceInput{fence, made}};
   }
-  file.allow({"title", "units", "gravity", "body", "contact", "cable", "run"});
+  file.allow({"title", "units", "gravity", "body", "contact", "cable", "hanger", "run"});
   source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
   Scene scene;
   scene.title = file.text("title");

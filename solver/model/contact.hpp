@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "solver/base/ids.hpp"
 #include "solver/geometry/node_depth.hpp"
+#include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/law_list.hpp"
 
 namespace talus {
@@ -28,7 +30,8 @@ struct Contact {
   ContactLaw law{};
   ContactMethod method{ContactMethod::resultant};
   std::array<int, 2> nodes{12, 12};  ///< boundary nodes of a and b when method is `nodes`: of a circle or superquadric
-  NodeDepth node_depth{NodeDepth::nearest};  ///< of nodes in a superquadric when method is `nodes`
+  NodeDepth node_depth{NodeDepth::nearest};   ///< of nodes in a superquadric when method is `nodes`
+  std::optional<CoulombFriction> friction{};  ///< none: the contact is smooth, and keeps no memory for it
   int copies{1};  ///< number of identical contacts that this one stands for, by symmetry of the scene
 };
 

@@ -58,6 +58,14 @@ Layout::Layout(const Model& model) {
     mode_count += 1;
     memory_count += memory_size(cable.law);
   }
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    friction_slots.push_back({mode_count, memory_count});
+    if (!model.contacts[c].friction) continue;
+    mode_count += contact_instances[c];
+    memory_count += contact_instances[c];
+  }
+  first_hanger = mode_count;
+  mode_count += model.hangers.size();
   first_sleeper = mode_count;
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     if (model.sleep != Sleep::off && model.bodies[i].sleeps) sleepers.push_back(static_cast<BodyId>(i));

@@ -25,8 +25,9 @@ struct Slot {
   std::size_t memory{};
 };
 
-/// Where everything of a Model stands in a State: coordinates body by body, then one slot for each law instance (the
-/// instances of contacts in order, then the cables), and for each body that may sleep.
+/// Where everything of a Model stands in a State: coordinates body by body; one slot for each law instance (the
+/// instances of contacts in order, then the cables, then the friction of contacts that have it), for each hanger, and
+/// for each body that may sleep.
 struct Layout {
   explicit Layout(const Model& model);
 
@@ -35,6 +36,8 @@ struct Layout {
   std::vector<Slot> contact_slots;             ///< first slot of each contact; an instance follows the other
   std::vector<std::size_t> contact_instances;  ///< number of law instances of each contact
   std::vector<Slot> cable_slots;               ///< slot of each cable
+  std::vector<Slot> friction_slots;            ///< first friction slot of each contact, if it has friction
+  std::size_t first_hanger{};                  ///< mode slots of the hangers: 0 holds, 1 broken
   std::vector<BodyId> sleepers;                ///< bodies that may sleep in this model, in order
   std::size_t first_sleeper{};                 ///< their mode slots: 0 asleep, 1 awake
   std::size_t mode_count{};

@@ -23,6 +23,11 @@ std::optional<CableId> find_cable(const Model& model, std::string_view name) {
 std::optional<ContactId> find_contact(const Model& model, std::string_view name) {
   return find<ContactId>(model.contacts, name);
 }
+std::optional<HangerId> find_hanger(const Model& model, std::string_view name) {
+  return find<HangerId>(model.hangers, name);
+}
+
+bool ends_at(const CableEnd& end, const Hanger& hanger) { return end.body == hanger.body && end.p == hanger.p; }
 
 double inertia_about_pin(const Body& body) { return body.inertia + body.mass * dot(body.p_BPin, body.p_BPin); }
 

@@ -8,6 +8,7 @@
 #include "solver/model/body.hpp"
 #include "solver/model/cable.hpp"
 #include "solver/model/contact.hpp"
+#include "solver/model/hanger.hpp"
 
 namespace talus {
 
@@ -27,15 +28,20 @@ struct Model {
   std::vector<Body> bodies;
   std::vector<Cable> cables;
   std::vector<Contact> contacts;
+  std::vector<Hanger> hangers;
   Vec2 gravity;  ///< acceleration of free fall, world [L/T^2]
   Sleep sleep{Sleep::off};
   UnitSystem units{si};  ///< a tag for labels; the solver does not use it
 };
 
-/// The body, cable or contact of that name, if there is one.
+/// The body, cable, contact or hanger of that name, if there is one.
 [[nodiscard]] std::optional<BodyId> find_body(const Model& model, std::string_view name);
 [[nodiscard]] std::optional<CableId> find_cable(const Model& model, std::string_view name);
 [[nodiscard]] std::optional<ContactId> find_contact(const Model& model, std::string_view name);
+[[nodiscard]] std::optional<HangerId> find_hanger(const Model& model, std::string_view name);
+
+/// Whether the cable's end is at the hanger's point.
+[[nodiscard]] bool ends_at(const CableEnd& end, const Hanger& hanger);
 
 /// Inertia of a pinned body about its pin: I + m |p_BPin|^2 [M L^2].
 [[nodiscard]] double inertia_about_pin(const Body& body);

@@ -32,6 +32,19 @@ void check_vector(std::string_view kind, std::string_view name, std::string_view
   check_number(kind, name, field, Range::any, value.y);
 }
 
+void check_table(std::string_view cable, const ElasticPlastic& law) {
+  YieldPoint before{0.0, law.yield};
+  for (const YieldPoint& point : law.table) {
+    if (!(point.stretch > before.stretch && point.force >= before.force && std::isfinite(point.force))) {
+      throw InputError{
+          fmt::format("cable '{}': table has ({:.6g}, {:.6g}) after ({:.6g}, {:.6g}); stretches must grow "
+                      "and forces not fall, from (0, yield) on",
+                      cable, point.stretch, point.force, before.stretch, before.force)};
+    }
+    before = point;
+  }
+}
+
 /// Whether the solver has a gap function for the two shapes by the given method.
 bool has_gap(const Shape& a, const Shape& b, ContactMethod method) {
   const auto is_box = [](const Shape& s) { return std::holds_alternative<Rectangle>(s); };
@@ -42,6 +55,13 @@ bool has_gap(const Shape& a, const Shape& b, ContactMethod method) {
   if (method == ContactMethod::nodes) return outlined && !(is_plane(a) && is_plane(b));
   return outlined && (is_round(a) || is_round(b) || (is_box(a) && (is_box(b) || is_plane(b))) ||
                       (is_plane(a) && (is_box(b) || is_outline(b))) || (is_outline(a) && is_plane(b)));
+}
+
+/// Whether two cables in series have the same tension when each takes a share of the stretch by its compliance.
+bool one_tension(const CableLaw& a, const CableLaw& b) {
+  const auto tangent = [](const CableLaw& law) { return std::visit([](const auto& l) { return l.tangent(); }, law); };
+  const double one = tangent(a).damping * tangent(b).stiffness, other = tangent(b).damping * tangent(a).stiffness;
+  return a.index() == b.index() && std::abs(one - other) <= 1e-12 * std::abs(one + other);
 }
 
 std::string_view shape_name(const Shape& shape) {
@@ -88,6 +108,7 @@ CableId ModelBuilder::add(Cable cable) {
   }
   check_number("cable", cable.name, "rest_length", Range::non_negative, cable.rest_length);
   std::visit([&](const auto& law) { check_fields("cable", cable.name, law); }, cable.law);
+  if (const auto* law = std::get_if<ElasticPlastic>(&cable.law)) check_table(cable.name, *law);
   const auto moves = [this](const CableEnd& end) {
     return end.body && model_.bodies[index(*end.body)].mobility != Mobility::fixed;
   };
@@ -127,8 +148,38 @@ ContactId ModelBuilder::add(Contact contact) {
                                  contact.nodes[0], contact.nodes[1])};
   }
   std::visit([&](const auto& law) { check_fields("contact", contact.name, law); }, contact.law);
+  if (contact.friction) {
+    check_number("contact", contact.name, "friction", Range::non_negative, contact.friction->coefficient);
+    check_number("contact", contact.name, "shear_stiffness", Range::positive, contact.friction->stiffness);
+  }
   model_.contacts.push_back(std::move(contact));
   return static_cast<ContactId>(model_.contacts.size() - 1);
+}
+
+HangerId ModelBuilder::add(Hanger hanger) {
+  check_name("hanger", hanger.name, find_hanger(model_, hanger.name).has_value());
+  TALUS_DEMAND(index(hanger.body) < model_.bodies.size());
+  check_number("hanger", hanger.name, "strength", Range::positive, hanger.strength);
+  const Body& body = model_.bodies[index(hanger.body)];
+  if (body.mobility == Mobility::fixed) {
+    throw InputError{fmt::format("hanger '{}': body '{}' is fixed; what hangs must move", hanger.name, body.name)};
+  }
+  std::vector<const Cable*> cables;
+  for (const Cable& cable : model_.cables) {
+    if (ends_at(cable.a, hanger) || ends_at(cable.b, hanger)) cables.push_back(&cable);
+  }
+  if (cables.empty() || cables.size() > 2) {
+    throw InputError{
+        fmt::format("hanger '{}': {} cables end at its point; it must be one or two", hanger.name, cables.size())};
+  }
+  if (!one_tension(cables.front()->law, cables.back()->law)) {
+    throw InputError{
+        fmt::format("hanger '{}': cables '{}' and '{}' must have the same law, and dashpots in proportion "
+                    "to their stiffnesses",
+                    hanger.name, cables[0]->name, cables[1]->name)};
+  }
+  model_.hangers.push_back(std::move(hanger));
+  return static_cast<HangerId>(model_.hangers.size() - 1);
 }
 
 Model ModelBuilder::build() const {

@@ -26,6 +26,11 @@ class ModelBuilder {
   /// gap, fewer than 3 nodes on a circle.
   ContactId add(Contact contact);
 
+  /// Adds a hanger; its cables must be there. Errors: as above; a body that cannot move, no or more than two cables
+  /// that end there, two cables of different laws or of a dashpot that is not in proportion to the stiffness (as one
+  /// they would have no single tension).
+  HangerId add(Hanger hanger);
+
   /// The finished model. Errors: InputError if it has no body.
   [[nodiscard]] Model build() const;
 

@@ -32,6 +32,7 @@ struct FenceElement {
   double density{};            ///< [M/L^3] > 0
   double bar_length{};         ///< attachment length of a column [L]; printed only, as in 1993
   Vec2 position{};             ///< centroid, world [L]
+  double along{};              ///< of a rock: its place along the fence, 0 at mid-span [L]
   double angle{};              ///< [rad], counter-clockwise > 0; a column stands upright at 0
   Vec2 velocity{};             ///< [L/T]
   double spin{};               ///< [rad/T], counter-clockwise > 0
@@ -65,6 +66,30 @@ struct FenceElement {
   friend bool operator==(const FenceElement&, const FenceElement&) = default;
 };
 
+/// A column unlike the others: what a longer, shorter, heavier or lighter one has in place of theirs.
+struct ChangedColumn {
+  int place{1};       ///< from the centre outwards, 1 .. half the count; in every layer and on both sides
+  double a{};         ///< half-width [L] > 0
+  double b{};         ///< half-height [L] > 0
+  double density{};   ///< [M/L^3] > 0
+  double y_top{};     ///< top joint above its centroid [L]
+  double y_bottom{};  ///< bottom joint, local y [L]
+
+  static constexpr std::array<Field<ChangedColumn>, 5> fields() {
+    using F = ChangedColumn;
+    return {{{"a", dimension::length, &F::a, Range::positive, "half-width"},
+             {"b", dimension::length, &F::b, Range::positive, "half-height"},
+             {"density", dimension::density, &F::density, Range::positive, "mass density"},
+             {"y_top", dimension::length, &F::y_top, Range::any, "top joint above its centroid"},
+             {"y_bottom", dimension::length, &F::y_bottom, Range::any, "bottom joint, < 0 below the centroid"}}};
+  }
+  static constexpr std::array<CountField<ChangedColumn>, 1> counts() {
+    return {{{"place", &ChangedColumn::place, 1, 1000, "place from the centre outwards"}}};
+  }
+
+  friend bool operator==(const ChangedColumn&, const ChangedColumn&) = default;
+};
+
 /// How much of the fence a scene carries.
 enum class FenceSymmetry {
   half,  ///< central column and one side, the central segment's force twice (1993): symmetric hits only
@@ -95,6 +120,12 @@ enum class BottomEnd {
   anchored,  ///< a segment to a fixed point below the top cable's end
 };
 
+/// Whether columns can lie on the ground.
+enum class ColumnGround {
+  none,     ///< they pass through it (1993: its listing has no stiffness for it)
+  contact,  ///< they touch it as rocks do
+};
+
 /// What happens at the start, when a rock touches the fence.
 enum class FenceStart {
   plain,      ///< the bodies start with the velocities given
@@ -111,8 +142,33 @@ struct FenceOptions {
   EndRule end_rule{EndRule::attractive};
   FenceStart start{FenceStart::half_kick};
   BottomEnd bottom_end{BottomEnd::free};
+  ColumnGround column_ground{ColumnGround::none};
   Sleep sleep{Sleep::exact};  ///< of columns that nothing has moved; `on` forgoes the smallest digits of the listing
   std::string integrator{"lagged_central_difference"};
+
+  double shear_ratio{1.0};   ///< k_s/k_n of all contacts > 0; acts where the coefficient of friction is > 0
+  double hanger_strength{};  ///< pull at which a top joint breaks [F] >= 0; 0: never (1993)
+  double strength_top{};     ///< tension at which the top cable breaks [F] >= 0; 0: never (1993)
+  double strength_bottom{};  ///< tension at which the bottom cable breaks [F] >= 0; 0: never (1993)
+  double hardening{};  ///< tangent modulus of a yielding cable over Young's modulus, in [0, 1); 0: perfectly plastic
+                       ///< (1993)
+  double rupture{};    ///< plastic strain at which a cable breaks >= 0; 0: never (1993)
+
+  static constexpr std::array<Field<FenceOptions>, 6> fields() {
+    using F = FenceOptions;
+    return {{{"shear_ratio", dimension::number, &F::shear_ratio, Range::positive, "k_s/k_n of all contacts"},
+             {"hanger_strength", dimension::force, &F::hanger_strength, Range::non_negative,
+              "pull at which a top joint breaks (0: never)"},
+             {"strength_top", dimension::force, &F::strength_top, Range::non_negative,
+              "tension at which the top cable breaks (0: never)"},
+             {"strength_bottom", dimension::force, &F::strength_bottom, Range::non_negative,
+              "tension at which the bottom cable breaks (0: never)"},
+             {"hardening", dimension::number, &F::hardening, Range::fraction,
+              "tangent modulus of a yielding cable over Young's modulus, < 1"},
+             {"rupture", dimension::number, &F::rupture, Range::non_negative,
+              "plastic strain at which a cable breaks (0: never)"}}};
+  }
+  static constexpr std::array<CountField<FenceOptions>, 0> counts() { return {}; }
 
   friend bool operator==(const FenceOptions&, const FenceOptions&) = default;
 };
@@ -133,9 +189,10 @@ struct Fence {
   std::vector<int> history_elements;  ///< elno: numbers of the elements whose histories are kept
   std::vector<int> history_codes;     ///< variab: codes of the quantities kept, 1 .. 61
 
-  FenceElement ground;              ///< element 1
-  std::vector<FenceElement> rocks;  ///< elements 2 .. nel - 1
-  FenceElement column;              ///< element nel: stands for every column
+  FenceElement ground;                         ///< element 1
+  std::vector<FenceElement> rocks;             ///< elements 2 .. nel - 1
+  FenceElement column;                         ///< element nel: stands for every column
+  std::vector<ChangedColumn> changed_columns;  ///< those that differ from it
 
   double span{};          ///< of the top cable between its fixed ends [L] > 0
   double sag{};           ///< of the top cable at mid-span [L] > 0
@@ -231,6 +288,10 @@ struct Names<scenes::FenceContact> {
 template <>
 struct Names<scenes::FenceCalibration> {
   static constexpr std::array<std::string_view, 2> list{"particles", "effective_mass"};
+};
+template <>
+struct Names<scenes::ColumnGround> {
+  static constexpr std::array<std::string_view, 2> list{"none", "contact"};
 };
 template <>
 struct Names<scenes::FenceStart> {

@@ -62,6 +62,8 @@ Body body(const FenceElement& e, std::string name, FenceContact contact) {
   return made;
 }
 
+std::string prefix(int layer) { return layer == 1 ? "" : "back_"; }
+
 double reduced_mass(double a, double b) { return a * b / (a + b); }
 
 /// Puts the parts of one fence together.
@@ -89,8 +91,10 @@ class FenceMaker {
       set_velocity(made_.scene.model, made_.scene.initial, rocks_[i], rock.velocity, rock.spin);
     }
     if (!(fence_.column.velocity == Vec2{}) || fence_.column.spin != 0.0) {
-      for (const BodyId column : columns_)
-        set_velocity(made_.scene.model, made_.scene.initial, column, fence_.column.velocity, fence_.column.spin);
+      for (const std::vector<Column>& layer : layers_) {
+        for (const Column& column : layer)
+          set_velocity(made_.scene.model, made_.scene.initial, column.body, fence_.column.velocity, fence_.column.spin);
+      }
     }
     plan();
     if (fence_.options.start == FenceStart::half_kick) kick_half_a_step();
@@ -98,9 +102,16 @@ class FenceMaker {
   }
 
  private:
+  /// One column as it is hung.
   struct Column {
-    BodyId body;
-    int side;  ///< 0 central, +1 and -1
+    BodyId body{};
+    std::string number;  ///< in names: its place from 1, with a minus on the other side
+    int place{};         ///< from the centre outwards, from 0
+    double along{};      ///< its place along the fence [L]
+    double mass{};       ///< of the body: twice its own where one stands for two
+    double inertia{};
+    int copies{1};
+    bool struck{};  ///< stands in front of a rock
   };
   bool full() const { return fence_.options.symmetry == FenceSymmetry::full; }
   bool even() const { return fence_.columns % 2 == 0; }
@@ -134,12 +145,20 @@ class FenceMaker {
     }
   }
 
+  ChangedColumn column(int place) const;
+  bool meets(const FenceElement& rock, const Column& column) const;
   void add_layer(int layer);
-  CableId add_cable(const std::string& name, CableEnd a, CableEnd b, double stiffness, double rest_length,
-                    double limit);
+  void add_segments(int layer, bool top, const StaticShape& shape, const std::vector<std::array<std::size_t, 2>>& hung);
+  void add_hangers(int layer);
+  void add_member(int layer, const Column& column, const ChangedColumn& place, Vec2 position, double angle);
+  CableId add_cable(const std::string& name, CableEnd a, CableEnd b, double stiffness, double rest_length, bool top);
   void add_contacts();
   void add_rock_contacts(std::size_t i);
-  FenceContactLaw contact_law(double mass, double factor, double overlap) const;
+  void add_rock_pairs();
+  void add_column_pairs();
+  void add_columns_on_ground();
+  FenceContactLaw contact_law(double mass, double factor, double overlap, double damped_mass) const;
+  double damped_mass(std::size_t rock, const Column& column) const;
   Contact contact(std::string name, BodyId a, BodyId b, FenceContactLaw law) const;
   Model balanced(Model model) const;
   void plan();
@@ -149,175 +168,268 @@ class FenceMaker {
   ModelBuilder builder_;
   FenceScene made_;
   double speed_{};
-  double column_mass_{};
   double first_stiffness_{};
   BodyId ground_{};
   std::vector<BodyId> rocks_;
   std::vector<double> rock_masses_;
-  std::vector<std::vector<BodyId>> central_;  ///< of each layer
-  std::vector<BodyId> columns_;
+  std::vector<std::vector<Column>> layers_;  ///< columns of each layer, from the centre outwards
 };
 
 CableId FenceMaker::add_cable(const std::string& name, CableEnd a, CableEnd b, double stiffness, double rest_length,
-                              double limit) {
-  Cable cable{.name = name,
-              .a = a,
-              .b = b,
-              .rest_length = rest_length,
-              .law = ElasticPlastic{.stiffness = stiffness, .yield = limit}};
+                              bool top) {
+  const FenceOptions& options = fence_.options;
+  ElasticPlastic law{.stiffness = stiffness, .yield = top ? fence_.limit_top : fence_.limit_bottom};
+  // The tangent stiffness k H/(k + H) is the given share of k.
+  law.hardening = options.hardening / (1.0 - options.hardening) * stiffness;
+  if (const double strength = top ? options.strength_top : options.strength_bottom; strength > 0.0)
+    law.strength = strength;
+  if (options.rupture > 0.0) law.rupture = options.rupture * rest_length;
+  Cable cable{.name = name, .a = a, .b = b, .rest_length = rest_length, .law = law};
   cable.copies = full() ? 1 : 2;
   return builder_.add(cable);
 }
 
+/// The column at a place, changed or not.
+ChangedColumn FenceMaker::column(int place) const {
+  for (const ChangedColumn& changed : fence_.changed_columns) {
+    if (changed.place == place + 1) return changed;
+  }
+  const FenceElement& e = fence_.column;
+  return {place + 1, e.a, e.b, e.density, fence_.y_top, fence_.y_bottom};
+}
+
+/// A rock meets the columns within half their distance along the fence: one, or two when it comes between them. In the
+/// half model these are the central ones.
+bool FenceMaker::meets(const FenceElement& rock, const Column& column) const {
+  if (!full()) return column.place == 0;
+  return std::abs(rock.along - column.along) <= 0.5 * fence_.spacing * (1.0 + 1e-9);
+}
+
+void FenceMaker::add_member(int layer, const Column& column, const ChangedColumn& place, Vec2 position, double angle) {
+  FenceElement own = fence_.column;
+  own.a = place.a, own.b = place.b, own.density = place.density;
+  const MassProperties solid = mass_properties(own);
+  made_.members.push_back({.body = column.body,
+                           .layer = layer,
+                           .position = position,
+                           .angle = angle,
+                           .mass = solid.mass,
+                           .inertia = solid.inertia});
+}
+
 void FenceMaker::add_layer(int layer) {
   const FenceElement& e = fence_.column;
-  const std::string prefix = layer == 1 ? "" : "back_";
   const double x = e.position.x - (layer - 1) * fence_.layer_spacing;
-  Body pattern = body(e, "", fence_.options.contact);
-  pattern.sleeps = pattern.mobility == Mobility::free;
-  const double weight = pattern.mass * fence_.gravity;
-  const StaticShape shape = static_shape(fence_, weight);
+  const StaticShape shape = static_shape(fence_);
   if (layer == 1) made_.horizontal_tension = shape.horizontal_tension;
   const int count = columns_of_half(fence_);
   const double inner = even() ? 0.5 * fence_.spacing : 0.0;  // z of the first column
-  central_.emplace_back();
-
-  const auto along = [&](int i) { return inner + i * fence_.spacing; };
-  const auto name = [&](std::string_view what, int i, int side) {
-    return fmt::format("{}{}{}{}", prefix, what, side < 0 ? "-" : "", i + 1);
-  };
-  std::vector<std::array<BodyId, 2>> bodies(static_cast<std::size_t>(count));
-  const std::size_t first_member = made_.members.size();
+  layers_.emplace_back();
+  std::vector<std::array<std::size_t, 2>> hung;  // in layers_.back(), of each place the column on either side
   for (int i = 0; i < count; ++i) {
-    Body made = pattern;
+    const ChangedColumn place = column(i);
+    FenceElement own = e;
+    own.a = place.a, own.b = place.b, own.density = place.density;
+    Body made = body(own, "", fence_.options.contact);
+    made.sleeps = made.mobility == Mobility::free;
     const bool centre = i == 0;
-    made.p_WB = {x, e.position.y + shape.heights[static_cast<std::size_t>(i)]};
+    // The terms of equal columns are written so that nothing is lost in their sum.
+    const double lower = place.y_top == column(0).y_top ? 0.0 : column(0).y_top - place.y_top;
+    made.p_WB = {x, e.position.y + shape.heights[static_cast<std::size_t>(i)] + lower};
     if (!full() && !(centre && (!even() || doubled()))) made.copies = 2;
     if (centre && doubled()) made.mass *= 2.0, made.inertia *= 2.0;
-    made.name = name("column", i, 1);
-    auto& pair = bodies[static_cast<std::size_t>(i)];
-    pair[0] = builder_.add(made);
-    columns_.push_back(pair[0]);
-    if (full() && !(centre && !even())) {
-      made.name = name("column", i, -1);
-      pair[1] = builder_.add(made);
-      columns_.push_back(pair[1]);
-    } else {
-      pair[1] = pair[0];
-    }
-    if (centre) {
-      central_.back() = {pair[0]};
-      if (pair[1] != pair[0]) central_.back().push_back(pair[1]);
-      column_mass_ = made.mass;
-    }
-    made_.members.push_back({.body = pair[0],
-                             .layer = layer,
-                             .position = made.p_WB,
-                             .angle = made.angle,
-                             .mass = pattern.mass,
-                             .inertia = pattern.inertia});
-  }
-  const Vec2 end{x, e.position.y + shape.heights.back()};
-  made_.members.push_back({.layer = layer, .position = end, .mass = pattern.mass, .inertia = pattern.inertia});
-
-  const double top_stiffness = fence_.young * fence_.area_top;
-  const double bottom_stiffness = 2.0 * fence_.young * fence_.area_bottom;  // double wrapped
-  const auto add_segments = [&](bool top) {
-    const double local_y = top ? fence_.y_top : fence_.y_bottom;
-    if (full() && even()) {
-      // The segment between the central columns, straight across.
-      const double d = fence_.spacing;
-      const CableEnd a{bodies[0][1], {0.0, local_y, -inner}}, b{bodies[0][0], {0.0, local_y, inner}};
-      const double k = (top ? top_stiffness : bottom_stiffness) / d;
-      const double rest = top ? d - shape.horizontal_tension / k : d + fence_.slack;
-      add_cable(prefix + (top ? "top0" : "bottom0"), a, b, k, rest, top ? fence_.limit_top : fence_.limit_bottom);
-    }
-    const int segments = top || fence_.options.bottom_end == BottomEnd::anchored ? count : count - 1;
-    for (int i = 0; i < segments; ++i) {
-      const auto s = static_cast<std::size_t>(i);
-      const double rise = shape.heights[s + 1] - shape.heights[s];
-      const double length = std::sqrt(shape.distances[s] * shape.distances[s] + rise * rise);
-      const double k = (top ? top_stiffness : bottom_stiffness) / length;
-      if (top && i == 0 && layer == 1) first_stiffness_ = k;
-      const double rest = top ? length - shape.tensions[s] / k : length + fence_.slack;
-      for (const int side : full() ? std::vector{1, -1} : std::vector{1}) {
-        const std::size_t hand = side > 0 ? 0 : 1;
-        const CableEnd a{bodies[s][hand], {0.0, local_y, side * along(i)}};
-        const CableEnd b = i + 1 < count
-                               ? CableEnd{bodies[s + 1][hand], {0.0, local_y, side * along(i + 1)}}
-                               : CableEnd{{}, {end.x, end.y + local_y, side * (along(i) + shape.distances[s])}};
-        const CableId id = add_cable(name(top ? "top" : "bottom", i, side), a, b, k, rest,
-                                     top ? fence_.limit_top : fence_.limit_bottom);
-        FenceMember& member = made_.members[first_member + s];
-        if (side > 0) (top ? member.top : member.bottom) = id;
+    hung.emplace_back();
+    const int sides = full() && !(centre && !even()) ? 2 : 1;
+    for (int side = 0; side < 2; ++side) {
+      if (side < sides) {
+        Column column{.number = fmt::format("{}{}", side == 1 ? "-" : "", i + 1)};
+        column.along = (side == 1 ? -1 : 1) * (inner + i * fence_.spacing);
+        column.mass = made.mass, column.inertia = made.inertia, column.copies = made.copies;
+        column.place = i;
+        column.struck = std::ranges::any_of(fence_.rocks, [&](const FenceElement& r) { return meets(r, column); });
+        made.name = fmt::format("{}column{}", prefix(layer), column.number);
+        column.body = builder_.add(made);
+        layers_.back().push_back(column);
       }
+      hung.back()[static_cast<std::size_t>(side)] = layers_.back().size() - 1;
     }
+    add_member(layer, layers_.back()[hung.back()[0]], place, made.p_WB, made.angle);
+  }
+  const MassProperties solid = mass_properties(e);
+  const Vec2 end{x, e.position.y + shape.heights.back()};
+  made_.members.push_back({.layer = layer, .position = end, .mass = solid.mass, .inertia = solid.inertia});
+  add_segments(layer, true, shape, hung);
+  if (fence_.connections == 2) add_segments(layer, false, shape, hung);
+  if (fence_.options.hanger_strength > 0.0) add_hangers(layer);
+}
+
+void FenceMaker::add_segments(int layer, bool top, const StaticShape& shape,
+                              const std::vector<std::array<std::size_t, 2>>& hung) {
+  const std::vector<Column>& columns = layers_.back();
+  const auto joint = [&](std::size_t place, std::size_t hand) {
+    const ChangedColumn own = column(static_cast<int>(place));
+    const Column& at = columns[hung[place][hand]];
+    return CableEnd{at.body, {0.0, top ? own.y_top : own.y_bottom, at.along}};
   };
-  add_segments(true);
-  if (fence_.connections == 2) add_segments(false);
+  // Top joints stand where the cable does; bottom joints of equal columns rise as the top ones do.
+  const auto drop = [&](std::size_t place) {
+    const ChangedColumn own = column(static_cast<int>(place));
+    return top ? 0.0 : (own.y_bottom - own.y_top) - (fence_.y_bottom - fence_.y_top);
+  };
+  const std::string stem = prefix(layer) + (top ? "top" : "bottom");
+  // The bottom cable is double wrapped.
+  const double stiffness = top ? fence_.young * fence_.area_top : 2.0 * fence_.young * fence_.area_bottom;
+  const std::size_t count = hung.size();
+  if (full() && even()) {
+    // The segment between the central columns, straight across.
+    const double d = fence_.spacing, k = stiffness / d;
+    add_cable(stem + "0", joint(0, 1), joint(0, 0), k, top ? d - shape.horizontal_tension / k : d + fence_.slack, top);
+  }
+  const std::size_t first_member = made_.members.size() - count - 1;
+  const Vec2 end = made_.members.back().position;
+  const std::size_t segments = top || fence_.options.bottom_end == BottomEnd::anchored ? count : count - 1;
+  for (std::size_t s = 0; s < segments; ++s) {
+    const double last_drop = s + 1 < count ? drop(s + 1) : drop(0);
+    const double rise = shape.heights[s + 1] - shape.heights[s] + (last_drop - drop(s));
+    const double length = std::sqrt(shape.distances[s] * shape.distances[s] + rise * rise);
+    const double k = stiffness / length;
+    if (top && s == 0 && layer == 1) first_stiffness_ = k;
+    const double rest = top ? length - shape.tensions[s] / k : length + fence_.slack;
+    for (const int side : full() ? std::vector{1, -1} : std::vector{1}) {
+      const std::size_t hand = side > 0 ? 0 : 1;
+      const CableEnd a = joint(s, hand);
+      const double local_y = top ? column(0).y_top : column(0).y_bottom;
+      const CableEnd b = s + 1 < count ? joint(s + 1, hand)
+                                       : CableEnd{{}, {end.x, end.y + local_y, a.p.z + side * shape.distances[s]}};
+      const CableId id = add_cable(fmt::format("{}{}{}", stem, side < 0 ? "-" : "", s + 1), a, b, k, rest, top);
+      FenceMember& member = made_.members[first_member + s];
+      if (side > 0) (top ? member.top : member.bottom) = id;
+    }
+  }
+}
+
+void FenceMaker::add_hangers(int layer) {
+  const std::size_t first_member = made_.members.size() - static_cast<std::size_t>(columns_of_half(fence_)) - 1;
+  for (const Column& hung : layers_.back()) {
+    const HangerId id = builder_.add(Hanger{.name = fmt::format("{}hanger{}", prefix(layer), hung.number),
+                                            .body = hung.body,
+                                            .p = {0.0, column(hung.place).y_top, hung.along},
+                                            .strength = fence_.options.hanger_strength});
+    if (hung.along >= 0.0) made_.members[first_member + static_cast<std::size_t>(hung.place)].hanger = id;
+  }
 }
 
 /// k = factor m v^2/overlap^2: the spring that takes the energy of m at the speed of the impact within the overlap,
-/// with the factors of 1993; c by Eq. 21 with the same mass.
-FenceContactLaw FenceMaker::contact_law(double mass, double factor, double overlap) const {
+/// with the factors of 1993; c by Eq. 21 with the same mass, or with the one that the contact feels.
+FenceContactLaw FenceMaker::contact_law(double mass, double factor, double overlap, double damped_mass) const {
   const double stiffness = factor * mass * speed_ * speed_ / (overlap * overlap);
-  return {stiffness, damping(damping_ratio(fence_.restitution, fence_.options.end_rule), stiffness, mass)};
+  return {stiffness, damping(damping_ratio(fence_.restitution, fence_.options.end_rule), stiffness, damped_mass)};
 }
 
 Contact FenceMaker::contact(std::string name, BodyId a, BodyId b, FenceContactLaw law) const {
   Contact made{.name = std::move(name), .a = a, .b = b};
   made.law = LinearSpringDashpot{law.stiffness, law.damping, fence_.options.end_rule};
+  if (fence_.friction > 0.0)
+    made.friction = CoulombFriction{fence_.friction, fence_.options.shear_ratio * law.stiffness};
   if (fence_.options.contact == FenceContact::nodes) made.method = ContactMethod::nodes;
   return made;
+}
+
+/// Mass from which the dashpot of rock and column is made. What the contact feels: the rock hits along its centre line,
+/// the column, which hangs free for as long as the impact takes, at the height of the rock.
+double FenceMaker::damped_mass(std::size_t rock, const Column& column) const {
+  if (fence_.options.calibration == FenceCalibration::particles) return reduced_mass(rock_masses_[rock], column.mass);
+  const FenceMember& struck = *std::ranges::find_if(
+      made_.members, [&](const FenceMember& m) { return m.body && m.layer > 0 && m.body == column.body; });
+  const double arm = fence_.rocks[rock].position.y - struck.position.y;
+  return effective_mass(ContactSide{rock_masses_[rock], {}, 0.0, false},
+                        ContactSide{column.mass, column.inertia, arm, false});
 }
 
 void FenceMaker::add_rock_contacts(std::size_t i) {
   const FenceElement& rock = fence_.rocks[i];
   const std::string name = fence_.rocks.size() == 1 ? "rock" : fmt::format("rock{}", i + 1);
   const double overlap = fence_.rock_overlap > 0.0 ? fence_.rock_overlap : fence_.penetration * rock.a;
-  const FenceContactLaw on_column = contact_law(reduced_mass(rock_masses_[i], column_mass_), 1.0, overlap);
-  for (std::size_t layer = 0; layer < central_.size(); ++layer) {
-    for (std::size_t c = 0; c < central_[layer].size(); ++c) {
-      Contact made = contact(fmt::format("{}-{}column{}", name, layer == 0 ? "" : "back_", c == 0 ? "1" : "-1"),
-                             rocks_[i], central_[layer][c], on_column);
+  bool first = i == 0;
+  for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
+    for (const Column& column : layers_[layer]) {
+      if (!meets(rock, column)) continue;
+      const FenceContactLaw law =
+          contact_law(reduced_mass(rock_masses_[i], column.mass), 1.0, overlap, damped_mass(i, column));
+      Contact made = contact(fmt::format("{}-{}column{}", name, prefix(static_cast<int>(layer) + 1), column.number),
+                             rocks_[i], column.body, law);
       made.nodes = {node_count(rock), node_count(fence_.column)};
       made.node_depth = NodeDepth::side_face;
-      if (even() && !full() && !doubled()) made.copies = 2;
+      made.copies = column.copies;
       builder_.add(made);
+      if (first) made_.rock_column = law;
+      first = false;
     }
   }
   // Factor 2 in place of 1, fitted to the one printed value.
-  const FenceContactLaw on_ground = contact_law(rock_masses_[i], 2.0, fence_.penetration * rock.a);
+  const FenceContactLaw on_ground = contact_law(rock_masses_[i], 2.0, fence_.penetration * rock.a, rock_masses_[i]);
   Contact made = contact(name + "-ground", rocks_[i], ground_, on_ground);
   made.nodes = {node_count(rock), 3};
   builder_.add(made);
-  if (i == 0) made_.rock_column = on_column, made_.rock_ground = on_ground;
+  if (i == 0) made_.rock_ground = on_ground;
+}
+
+void FenceMaker::add_rock_pairs() {
+  for (std::size_t i = 0; i < fence_.rocks.size(); ++i) {
+    for (std::size_t j = i + 1; j < fence_.rocks.size(); ++j) {
+      const FenceElement& one = fence_.rocks[i];
+      const FenceElement& other = fence_.rocks[j];
+      // Side by side along the fence they pass each other.
+      if (one.along != other.along && std::abs(one.along - other.along) >= one.a + other.a) continue;
+      const double overlap =
+          fence_.rock_overlap > 0.0 ? fence_.rock_overlap : fence_.penetration * std::min(one.a, other.a);
+      const double mass = reduced_mass(rock_masses_[i], rock_masses_[j]);
+      Contact made = contact(fmt::format("rock{}-rock{}", i + 1, j + 1), rocks_[i], rocks_[j],
+                             contact_law(mass, 1.0, overlap, mass));
+      made.nodes = {node_count(one), node_count(other)};
+      builder_.add(made);
+    }
+  }
+}
+
+void FenceMaker::add_column_pairs() {
+  const double overlap = fence_.layer_overlap > 0.0 ? fence_.layer_overlap : fence_.penetration * fence_.column.a;
+  bool first = true;
+  for (std::size_t c = 0; c < layers_[0].size(); ++c) {
+    const Column& front = layers_[0][c];
+    if (!front.struck) continue;
+    const double mass = 0.5 * front.mass;
+    const FenceContactLaw law = contact_law(mass, 1.0, overlap, mass);
+    Contact made = contact(fmt::format("column{0}-back_column{0}", front.number), front.body, layers_[1][c].body, law);
+    made.nodes = {node_count(fence_.column), node_count(fence_.column)};
+    made.node_depth = NodeDepth::centroid_ray;
+    made.copies = front.copies;
+    builder_.add(made);
+    if (first) made_.column_column = law;
+    first = false;
+  }
+}
+
+/// As the rocks on the ground: the overlap a share of the half-width.
+void FenceMaker::add_columns_on_ground() {
+  for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
+    for (const Column& column : layers_[layer]) {
+      const FenceContactLaw law = contact_law(column.mass, 2.0, fence_.penetration * fence_.column.a, column.mass);
+      Contact made = contact(fmt::format("{}column{}-ground", prefix(static_cast<int>(layer) + 1), column.number),
+                             column.body, ground_, law);
+      made.nodes = {node_count(fence_.column), 3};
+      made.copies = column.copies;
+      builder_.add(made);
+    }
+  }
 }
 
 void FenceMaker::add_contacts() {
   for (std::size_t i = 0; i < fence_.rocks.size(); ++i)
     add_rock_contacts(i);
-  for (std::size_t i = 0; i < fence_.rocks.size(); ++i) {
-    for (std::size_t j = i + 1; j < fence_.rocks.size(); ++j) {
-      const double smaller = std::min(fence_.rocks[i].a, fence_.rocks[j].a);
-      const double overlap = fence_.rock_overlap > 0.0 ? fence_.rock_overlap : fence_.penetration * smaller;
-      Contact made = contact(fmt::format("rock{}-rock{}", i + 1, j + 1), rocks_[i], rocks_[j],
-                             contact_law(reduced_mass(rock_masses_[i], rock_masses_[j]), 1.0, overlap));
-      made.nodes = {node_count(fence_.rocks[i]), node_count(fence_.rocks[j])};
-      builder_.add(made);
-    }
-  }
-  if (fence_.layers < 2) return;
-  const double overlap = fence_.layer_overlap > 0.0 ? fence_.layer_overlap : fence_.penetration * fence_.column.a;
-  made_.column_column = contact_law(0.5 * column_mass_, 1.0, overlap);
-  for (std::size_t c = 0; c < central_[0].size(); ++c) {
-    Contact made = contact(fmt::format("column{0}-back_column{0}", c == 0 ? "1" : "-1"), central_[0][c], central_[1][c],
-                           made_.column_column);
-    made.nodes = {node_count(fence_.column), node_count(fence_.column)};
-    made.node_depth = NodeDepth::centroid_ray;
-    if (even() && !full() && !doubled()) made.copies = 2;
-    builder_.add(made);
-  }
+  add_rock_pairs();
+  if (fence_.layers == 2) add_column_pairs();
+  if (fence_.options.column_ground == ColumnGround::contact) add_columns_on_ground();
 }
 
 /// The static shape is in balance but for the last digit of its forces. What is left is held as a constant force, so
@@ -331,16 +443,17 @@ Model FenceMaker::balanced(Model model) const {
   dynamics.update(state, work);
   dynamics.settle(state, work);
   dynamics.rates(state, work, rates, false);
-  for (const BodyId column : columns_) {
-    Body& body = model.bodies[index(column)];
-    if (body.mobility != Mobility::free) continue;
-    // Contacts have no place in it: a rock may touch the fence at the start.
-    Vec2 pull;
-    for (std::size_t j = 0; j < work.joints.size(); ++j) {
-      const Joint& joint = dynamics.cables().joints()[j];
-      if (joint.on_body && joint.body == column) pull += work.joints[j].force;
+  // Contacts have no place in it: a rock may touch the fence at the start.
+  std::vector<Vec2> pulls(model.bodies.size());
+  for (std::size_t j = 0; j < work.joints.size(); ++j) {
+    const Joint& joint = dynamics.cables().joints()[j];
+    if (joint.on_body) pulls[index(joint.body)] += work.joints[j].force;
+  }
+  for (const std::vector<Column>& layer : layers_) {
+    for (const Column& column : layer) {
+      Body& body = model.bodies[index(column.body)];
+      if (body.mobility == Mobility::free) body.force += -pulls[index(column.body)] - body.mass * model.gravity;
     }
-    body.force += -pull - body.mass * model.gravity;
   }
   return model;
 }
@@ -382,21 +495,31 @@ int element_count(const Fence& fence) {
   return 1 + static_cast<int>(fence.rocks.size()) + fence.layers * (columns_of_half(fence) + 1);
 }
 
-StaticShape static_shape(const Fence& fence, double weight) {
+StaticShape static_shape(const Fence& fence) {
   const int count = columns_of_half(fence);
   const bool even = fence.columns % 2 == 0;
+  const double mass = mass_properties(fence.column).mass;
+  const double weight = mass * fence.gravity;
   StaticShape shape;
-  // Loads inside the segments, in weights: of an odd count half the central column's is carried to each side.
+  // Loads inside the segments, in weights of a column: of an odd count half the central one is carried to each side.
   std::vector<double> loads;
   double reach = even ? 0.5 * fence.spacing : 0.0;
+  double load = 0.0;
   for (int i = 0; i < count; ++i) {
     const double distance = i + 1 < count ? fence.spacing : 0.5 * fence.span - reach;
     if (distance <= 0.0) {
       throw InputError{fmt::format("fence: {} columns {} apart do not fit into half the span, {}", fence.columns,
                                    fence.spacing, 0.5 * fence.span)};
     }
+    double own = 1.0;
+    for (const ChangedColumn& changed : fence.changed_columns) {
+      FenceElement other = fence.column;
+      other.a = changed.a, other.b = changed.b, other.density = changed.density;
+      if (changed.place == i + 1) own = mass_properties(other).mass / mass;
+    }
+    load += i == 0 && !even ? 0.5 * own : own;
     shape.distances.push_back(distance);
-    loads.push_back(even ? i + 1.0 : i + 0.5);
+    loads.push_back(load);
     reach += distance;
   }
   double moment = 0.0;

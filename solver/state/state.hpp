@@ -17,10 +17,13 @@ enum class Mechanism : std::size_t {
   cable_release,    ///< spring energy left in a cable whose dashpot lets it go before it is slack: dissipated > 0
   cable_yield,      ///< plastic work of cables drawn out: dissipated > 0
   cable_break,      ///< energy that a cable held when it broke: dissipated > 0
+  hanger_break,     ///< energy that cables lost when a hanger between them broke: dissipated > 0
+  friction,         ///< sliders of contacts, and the energy of their springs when a contact opens: dissipated > 0
 };
 inline constexpr std::array mechanism_names{std::string_view{"contact_damping"}, std::string_view{"contact_release"},
                                             std::string_view{"cable_damping"},   std::string_view{"cable_release"},
-                                            std::string_view{"cable_yield"},     std::string_view{"cable_break"}};
+                                            std::string_view{"cable_yield"},     std::string_view{"cable_break"},
+                                            std::string_view{"hanger_break"},    std::string_view{"friction"}};
 inline constexpr std::size_t mechanism_count = mechanism_names.size();
 
 /// Impulses that come from outside the moving bodies: x and y components [M L/T], and moment about the world's origin

@@ -40,6 +40,7 @@ struct SignedDiscs {
     state.v[3] *= sign;
     return state;
   }
+  void drift(State& state, double h) const { drift_coordinates(state, h); }
   void settle(State& state) const {
     State turned = seen(state);
     system->settle(turned);

@@ -21,7 +21,7 @@ struct Duffing {
   void kick(State& state, double h) {
     Rates rates{state};
     derivative(state, rates);
-    advance_rates(state, rates, h);
+    kick_velocities(state, rates, h);
   }
   void settle(State&) {}
   void derivative(const State& state, Rates& out) {

@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(names_and_keys) {
   BOOST_TEST(message("name = \"ground\"\n", "") == "s.toml:11: body 2: name: it is missing");
   BOOST_TEST(message("[run]", "[rum]") ==
              "s.toml:28: rum: this key is not known; nearest: run; known: fence, title, units, gravity, body, contact, "
-             "cable, run");
+             "cable, hanger, run");
   BOOST_TEST(message("[[cable]]", "[cable]") ==
              "s.toml:22: cable: found a table; each cable is a table of its own, headed [[cable]]");
 }

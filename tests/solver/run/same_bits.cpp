@@ -27,8 +27,10 @@ std::uint64_t fingerprint(const State& state) {
     add(value);
   for (const double value : state.v)
     add(value);
-  for (const double value : state.work)
-    add(value);
+  // What takes nothing adds nothing: a new mechanism of loss moves no fingerprint.
+  for (const double value : state.work) {
+    if (value != 0.0) add(value);
+  }
   for (const double value : state.impulse)
     add(value);
   return hash;
@@ -50,9 +52,9 @@ BOOST_AUTO_TEST_CASE(busy_runs_keep_their_bits) {
   const Scene column = scenes::pivoted_cylinder({.rock_radius = 1.5, .contact = law, .method = ContactMethod::nodes});
   const Scene cables = scenes::two_cable({.contact = law});
   const Scene swing = scenes::cable_pendulum({.amplitude = 1.0});
-  BOOST_TEST(fingerprint_after(column, "central_difference", 1e-4, 0.6) == 17102938525319504638ULL);
-  BOOST_TEST(fingerprint_after(column, "rk4", 1e-4, 0.6) == 5609245033194519139ULL);
-  BOOST_TEST(fingerprint_after(cables, "velocity_verlet", 1e-4, 6.0) == 15502599281415010576ULL);
-  BOOST_TEST(fingerprint_after(cables, "odeint_dopri5", 1e-3, 6.0) == 15572436590168689807ULL);
-  BOOST_TEST(fingerprint_after(swing, "euler_cromer", 1e-3, 10.0) == 14163488017363169489ULL);
+  BOOST_TEST(fingerprint_after(column, "central_difference", 1e-4, 0.6) == 15866185157683527678ULL);
+  BOOST_TEST(fingerprint_after(column, "rk4", 1e-4, 0.6) == 11948236881650085091ULL);
+  BOOST_TEST(fingerprint_after(cables, "velocity_verlet", 1e-4, 6.0) == 11486823219985779728ULL);
+  BOOST_TEST(fingerprint_after(cables, "odeint_dopri5", 1e-3, 6.0) == 14574491308656528655ULL);
+  BOOST_TEST(fingerprint_after(swing, "euler_cromer", 1e-3, 10.0) == 6521606193200252689ULL);
 }

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/dynamics/dynamics.hpp"
+#include "solver/run/simulate.hpp"
+
+namespace talus {
+
+/// What a part of a scene went through that it does not come back from.
+struct Failure {
+  double time{};          ///< of the first state that shows it [T]
+  std::string part;       ///< "cable 'top1'", "hanger 'hanger1'"
+  std::string_view what;  ///< "yields" or "breaks"
+};
+
+/// Observer that keeps the order in which cables yield, and cables and hangers break: of each part the first time only.
+/// What happens within one step has one time; cables then stand before hangers, each in the order of the model.
+class FailureLog {
+ public:
+  /// The Dynamics must outlive it.
+  explicit FailureLog(const Dynamics& dynamics);
+
+  void operator()(const State& state, const StepInfo& info);
+
+  const std::vector<Failure>& failures() const { return failures_; }
+
+ private:
+  /// One mode of one part that is waited for.
+  struct Watch {
+    std::size_t slot{};
+    Mode mode{};
+    Failure failure;
+    bool seen{};
+  };
+  std::vector<Watch> watches_;
+  std::vector<Failure> failures_;
+};
+
+}  // namespace talus

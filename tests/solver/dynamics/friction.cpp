@@ -1,0 +1,107 @@
+/// Friction in motion, beside what mechanics says of a disc on a table and of a body on a slope.
+#define BOOST_TEST_MODULE dynamics_friction
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "solver/model/model_builder.hpp"
+#include "solver/run/energy_ledger.hpp"
+#include "solver/run/simulate.hpp"
+
+using namespace talus;
+
+namespace {
+
+constexpr double g = 9.81, radius = 0.1, stiffness = 2e6, mu = 0.3;
+
+/// A disc or particle of mass 2 that presses on a table with its weight; the table tilted, as gravity.
+Model on_table(Mobility mobility, double slope, std::optional<CoulombFriction> friction) {
+  ModelBuilder builder;
+  builder.gravity({g * std::sin(slope), -g * std::cos(slope)});
+  const BodyId table = builder.add(Body{.name = "table", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  const double overlap = 2.0 * g * std::cos(slope) / stiffness;
+  const BodyId disc = builder.add(Body{.name = "disc",
+                                       .mobility = mobility,
+                                       .mass = 2.0,
+                                       .inertia = mobility == Mobility::free ? 0.01 : 0.0,
+                                       .shape = Circle{radius},
+                                       .p_WB = {0.0, radius - overlap}});
+  builder.add(Contact{.name = "disc-table",
+                      .a = disc,
+                      .b = table,
+                      .law = LinearSpringDashpot{stiffness, 200.0},
+                      .friction = friction});
+  return builder.build();
+}
+
+struct Run {
+  State state;
+  double closure{};
+};
+
+Run run(const Model& model, Vec2 velocity, const char* integrator, double step, double end) {
+  const Dynamics dynamics{model};
+  RigidBodySystem system{dynamics};
+  State state = rest_state(model);
+  set_velocity(model, state, *find_body(model, "disc"), velocity, 0.0);
+  system.settle(state);
+  EnergyLedger ledger{dynamics, state};
+  Integrator method = make_integrator(integrator);
+  BOOST_TEST(static_cast<bool>(simulate(system, method, state, {step, end, end, true})));
+  return {state, ledger.accounts(state).energy_closure};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_sliding_disc_ends_rolling_at_two_thirds_of_its_speed) {
+  // mu g t = v0 - v and mu g t = r w/2 until v = r w: v = 2/3 v0 whatever mu. The spring, stretched by
+  // mu m g/k_s when the slip ends, then swings with the mass m/3 that the contact feels: slip rates of up to
+  // mu g sqrt(3 m/k_s) = .0051 m/s, a third of it in the disc's velocity.
+  const Model model = on_table(Mobility::free, 0.0, CoulombFriction{mu, stiffness});
+  for (const char* integrator : {"velocity_verlet", "central_difference", "euler_cromer", "rk4", "odeint_dopri5"}) {
+    const Run end = run(model, {3.0, 0.0}, integrator, 2e-5, 0.6);
+    BOOST_TEST_CONTEXT(integrator) {
+      BOOST_TEST(std::abs(end.state.v[0] - 2.0) < 1.8e-3);
+      BOOST_TEST(std::abs(end.state.v[0] + radius * end.state.v[2]) < 5.2e-3);
+      // A third of the energy is gone.
+      const double lost = end.state.work[static_cast<std::size_t>(Mechanism::friction)];
+      BOOST_TEST(std::abs(lost - 3.0) < 6e-3);
+      BOOST_TEST(std::abs(end.closure) < 2e-3);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(on_a_slope_it_slips_above_the_friction_angle_only) {
+  const double steep = 0.5;  // tan = .546 > .3
+  const Model slipping = on_table(Mobility::particle, steep, CoulombFriction{mu, stiffness});
+  const Run down = run(slipping, {0.0, 0.0}, "velocity_verlet", 2e-5, 0.5);
+  const double acceleration = g * (std::sin(steep) - mu * std::cos(steep));
+  // Slip begins when the spring is stretched, after sqrt of a few 1e-5 s.
+  BOOST_TEST(std::abs(down.state.v[0] - 0.5 * acceleration) < 5e-3 * acceleration);
+  const double flat = 0.14;  // tan = .141, and twice that still < .3
+  const Model sticking = on_table(Mobility::particle, flat, CoulombFriction{mu, stiffness});
+  const Run stays = run(sticking, {0.0, 0.0}, "velocity_verlet", 2e-5, 2.0);
+  // It swings on the spring by twice its static stretch and goes no further.
+  BOOST_TEST(stays.state.q[0] <= 2.0 * 2.0 * g * std::sin(flat) / stiffness * 1.0001);
+  BOOST_TEST(stays.state.work[static_cast<std::size_t>(Mechanism::friction)] == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(slides_the_other_way_alike) {
+  const Model model = on_table(Mobility::free, 0.0, CoulombFriction{mu, stiffness});
+  const Run right = run(model, {3.0, 0.0}, "velocity_verlet", 2e-5, 0.2);
+  const Run left = run(model, {-3.0, 0.0}, "velocity_verlet", 2e-5, 0.2);
+  BOOST_TEST(left.state.v[0] == -right.state.v[0]);
+  BOOST_TEST(left.state.v[2] == -right.state.v[2]);
+  BOOST_TEST(left.state.q[1] == right.state.q[1]);
+}
+
+BOOST_AUTO_TEST_CASE(a_smooth_contact_keeps_no_memory) {
+  const Model smooth = on_table(Mobility::free, 0.0, {});
+  BOOST_TEST(rest_state(smooth).z.empty());
+  BOOST_TEST(!Dynamics{smooth}.follows_motion());
+  const Model rough = on_table(Mobility::free, 0.0, CoulombFriction{mu, stiffness});
+  BOOST_TEST(rest_state(rough).z.size() == 1u);
+  // Friction without a coefficient is the smooth contact.
+  const Model none = on_table(Mobility::free, 0.0, CoulombFriction{0.0, stiffness});
+  const Run a = run(smooth, {3.0, 0.0}, "rk4", 2e-5, 0.02), b = run(none, {3.0, 0.0}, "rk4", 2e-5, 0.02);
+  BOOST_TEST(a.state.q == b.state.q, boost::test_tools::per_element());
+}
