@@ -34,13 +34,30 @@ BodyForces::BodyForces(const Model& model, const Layout& layout) : gravity_{mode
                             rotation(body.angle),
                             pin(body),
                             -body.p_BPin,
-                            static_cast<double>(body.copies)};
-    (body.mobility == Mobility::free       ? free_
-     : body.mobility == Mobility::particle ? particles_
-     : pinned                              ? pinned_
-                                           : fixed_)
-        .push_back(compiled);
+                            static_cast<double>(body.copies),
+                            has_x(body.mobility)};
+    array(body.mobility).push_back(compiled);
   }
+}
+
+std::vector<BodyForces::Compiled>& BodyForces::array(Mobility mobility) {
+  switch (mobility) {
+    case Mobility::free:
+      return free_;
+    case Mobility::particle:
+      return particles_;
+    case Mobility::pinned:
+      return pinned_;
+    case Mobility::sliding_x:
+    case Mobility::sliding_y:
+      return sliding_;
+    case Mobility::guided_x:
+    case Mobility::guided_y:
+      return guided_;
+    case Mobility::fixed:
+      break;
+  }
+  return fixed_;
 }
 
 void BodyForces::place_fixed(Workspace& work) const {
@@ -79,6 +96,19 @@ void BodyForces::update(const State& state, Workspace& work) const {
     const Vec2 from_pin = R_WB * body.p_PinB;
     work.poses[body.body] = {body.p_WPin + from_pin, R_WB, cross(w_WB, from_pin), w_WB};
   }
+  for (const Compiled& body : sliding_) {
+    const double q = state.q[body.first], v = state.v[body.first];
+    work.poses[body.body] = {body.along_x ? Vec2{q, body.p_WB.y} : Vec2{body.p_WB.x, q}, body.R_WB,
+                             body.along_x ? Vec2{v, 0.0} : Vec2{0.0, v}, 0.0};
+  }
+  for (const Compiled& body : guided_) {
+    const Rotation R_WB = rotation(state.q[body.first + 1]);
+    const double q = state.q[body.first], v = state.v[body.first], w_WB = state.v[body.first + 1];
+    const Vec2 r = R_WB * body.p_PinB;
+    const Vec2 turning = cross(w_WB, r);
+    work.poses[body.body] = {body.along_x ? Vec2{q, body.p_WPin.y + r.y} : Vec2{body.p_WPin.x + r.x, q}, R_WB,
+                             body.along_x ? Vec2{v, turning.y} : Vec2{turning.x, v}, w_WB};
+  }
 }
 
 void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
@@ -106,6 +136,10 @@ void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
   }
   for (const Compiled& body : pinned_)
     pinned_rates(body, work, out, ledger);
+  for (const Compiled& body : sliding_)
+    sliding_rates(body, work, out, ledger);
+  for (const Compiled& body : guided_)
+    guided_rates(body, work, out, ledger);
   if (!ledger) return;
   for (const Compiled& body : fixed_) {
     const Wrench& wrench = work.wrenches[body.body];
@@ -128,6 +162,39 @@ void BodyForces::pinned_rates(const Compiled& body, const Workspace& work, Rates
   book(out, body.copies, body.p_WPin, body.mass * acceleration - force, 0.0);
 }
 
+/// Along the guide m a = F; the guide takes the rest of the force and all moments.
+void BodyForces::sliding_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const {
+  const Wrench& wrench = work.wrenches[body.body];
+  const Vec2 force = wrench.force + body.load;
+  out.v[body.first] = body.inverse_mass * (body.along_x ? force.x : force.y);
+  if (!ledger) return;
+  const Vec2 reaction = body.along_x ? Vec2{0.0, -force.y} : Vec2{-force.x, 0.0};
+  book(out, body.copies, work.poses[body.body].p_WB, body.load + reaction, -wrench.moment);
+}
+
+/// Along the guide m a = F. Across it the centre of mass is at r(theta) from the pin; with c = r . n for the unit n
+/// across, dc/dtheta = g and d2c/dtheta2 = -c, so that T = m c'^2/2 + I w^2/2 gives
+///   (I + m g^2) alpha = M + g F_n + m g c w^2.
+/// The guide pushes the pin with R = m (g alpha - c w^2) - F_n.
+void BodyForces::guided_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const {
+  const Wrench& wrench = work.wrenches[body.body];
+  const Pose& pose = work.poses[body.body];
+  const Vec2 r = pose.R_WB * body.p_PinB;
+  const Vec2 force = wrench.force + body.load;
+  const double across = body.along_x ? force.y : force.x;
+  const double c = body.along_x ? r.y : r.x;
+  const double g = body.along_x ? r.x : -r.y;
+  const double square = pose.w_WB * pose.w_WB;
+  const double alpha =
+      (wrench.moment + body.moment + g * (across + body.mass * c * square)) / (body.inertia + body.mass * g * g);
+  out.v[body.first] = body.inverse_mass * (body.along_x ? force.x : force.y);
+  out.v[body.first + 1] = alpha;
+  if (!ledger) return;
+  const double reaction = body.mass * (g * alpha - c * square) - across;
+  book(out, body.copies, pose.p_WB, body.load, body.moment);
+  book(out, body.copies, pose.p_WB - r, body.along_x ? Vec2{0.0, reaction} : Vec2{reaction, 0.0}, 0.0);
+}
+
 Energies BodyForces::energies(const State& state, const Workspace& work) const {
   Energies sum;
   const auto add = [&](const Compiled& body, double turned) {
@@ -143,12 +210,16 @@ Energies BodyForces::energies(const State& state, const Workspace& work) const {
     add(body, 0.0);
   for (const Compiled& body : pinned_)
     add(body, state.q[body.first] - body.angle);
+  for (const Compiled& body : sliding_)
+    add(body, 0.0);
+  for (const Compiled& body : guided_)
+    add(body, state.q[body.first + 1] - body.angle);
   return sum;
 }
 
 Momenta BodyForces::momenta(const Workspace& work) const {
   Momenta sum;
-  for (const auto* bodies : {&free_, &particles_, &pinned_}) {
+  for (const auto* bodies : {&free_, &particles_, &pinned_, &sliding_, &guided_}) {
     for (const Compiled& body : *bodies) {
       const Pose& pose = work.poses[body.body];
       sum.linear += body.copies * body.mass * pose.v_WB;

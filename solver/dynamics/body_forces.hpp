@@ -46,14 +46,21 @@ class BodyForces {
     Vec2 p_WPin;               ///< pin in the world [L]
     Vec2 p_PinB;               ///< from the pin to the centre of mass, body coordinates [L]
     double copies{1.0};        ///< identical bodies that this one stands for
+    bool along_x{};            ///< of a sliding or guided body: whether its guide is x, else y
   };
 
   void pinned_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const;
+  void sliding_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const;
+  void guided_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const;
+
+  std::vector<Compiled>& array(Mobility mobility);
 
   Vec2 gravity_;
   std::vector<Compiled> free_;
   std::vector<Compiled> particles_;
   std::vector<Compiled> pinned_;
+  std::vector<Compiled> sliding_;
+  std::vector<Compiled> guided_;
   std::vector<Compiled> fixed_;
 };
 

@@ -11,6 +11,8 @@ Bounds box(const Circle& s) { return {s.radius, s.radius, true, false}; }
 Bounds box(const Rectangle& s) { return {s.half_width, s.half_height, false, false}; }
 Bounds box(const Superquadric& s) { return {s.half_width, s.half_height, false, false}; }
 Bounds box(const HalfPlane&) { return {0.0, 0.0, false, true}; }
+/// Of ground that goes on for ever no side of a box separates anything.
+Bounds box(const Terrain&) { return {1e150, 1e150, true, false}; }
 
 /// Half extents of the box along the axes of a frame in which it stands at R.
 Vec2 extent(const Bounds& bounds, Rotation R) {

@@ -45,7 +45,7 @@ struct ContactArrays {
   };
 
   std::tuple<Array<Ball, Circle>, Array<Ball, Rectangle>, Array<Ball, Superquadric>, Array<Ball, SideFaces>,
-             Array<Ball, CentroidRays>, Array<Ball, HalfPlane>, Array<Rectangle, HalfPlane>,
+             Array<Ball, CentroidRays>, Array<Ball, HalfPlane>, Array<Ball, Terrain>, Array<Rectangle, HalfPlane>,
              Array<Superquadric, HalfPlane>, Array<Rectangle, Rectangle>>
       arrays;
 };

@@ -10,6 +10,10 @@ namespace {
 double inertia(const Model& model, const Coordinate& coordinate) {
   const Body& body = model.bodies[index(coordinate.body)];
   if (coordinate.axis != Axis::angle) return body.mass;
+  // Of a guided body as it stands at the start: the distance across the guide from pin to centre of mass moves with it.
+  const Vec2 r = body.p_WB - pin(body);
+  if (body.mobility == Mobility::guided_x) return body.inertia + body.mass * r.x * r.x;
+  if (body.mobility == Mobility::guided_y) return body.inertia + body.mass * r.y * r.y;
   return body.mobility == Mobility::pinned ? inertia_about_pin(body) : body.inertia;
 }
 

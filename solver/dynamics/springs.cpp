@@ -8,7 +8,11 @@ void add_gradient(const Dynamics& dynamics, const Workspace& work, BodyId body, 
                   std::vector<double>& gradient) {
   const Layout& layout = dynamics.layout();
   const Body& moved = dynamics.model().bodies[index(body)];
-  const Vec2 center = moved.mobility == Mobility::pinned ? pin(moved) : work.poses[index(body)].p_WB;
+  Vec2 center = moved.mobility == Mobility::pinned ? pin(moved) : work.poses[index(body)].p_WB;
+  // A guided body turns about the point level with its pin, across the guide from its centre of mass.
+  const Vec2 pin_now = world_point(work.poses[index(body)], moved.p_BPin);
+  if (moved.mobility == Mobility::guided_x) center.x = pin_now.x;
+  if (moved.mobility == Mobility::guided_y) center.y = pin_now.y;
   for (std::size_t i = layout.first[index(body)]; i < layout.first[index(body) + 1]; ++i) {
     const Axis axis = layout.coordinates[i].axis;
     gradient[i] += axis == Axis::x   ? direction.x

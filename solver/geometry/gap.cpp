@@ -77,6 +77,37 @@ Vec2 deepest_point(const Side& face, const Rectangle& box, const Pose& pose) {
 
 }  // namespace
 
+Depth depth_below(const Terrain& shape, Vec2 p) {
+  const std::vector<Vec2>& points = shape.points;
+  Depth best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec2 along = points[i + 1] - points[i];
+    double part = dot(p - points[i], along) / dot(along, along);
+    if (i > 0) part = std::max(part, 0.0);
+    if (i + 2 < points.size()) part = std::min(part, 1.0);
+    const Vec2 from = p - (points[i] + part * along);
+    const double distance = norm(from);
+    if (distance >= least) continue;
+    least = distance;
+    const Vec2 normal = (1.0 / norm(along)) * Vec2{-along.y, along.x};
+    // Over a piece the sign of its normal tells the side. At a corner both pieces beside it agree on it, but for points
+    // in the wedge behind one of them, where the corner itself decides.
+    const bool corner = (part == 0.0 && i > 0) || (part == 1.0 && i + 2 < points.size());
+    if (!corner || distance == 0.0) {
+      const double height = dot(from, normal);
+      best = {-height, normal};
+      continue;
+    }
+    const std::size_t at = part == 0.0 ? i : i + 1;
+    const Vec2 before = points[at] - points[at - 1], after = points[at + 1] - points[at];
+    // Convex ground (the line turns right): nearest from above; concave ground: from below.
+    const double side = cross(before, after) < 0.0 ? 1.0 : -1.0;
+    best = {-side * distance, (side / distance) * from};
+  }
+  return best;
+}
+
 Depth depth_below(const Rectangle& shape, Vec2 p) {
   const double beyond_x = std::abs(p.x) - shape.half_width;
   const double beyond_y = std::abs(p.y) - shape.half_height;

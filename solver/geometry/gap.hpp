@@ -32,6 +32,8 @@ struct Depth {
 [[nodiscard]] Depth depth_below(const Rectangle& shape, Vec2 p);
 [[nodiscard]] Depth depth_below(const Superquadric& shape, Vec2 p);
 [[nodiscard]] inline Depth depth_below(const HalfPlane&, Vec2 p) { return {-p.y, {0.0, 1.0}}; }
+/// By the nearest point of the line; of two equally near ones the first.
+[[nodiscard]] Depth depth_below(const Terrain& shape, Vec2 p);
 
 /// A ball of radius `radius` about the point p_A of body A: a circular body (its centre) or one boundary node (radius
 /// 0).

@@ -7,8 +7,8 @@
 namespace talus {
 
 std::vector<std::string> shape_names() {
-  return {std::string{NoShape::name}, std::string{Circle::name}, std::string{Rectangle::name},
-          std::string{Superquadric::name}, std::string{HalfPlane::name}};
+  return {std::string{NoShape::name},      std::string{Circle::name},    std::string{Rectangle::name},
+          std::string{Superquadric::name}, std::string{HalfPlane::name}, std::string{Terrain::name}};
 }
 
 std::vector<Vec2> boundary_nodes(const Shape& shape, int count) {

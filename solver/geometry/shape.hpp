@@ -52,14 +52,24 @@ struct HalfPlane {
   friend constexpr bool operator==(const HalfPlane&, const HalfPlane&) = default;
 };
 
-using Shape = std::variant<NoShape, Circle, Rectangle, Superquadric, HalfPlane>;
+/// Everything below a line of points: uneven ground. Its first and last pieces go on for ever.
+struct Terrain {
+  static constexpr std::string_view name = "terrain";
+  std::vector<Vec2> points{};  ///< two or more, in body coordinates, x growing from each to the next [L]
+
+  static constexpr std::array<Field<Terrain>, 0> fields() { return {}; }
+  friend bool operator==(const Terrain&, const Terrain&) = default;
+};
+
+using Shape = std::variant<NoShape, Circle, Rectangle, Superquadric, HalfPlane, Terrain>;
 
 /// Names of all shapes, in the list's order.
 [[nodiscard]] std::vector<std::string> shape_names();
 
 /// Boundary nodes of a shape in body coordinates (FENCE 1993 gave each such node a spring and a dashpot of its own):
 /// `count` points at equal spacing from body x for a circle; at the middles of `count` equal parts of the parametric
-/// angle for a superquadric (1993: four, near the corners); the four corners for a rectangle; none for a half-plane.
+/// angle for a superquadric (1993: four, near the corners); the four corners for a rectangle; none for a half-plane
+/// or terrain.
 [[nodiscard]] std::vector<Vec2> boundary_nodes(const Shape& shape, int count);
 
 }  // namespace talus

@@ -106,6 +106,7 @@ std::string deck_text(const Fence& fence) {
     throw InputError{fmt::format("a deck has no record for the options of a fence; found {}; it must be {}",
                                  fmt::join(beyond, ", "), fmt::join(of_1993, ", "))};
   }
+  if (!fence.ground_profile.empty()) throw InputError{"a deck has level ground; found a ground_profile"};
   if (!fence.changed_columns.empty()) throw InputError{"a deck has one kind of column; found a changed_column"};
   for (std::size_t i = 0; i < fence.rocks.size(); ++i) {
     if (fence.rocks[i].along == 0.0) continue;

@@ -78,6 +78,13 @@ std::string fence_toml(const Fence& fence) {
   text += number_lines(fence, fence.units);
   text += fmt::format("history_elements = [{}]\n", fmt::join(fence.history_elements, ", "));
   text += fmt::format("history_codes = [{}]\n", fmt::join(fence.history_codes, ", "));
+  if (!fence.ground_profile.empty()) {
+    std::vector<std::string> points;
+    for (const Vec2 p : fence.ground_profile)
+      points.push_back(fmt::format("[{}, {}]", quantity(p.x, dimension::length, fence.units),
+                                   quantity(p.y, dimension::length, fence.units)));
+    text += fmt::format("ground_profile = [{}]\n", fmt::join(points, ", "));
+  }
   text += element_lines("[fence.ground]", fence.ground, fence.units);
   for (const FenceElement& rock : fence.rocks)
     text += element_lines("[[fence.rock]]", rock, fence.units);

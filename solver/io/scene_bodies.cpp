@@ -9,8 +9,14 @@ Shape read_shape(SceneTable table) {
   Shape shape;
   const std::string kind = table.choice("kind", shape_names());
   visit_named<Shape>(kind, [&](auto wanted) {
-    table.allow(field_names<decltype(wanted)>());
+    std::vector<std::string> keys = field_names<decltype(wanted)>();
+    if constexpr (requires { wanted.points; }) keys.emplace_back("points");
+    table.allow(keys);
     table.read_fields(wanted);
+    if constexpr (requires { wanted.points; }) {
+      for (const auto& [x, y] : table.pairs("points", dimension::length, dimension::length))
+        wanted.points.push_back({x, y});
+    }
     shape = wanted;
   });
   return shape;
@@ -19,10 +25,10 @@ Shape read_shape(SceneTable table) {
 /// Why a body of this mobility has no such quantity; empty if it has.
 std::string_view objection(std::string_view key, Mobility mobility) {
   const bool fixed = mobility == Mobility::fixed;
-  const bool turns = mobility == Mobility::free || mobility == Mobility::pinned;
+  const bool turns = talus::turns(mobility);
   if (key == "mass" || key == "force") return fixed ? "a fixed body has none; leave it out" : "";
   if (key == "inertia" || key == "moment" || key == "spin") return turns ? "" : "this body cannot turn; leave it out";
-  if (key == "pin") return mobility == Mobility::pinned ? "" : "only a pinned body has a pin; leave it out";
+  if (key == "pin") return has_pin(mobility) ? "" : "only a pinned or guided body has a pin; leave it out";
   if (key == "velocity" && mobility == Mobility::pinned) return "a pinned body only turns; give its spin instead";
   return key == "velocity" && fixed ? "a fixed body has none; leave it out" : "";
 }
@@ -44,7 +50,7 @@ SceneBody read_body(SceneTable table) {
   }
   if (table.has("shape")) body.shape = read_shape(table.table("shape"));
   body.p_WB = table.vector("position", dimension::length);
-  if (body.mobility == Mobility::pinned) body.p_BPin = table.vector("pin", dimension::length);
+  if (has_pin(body.mobility)) body.p_BPin = table.vector("pin", dimension::length);
   body.force = table.vector_or("force", dimension::force, {});
   read.velocity = table.vector_or("velocity", dimension::velocity, {});
   read.spin = table.quantity_or("spin", dimension::angular_velocity, 0.0);

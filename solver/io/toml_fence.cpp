@@ -97,8 +97,8 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   if (const std::string why = objection_to_title(fence.title); !why.empty()) file.fail("title", why);
   SceneTable table = file.table("fence");
   std::vector<std::string> known = keys<Fence>();
-  known.insert(known.end(),
-               {"history_elements", "history_codes", "ground", "rock", "column", "changed_column", "options"});
+  known.insert(known.end(), {"history_elements", "history_codes", "ground", "ground_profile", "rock", "column",
+                             "changed_column", "options"});
   table.allow(known);
   table.read_fields(fence);
   for (const auto& field : Fence::counts())
@@ -107,6 +107,10 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   fence.history_codes = wholes_or_none(table, "history_codes");
   std::vector<SceneTable> elements = element_tables(table);
   fence.ground = read_element(elements.front(), ElementType::rock);
+  if (table.has("ground_profile")) {
+    for (const auto& [x, y] : table.pairs("ground_profile", dimension::length, dimension::length))
+      fence.ground_profile.push_back({x, y});
+  }
   for (std::size_t i = 1; i + 1 < elements.size(); ++i)
     fence.rocks.push_back(read_element(elements[i], ElementType::rock));
   fence.column = read_element(elements.back(), ElementType::column);

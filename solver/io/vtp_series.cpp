@@ -16,11 +16,12 @@ namespace {
 /// Parts of a round outline.
 constexpr int parts = 96;
 
-/// Outline in the body's axes: the first point again at the end, but for a half-plane's.
+/// Outline in the body's axes: the first point again at the end, but for ground's.
 std::vector<Vec2> outline(const Shape& shape, double reach) {
   std::vector<Vec2> points;
   if (std::holds_alternative<NoShape>(shape)) return points;
   if (std::holds_alternative<HalfPlane>(shape)) return {{-reach, 0.0}, {reach, 0.0}};
+  if (const auto* terrain = std::get_if<Terrain>(&shape)) return terrain->points;
   if (const auto* r = std::get_if<Rectangle>(&shape)) {
     points = {{r->half_width, r->half_height},
               {-r->half_width, r->half_height},

@@ -9,26 +9,43 @@ namespace talus {
 
 /// How a body may move. Each way names its generalised coordinates; a body carries no others.
 enum class Mobility {
-  free,      ///< x, y of the centre of mass, and the angle
-  particle,  ///< x, y; its orientation never changes
-  pinned,    ///< the angle; the body turns about a fixed point of itself
-  fixed,     ///< none: an obstacle
+  free,       ///< x, y of the centre of mass, and the angle
+  particle,   ///< x, y; its orientation never changes
+  pinned,     ///< the angle; the body turns about a fixed point of itself, its pin
+  fixed,      ///< none: an obstacle
+  sliding_x,  ///< x; neither y nor the orientation ever change
+  sliding_y,  ///< y; neither x nor the orientation ever change
+  guided_x,   ///< x of the centre of mass, and the angle; the pin stays at its height
+  guided_y,   ///< y of the centre of mass, and the angle; the pin stays at its x
 };
 template <>
 struct Names<Mobility> {
-  static constexpr std::array<std::string_view, 4> list{"free", "particle", "pinned", "fixed"};
+  static constexpr std::array<std::string_view, 8> list{"free",      "particle",  "pinned",   "fixed",
+                                                        "sliding_x", "sliding_y", "guided_x", "guided_y"};
 };
+
+/// Which coordinates a mobility has, and whether it needs a pin.
+constexpr bool has_x(Mobility m) {
+  return m == Mobility::free || m == Mobility::particle || m == Mobility::sliding_x || m == Mobility::guided_x;
+}
+constexpr bool has_y(Mobility m) {
+  return m == Mobility::free || m == Mobility::particle || m == Mobility::sliding_y || m == Mobility::guided_y;
+}
+constexpr bool has_pin(Mobility m) {
+  return m == Mobility::pinned || m == Mobility::guided_x || m == Mobility::guided_y;
+}
+constexpr bool turns(Mobility m) { return m == Mobility::free || has_pin(m); }
 
 /// A planar rigid body B. Its frame has its origin at the centre of mass.
 struct Body {
   std::string name{};  ///< unique in the model
   Mobility mobility{Mobility::free};
   double mass{};     ///< [M] > 0 unless fixed
-  double inertia{};  ///< about the centre of mass [M L^2] > 0 if free or pinned
+  double inertia{};  ///< about the centre of mass [M L^2] > 0 if it turns
   Shape shape{};
   Vec2 p_WB{};      ///< reference position of the centre of mass, world [L]
   double angle{};   ///< reference orientation [rad], counter-clockwise > 0
-  Vec2 p_BPin{};    ///< of a pinned body: the pin in body coordinates [L]
+  Vec2 p_BPin{};    ///< of a pinned or guided body: the pin in body coordinates [L]
   Vec2 force{};     ///< constant applied force at the centre of mass, world [F]
   double moment{};  ///< constant applied moment [F L], counter-clockwise > 0
   bool sleeps{};    ///< may sleep: while it is in balance at its reference position nothing is worked out of it

@@ -25,10 +25,7 @@ std::size_t first_coordinate(const Model& model, BodyId body) {
   std::size_t first = 0;
   for (std::size_t i = 0; i < index(body); ++i) {
     const Mobility mobility = model.bodies[i].mobility;
-    first += mobility == Mobility::free       ? 3U
-             : mobility == Mobility::particle ? 2U
-             : mobility == Mobility::pinned   ? 1U
-                                              : 0U;
+    first += (has_x(mobility) ? 1U : 0U) + (has_y(mobility) ? 1U : 0U) + (turns(mobility) ? 1U : 0U);
   }
   return first;
 }
@@ -40,11 +37,9 @@ Layout::Layout(const Model& model) {
     const auto body = static_cast<BodyId>(i);
     const Mobility mobility = model.bodies[i].mobility;
     first.push_back(coordinates.size());
-    if (mobility == Mobility::free || mobility == Mobility::particle) {
-      coordinates.push_back({body, Axis::x});
-      coordinates.push_back({body, Axis::y});
-    }
-    if (mobility == Mobility::free || mobility == Mobility::pinned) coordinates.push_back({body, Axis::angle});
+    if (has_x(mobility)) coordinates.push_back({body, Axis::x});
+    if (has_y(mobility)) coordinates.push_back({body, Axis::y});
+    if (turns(mobility)) coordinates.push_back({body, Axis::angle});
   }
   first.push_back(coordinates.size());
   for (const Contact& contact : model.contacts) {
@@ -88,23 +83,23 @@ State rest_state(const Model& model) {
 
 void set_velocity(const Model& model, State& state, BodyId body, Vec2 v_WB, double w_WB) {
   const Body& moved = model.bodies[index(body)];
-  const std::size_t first = first_coordinate(model, body);
-  const bool translates = moved.mobility == Mobility::free || moved.mobility == Mobility::particle;
-  const bool turns = moved.mobility == Mobility::free || moved.mobility == Mobility::pinned;
-  if (!translates && !(v_WB == Vec2{})) {
-    throw InputError{fmt::format("body '{}' is {} and has no velocity of its own; give {}", moved.name,
+  std::size_t next = first_coordinate(model, body);
+  const bool along_x = has_x(moved.mobility), along_y = has_y(moved.mobility);
+  if ((!along_x && v_WB.x != 0.0) || (!along_y && v_WB.y != 0.0)) {
+    throw InputError{fmt::format("body '{}' is {} and has no velocity of its own{}; give {}", moved.name,
                                  Names<Mobility>::list[static_cast<std::size_t>(moved.mobility)],
-                                 turns ? "its angular velocity" : "none")};
+                                 along_x   ? " along y"
+                                 : along_y ? " along x"
+                                           : "",
+                                 turns(moved.mobility) ? "its angular velocity" : "none")};
   }
-  if (!turns && w_WB != 0.0) {
+  if (!turns(moved.mobility) && w_WB != 0.0) {
     throw InputError{fmt::format("body '{}' is {} and cannot turn; give no angular velocity", moved.name,
                                  Names<Mobility>::list[static_cast<std::size_t>(moved.mobility)])};
   }
-  if (translates) {
-    state.v[first] = v_WB.x;
-    state.v[first + 1] = v_WB.y;
-  }
-  if (turns) state.v[first + (translates ? 2 : 0)] = w_WB;
+  if (along_x) state.v[next++] = v_WB.x;
+  if (along_y) state.v[next++] = v_WB.y;
+  if (turns(moved.mobility)) state.v[next] = w_WB;
   const Layout layout{model};
   const auto sleeper = std::find(layout.sleepers.begin(), layout.sleepers.end(), body);
   if (sleeper != layout.sleepers.end()) {
@@ -114,9 +109,9 @@ void set_velocity(const Model& model, State& state, BodyId body, Vec2 v_WB, doub
 
 double angle(const Model& model, const State& state, BodyId body) {
   const Body& turned = model.bodies[index(body)];
-  const std::size_t first = first_coordinate(model, body);
-  if (turned.mobility == Mobility::free) return state.q[first + 2];
-  return turned.mobility == Mobility::pinned ? state.q[first] : turned.angle;
+  if (!turns(turned.mobility)) return turned.angle;
+  const std::size_t before = (has_x(turned.mobility) ? 1U : 0U) + (has_y(turned.mobility) ? 1U : 0U);
+  return state.q[first_coordinate(model, body) + before];
 }
 
 Pose pose(const Model& model, const State& state, BodyId body) {
@@ -131,6 +126,20 @@ Pose pose(const Model& model, const State& state, BodyId body) {
     case Mobility::pinned: {
       const Vec2 from_pin = R_WB * (-placed.p_BPin);
       return {pin(placed) + from_pin, R_WB, cross(state.v[first], from_pin), state.v[first]};
+    }
+    case Mobility::sliding_x:
+      return {{state.q[first], placed.p_WB.y}, R_WB, {state.v[first], 0.0}, 0.0};
+    case Mobility::sliding_y:
+      return {{placed.p_WB.x, state.q[first]}, R_WB, {0.0, state.v[first]}, 0.0};
+    case Mobility::guided_x: {
+      const Vec2 r = R_WB * (-placed.p_BPin);
+      return {
+          {state.q[first], pin(placed).y + r.y}, R_WB, {state.v[first], state.v[first + 1] * r.x}, state.v[first + 1]};
+    }
+    case Mobility::guided_y: {
+      const Vec2 r = R_WB * (-placed.p_BPin);
+      return {
+          {pin(placed).x + r.x, state.q[first]}, R_WB, {-state.v[first + 1] * r.y, state.v[first]}, state.v[first + 1]};
     }
     case Mobility::fixed:
       break;

@@ -48,8 +48,7 @@ struct Layout {
 [[nodiscard]] State rest_state(const Model& model);
 
 /// Sets the velocity of a body's centre of mass [L/T] and its angular velocity [rad/T]; wakes it if it sleeps.
-/// Errors: InputError if the body cannot move that way (a pinned body takes the angular velocity only, a particle
-/// none).
+/// Errors: InputError if the body cannot move that way.
 void set_velocity(const Model& model, State& state, BodyId body, Vec2 v_WB, double w_WB);
 
 /// Pose of one body in a state.

@@ -45,6 +45,29 @@ void check_table(std::string_view cable, const ElasticPlastic& law) {
   }
 }
 
+std::string_view shape_name(const Shape& shape) {
+  return std::visit([](const auto& s) { return s.name; }, shape);
+}
+
+/// Ground: all below a line.
+bool is_ground(const Shape& shape) {
+  return std::holds_alternative<HalfPlane>(shape) || std::holds_alternative<Terrain>(shape);
+}
+
+void check_terrain(std::string_view body, const Terrain& terrain) {
+  if (terrain.points.size() < 2)
+    throw InputError{
+        fmt::format("body '{}': terrain has {} points; it needs two or more", body, terrain.points.size())};
+  for (std::size_t i = 0; i + 1 < terrain.points.size(); ++i) {
+    const Vec2 one = terrain.points[i], next = terrain.points[i + 1];
+    if (next.x > one.x && std::isfinite(next.x) && std::isfinite(one.x) && std::isfinite(next.y) &&
+        std::isfinite(one.y))
+      continue;
+    throw InputError{fmt::format("body '{}': terrain has x = {:.6g} after {:.6g}; x must grow from point to point",
+                                 body, next.x, one.x)};
+  }
+}
+
 /// Whether the solver has a gap function for the two shapes by the given method.
 bool has_gap(const Shape& a, const Shape& b, ContactMethod method) {
   const auto is_box = [](const Shape& s) { return std::holds_alternative<Rectangle>(s); };
@@ -52,7 +75,7 @@ bool has_gap(const Shape& a, const Shape& b, ContactMethod method) {
   const auto is_outline = [](const Shape& s) { return std::holds_alternative<Superquadric>(s); };
   const auto is_round = [](const Shape& s) { return std::holds_alternative<Circle>(s); };
   const bool outlined = !std::holds_alternative<NoShape>(a) && !std::holds_alternative<NoShape>(b);
-  if (method == ContactMethod::nodes) return outlined && !(is_plane(a) && is_plane(b));
+  if (method == ContactMethod::nodes) return outlined && !(is_ground(a) && is_ground(b));
   return outlined && (is_round(a) || is_round(b) || (is_box(a) && (is_box(b) || is_plane(b))) ||
                       (is_plane(a) && (is_box(b) || is_outline(b))) || (is_outline(a) && is_plane(b)));
 }
@@ -64,16 +87,12 @@ bool one_tension(const CableLaw& a, const CableLaw& b) {
   return a.index() == b.index() && std::abs(one - other) <= 1e-12 * std::abs(one + other);
 }
 
-std::string_view shape_name(const Shape& shape) {
-  return std::visit([](const auto& s) { return s.name; }, shape);
-}
-
 }  // namespace
 
 BodyId ModelBuilder::add(Body body) {
   check_name("body", body.name, find_body(model_, body.name).has_value());
   const bool moves = body.mobility != Mobility::fixed;
-  const bool turns = body.mobility == Mobility::free || body.mobility == Mobility::pinned;
+  const bool turns = talus::turns(body.mobility);
   if (moves) check_number("body", body.name, "mass", Range::positive, body.mass);
   if (turns) check_number("body", body.name, "inertia", Range::positive, body.inertia);
   check_number("body", body.name, "angle", Range::any, body.angle);
@@ -92,9 +111,11 @@ BodyId ModelBuilder::add(Body body) {
   if (body.sleeps && body.mobility != Mobility::free) {
     throw InputError{fmt::format("body '{}': only a free body can sleep", body.name)};
   }
-  if (moves && std::holds_alternative<HalfPlane>(body.shape)) {
-    throw InputError{fmt::format("body '{}': a half_plane cannot move; its mobility must be fixed", body.name)};
+  if (moves && is_ground(body.shape)) {
+    throw InputError{
+        fmt::format("body '{}': a {} cannot move; its mobility must be fixed", body.name, shape_name(body.shape))};
   }
+  if (const auto* terrain = std::get_if<Terrain>(&body.shape)) check_terrain(body.name, *terrain);
   model_.bodies.push_back(std::move(body));
   return static_cast<BodyId>(model_.bodies.size() - 1);
 }
@@ -137,7 +158,7 @@ ContactId ModelBuilder::add(Contact contact) {
   if (!has_gap(a.shape, b.shape, contact.method)) {
     throw InputError{
         fmt::format("contact '{}': no contact between shapes '{}' and '{}' by method '{}'; known pairs: circle "
-                    "with circle, rectangle, superquadric, half_plane; rectangle with rectangle, half_plane; "
+                    "with circle, rectangle, superquadric, half_plane, terrain; rectangle with rectangle, half_plane; "
                     "superquadric with half_plane",
                     contact.name, shape_name(a.shape), shape_name(b.shape),
                     Names<ContactMethod>::list[static_cast<std::size_t>(contact.method)])};

@@ -5,7 +5,7 @@
 namespace talus {
 namespace {
 
-bool turns(const Body& body) { return body.mobility == Mobility::free || body.mobility == Mobility::pinned; }
+bool turns(const Body& body) { return talus::turns(body.mobility); }
 
 std::vector<Column> columns(const Model& model) {
   std::vector<Column> found{{"time", dimension::time}};

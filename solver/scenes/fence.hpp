@@ -189,9 +189,10 @@ struct Fence {
   std::vector<int> history_elements;  ///< elno: numbers of the elements whose histories are kept
   std::vector<int> history_codes;     ///< variab: codes of the quantities kept, 1 .. 61
 
-  FenceElement ground;                         ///< element 1
-  std::vector<FenceElement> rocks;             ///< elements 2 .. nel - 1
-  FenceElement column;                         ///< element nel: stands for every column
+  FenceElement ground;               ///< element 1
+  std::vector<Vec2> ground_profile;  ///< uneven ground in place of its level surface: points of a line, world [L]
+  std::vector<FenceElement> rocks;   ///< elements 2 .. nel - 1
+  FenceElement column;               ///< element nel: stands for every column
   std::vector<ChangedColumn> changed_columns;  ///< those that differ from it
 
   double span{};          ///< of the top cable between its fixed ends [L] > 0

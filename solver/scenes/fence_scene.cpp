@@ -41,24 +41,25 @@ Shape outline(const FenceElement& e, FenceContact contact) {
 
 int node_count(const FenceElement& e) { return 4 * (e.points - 1); }
 
-/// What the fixities of an element leave it: nothing, a turn about its fixed point, or all but a turn.
-Mobility mobility(const FenceElement& e, std::string_view name) {
+/// What the fixities of an element leave it; the point that they hold is its pin.
+Mobility mobility(const FenceElement& e) {
   const auto [x, y, turn] = e.held;
   if (x && y) return turn ? Mobility::fixed : Mobility::pinned;
-  if (!x && !y) return turn ? Mobility::particle : Mobility::free;
-  throw InputError{fmt::format("{}: only one of its x and y motions is fixed; it must be both or none", name)};
+  if (x) return turn ? Mobility::sliding_y : Mobility::guided_y;
+  if (y) return turn ? Mobility::sliding_x : Mobility::guided_x;
+  return turn ? Mobility::particle : Mobility::free;
 }
 
 Body body(const FenceElement& e, std::string name, FenceContact contact) {
   const MassProperties solid = mass_properties(e);
   Body made{.name = std::move(name), .mass = solid.mass, .inertia = solid.inertia};
-  made.mobility = mobility(e, made.name);
+  made.mobility = mobility(e);
   made.shape = outline(e, contact);
   made.p_WB = e.position;
   made.angle = e.angle;
   made.p_BPin = e.fixed_point;
   if (made.mobility != Mobility::fixed) made.force = e.force;
-  if (made.mobility == Mobility::free || made.mobility == Mobility::pinned) made.moment = e.moment;
+  if (turns(made.mobility)) made.moment = e.moment;
   return made;
 }
 
@@ -124,6 +125,11 @@ class FenceMaker {
     const Vec2 up{-rotation(e.angle).sine, rotation(e.angle).cosine};
     Body made{.name = "ground", .mobility = Mobility::fixed, .shape = HalfPlane{}, .p_WB = e.position + e.b * up};
     made.angle = e.angle;
+    if (!fence_.ground_profile.empty()) {
+      made.shape = Terrain{fence_.ground_profile};
+      made.p_WB = {};
+      made.angle = 0.0;
+    }
     ground_ = builder_.add(made);
     const MassProperties solid = mass_properties(e);
     made_.members.push_back(
@@ -477,14 +483,13 @@ void FenceMaker::kick_half_a_step() {
   State touching = state;
   dynamics.update(touching, work);
   dynamics.settle(touching, work);
-  std::fill(work.wrenches.begin(), work.wrenches.end(), Wrench{});
-  dynamics.contacts().add(touching, work, nullptr);
-  for (std::size_t i = 0; i < state.v.size(); ++i) {
-    const auto [body, axis] = dynamics.layout().coordinates[i];
-    const Wrench& wrench = work.wrenches[index(body)];
-    const double load = axis == Axis::x ? wrench.force.x : axis == Axis::y ? wrench.force.y : wrench.moment;
-    state.v[i] += 0.5 * made_.scene.plan.step * load / dynamics.inertias()[i];
-  }
+  State apart = touching;
+  std::fill_n(apart.mode.begin(), dynamics.contacts().size(), Mode{0});
+  Rates with{state}, without{state};
+  dynamics.rates(touching, work, with, false);
+  dynamics.rates(apart, work, without, false);
+  for (std::size_t i = 0; i < state.v.size(); ++i)
+    state.v[i] += 0.5 * made_.scene.plan.step * (with.v[i] - without.v[i]);
 }
 
 }  // namespace

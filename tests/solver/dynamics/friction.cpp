@@ -25,11 +25,8 @@ Model on_table(Mobility mobility, double slope, std::optional<CoulombFriction> f
                                        .inertia = mobility == Mobility::free ? 0.01 : 0.0,
                                        .shape = Circle{radius},
                                        .p_WB = {0.0, radius - overlap}});
-  builder.add(Contact{.name = "disc-table",
-                      .a = disc,
-                      .b = table,
-                      .law = LinearSpringDashpot{stiffness, 200.0},
-                      .friction = friction});
+  builder.add(Contact{
+      .name = "disc-table", .a = disc, .b = table, .law = LinearSpringDashpot{stiffness, 200.0}, .friction = friction});
   return builder.build();
 }
 

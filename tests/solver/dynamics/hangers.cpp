@@ -88,8 +88,8 @@ BOOST_AUTO_TEST_CASE(two_cables_go_on_as_one_with_one_tension) {
   builder.gravity({0.0, -10.0});
   std::vector<CableEnd> ends{{std::nullopt, {0.0, 0.0, 0.0}}};
   for (const double z : {2.0, 6.0}) {
-    const BodyId body =
-        builder.add(Body{.name = "mass" + std::to_string(ends.size()), .mass = 1.0, .inertia = 0.1, .p_WB = {0.0, -1.0}});
+    const BodyId body = builder.add(
+        Body{.name = "mass" + std::to_string(ends.size()), .mass = 1.0, .inertia = 0.1, .p_WB = {0.0, -1.0}});
     ends.push_back({body, {0.0, 0.5, z}});
   }
   ends.push_back({std::nullopt, {0.0, 0.0, 8.0}});
@@ -158,7 +158,9 @@ BOOST_AUTO_TEST_CASE(wrong_hangers_are_refused) {
   BOOST_CHECK_THROW(builder.add(Hanger{"none", body, {0.0, 0.5, 0.0}, 1.0}), InputError);
   builder.add(Cable{.name = "stay", .a = {std::nullopt, {}}, .b = {body, {0.0, 0.5, 0.0}}, .law = TensionOnly{1.0}});
   BOOST_CHECK_THROW(builder.add(Hanger{"weak", body, {0.0, 0.5, 0.0}, 0.0}), InputError);
-  builder.add(Cable{.name = "stiff", .a = {std::nullopt, {1.0, 0.0, 0.0}}, .b = {body, {0.0, 0.5, 0.0}},
+  builder.add(Cable{.name = "stiff",
+                    .a = {std::nullopt, {1.0, 0.0, 0.0}},
+                    .b = {body, {0.0, 0.5, 0.0}},
                     .law = ElasticPlastic{.stiffness = 2.0}});
   BOOST_CHECK_THROW(builder.add(Hanger{"unlike", body, {0.0, 0.5, 0.0}, 1.0}), InputError);
 }
