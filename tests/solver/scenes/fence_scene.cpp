@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(half_and_full_model_agree_to_the_last_bit_for_an_odd_count)
 
 BOOST_AUTO_TEST_CASE(half_and_full_model_lose_the_same_hangers) {
   Fence fence = sample2(1);
-  fence.options.hanger_strength = 3e4;
+  fence.options.hanger_strength = 1e4;
   const FenceScene half = fence_scene(fence);
   fence.options.symmetry = FenceSymmetry::full;
   const FenceScene full = fence_scene(fence);

@@ -1,0 +1,67 @@
+/// Uneven ground against the distance to a line found by brute force.
+#define BOOST_TEST_MODULE geometry_terrain
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "solver/geometry/gap.hpp"
+
+using namespace talus;
+
+namespace {
+
+const Terrain valley{{{-2.0, 1.0}, {-1.0, 0.0}, {0.5, -0.3}, {1.0, 1.5}, {2.0, 1.0}}};
+
+/// Height of the line, its end pieces extended.
+double height(const Terrain& terrain, double x) {
+  std::size_t i = 0;
+  while (i + 2 < terrain.points.size() && x > terrain.points[i + 1].x)
+    ++i;
+  const Vec2 a = terrain.points[i], b = terrain.points[i + 1];
+  return a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y);
+}
+
+/// Distance to the line by a fine row of its points.
+double distance(const Terrain& terrain, Vec2 p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (double x = p.x - 6.0; x < p.x + 6.0; x += 1e-4)
+    least = std::min(least, norm(p - Vec2{x, height(terrain, x)}));
+  return least;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(depth_is_the_distance_and_its_sign_the_side) {
+  std::mt19937 random{7};
+  std::uniform_real_distribution<double> place{-4.0, 4.0};
+  for (int i = 0; i < 200; ++i) {
+    const Vec2 p{place(random), place(random)};
+    const Depth found = depth_below(valley, p);
+    // Neighbours on the row are at most 1e-4 sqrt(1 + 3.6^2) apart: the nearest is off by half of it at most.
+    BOOST_TEST(std::abs(std::abs(found.depth) - distance(valley, p)) < 2e-4);
+    BOOST_TEST((found.depth > 0.0) == (p.y < height(valley, p.x)));
+    BOOST_TEST(norm(found.normal) == 1.0, boost::test_tools::tolerance(1e-12));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_normal_leads_out) {
+  std::mt19937 random{11};
+  std::uniform_real_distribution<double> place{-3.0, 3.0};
+  for (int i = 0; i < 200; ++i) {
+    const Vec2 p{place(random), place(random)};
+    const Depth found = depth_below(valley, p);
+    // A little along the normal the depth is less by as much.
+    const double moved = depth_below(valley, p + 1e-7 * found.normal).depth;
+    BOOST_TEST(std::abs(found.depth - moved - 1e-7) < 1e-11);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_level_line_is_a_half_plane) {
+  const Terrain level{{{-1.0, 0.0}, {3.0, 0.0}}};
+  for (const Vec2 p : {Vec2{-9.0, 2.0}, Vec2{0.0, -1.5}, Vec2{20.0, 0.25}}) {
+    const Depth a = depth_below(level, p), b = depth_below(HalfPlane{}, p);
+    BOOST_TEST(a.depth == b.depth);
+    BOOST_TEST(a.normal.y == b.normal.y);
+  }
+}
