@@ -1,6 +1,8 @@
 #include "solver/dynamics/contact_forces.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -119,10 +121,8 @@ class Compiler {
     next_ = first;
     next_friction_ = friction;
     if (contact.method == ContactMethod::resultant) return add_resultant(contact.a, a, contact.b, b);
-    for (const Vec2 node : boundary_nodes(a, contact.nodes[0]))
-      add_ball({node, 0.0}, contact.a, contact.b, b);
-    for (const Vec2 node : boundary_nodes(b, contact.nodes[1]))
-      add_ball({node, 0.0}, contact.b, contact.a, a);
+    add_nodes(contact.a, a, contact.nodes[0], contact.b, b);
+    add_nodes(contact.b, b, contact.nodes[1], contact.a, a);
   }
 
  private:
@@ -153,6 +153,28 @@ class Compiler {
             copies,
             contact_->friction,
             next_friction_};
+  }
+
+  void add_nodes(BodyId id_a, const Shape& a, int count, BodyId id_b, const Shape& b) {
+    std::optional<Superquadric> target;
+    if (const auto* outline = std::get_if<Superquadric>(&b)) target = *outline;
+    if (const auto* circle = std::get_if<Circle>(&b)) target = Superquadric{circle->radius, circle->radius, 2.0};
+    for (const Vec2 node : boundary_nodes(a, count)) {
+      if (contact_->node_depth == NodeDepth::smoother && target) {
+        add(id_a, Ball{node, 0.0}, id_b, smoother(a, node, *target));
+      } else {
+        add_ball({node, 0.0}, id_a, id_b, b);
+      }
+    }
+  }
+
+  /// What the rule `smoother` needs to know of a node: nothing bends more than a corner.
+  static Smoother smoother(const Shape& a, Vec2 node, const Superquadric& target) {
+    if (const auto* circle = std::get_if<Circle>(&a))
+      return {target, (1.0 / circle->radius) * node, 1.0 / circle->radius};
+    if (const auto* outline = std::get_if<Superquadric>(&a))
+      return {target, outward_normal(*outline, node), curvature(*outline, node)};
+    return {target, {}, std::numeric_limits<double>::infinity()};
   }
 
   void add_ball(const Ball& ball, BodyId id_a, BodyId id_b, const Shape& b) {

@@ -45,8 +45,8 @@ struct ContactArrays {
   };
 
   std::tuple<Array<Ball, Circle>, Array<Ball, Rectangle>, Array<Ball, Superquadric>, Array<Ball, SideFaces>,
-             Array<Ball, CentroidRays>, Array<Ball, HalfPlane>, Array<Ball, Terrain>, Array<Rectangle, HalfPlane>,
-             Array<Superquadric, HalfPlane>, Array<Rectangle, Rectangle>>
+             Array<Ball, CentroidRays>, Array<Ball, Smoother>, Array<Ball, HalfPlane>, Array<Ball, Terrain>,
+             Array<Rectangle, HalfPlane>, Array<Superquadric, HalfPlane>, Array<Rectangle, Rectangle>>
       arrays;
 };
 

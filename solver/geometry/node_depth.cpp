@@ -32,6 +32,15 @@ Depth depth_in_box(const SideFaces& shape, Vec2 p) {
   return {shape.outline.half_width - std::abs(p.x), normal};
 }
 
+Depth ball_depth(const Ball& node, const Placement& A_in_B, const Smoother& target) {
+  const Vec2 p = A_in_B.p + A_in_B.R * node.center_A;
+  const Depth found = depth_below(target.outline, p);
+  if (curvature(target.outline, p + found.depth * found.normal) <= target.node_curvature) return found;
+  const Vec2 normal = -(A_in_B.R * target.node_normal);
+  const double cosine = dot(normal, found.normal);
+  return cosine < 0.5 ? found : Depth{found.depth / cosine, normal};
+}
+
 Depth depth_in_box(const CentroidRays& shape, Vec2 p) {
   const auto [sum, gradient] = powers(shape.outline, p);
   const double length = norm(gradient);

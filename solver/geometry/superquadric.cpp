@@ -50,6 +50,32 @@ bool is_inside(const Superquadric& shape, Vec2 p) {
   return power(u, shape.exponent) + power(v, shape.exponent) < 1.0;
 }
 
+namespace {
+
+/// Gradient of (|x/a|^n + |y/b|^n)/n.
+Vec2 gradient(const Superquadric& shape, Vec2 p) {
+  const double u = std::abs(p.x) / shape.half_width, v = std::abs(p.y) / shape.half_height;
+  return {std::copysign(power(u, shape.exponent - 1.0) / shape.half_width, p.x),
+          std::copysign(power(v, shape.exponent - 1.0) / shape.half_height, p.y)};
+}
+
+}  // namespace
+
+Vec2 outward_normal(const Superquadric& shape, Vec2 p) {
+  const Vec2 g = gradient(shape, p);
+  return (1.0 / norm(g)) * g;
+}
+
+// Of a line F = const:  (F_xx F_y^2 + F_yy F_x^2)/|grad F|^3, as F_xy is nought here.
+double curvature(const Superquadric& shape, Vec2 p) {
+  const double n = shape.exponent, a = shape.half_width, b = shape.half_height;
+  const Vec2 g = gradient(shape, p);
+  const double xx = (n - 1.0) * power(std::abs(p.x) / a, n - 2.0) / (a * a);
+  const double yy = (n - 1.0) * power(std::abs(p.y) / b, n - 2.0) / (b * b);
+  const double length = norm(g);
+  return (xx * g.y * g.y + yy * g.x * g.x) / (length * length * length);
+}
+
 Vec2 boundary_point(const Superquadric& shape, double t) {
   const Rotation turned = rotation(t);
   const double c = power(std::abs(turned.cosine), 2.0 / shape.exponent);

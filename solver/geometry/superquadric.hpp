@@ -34,6 +34,12 @@ struct Superquadric {
 /// base^exponent for base >= 0, the same bits on every machine.
 [[nodiscard]] double power(double base, double exponent);
 
+/// Outward unit normal at a point of the outline, in its own axes.
+[[nodiscard]] Vec2 outward_normal(const Superquadric& shape, Vec2 p);
+
+/// Curvature at a point of the outline [1/L]: 1/r for a circle, nought in the middle of a side for n > 2.
+[[nodiscard]] double curvature(const Superquadric& shape, Vec2 p);
+
 /// Point of the outline at the parametric angle t [rad]: (a sgn(cos t) |cos t|^(2/n), b sgn(sin t) |sin t|^(2/n)).
 [[nodiscard]] Vec2 boundary_point(const Superquadric& shape, double t);
 

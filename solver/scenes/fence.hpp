@@ -106,6 +106,7 @@ enum class EvenCentre {
 enum class FenceContact {
   nodes,      ///< per boundary node, with the outlines and normals of 1993
   resultant,  ///< one force for a pair
+  smoother,   ///< per boundary node, the normal that of the body that bends less there (Appendix I of the report)
 };
 
 /// Mass from which Eq. 21 makes a dashpot of the coefficient of restitution.
@@ -284,7 +285,7 @@ struct Names<scenes::EvenCentre> {
 };
 template <>
 struct Names<scenes::FenceContact> {
-  static constexpr std::array<std::string_view, 2> list{"nodes", "resultant"};
+  static constexpr std::array<std::string_view, 3> list{"nodes", "resultant", "smoother"};
 };
 template <>
 struct Names<scenes::FenceCalibration> {

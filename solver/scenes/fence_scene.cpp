@@ -118,6 +118,10 @@ class FenceMaker {
   bool even() const { return fence_.columns % 2 == 0; }
   bool doubled() const { return even() && !full() && fence_.options.even_centre == EvenCentre::doubled; }
 
+  NodeDepth node_depth(NodeDepth of_1993) const {
+    return fence_.options.contact == FenceContact::smoother ? NodeDepth::smoother : of_1993;
+  }
+
   void add_ground() {
     const FenceElement& e = fence_.ground;
     if (e.held != std::array<bool, 3>{true, true, true})
@@ -337,7 +341,7 @@ Contact FenceMaker::contact(std::string name, BodyId a, BodyId b, FenceContactLa
   made.law = LinearSpringDashpot{law.stiffness, law.damping, fence_.options.end_rule};
   if (fence_.friction > 0.0)
     made.friction = CoulombFriction{fence_.friction, fence_.options.shear_ratio * law.stiffness};
-  if (fence_.options.contact == FenceContact::nodes) made.method = ContactMethod::nodes;
+  if (fence_.options.contact != FenceContact::resultant) made.method = ContactMethod::nodes;
   return made;
 }
 
@@ -365,7 +369,7 @@ void FenceMaker::add_rock_contacts(std::size_t i) {
       Contact made = contact(fmt::format("{}-{}column{}", name, prefix(static_cast<int>(layer) + 1), column.number),
                              rocks_[i], column.body, law);
       made.nodes = {node_count(rock), node_count(fence_.column)};
-      made.node_depth = NodeDepth::side_face;
+      made.node_depth = node_depth(NodeDepth::side_face);
       made.copies = column.copies;
       builder_.add(made);
       if (first) made_.rock_column = law;
@@ -408,7 +412,7 @@ void FenceMaker::add_column_pairs() {
     const FenceContactLaw law = contact_law(mass, 1.0, overlap, mass);
     Contact made = contact(fmt::format("column{0}-back_column{0}", front.number), front.body, layers_[1][c].body, law);
     made.nodes = {node_count(fence_.column), node_count(fence_.column)};
-    made.node_depth = NodeDepth::centroid_ray;
+    made.node_depth = node_depth(NodeDepth::centroid_ray);
     made.copies = front.copies;
     builder_.add(made);
     if (first) made_.column_column = law;

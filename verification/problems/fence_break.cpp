@@ -129,8 +129,9 @@ void tell(Findings& findings, const WeakFenceRun& run) {
   findings.table(table);
   Figure figure{.name = "energy",
                 .title = "Where the energy is",
-                .caption = "Kinetic energy of rock and columns, what cables, contacts and weights hold more than at the "
-                           "start, and what was lost.",
+                .caption =
+                    "Kinetic energy of rock and columns, what cables, contacts and weights hold more than at the "
+                    "start, and what was lost. Vertical lines: a hanger breaks.",
                 .x = {.label = "time", .unit = "s"},
                 .y = {.label = "energy", .unit = "lb ft"},
                 .series = {}};
@@ -160,13 +161,15 @@ void run(Findings& findings, const Setup& setup) {
                                    "hanger nothing pulls in either"),
                   "ft");
   const Flight flight = free_flight(setup);
-  findings.expect("acceleration of the column without hanger and bottom cable, down", -flight.change.y / flight.time,
-                  flight.gravity, Tolerance::round_off(1e-9, "13 000 steps, each adding 1e-16 of 5 ft/s to the sum of a constant force"),
-                  "ft/s^2");
+  findings.expect(
+      "acceleration of the column without hanger and bottom cable, down", -flight.change.y / flight.time,
+      flight.gravity,
+      Tolerance::round_off(1e-9, "13 000 steps, each adding 1e-16 of 5 ft/s to the sum of a constant force"), "ft/s^2");
   findings.expect("acceleration of the same, across", flight.change.x / flight.time, 0.0,
                   Tolerance::round_off(1e-9, "no force"), "ft/s^2");
   const WeakFenceRun shown = run_weak_fence(weak_fence(strength), step, end, 100);
-  findings.expect_true("a hanger breaks in the run that is shown", !shown.failures.empty(), "else it would show nothing");
+  findings.expect_true("a hanger breaks in the run that is shown", !shown.failures.empty(),
+                       "else it would show nothing");
   if (setup.coarse) return;
   tell(findings, shown);
 }

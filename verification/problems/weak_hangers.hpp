@@ -13,11 +13,11 @@ namespace talus::verification::problems {
 
 /// Where the energy is at one time [lb ft].
 struct EnergySample {
-  double time{};  ///< [s]
-  double rock{};  ///< kinetic, of the rock
-  double fence{};  ///< kinetic, of the columns
-  double held{};  ///< stored in cables and contacts, and of weights since the start
-  double lost{};  ///< by contacts and cables
+  double time{};     ///< [s]
+  double rock{};     ///< kinetic, of the rock
+  double fence{};    ///< kinetic, of the columns
+  double held{};     ///< stored in cables and contacts, and of weights since the start
+  double lost{};     ///< by contacts and cables
   double hangers{};  ///< lost by hangers that broke
 };
 

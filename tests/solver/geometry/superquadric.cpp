@@ -125,3 +125,37 @@ BOOST_AUTO_TEST_CASE(solids_have_the_masses_that_the_listing_of_sample2_prints) 
   BOOST_TEST(std::abs(cylinder(1.25, 4.0, 0.76).mass - 29.85) < 1e-2);
   BOOST_TEST(std::abs(cylinder(1.25, 4.0, 0.76).inertia - 170.8) < 5e-2);
 }
+
+BOOST_AUTO_TEST_CASE(curvature_and_normal_at_known_points) {
+  // A circle's everywhere; at 45 degrees of a = b = 1: (n - 1) 2^(1/n - 1/2) (derived from the gradient's formula).
+  for (const double t : {0.3, 1.1, 2.5, 4.0}) {
+    const Superquadric circle{2.0, 2.0, 2.0};
+    const Vec2 p = boundary_point(circle, t);
+    BOOST_TEST(curvature(circle, p) == 0.5, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(norm(outward_normal(circle, p) - 0.5 * p) < 1e-12);
+  }
+  for (const double n : {2.0, 3.0, 8.0, 20.0}) {
+    const double c = std::pow(0.5, 1.0 / n);
+    const Superquadric blunt{1.0, 1.0, n};
+    BOOST_TEST(curvature(blunt, {c, c}) == (n - 1.0) * std::pow(2.0, 1.0 / n - 0.5),
+               boost::test_tools::tolerance(1e-11));
+  }
+  BOOST_TEST(curvature(Superquadric{1.0, 4.0, 20.0}, {1.0, 0.0}) == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(the_smoother_outline_gives_the_normal) {
+  // The flat side of a column (its node in the middle of the side) pressed .01 into a circle: seen from the node, which
+  // lies inside the circle off its centre line, the normal is the side's, not the radial one.
+  const Superquadric circle{1.0, 1.0, 2.0};
+  const Pose column{{1.99, 0.2}, rotation(0.0), {}, 0.0}, rock{{0.0, 0.0}, rotation(0.0), {}, 0.0};
+  const Ball node{{-1.0, 0.0}, 0.0};
+  const Depth radial = ball_depth(node, placement(column, rock), circle);
+  const Depth flat = ball_depth(node, placement(column, rock), Smoother{circle, {-1.0, 0.0}, 0.0});
+  BOOST_TEST(radial.normal.y > 0.1);
+  BOOST_TEST(flat.normal.x == 1.0);
+  BOOST_TEST(flat.normal.y == 0.0);
+  BOOST_TEST(flat.depth == radial.depth / radial.normal.x, boost::test_tools::tolerance(1e-12));
+  // A node that bends more than the circle leaves its normal.
+  const Depth sharp = ball_depth(node, placement(column, rock), Smoother{circle, {-1.0, 0.0}, 50.0});
+  BOOST_TEST(sharp.normal.y == radial.normal.y);
+}
