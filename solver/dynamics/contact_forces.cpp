@@ -43,9 +43,10 @@ struct Slider {
   double normal{};         ///< [F]
 };
 
-/// Calls visit(slider) for each instance of friction within reach.
+/// Calls visit(slider) for each instance of friction within reach; `rough`: whether there are any.
 template <class Laws, class Visit>
-void for_each_slider(const Laws& laws, const State& state, const Workspace& work, Visit&& visit) {
+void for_each_slider(const Laws& laws, bool rough, const State& state, const Workspace& work, Visit&& visit) {
+  if (!rough) return;
   for_each_array(laws, [&](const auto& array) {
     for (const ContactGroup& group : array.groups) {
       if (!group.friction || !work.near[group.candidate]) continue;
@@ -225,6 +226,7 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) {
   tangents_.resize(count);
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     const Contact& contact = model.contacts[c];
+    rough_ = rough_ || contact.friction.has_value();
     const Slot slot = layout.contact_slots[c];
     const std::size_t instances = layout.contact_instances[c];
     candidates_.push_back({contact.a, contact.b, bounds(model.bodies[index(contact.a)].shape),
@@ -263,7 +265,7 @@ void ContactForces::settle(State& state, const Workspace& work) const {
     if (state.mode[slot.mode] == 0 && work.gaps[slot.mode].depth < 0.0) return;
     settle_mode(law, slot, kinematics(work, slot.mode), state, group.copies);
   });
-  for_each_slider(laws_, state, work, [&](const Slider& slider) {
+  for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     double& stretch = state.z[slider.slot.memory];
     const auto settled = slider.law.settle(stretch, slider.normal);
     stretch = settled.stretch;
@@ -273,7 +275,7 @@ void ContactForces::settle(State& state, const Workspace& work) const {
 }
 
 void ContactForces::memory_rates(const State& state, const Workspace& work, Rates& out) const {
-  for_each_slider(laws_, state, work, [&](const Slider& slider) {
+  for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     if (state.mode[slider.slot.mode] != CoulombFriction::open) out.z[slider.slot.memory] = slip_rate(work, slider);
   });
 }
@@ -297,7 +299,7 @@ void ContactForces::add(const State& state, Workspace& work, Rates* out) const {
     add_pair(work, group, gap, force.total() * gap.n_AB);
     if (out) out->work[static_cast<std::size_t>(L::dissipation)] += group.copies * force.dissipative * x.extent_rate;
   });
-  for_each_slider(laws_, state, work, [&](const Slider& slider) {
+  for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     const Gap& gap = work.gaps[slider.instance];
     const double force = slider.law(state.z[slider.slot.memory], slider.normal);
     add_pair(work, slider.group, gap, -force * tangent(gap));
@@ -308,7 +310,7 @@ void ContactForces::guards(const State& state, const Workspace& work, std::span<
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup&) {
     out[slot.mode] = law.guard(kinematics(work, slot.mode), memory<L>(state, slot), state.mode[slot.mode]);
   });
-  for_each_slider(laws_, state, work, [&](const Slider& slider) {
+  for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     const Slot slot = slider.slot;
     out[slot.mode] =
         slider.law.guard(state.z[slot.memory], slip_rate(work, slider), slider.normal, state.mode[slot.mode]);
@@ -321,7 +323,7 @@ double ContactForces::stored_energy(const State& state, const Workspace& work) c
     const double stored = law.stored_energy(kinematics(work, slot.mode), memory<L>(state, slot), state.mode[slot.mode]);
     sum += group.copies * stored;
   });
-  for_each_slider(laws_, state, work, [&](const Slider& slider) {
+  for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     sum += slider.group.copies * slider.law.stored_energy(state.z[slider.slot.memory]);
   });
   return sum;

@@ -88,6 +88,7 @@ class ContactForces {
 
  private:
   ContactLaws::Tuple<ContactArrays> laws_;
+  bool rough_{};  ///< some contact has friction
   std::vector<Candidate> candidates_;
   std::vector<Pair> pairs_;
   std::vector<Tangent> tangents_;

@@ -92,8 +92,8 @@ void Dynamics::update(const State& state, Workspace& work) const {
 }
 
 void Dynamics::update_all(const State& state, Workspace& work) const {
-  cables_.rig(state, work.rigging);
-  list_awake(state, work, true);
+  const bool rerigged = cables_.rig(state, work.rigging);
+  if (rerigged || !layout_.sleepers.empty()) list_awake(state, work, true);
   bodies_.update(state, work);
   cables_.update(state, work);
   contacts_.update_all(work);
