@@ -107,6 +107,7 @@ std::string deck_text(const Fence& fence) {
                                  fmt::join(beyond, ", "), fmt::join(of_1993, ", "))};
   }
   if (!fence.ground_profile.empty()) throw InputError{"a deck has level ground; found a ground_profile"};
+  if (!fence.stretched_cables.empty()) throw InputError{"a deck's cables are new; found a stretched_cable"};
   if (!fence.changed_columns.empty()) throw InputError{"a deck has one kind of column; found a changed_column"};
   for (std::size_t i = 0; i < fence.rocks.size(); ++i) {
     if (fence.rocks[i].along == 0.0) continue;

@@ -91,6 +91,9 @@ std::string fence_toml(const Fence& fence) {
   text += element_lines("[fence.column]", fence.column, fence.units);
   for (const scenes::ChangedColumn& column : fence.changed_columns)
     text += "\n[[fence.changed_column]]\n" + number_lines(column, fence.units);
+  for (const scenes::StretchedCable& cable : fence.stretched_cables)
+    text += fmt::format("\n[[fence.stretched_cable]]\ncable = {}\n", in_quotes(cable.cable)) +
+            number_lines(cable, fence.units);
   return fence.options == scenes::FenceOptions{} ? text : text + option_lines(fence.options, fence.units);
 }
 

@@ -98,7 +98,7 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   SceneTable table = file.table("fence");
   std::vector<std::string> known = keys<Fence>();
   known.insert(known.end(), {"history_elements", "history_codes", "ground", "ground_profile", "rock", "column",
-                             "changed_column", "options"});
+                             "changed_column", "stretched_cable", "options"});
   table.allow(known);
   table.read_fields(fence);
   for (const auto& field : Fence::counts())
@@ -116,6 +116,12 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   fence.column = read_element(elements.back(), ElementType::column);
   for (SceneTable& changed : table.numbered_tables("changed_column"))
     fence.changed_columns.push_back(read_changed(changed, fence));
+  for (SceneTable& stretched : table.numbered_tables("stretched_cable")) {
+    scenes::StretchedCable cable{.cable = stretched.text("cable")};
+    stretched.read_fields(cable);
+    stretched.allow({"stretch"});
+    fence.stretched_cables.push_back(cable);
+  }
   if (table.has("options")) fence.options = read_options(table.table("options"));
   if (const auto found = fault(fence)) {
     (found->element == 0 ? table : elements[found->element - 1]).fail(found->field, found->words);

@@ -90,6 +90,19 @@ struct ChangedColumn {
   friend bool operator==(const ChangedColumn&, const ChangedColumn&) = default;
 };
 
+/// A cable that an earlier impact has drawn out.
+struct StretchedCable {
+  std::string cable{};  ///< its name in the scene: "top1", "bottom-2", "back_top3", ...
+  double stretch{};     ///< plastic stretch [L] >= 0
+
+  static constexpr std::array<Field<StretchedCable>, 1> fields() {
+    return {{{"stretch", dimension::length, &StretchedCable::stretch, Range::non_negative, "plastic stretch"}}};
+  }
+  static constexpr std::array<CountField<StretchedCable>, 0> counts() { return {}; }
+
+  friend bool operator==(const StretchedCable&, const StretchedCable&) = default;
+};
+
 /// How much of the fence a scene carries.
 enum class FenceSymmetry {
   half,  ///< central column and one side, the central segment's force twice (1993): symmetric hits only
@@ -195,6 +208,10 @@ struct Fence {
   std::vector<FenceElement> rocks;   ///< elements 2 .. nel - 1
   FenceElement column;               ///< element nel: stands for every column
   std::vector<ChangedColumn> changed_columns;  ///< those that differ from it
+
+  /// Plastic stretch that cables have from the start, left by the impacts of before; the columns then hang where the
+  /// longer cables let them.
+  std::vector<StretchedCable> stretched_cables;
 
   double span{};          ///< of the top cable between its fixed ends [L] > 0
   double sag{};           ///< of the top cable at mid-span [L] > 0

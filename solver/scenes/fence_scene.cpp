@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -67,6 +68,18 @@ std::string prefix(int layer) { return layer == 1 ? "" : "back_"; }
 
 double reduced_mass(double a, double b) { return a * b / (a + b); }
 
+/// Rise of a segment across d that carries V upwards at its inner end: k (l - l0) r/l = V, l^2 = d^2 + r^2. The left
+/// side grows with r from where the segment is taut.
+double rise_under(double load, double across, double rest_length, double stiffness) {
+  double low = std::sqrt(std::max(0.0, rest_length * rest_length - across * across));
+  double high = rest_length + across + load / stiffness;
+  for (int halving = 0; halving < 200; ++halving) {
+    const double r = 0.5 * (low + high), l = std::sqrt(across * across + r * r);
+    (stiffness * (l - rest_length) * r / l < load ? low : high) = r;
+  }
+  return 0.5 * (low + high);
+}
+
 /// Puts the parts of one fence together.
 class FenceMaker {
  public:
@@ -85,7 +98,8 @@ class FenceMaker {
       add_layer(layer);
     add_contacts();
     made_.scene.title = fence_.title;
-    made_.scene.model = balanced(builder_.build());
+    check_stretched();
+    made_.scene.model = balanced(fence_.stretched_cables.empty() ? builder_.build() : hung(builder_.build()));
     made_.scene.initial = rest_state(made_.scene.model);
     for (std::size_t i = 0; i < fence_.rocks.size(); ++i) {
       const FenceElement& rock = fence_.rocks[i];
@@ -114,6 +128,7 @@ class FenceMaker {
     int copies{1};
     bool struck{};  ///< stands in front of a rock
   };
+  double column_weight() const { return mass_properties(fence_.column).mass * fence_.gravity; }
   bool full() const { return fence_.options.symmetry == FenceSymmetry::full; }
   bool even() const { return fence_.columns % 2 == 0; }
   bool doubled() const { return even() && !full() && fence_.options.even_centre == EvenCentre::doubled; }
@@ -170,6 +185,9 @@ class FenceMaker {
   FenceContactLaw contact_law(double mass, double factor, double overlap, double damped_mass) const;
   double damped_mass(std::size_t rock, const Column& column) const;
   Contact contact(std::string name, BodyId a, BodyId b, FenceContactLaw law) const;
+  void check_stretched() const;
+  void hang_sides(Model& model) const;
+  Model hung(Model model);
   Model balanced(Model model) const;
   void plan();
   void kick_half_a_step();
@@ -194,6 +212,16 @@ CableId FenceMaker::add_cable(const std::string& name, CableEnd a, CableEnd b, d
   if (const double strength = top ? options.strength_top : options.strength_bottom; strength > 0.0)
     law.strength = strength;
   if (options.rupture > 0.0) law.rupture = options.rupture * rest_length;
+  for (const StretchedCable& stretched : fence_.stretched_cables) {
+    if (stretched.cable != name) continue;
+    // Its memory starts at nought: what it was drawn out by before is part of its length, yield force and rupture.
+    rest_length += stretched.stretch;
+    law.yield += law.hardening * stretched.stretch;
+    if (options.rupture > 0.0) law.rupture -= stretched.stretch;
+    if (!(law.rupture > 0.0))
+      throw InputError{
+          fmt::format("fence: cable '{}' is stretched by {:.6g}, at which it breaks", name, stretched.stretch)};
+  }
   Cable cable{.name = name, .a = a, .b = b, .rest_length = rest_length, .law = law};
   cable.copies = full() ? 1 : 2;
   return builder_.add(cable);
@@ -464,6 +492,93 @@ Model FenceMaker::balanced(Model model) const {
       Body& body = model.bodies[index(column.body)];
       if (body.mobility == Mobility::free) body.force += -pulls[index(column.body)] - body.mass * model.gravity;
     }
+  }
+  return model;
+}
+
+void FenceMaker::check_stretched() const {
+  const Model model = builder_.build();
+  std::vector<std::string> known;
+  for (const Cable& cable : model.cables)
+    known.push_back(cable.name);
+  for (const StretchedCable& stretched : fence_.stretched_cables) {
+    if (!find_cable(model, stretched.cable)) throw unknown_name("cable", stretched.cable, known);
+  }
+}
+
+/// Columns where each side's stretched segments alone would let them hang: exact if both sides are stretched alike and
+/// the bottom cable is slack, and near enough to go on from if not.
+void FenceMaker::hang_sides(Model& model) const {
+  const StaticShape shape = static_shape(fence_);
+  const double end = fence_.column.position.y + shape.heights.back() + column(0).y_top;
+  for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
+    std::vector<double> sums(model.bodies.size(), 0.0), sides(model.bodies.size(), 0.0);
+    for (const int side : full() ? std::vector{1, -1} : std::vector{1}) {
+      double joint = end;
+      for (std::size_t s = shape.distances.size(); s-- > 0;) {
+        const double across = shape.distances[s];
+        const double load = shape.horizontal_tension * (shape.heights[s + 1] - shape.heights[s]) / across;
+        const auto id = find_cable(
+            model, fmt::format("{}top{}{}", prefix(static_cast<int>(layer) + 1), side < 0 ? "-" : "", s + 1));
+        const Cable& cable = model.cables[index(*id)];
+        joint -= rise_under(load, across, cable.rest_length, std::get<ElasticPlastic>(cable.law).stiffness);
+        const std::size_t body = index(*cable.a.body);
+        sums[body] += joint - column(static_cast<int>(s)).y_top;
+        sides[body] += 1.0;
+      }
+    }
+    for (std::size_t body = 0; body < model.bodies.size(); ++body) {
+      if (sides[body] > 0.0) model.bodies[body].p_WB.y = sums[body] / sides[body];
+    }
+  }
+}
+
+/// The columns as they hang on stretched cables: heights at which weights and pulls balance, by Newton's method. The
+/// stiffness matrix is symmetric and positive wherever the cables are taut.
+Model FenceMaker::hung(Model model) {
+  hang_sides(model);
+  std::vector<std::size_t> bodies;
+  for (const std::vector<Column>& layer : layers_) {
+    for (const Column& column : layer) {
+      if (has_y(model.bodies[index(column.body)].mobility)) bodies.push_back(index(column.body));
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(bodies.size());
+  const auto forces = [&](const Model& at) {
+    const Dynamics dynamics{at};
+    State state = rest_state(at);
+    Workspace work = dynamics.workspace();
+    Rates rates{state};
+    dynamics.update_all(state, work);
+    dynamics.cables().settle(state, work);
+    dynamics.cables().add(state, work, nullptr);
+    Eigen::VectorXd sum(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const std::size_t body = bodies[static_cast<std::size_t>(i)];
+      sum[i] = work.wrenches[body].force.y + at.bodies[body].mass * at.gravity.y;
+    }
+    return sum;
+  };
+  constexpr double nudge = 1e-7;
+  for (int pass = 0; pass < 100; ++pass) {
+    const Eigen::VectorXd residual = forces(model);
+    if (residual.cwiseAbs().maxCoeff() < 1e-9 * column_weight()) break;
+    Eigen::MatrixXd stiffness(count, count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+      Model moved = model;
+      moved.bodies[bodies[static_cast<std::size_t>(j)]].p_WB.y += nudge;
+      stiffness.col(j) = (forces(moved) - residual) / nudge;
+    }
+    const Eigen::VectorXd step = stiffness.fullPivLu().solve(-residual);
+    // A longer step than a tenth of the sag leaves the neighbourhood in which the cables are taut.
+    const double share = std::min(1.0, 0.1 * fence_.sag / step.cwiseAbs().maxCoeff());
+    for (Eigen::Index i = 0; i < count; ++i)
+      model.bodies[bodies[static_cast<std::size_t>(i)]].p_WB.y += share * step[i];
+  }
+  if (!(forces(model).cwiseAbs().maxCoeff() < 1e-6 * column_weight()))
+    throw InputError{"fence: the stretched cables leave the columns no place at which they hang in balance"};
+  for (FenceMember& member : made_.members) {
+    if (member.layer > 0 && member.body) member.position = model.bodies[index(*member.body)].p_WB;
   }
   return model;
 }

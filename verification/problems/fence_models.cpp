@@ -101,11 +101,12 @@ void check_halves(Findings& findings, const Setup& setup) {
   findings.expect("13 columns: half model from the full one at .05 s, largest distance",
                   apart(13, scenes::EvenCentre::pair), 0.0,
                   Tolerance::exact("cables are summed before contacts, and T + T is 2 T"), "ft");
-  findings.expect("12 columns, two central ones: half model from the full one at .05 s",
-                  apart(12, scenes::EvenCentre::pair), 0.0,
-                  Tolerance::round_off(1e-9, "the rock's two contacts are summed one by one in the full model, where the half "
-                                             "model doubles one: 1e-16 of a force a step, over 600 steps of impacts"),
-                  "ft");
+  findings.expect(
+      "12 columns, two central ones: half model from the full one at .05 s", apart(12, scenes::EvenCentre::pair), 0.0,
+      Tolerance::round_off(1e-9,
+                           "the rock's two contacts are summed one by one in the full model, where the half "
+                           "model doubles one: 1e-16 of a force a step, over 600 steps of impacts"),
+      "ft");
   findings.expect_between("12 columns, the central one doubled as in 1993: from the full model at .05 s",
                           apart(12, scenes::EvenCentre::doubled), 0.005, 0.5,
                           "not the same model: one contact with twice the mass in place of two; less than .005 ft "
@@ -146,19 +147,21 @@ void check_nodes(Findings& findings, const Setup& setup) {
                           "a resolution would bring it to 1/16 (first order); here 16 times the springs and dashpots "
                           "act, and the impact becomes plastic");
   if (setup.coarse) return;
-  findings.note(fmt::format("*Nodes are no resolution.* sample2's rock leaves its first contact at {:.1f}, {:.1f}, "
-                            "{:.1f}, {:.1f} and {:.1f} ft/s with 12, 24, 48, 96 and 192 nodes (printed in 1993 with 12: -49.0), by one "
-                            "resultant at {:.1f}. The normal rule of the paper's Appendix I, that of the body that bends "
-                            "less, gives {:.1f} with 12 nodes.",
-                            nodes.y[0], nodes.y[1], nodes.y[2], nodes.y[3], nodes.y[4], by_resultant,
-                            rock_speed(findings, {}, 12, scenes::FenceContact::smoother)));
-  findings.figure({.name = "nodes",
-                   .title = "Speed of sample2's rock after the first contact against the number of nodes",
-                   .caption = "Per-node contacts with the stiffness and dashpot of 1993 do not converge with the nodes.",
-                   .x = {.label = "boundary nodes of the rock", .log = true},
-                   .y = {.label = "x velocity at .00496 s", .unit = "ft/s"},
-                   .series = {nodes},
-                   .lines = {{'y', by_resultant, "one resultant"}, {'y', -49.0, "printed in 1993"}}});
+  findings.note(fmt::format(
+      "*Nodes are no resolution.* sample2's rock leaves its first contact at {:.1f}, {:.1f}, "
+      "{:.1f}, {:.1f} and {:.1f} ft/s with 12, 24, 48, 96 and 192 nodes (printed in 1993 with 12: -49.0), by one "
+      "resultant at {:.1f}. The normal rule of the paper's Appendix I, that of the body that bends "
+      "less, gives {:.1f} with 12 nodes.",
+      nodes.y[0], nodes.y[1], nodes.y[2], nodes.y[3], nodes.y[4], by_resultant,
+      rock_speed(findings, {}, 12, scenes::FenceContact::smoother)));
+  findings.figure(
+      {.name = "nodes",
+       .title = "Speed of sample2's rock after the first contact against the number of nodes",
+       .caption = "Per-node contacts with the stiffness and dashpot of 1993 do not converge with the nodes.",
+       .x = {.label = "boundary nodes of the rock", .log = true},
+       .y = {.label = "x velocity at .00496 s", .unit = "ft/s"},
+       .series = {nodes},
+       .lines = {{'y', by_resultant, "one resultant"}, {'y', -49.0, "printed in 1993"}}});
 }
 
 void check_resultant_order(Findings& findings, const Setup& setup) {
@@ -217,8 +220,8 @@ OffCentre off_centre(double height, scenes::FenceCalibration calibration) {
   const double rock_mass = run.made.members[1].mass;
   const double felt = 1.0 / (1.0 / rock_mass + 1.0 / struck.mass + height * height / struck.inertia);
   const scenes::FenceContactLaw law = run.made.rock_column;
-  return {e, reference::restitution(law.damping / (2.0 * std::sqrt(law.stiffness * felt)),
-                                    reference::EndRule::attractive)};
+  return {
+      e, reference::restitution(law.damping / (2.0 * std::sqrt(law.stiffness * felt)), reference::EndRule::attractive)};
 }
 
 void check_calibration(Findings& findings, const Setup& setup) {
@@ -238,8 +241,9 @@ void check_calibration(Findings& findings, const Setup& setup) {
     predicted.x.push_back(height), predicted.y.push_back(particles.predicted);
     by_effective.x.push_back(height), by_effective.y.push_back(felt.measured);
   }
-  const char* why = "the column turns and the cables stretch a little during a contact of 1e-4 s, and the step cuts the "
-                    "release";
+  const char* why =
+      "the column turns and the cables stretch a little during a contact of 1e-4 s, and the step cuts the "
+      "release";
   findings.expect("restitution with the effective mass, -3 to 3 ft off centre, furthest from .4", worst_effective, 0.0,
                   Tolerance::model(0.004, why));
   findings.expect("restitution by Eq. 21 off centre, furthest from its prediction", worst_particles, 0.0,

@@ -287,3 +287,27 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
   crowded.columns = 25;
   BOOST_CHECK_THROW(static_cast<void>(fence_scene(crowded)), InputError);
 }
+
+BOOST_AUTO_TEST_CASE(a_second_rock_meets_the_cables_of_the_first) {
+  // What the first impact drew out of the top cable is there at the start of the second: the columns hang lower, in
+  // balance, and the cables are less stretched than new ones would be.
+  Fence fence = sample2(1);
+  fence.limit_top = 6e4;
+  const FenceScene first = fence_scene(fence);
+  const State end = run(first, 0.05).state;
+  const Layout layout{first.scene.model};
+  for (std::size_t c = 0; c < first.scene.model.cables.size(); ++c) {
+    const double stretch = end.z[layout.cable_slots[c].memory];
+    if (stretch > 0.0) fence.stretched_cables.push_back({first.scene.model.cables[c].name, stretch});
+  }
+  BOOST_TEST(!fence.stretched_cables.empty());
+  const FenceScene second = fence_scene(fence);
+  BOOST_TEST(second.members[2].position.y < first.members[2].position.y - 0.01);
+  fence.rocks[0].position.x = 60.0;  // too far to arrive
+  const FenceScene still = fence_scene(fence);
+  const State rest = run(still, 20.0 * still.scene.plan.step).state;
+  for (std::size_t i = 3; i < rest.q.size(); ++i)
+    BOOST_TEST(rest.q[i] == still.scene.initial.q[i]);
+  fence.stretched_cables.push_back({"tip1", 0.1});
+  BOOST_CHECK_THROW(static_cast<void>(fence_scene(fence)), InputError);
+}
