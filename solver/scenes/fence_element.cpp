@@ -1,0 +1,58 @@
+#include "solver/scenes/fence_element.hpp"
+
+#include <utility>
+
+namespace talus::scenes {
+namespace {
+
+/// 1993 replaced power 0 by this: exponent 2/.1 = 20 (fitted to the listing of sample2).
+constexpr double blunt_power = 0.1;
+
+double exponent(const FenceElement& e) { return 2.0 / (e.power == 0.0 ? blunt_power : e.power); }
+
+Shape outline(const FenceElement& e, FenceContact contact) {
+  const bool round = e.solid == ElementSolid::ellipsoid && e.power == 0.0;
+  if (round) return e.a == e.b ? Shape{Circle{e.a}} : Shape{Superquadric{e.a, e.b, 2.0}};
+  if (contact == FenceContact::resultant) return Rectangle{e.a, e.b};
+  return Superquadric{e.a, e.b, exponent(e)};
+}
+
+/// What the fixities of an element leave it; the point that they hold is its pin.
+Mobility mobility(const FenceElement& e) {
+  const auto [x, y, turn] = e.held;
+  if (x && y) return turn ? Mobility::fixed : Mobility::pinned;
+  if (x) return turn ? Mobility::sliding_y : Mobility::guided_y;
+  if (y) return turn ? Mobility::sliding_x : Mobility::guided_x;
+  return turn ? Mobility::particle : Mobility::free;
+}
+
+}  // namespace
+
+MassProperties mass_properties(const FenceElement& e) {
+  switch (e.solid) {
+    case ElementSolid::ellipsoid:
+      return ellipsoid(e.a, e.b, e.density);
+    case ElementSolid::block:
+      return block(e.a, e.b, e.density);
+    case ElementSolid::cylinder:
+      break;
+  }
+  return cylinder(e.a, e.b, e.density);
+}
+
+int node_count(const FenceElement& e) { return 4 * (e.points - 1); }
+
+Body body(const FenceElement& e, std::string name, FenceContact contact) {
+  const MassProperties solid = mass_properties(e);
+  Body made{.name = std::move(name), .mass = solid.mass, .inertia = solid.inertia};
+  made.mobility = mobility(e);
+  made.shape = outline(e, contact);
+  made.p_WB = e.position;
+  made.angle = e.angle;
+  made.p_BPin = e.fixed_point;
+  if (made.mobility != Mobility::fixed) made.force = e.force;
+  if (turns(made.mobility)) made.moment = e.moment;
+  return made;
+}
+
+}  // namespace talus::scenes
