@@ -6,6 +6,7 @@
 #include "solver/base/error.hpp"
 #include "solver/io/dat_deck.hpp"
 #include "solver/io/fence_file.hpp"
+#include "solver/scenes/fence_scene.hpp"
 
 using namespace talus;
 using scenes::Fence;
@@ -65,6 +66,66 @@ BOOST_AUTO_TEST_CASE(other_ways_to_write_it) {
   BOOST_TEST((modern.options.end_rule == EndRule::clamped));
   BOOST_TEST(modern.options.integrator == "rk4");
   BOOST_TEST((read(fence_toml(modern)) == modern));
+}
+
+/// sample2 with all that no deck has.
+Fence beyond_the_deck() {
+  Fence fence = read_deck(folder() / "sample2.DAT");
+  fence.options.symmetry = scenes::FenceSymmetry::full;
+  fence.options.hanger_strength = 20000.0;
+  fence.options.strength_bottom = 12345.5;
+  fence.options.hardening = 0.02;
+  fence.options.rupture = 0.4;
+  fence.options.shear_ratio = 0.3;
+  fence.options.contact = scenes::FenceContact::smoother;
+  fence.options.column_ground = scenes::ColumnGround::contact;
+  fence.rocks[0].along = -3.75;
+  fence.rocks[0].solid = scenes::ElementSolid::block;
+  fence.ground_profile = {{-40.0, -6.0}, {0.0, -4.5}, {40.0, 3.25}};
+  fence.changed_columns = {{2, 1.25, 3.5, 0.7, 6.17, -3.5}};
+  fence.stretched_cables = {{"top1", 0.0125}, {"back_bottom-2", 0.5}};
+  return fence;
+}
+
+BOOST_AUTO_TEST_CASE(what_no_deck_has_is_kept_by_scene_files_and_refused_by_decks) {
+  const Fence fence = beyond_the_deck();
+  BOOST_TEST((read(fence_toml(fence)) == fence));
+  BOOST_CHECK_NO_THROW(static_cast<void>(scenes::fence_scene(fence)));
+  const Fence sound = read_deck(folder() / "sample2.DAT");
+  const auto refused = [](const Fence& other) { BOOST_CHECK_THROW(static_cast<void>(deck_text(other)), InputError); };
+  Fence one = sound;
+  one.options.hanger_strength = 1.0;
+  refused(one);
+  one = sound, one.rocks[0].along = 1.0, refused(one);
+  one = sound, one.ground_profile = fence.ground_profile, refused(one);
+  one = sound, one.changed_columns = fence.changed_columns, refused(one);
+  one = sound, one.stretched_cables = fence.stretched_cables, refused(one);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_parts_beyond_the_deck) {
+  const auto message_of = [](std::string_view part, std::string_view replacement) -> std::string {
+    std::string text = fence_toml(beyond_the_deck());
+    const std::size_t at = text.find(part);
+    BOOST_REQUIRE(at != std::string::npos);
+    try {
+      static_cast<void>(scenes::fence_scene(read(text.replace(at, part.size(), replacement))));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const auto says = [&](std::string_view part, std::string_view replacement, std::string_view words) {
+    const std::string found = message_of(part, replacement);
+    BOOST_TEST(found.find(words) != std::string::npos, found);
+  };
+  says("symmetry = \"full\"", "symmetry = \"half\"", "along: found -3.75 ft; it must be 0 in the half model");
+  says("along = \"-3.75 ft\"", "along = \"-37 ft\"", "within 16.25 ft of mid-span");
+  says("place = 2", "place = 8", "place: found 8; it must be in 1 .. 7");
+  says("hanger_strength = \"20000 lbf\"", "hanger_strength = \"20000 lb\"", "it must be a force");
+  says("hardening = 0.02", "hardening = 1.0", "hardening");
+  says("\"top1\"", "\"tap1\"", "nearest: top1");
+  says("[\"40 ft\"", "[\"-50 ft\"", "x must grow");
+  says("stretch = \"0.0125 ft\"", "stretch = \"-1 ft\"", "must be >= 0");
 }
 
 BOOST_AUTO_TEST_CASE(wrong_fences) {
