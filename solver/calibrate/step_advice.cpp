@@ -14,7 +14,8 @@
 namespace talus {
 namespace {
 
-/// Names and contact times of all springs in the order of springs(): contact instances, then cables.
+/// Names and contact times of all springs in the order of springs(): contact instances, then cables, then
+/// friction.
 struct SpringLabel {
   std::string name;
   const ContactLaw* law{};  ///< of a contact
@@ -30,6 +31,11 @@ std::vector<SpringLabel> spring_labels(const Dynamics& dynamics) {
   }
   for (const Cable& cable : dynamics.model().cables)
     labels.push_back({cable.name, nullptr});
+  for (std::size_t c = 0; c < dynamics.model().contacts.size(); ++c) {
+    const Contact& contact = dynamics.model().contacts[c];
+    if (contact.friction)
+      labels.insert(labels.end(), dynamics.layout().contact_instances[c], {contact.name + " friction", nullptr});
+  }
   return labels;
 }
 

@@ -55,6 +55,18 @@ std::vector<Spring> springs(const Dynamics& dynamics, const State& state) {
     if (b.on_body) add_gradient(dynamics, work, b.body, work.joints[ends.b].p_WP, pull, spring.gradient);
     found.push_back(std::move(spring));
   }
+  for (std::size_t c = 0, i = 0; c < dynamics.model().contacts.size(); ++c) {
+    const std::optional<CoulombFriction>& friction = dynamics.model().contacts[c].friction;
+    const std::size_t last = i + dynamics.layout().contact_instances[c];
+    for (; i < last; ++i) {
+      if (!friction) continue;
+      const Vec2 across{-work.gaps[i].n_AB.y, work.gaps[i].n_AB.x};
+      Spring spring{friction->stiffness, 0.0, 0.0, 0.0, std::vector<double>(state.q.size())};
+      add_gradient(dynamics, work, contacts.pairs()[i].b, work.gaps[i].p_WC, across, spring.gradient);
+      add_gradient(dynamics, work, contacts.pairs()[i].a, work.gaps[i].p_WC, -across, spring.gradient);
+      found.push_back(std::move(spring));
+    }
+  }
   for (Spring& spring : found)
     spring.effective_mass = effective_mass(spring.gradient, dynamics.inertias());
   return found;

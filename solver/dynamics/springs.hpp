@@ -15,8 +15,8 @@ struct Spring {
   std::vector<double> gradient;  ///< d(extent)/dq_i, one for each coordinate
 };
 
-/// All contact instances, then all cables of a scene, each as the spring that it is while it acts, whether or not it
-/// does now.
+/// All contact instances of a scene, then all cables, then the friction of contact instances that have it, each as the
+/// spring that it is while it acts, whether or not it does now.
 [[nodiscard]] std::vector<Spring> springs(const Dynamics& dynamics, const State& state);
 
 }  // namespace talus
