@@ -29,6 +29,12 @@ std::string date_text(const char* form, std::time_t time) {
   return {text, std::strftime(text, sizeof text, form, &parts)};
 }
 
+/// gnuplot says so of each GIF, on the channel of its warnings.
+bool counts_frames(const std::string& said) {
+  const std::size_t text = said.find_first_not_of("0123456789 \n");
+  return text != std::string::npos && said.substr(text) == "frames in animation sequence\n";
+}
+
 }  // namespace
 
 std::string draw(const std::vector<Drawing>& drawings, const std::filesystem::path& folder, unsigned jobs) {
@@ -40,7 +46,7 @@ std::string draw(const std::vector<Drawing>& drawings, const std::filesystem::pa
       write_file(script, drawings[i].script);
       const Command gnuplot{"gnuplot", {script.string()}, folder, {{"LC_ALL", "C.UTF-8"}, {"GNUTERM", "svg"}}};
       const std::string said = run_or_throw(gnuplot, drawings[i].name).messages;
-      if (!said.empty()) warnings[i] = fmt::format("gnuplot on {}: {}", drawings[i].name, said);
+      if (!said.empty() && !counts_frames(said)) warnings[i] = fmt::format("gnuplot on {}: {}", drawings[i].name, said);
     });
   }
   in_parallel(tasks, jobs);

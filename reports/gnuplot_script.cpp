@@ -7,6 +7,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "reports/colour_scale.hpp"
+
 namespace talus::reports {
 namespace {
 
@@ -144,31 +146,31 @@ std::string curve_rows(const Curve& curve) {
   return text;
 }
 
-/// Rows with an empty one between two lines.
-std::string shape_rows(const Curve& curve) {
+/// Rows with an empty one between two lines; the third number is the colour of the value.
+std::string shape_rows(const Curve& curve, const Scale& scale) {
   std::string text;
   double line = curve.points.front().line;
   for (const Point& point : curve.points) {
     if (point.line != line) text += "\n";
     line = point.line;
-    text += fmt::format("{:.6g} {:.6g} {:.6g}\n", point.x, point.y, point.value);
+    const double place = (point.value - scale.min) / (scale.max - scale.min);
+    text += fmt::format("{:.6g} {:.6g} {}\n", point.x, point.y, scale_colour(place));
   }
   return text;
 }
 
-/// Shapes are never in the key of their own panel: the page explains them.
+/// Shapes are never in the key of their own panel: the page explains them. Filled ones are drawn one after the other
+/// with their borders, so that those in front cover those behind.
 std::string shape_command(const Curve& curve, const std::string& block) {
   const Look& look = curve.look;
-  std::string text;
   if (!look.fill.empty()) {
-    text += fmt::format("{} using 1:2 with filledcurves closed fc rgb '{}' fs transparent solid 0.75 noborder notitle",
-                        block, look.fill);
+    const std::string border = look.colour.empty() ? "noborder" : fmt::format("border lc rgb '{}'", look.colour);
+    return fmt::format("{} using 1:2 with filledcurves closed fc rgb '{}' lw {:g} fs transparent solid 0.85 {} notitle",
+                       block, look.fill, look.width, border);
   }
-  if (look.colour.empty() && look.value.empty()) return text;
-  text += fmt::format("{}{} using 1:2{} with lines lw {:g}{} {} notitle", text.empty() ? "" : ", ", block,
-                      look.value.empty() ? "" : ":3", look.width, look.dashed ? " dt (6,4)" : " dt 1",
-                      look.value.empty() ? fmt::format("lc rgb '{}'", look.colour) : "lc palette");
-  return text;
+  const bool by_value = !look.value.empty();
+  return fmt::format("{} using 1:2{} with lines lw {:g} dt {} lc rgb {} notitle", block, by_value ? ":3" : "",
+                     look.width, look.dashed ? "(6,4)" : "1", by_value ? "variable" : fmt::format("'{}'", look.colour));
 }
 
 std::string mark_commands(const Plot& plot) {
@@ -204,6 +206,8 @@ std::string gnuplot_quoted(const std::string& text) {
 std::string gnuplot_text(const std::string& words) {
   std::string text = words;
   text.erase(std::remove(text.begin(), text.end(), '$'), text.end());
+  for (char& letter : text)
+    if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = ' ';  // a deck's title may hold tabs
   std::string result = "'";
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool raises = text[i] == '^';
@@ -271,14 +275,15 @@ std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, 
   return text;
 }
 
-Panel panel_of(const Plot& plot, const std::string& prefix) {
+Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale) {
   Panel panel;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const Curve& curve = plot.curves[i];
     if (curve.points.empty()) continue;  // nothing of it fits a log axis; the caption counts such points
     const std::string block = fmt::format("${}{}", prefix, i + 1);
     const bool shapes = curve.style == "shapes";
-    panel.settings += fmt::format("{} << END\n", block) + (shapes ? shape_rows(curve) : curve_rows(curve)) + "END\n";
+    panel.settings +=
+        fmt::format("{} << END\n", block) + (shapes ? shape_rows(curve, scale) : curve_rows(curve)) + "END\n";
     panel.curves += (panel.curves.empty() ? "" : ", ");
     panel.curves += shapes ? shape_command(curve, block) : curve_command(curve, block, i);
     if (!shapes && !curve.label.empty()) ++panel.in_key;
@@ -292,7 +297,7 @@ Panel panel_of(const Plot& plot, const std::string& prefix) {
 }
 
 std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem) {
-  const Panel panel = panel_of(plot, "curve");
+  const Panel panel = panel_of(plot, "curve", {});
   const std::string text = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string())) + panel.settings;
   const auto rows = static_cast<double>(panel.key_rows);
   const std::string key = fmt::format("set key at screen 0.54, char 0.4 center bottom maxrows {}\nset bmargin {:.2f}\n",

@@ -50,8 +50,8 @@ struct Panel {
   std::size_t key_rows{};  ///< rows of the key where it may be as wide as a picture
 };
 
-/// The parts of a plot's script; the names of its data blocks begin with `prefix`.
-[[nodiscard]] Panel panel_of(const Plot& plot, const std::string& prefix);
+/// The parts of a plot's script; the names of its data blocks begin with `prefix`, and `scale` colours its values.
+[[nodiscard]] Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale);
 
 /// The commands that draw the plot as folder/stem.<format>.
 [[nodiscard]] std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "reports/colour_scale.hpp"
+
 namespace talus::reports {
 namespace {
 
@@ -97,13 +99,17 @@ Layout layout_of(const PagePlot& page, const std::vector<Panel>& panels, double 
   return layout;
 }
 
-/// Round numbers, at most about four on a short axis.
-std::string tics(char axis, const Extent& extent, double length) {
-  const double wanted = (extent.high - extent.low) / std::max(2.0, length / (axis == 'x' ? 1.25 : 0.8));
+/// The round number nearest to a part.
+double round_step(double wanted) {
   const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
   const double part = wanted / decade;
-  const double step = decade * (part <= 1.0 ? 1.0 : part <= 2.0 ? 2.0 : part <= 5.0 ? 5.0 : 10.0);
-  return fmt::format("set {}tics {:.6g}\n", axis, step);
+  return decade * (part <= 1.5 ? 1.0 : part <= 3.5 ? 2.0 : part <= 7.5 ? 5.0 : 10.0);
+}
+
+/// Round numbers, as many as have room on the axis.
+std::string tics(char axis, const Extent& extent, double length) {
+  const double parts = std::max(2.0, length / (axis == 'x' ? 1.25 : 0.8));
+  return fmt::format("set {}tics {:.6g}\n", axis, round_step((extent.high - extent.low) / parts));
 }
 
 std::string panel_commands(const Plot& plot, const Panel& panel, const Layout& layout, std::size_t place,
@@ -132,9 +138,35 @@ std::string legend_entry(const Series& series) {
     return fmt::format("keyentry with boxes fs solid 0.75 border lc rgb '{}' fc rgb '{}' title {}",
                        look.colour.empty() ? look.fill : look.colour, look.fill, label);
   }
-  const std::string colour = look.value.empty() ? fmt::format("rgb '{}'", look.colour) : "palette cb 0";
+  const std::string colour = look.value.empty() ? fmt::format("rgb '{}'", look.colour) : "rgb 'black'";
   return fmt::format("keyentry with lines lw {:g} dt {} lc {} title {}", std::max(look.width, 1.5),
                      look.dashed ? "(6,4)" : "1", colour, label);
+}
+
+/// The bar of colours with its numbers, `top` its upper edge.
+std::string bar_commands(const Scale& scale, double top, double height) {
+  constexpr double left = 0.60;
+  constexpr double width = 0.35;
+  constexpr int parts = 96;  // each reaches into the next: no seams
+  const auto up = [&](double centimetres) { return (top - centimetres) / height; };
+  std::string text;
+  for (int i = 0; i < parts; ++i) {
+    text += fmt::format(
+        "set object rect from screen {:.6f}, screen {:.6f} to screen {:.6f}, screen {:.6f} fs solid "
+        "noborder fc rgb {}\n",
+        left + width * i / parts, up(0.35), std::min(left + width * (i + 2) / parts, left + width), up(0.1),
+        scale_colour((i + 0.5) / parts));
+  }
+  const double step = round_step((scale.max - scale.min) / 4.0);
+  const long last = std::lround(std::floor(scale.max / step + 1e-9));
+  for (long i = std::lround(std::ceil(scale.min / step - 1e-9)); i <= last; ++i) {
+    const double value = static_cast<double>(i) * step;
+    text += fmt::format("set label '{:.6g}' at screen {:.6f}, screen {:.6f} center\n", value,
+                        left + width * (value - scale.min) / (scale.max - scale.min), up(0.6));
+  }
+  return text + fmt::format("set label {} at screen {:.6f}, screen {:.6f} center\n",
+                            gnuplot_text(scale.label + (scale.unit.empty() ? "" : " [" + scale.unit + "]")),
+                            left + 0.5 * width, up(1.05));
 }
 
 /// Bar of the scale and key of the shapes, below all panels.
@@ -142,32 +174,20 @@ std::string legend_commands(const PagePlot& page, const std::vector<Series>& ent
   if (entries.empty() && !page.page.scale) return {};
   const double h = layout.height;
   const bool bar = page.page.scale.has_value();
-  std::string text = "unset border\nunset tics\nunset grid\nset xrange [0:1]\nset yrange [0:1]\n";
-  text += fmt::format(
-      "set lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen {:.6f}\n",
+  std::string text = fmt::format(
+      "unset border\nunset tics\nunset grid\nset xrange [0:1]\nset yrange [0:1]\nset lmargin at screen 0\n"
+      "set rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen {:.6f}\n",
       layout.legend / h);
-  std::string curves;
-  if (bar) {
-    const Scale& scale = *page.page.scale;
-    text += fmt::format("set cbrange [{:.9g}:{:.9g}]\nset cbtics scale 0.4 offset 0,0.45\nset format cb '%.5g'\n",
-                        scale.min, scale.max);
-    text += fmt::format("set cblabel {} offset 0,1.1\n",
-                        gnuplot_text(scale.label + (scale.unit.empty() ? "" : " [" + scale.unit + "]")));
-    text +=
-        fmt::format("set colorbox horizontal user origin screen 0.60, screen {:.6f} size screen 0.35, screen {:.6f}\n",
-                    (layout.legend - 0.35) / h, 0.25 / h);
-    // A point outside the axes: gnuplot draws the bar only beside something that it colours.
-    curves = "'+' using (2):(2):(0) with points lc palette notitle";
-  }
-  if (!entries.empty()) {
-    text += fmt::format("set key at screen {:.6f}, screen {:.6f} {} top maxrows {} samplen 2.2 reverse Left\n",
-                        bar ? 0.06 : 0.5, (layout.legend - 0.1) / h, bar ? "left" : "center", bar ? 2 : 1);
-  } else {
-    text += "unset key\n";
-  }
+  if (bar) text += bar_commands(*page.page.scale, layout.legend, h);
+  text += entries.empty()
+              ? "unset key\n"
+              : fmt::format("set key at screen {:.6f}, screen {:.6f} {} top maxrows {} samplen 2.2 reverse Left\n",
+                            bar ? 0.06 : 0.5, (layout.legend - 0.1) / h, bar ? "left" : "center", bar ? 2 : 1);
+  // A point outside the axes: gnuplot draws a key only beside something that it plots.
+  text += "plot '+' using (2):(2) with points notitle";
   for (const Series& series : entries)
-    curves += (curves.empty() ? "" : ", ") + legend_entry(series);
-  return text + "plot " + curves + "\n";
+    text += ", " + legend_entry(series);
+  return text + "\n";
 }
 
 /// The page between `set multiplot` and `unset multiplot`, and its height.
@@ -176,7 +196,7 @@ std::pair<std::string, double> page_commands(const PagePlot& page, const Canvas&
   const double legend = page.page.scale ? 1.5 : entries.empty() ? 0.0 : 0.8;
   std::vector<Panel> panels;
   for (const Plot& plot : page.panels)
-    panels.push_back(panel_of(plot, fmt::format("panel{}_", panels.size() + 1)));
+    panels.push_back(panel_of(plot, fmt::format("panel{}_", panels.size() + 1), page.page.scale.value_or(Scale{})));
   const Layout layout = layout_of(page, panels, legend);
   const auto columns = std::min(static_cast<std::size_t>(page.page.columns), panels.size());
   const std::string clean = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string()));
@@ -186,9 +206,6 @@ std::pair<std::string, double> page_commands(const PagePlot& page, const Canvas&
     if (i == 0 && !page.page.title.empty()) {
       text += fmt::format("set label {} at screen 0.5, screen {:.6f} center font ',{}'\n",
                           gnuplot_text(page.page.title), 1.0 - 0.42 / layout.height, 14);
-    }
-    if (page.page.scale) {
-      text += fmt::format("unset colorbox\nset cbrange [{:.9g}:{:.9g}]\n", page.page.scale->min, page.page.scale->max);
     }
     text += panel_commands(page.panels[i], panels[i], layout, i, columns) + "plot " + panels[i].curves + "\n";
   }

@@ -114,12 +114,12 @@ struct Figure {
   bool equal{};  ///< a unit is as long on both axes; both must then have their limits
 };
 
-/// Colours for values: from min to max, one bar for all panels of a page.
+/// Colours for values: from min to max, pale to dark, one bar for all panels of a page.
 struct Scale {
   std::string label;
   std::string unit;
   double min{};
-  double max{};
+  double max{1.0};
 };
 
 /// Figures side by side, row by row, under one title. Shapes with a label are explained once, below all panels.

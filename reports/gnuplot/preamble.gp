@@ -25,5 +25,3 @@ set rmargin 4
 set tmargin 1.6
 # A slope may end on the limits at both ends, and by a rounding beyond them.
 set clip two
-# Values as colours, from pale to dark in every eye (Brewer's YlOrRd without its palest ones).
-set palette defined (0 "#fec44f", 0.35 "#fe7f2d", 0.7 "#d7191c", 1 "#67001f")

@@ -109,8 +109,8 @@ double option_quantity(const std::string& option, const std::string& text, Dimen
 int run_command_line(int count, const char* const* arguments) {
   CLI::App talus{"", "talus"};
   describe(talus);
-  const std::vector<Command> commands{add_run(talus),     add_check(talus), add_calibrate(talus),
-                                      add_convert(talus), add_plot(talus),  add_list(talus)};
+  const std::vector<Command> commands{add_run(talus),  add_check(talus),    add_calibrate(talus), add_convert(talus),
+                                      add_plot(talus), add_snapshot(talus), add_animate(talus),   add_list(talus)};
   try {
     talus.parse(count, arguments);
   } catch (const CLI::Success& help) {

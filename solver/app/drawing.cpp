@@ -40,11 +40,13 @@ fs::path find_report_tool() {
 
 }  // namespace
 
-void add_picture_options(CLI::App& app, PictureOptions& options, bool own) {
+void add_format_option(CLI::App& app, PictureOptions& options) {
   app.add_option("--format", options.formats, "formats, from ps, pdf, svg, png; default the last three")
       ->delimiter(',')
       ->check(CLI::IsMember({"ps", "pdf", "svg", "png"}));
-  if (!own) return;
+}
+
+void add_picture_options(CLI::App& app, PictureOptions& options) {
   app.add_option("--out", options.folder, "folder for the pictures; default plots/ in that of the (first) run");
   app.add_option("--name", options.name, "name of the picture's file, without its extension");
   app.add_option("--title", options.title, "title; default that of the run");

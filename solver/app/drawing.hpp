@@ -19,8 +19,11 @@ struct PictureOptions {
   std::string title;   ///< empty: the run's
 };
 
-/// Adds --format, and with `own` also --out, --name and --title.
-void add_picture_options(CLI::App& app, PictureOptions& options, bool own);
+/// Adds --format.
+void add_format_option(CLI::App& app, PictureOptions& options);
+
+/// Adds --out, --name and --title.
+void add_picture_options(CLI::App& app, PictureOptions& options);
 
 /// Draws what the plot.json in `record` asks for into `target` by talus_report, which stands beside talus or in a
 /// folder of PATH, and returns its exit code. Errors: IoError if it is not there or ends by a signal.

@@ -72,7 +72,8 @@ Command add_plot(CLI::App& talus) {
       ->check(CLI::Range(1, 100));
   app->add_flag("--no-grid", wish.no_grid, "no grid");
   app->add_flag("--list", options->list, "print what can be drawn, and of which elements");
-  add_picture_options(*app, wish.picture, true);
+  add_format_option(*app, wish.picture);
+  add_picture_options(*app, wish.picture);
   app->footer(
       "Examples:\n"
       "  talus run cases/two_cable.toml --out out && talus plot out --format svg\n"

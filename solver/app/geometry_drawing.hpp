@@ -1,0 +1,60 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/io/geometry_series.hpp"
+#include "solver/io/run_folder.hpp"
+
+namespace talus::app {
+
+/// From where a scene is looked at.
+enum class View {
+  side,   ///< x to the right, y up: the plane of motion
+  along,  ///< z to the right, y up: the fence as who stands before it sees it
+};
+
+/// What a picture shows of the scene; ends in the scene's unit of length.
+struct Window {
+  double left{}, bottom{}, right{}, top{};
+};
+
+/// The geometry that a run left, read as far as it is drawn.
+struct DrawnGeometry {
+  RunFolder run;
+  std::vector<GeometryFrame> frames;
+  double largest_tension{};  ///< of all frames [F]
+  bool has_depth{};          ///< not all stands at the same place along the fence
+};
+
+/// The files of a run's geometry. Errors: as read_run_folder and read_geometry_index.
+[[nodiscard]] std::vector<GeometryFile> geometry_files(const RunFolder& run);
+
+/// Reads those frames. Errors: InputError if a frame names a body or cable that the run does not.
+[[nodiscard]] DrawnGeometry read_frames(RunFolder run, const std::vector<GeometryFile>& files);
+
+/// The smallest window that holds all bodies but half-planes and all cables in all frames, and a margin.
+[[nodiscard]] Window window_of(const DrawnGeometry& geometry, View view);
+
+/// How a frame is drawn.
+struct FrameStyle {
+  View view{View::side};
+  Window window;
+  bool numbers{false};  ///< of elements
+  bool grid{true};
+  std::vector<int> divisions;  ///< of the grid; empty: round numbers
+};
+
+/// A frame's shapes as the CSV file that figures of it name; for both views.
+[[nodiscard]] std::string frame_csv(const DrawnGeometry& geometry, std::size_t frame);
+
+/// A frame as a figure of the drawing record, over its CSV file.
+[[nodiscard]] nlohmann::ordered_json frame_figure(const DrawnGeometry& geometry, std::size_t frame,
+                                                  const FrameStyle& style, const std::string& csv_file);
+
+/// The scale of tensions for a page; null without cables that ever pull.
+[[nodiscard]] nlohmann::ordered_json tension_scale(const DrawnGeometry& geometry);
+
+}  // namespace talus::app
