@@ -119,27 +119,6 @@ void add_cable(Rows& rows, const GeometryLine& line) {
   rows.next_line();
 }
 
-/// The bar from a cable's joint to the outline of its body, where the joint stands outside of it.
-void add_hangers(Rows& rows, const GeometryFrame& frame) {
-  for (const GeometryLine& cable : frame.lines) {
-    for (std::size_t i = 0; cable.cable >= 0 && i < cable.points.size(); ++i) {
-      const auto outline = std::find_if(frame.lines.begin(), frame.lines.end(), [&](const GeometryLine& line) {
-        return line.body >= 0 && line.body == cable.bodies[i];
-      });
-      if (outline == frame.lines.end() || !is_closed(*outline)) continue;
-      const Vec3& joint = cable.points[i];
-      const Vec2 centre = in_plane(middle(*outline));
-      const auto distance = [&](const Vec3& p) { return norm(in_plane(p - joint)); };
-      const Vec3& nearest = *std::min_element(outline->points.begin(), outline->points.end(),
-                                              [&](const Vec3& a, const Vec3& b) { return distance(a) < distance(b); });
-      if (norm(in_plane(joint) - centre) <= norm(in_plane(nearest) - centre)) continue;
-      rows.add("hanger", in_plane(joint), {joint.z, joint.y}, 0.0);
-      rows.add("hanger", in_plane(nearest), {joint.z, nearest.y}, 0.0);
-      rows.next_line();
-    }
-  }
-}
-
 /// Element numbers at the bodies' middles; those of one kind that would cover each other stand together.
 Json marks(const DrawnGeometry& geometry, const GeometryFrame& frame, const FrameStyle& style) {
   struct Place {
@@ -204,6 +183,27 @@ DrawnGeometry read_frames(RunFolder run, const std::vector<GeometryFile>& files)
   return geometry;
 }
 
+std::vector<Hanger> hangers(const GeometryFrame& frame) {
+  std::vector<Hanger> bars;
+  for (const GeometryLine& cable : frame.lines) {
+    for (std::size_t i = 0; cable.cable >= 0 && i < cable.points.size(); ++i) {
+      const auto outline = std::find_if(frame.lines.begin(), frame.lines.end(), [&](const GeometryLine& line) {
+        return line.body >= 0 && line.body == cable.bodies[i];
+      });
+      if (outline == frame.lines.end() || !is_closed(*outline)) continue;
+      const Vec3& joint = cable.points[i];
+      const Vec2 centre = in_plane(middle(*outline));
+      const auto distance = [&](const Vec3& p) { return norm(in_plane(p - joint)); };
+      const Vec3& nearest = *std::min_element(outline->points.begin(), outline->points.end(),
+                                              [&](const Vec3& a, const Vec3& b) { return distance(a) < distance(b); });
+      if (norm(in_plane(joint) - centre) > norm(in_plane(nearest) - centre)) {
+        bars.push_back({cable.bodies[i], joint, nearest});
+      }
+    }
+  }
+  return bars;
+}
+
 Window window_of(const DrawnGeometry& geometry, View view) {
   const double none = std::numeric_limits<double>::infinity();
   Window window{none, none, -none, -none};
@@ -246,7 +246,11 @@ std::string frame_csv(const DrawnGeometry& geometry, std::size_t frame) {
       add_cable(rows, *line);
     }
   }
-  add_hangers(rows, geometry.frames[frame]);
+  for (const Hanger& bar : hangers(geometry.frames[frame])) {
+    rows.add("hanger", in_plane(bar.joint), {bar.joint.z, bar.joint.y}, 0.0);
+    rows.add("hanger", in_plane(bar.end), {bar.joint.z, bar.end.y}, 0.0);
+    rows.next_line();
+  }
   return rows.text();
 }
 

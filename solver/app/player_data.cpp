@@ -33,21 +33,36 @@ Place place_of(const GeometryLine& line) {
   return {p, std::atan2(arm.y, arm.x)};
 }
 
-Json body(const DrawnGeometry& geometry, const GeometryLine& line) {
-  const Place place = place_of(line);
+/// A point in the axes of a place.
+Vec2 within(const Place& place, const Vec3& point) {
   const double c = std::cos(place.angle);
   const double s = std::sin(place.angle);
+  const Vec2 r = in_plane(point) - place.p;
+  return {rounded(c * r.x + s * r.y), rounded(c * r.y - s * r.x)};
+}
+
+Json body(const DrawnGeometry& geometry, const GeometryLine& line, const std::vector<Hanger>& all_bars) {
+  const Place place = place_of(line);
   Json outline = Json::array();
   for (const Vec3& point : line.points) {
-    const Vec2 r = in_plane(point) - place.p;
-    outline.push_back({rounded(c * r.x + s * r.y), rounded(c * r.y - s * r.x)});
+    const Vec2 p = within(place, point);
+    outline.push_back({p.x, p.y});
+  }
+  Json bars = Json::array();
+  for (const Hanger& bar : all_bars) {
+    if (bar.body != line.body) continue;
+    const Vec2 joint = within(place, bar.joint);
+    const Vec2 end = within(place, bar.end);
+    Json made{joint.x, joint.y, end.x, end.y};
+    if (std::find(bars.begin(), bars.end(), made) == bars.end()) bars.push_back(std::move(made));
   }
   const DrawnBody& named = geometry.run.files.bodies[static_cast<std::size_t>(line.body)];
   return {{"name", named.name},
           {"number", named.number},
           {"kind", named.kind},
           {"z", rounded(line.points.front().z)},
-          {"outline", std::move(outline)}};
+          {"outline", std::move(outline)},
+          {"hangers", std::move(bars)}};
 }
 
 Json frame_json(const GeometryFrame& frame) {
@@ -77,14 +92,24 @@ Json thinned(const std::vector<double>& values) {
   return list;
 }
 
-/// The columns that `belongs` names, but those that are zero throughout; null if there are none.
+double reach(const KeptColumn& column) {
+  double largest = 0.0;
+  for (const double value : column.values)
+    largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// The columns that `belongs` names, but those that are zero throughout, rounding apart; null if there are none.
 template <class Belongs>
 Json chart(const std::string& title, const KeptHistory& history, Belongs belongs) {
+  constexpr double rounding = 1e-12;
+  double largest = 0.0;
+  for (const KeptColumn& column : history.columns)
+    if (belongs(column)) largest = std::max(largest, reach(column));
   Json series = Json::array();
   std::string unit;
   for (const KeptColumn& column : history.columns) {
-    const auto zero = [](double value) { return value == 0.0; };
-    if (!belongs(column) || std::all_of(column.values.begin(), column.values.end(), zero)) continue;
+    if (!belongs(column) || reach(column) <= rounding * largest) continue;
     unit = column.unit;
     series.push_back({{"name", column.name}, {"values", thinned(column.values)}});
   }
@@ -101,8 +126,9 @@ std::string player_json(const DrawnGeometry& geometry, const KeptRun& histories,
     return Json{rounded(w.left), rounded(w.bottom), rounded(w.right), rounded(w.top)};
   };
   Json bodies = Json::array();
+  const std::vector<Hanger> bars = hangers(geometry.frames.front());
   for (const GeometryLine& line : geometry.frames.front().lines) {
-    if (line.body >= 0) bodies.push_back(body(geometry, line));
+    if (line.body >= 0) bodies.push_back(body(geometry, line, bars));
   }
   Json frames = Json::array();
   for (const GeometryFrame& frame : geometry.frames)
