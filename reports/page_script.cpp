@@ -239,7 +239,7 @@ std::string film_script(const std::vector<PagePlot>& pages, double delay, const 
   // A GIF counts in hundredths of a second; most viewers slow down what is quicker than two of them.
   const auto hundredths = std::max(2L, std::lround(100.0 * delay));
   return fmt::format(
-             "set terminal gif animate delay {} loop 0 optimize enhanced font 'DejaVu Sans,11' size {:.0f},{:.0f}\n"
+             "set terminal gif animate delay {} loop 0 enhanced font 'DejaVu Sans,11' size {:.0f},{:.0f}\n"
              "set output {}\n",
              hundredths, pixels_wide, pixels_wide * tallest / centimetres_wide,
              gnuplot_quoted((canvas.folder / (stem + ".gif")).string())) +

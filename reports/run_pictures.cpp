@@ -3,8 +3,8 @@
 #include <kainjow/mustache.hpp>
 
 #include "reports/drawing.hpp"
+#include "reports/error.hpp"
 #include "reports/file.hpp"
-#include "reports/page_cells.hpp"
 #include "reports/page_script.hpp"
 #include "reports/report.hpp"
 
@@ -32,7 +32,11 @@ std::string player_page(const Player& player, const fs::path& run, const fs::pat
   mustache::data values;
   values.set("title", player.title);
   values.set("data", within_script(read_file(run / player.data)));
-  return filled(resources / "templates" / "player.mustache", values);
+  const fs::path file = resources / "templates" / "player.mustache";
+  mustache::mustache page(read_file(file));
+  const std::string text = page.render(values);
+  if (!page.is_valid()) throw OutputError(fmt::format("{}: {}", file.string(), page.error_message()));
+  return text;
 }
 
 /// Scripts of all that gnuplot draws, and the names of the files to come.

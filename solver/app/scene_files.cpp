@@ -1,7 +1,6 @@
 #include "solver/app/scene_files.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "solver/base/error.hpp"
 
@@ -12,8 +11,7 @@ namespace {
 long every(const SceneFile& file, long frames) {
   constexpr long usual_frames = 100;
   if (frames == 0 && file.fence) return file.fence->fence.print_every;
-  const double steps = static_cast<double>(step_count(file.scene.plan));
-  return std::max(1L, std::lround(steps / static_cast<double>(frames == 0 ? usual_frames : frames)));
+  return std::max(1L, step_count(file.scene.plan) / (frames == 0 ? usual_frames : frames));
 }
 
 std::optional<FenceFiles> fence_files(const SceneFile& file, const Dynamics& dynamics,
