@@ -81,6 +81,17 @@ double half_width(const DrawnGeometry& geometry, long body) {
   return 0.0;
 }
 
+/// Ground goes on for ever: its first and last piece are drawn far beyond what is seen.
+void lengthen(GeometryLine& line) {
+  constexpr double far = 50.0;
+  const auto beyond = [](const Vec3& end, const Vec3& before) {
+    const Vec3 step = end - before;
+    return Vec3{end.x + far * step.x, end.y + far * step.y, end.z};
+  };
+  line.points.front() = beyond(line.points.front(), line.points[1]);
+  line.points.back() = beyond(line.points.back(), line.points[line.points.size() - 2]);
+}
+
 const DrawnBody& body_of(const DrawnGeometry& geometry, const GeometryLine& line) {
   return geometry.run.files.bodies[static_cast<std::size_t>(line.body)];
 }
@@ -165,12 +176,15 @@ DrawnGeometry read_frames(RunFolder run, const std::vector<GeometryFile>& files)
   const auto cables = static_cast<long>(geometry.run.files.cables.size());
   for (const GeometryFile& file : files) {
     GeometryFrame frame = read_geometry(file);
-    for (const GeometryLine& line : frame.lines) {
+    for (GeometryLine& line : frame.lines) {
       if (line.body >= bodies || line.cable >= cables || (line.body < 0 && line.cable < 0) || line.points.empty()) {
         throw InputError{fmt::format("{}: found body {}, cable {}; plot.json beside it names {} and {}",
                                      file.path.string(), line.body, line.cable, bodies, cables)};
       }
       geometry.largest_tension = std::max(geometry.largest_tension, line.tension);
+      if (line.body >= 0 && line.points.size() > 1 && !is_closed(line) && body_of(geometry, line).kind == "ground") {
+        lengthen(line);
+      }
       const auto [near, far] = extent(line, [](const Vec3& p) { return p.z; });
       if (far > near || near != frame.lines.front().points.front().z) geometry.has_depth = true;
     }
@@ -183,8 +197,8 @@ DrawnGeometry read_frames(RunFolder run, const std::vector<GeometryFile>& files)
   return geometry;
 }
 
-std::vector<Hanger> hangers(const GeometryFrame& frame) {
-  std::vector<Hanger> bars;
+std::vector<HangerBar> hangers(const GeometryFrame& frame) {
+  std::vector<HangerBar> bars;
   for (const GeometryLine& cable : frame.lines) {
     for (std::size_t i = 0; cable.cable >= 0 && i < cable.points.size(); ++i) {
       const auto outline = std::find_if(frame.lines.begin(), frame.lines.end(), [&](const GeometryLine& line) {
@@ -196,9 +210,9 @@ std::vector<Hanger> hangers(const GeometryFrame& frame) {
       const auto distance = [&](const Vec3& p) { return norm(in_plane(p - joint)); };
       const Vec3& nearest = *std::min_element(outline->points.begin(), outline->points.end(),
                                               [&](const Vec3& a, const Vec3& b) { return distance(a) < distance(b); });
-      if (norm(in_plane(joint) - centre) > norm(in_plane(nearest) - centre)) {
-        bars.push_back({cable.bodies[i], joint, nearest});
-      }
+      const HangerBar bar{cable.bodies[i], joint, nearest};
+      const bool outside = norm(in_plane(joint) - centre) > norm(in_plane(nearest) - centre);
+      if (outside && std::find(bars.begin(), bars.end(), bar) == bars.end()) bars.push_back(bar);
     }
   }
   return bars;
@@ -246,7 +260,7 @@ std::string frame_csv(const DrawnGeometry& geometry, std::size_t frame) {
       add_cable(rows, *line);
     }
   }
-  for (const Hanger& bar : hangers(geometry.frames[frame])) {
+  for (const HangerBar& bar : hangers(geometry.frames[frame])) {
     rows.add("hanger", in_plane(bar.joint), {bar.joint.z, bar.joint.y}, 0.0);
     rows.add("hanger", in_plane(bar.end), {bar.joint.z, bar.end.y}, 0.0);
     rows.next_line();

@@ -36,14 +36,16 @@ struct DrawnGeometry {
 [[nodiscard]] DrawnGeometry read_frames(RunFolder run, const std::vector<GeometryFile>& files);
 
 /// The bar from a cable's joint to the outline of the body that it holds.
-struct Hanger {
+struct HangerBar {
   long body{};
   Vec3 joint;
   Vec3 end;  ///< point of the outline
+
+  friend bool operator==(const HangerBar&, const HangerBar&) = default;
 };
 
 /// Those of a frame: where a joint stands outside the outline of its body.
-[[nodiscard]] std::vector<Hanger> hangers(const GeometryFrame& frame);
+[[nodiscard]] std::vector<HangerBar> hangers(const GeometryFrame& frame);
 
 /// The smallest window that holds all bodies but half-planes and all cables in all frames, and a margin.
 [[nodiscard]] Window window_of(const DrawnGeometry& geometry, View view);

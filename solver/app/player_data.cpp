@@ -24,7 +24,7 @@ struct Place {
 
 Place place_of(const GeometryLine& line) {
   Vec2 sum;
-  const bool closed = line.points.size() > 2;
+  const bool closed = line.points.size() > 2 && line.points.front() == line.points.back();
   const std::size_t count = line.points.size() - (closed ? 1 : 0);  // the first point stands at the end again
   for (std::size_t i = 0; i < count; ++i)
     sum += in_plane(line.points[i]);
@@ -41,7 +41,7 @@ Vec2 within(const Place& place, const Vec3& point) {
   return {rounded(c * r.x + s * r.y), rounded(c * r.y - s * r.x)};
 }
 
-Json body(const DrawnGeometry& geometry, const GeometryLine& line, const std::vector<Hanger>& all_bars) {
+Json body(const DrawnGeometry& geometry, const GeometryLine& line, const std::vector<HangerBar>& all_bars) {
   const Place place = place_of(line);
   Json outline = Json::array();
   for (const Vec3& point : line.points) {
@@ -49,15 +49,15 @@ Json body(const DrawnGeometry& geometry, const GeometryLine& line, const std::ve
     outline.push_back({p.x, p.y});
   }
   Json bars = Json::array();
-  for (const Hanger& bar : all_bars) {
+  for (const HangerBar& bar : all_bars) {
     if (bar.body != line.body) continue;
     const Vec2 joint = within(place, bar.joint);
     const Vec2 end = within(place, bar.end);
-    Json made{joint.x, joint.y, end.x, end.y};
-    if (std::find(bars.begin(), bars.end(), made) == bars.end()) bars.push_back(std::move(made));
+    bars.push_back({joint.x, joint.y, end.x, end.y});
   }
   const DrawnBody& named = geometry.run.files.bodies[static_cast<std::size_t>(line.body)];
-  return {{"name", named.name},
+  return {{"body", line.body},
+          {"name", named.name},
           {"number", named.number},
           {"kind", named.kind},
           {"z", rounded(line.points.front().z)},
@@ -65,7 +65,16 @@ Json body(const DrawnGeometry& geometry, const GeometryLine& line, const std::ve
           {"hangers", std::move(bars)}};
 }
 
-Json frame_json(const GeometryFrame& frame) {
+/// `bars` are those of the first frame: the bodies that have none of theirs any more are named.
+Json frame_json(const GeometryFrame& frame, const std::vector<HangerBar>& bars) {
+  const std::vector<HangerBar> left = hangers(frame);
+  Json broken = Json::array();
+  for (const HangerBar& bar : bars) {
+    const bool holds =
+        std::any_of(left.begin(), left.end(), [&](const HangerBar& each) { return each.body == bar.body; });
+    if (!holds && std::find(broken.begin(), broken.end(), bar.body) == broken.end()) broken.push_back(bar.body);
+  }
+
   Json places = Json::array();
   Json cables = Json::array();
   for (const GeometryLine& line : frame.lines) {
@@ -79,7 +88,10 @@ Json frame_json(const GeometryFrame& frame) {
     cables.push_back({rounded(a.x), rounded(a.y), rounded(a.z), rounded(b.x), rounded(b.y), rounded(b.z),
                       line.slack ? 0.0 : rounded(line.tension)});
   }
-  return {{"t", rounded(frame.time)}, {"bodies", std::move(places)}, {"cables", std::move(cables)}};
+  return {{"t", rounded(frame.time)},
+          {"bodies", std::move(places)},
+          {"cables", std::move(cables)},
+          {"broken", std::move(broken)}};
 }
 
 /// Every so many rows of a long history; a screen shows no more.
@@ -126,13 +138,13 @@ std::string player_json(const DrawnGeometry& geometry, const KeptRun& histories,
     return Json{rounded(w.left), rounded(w.bottom), rounded(w.right), rounded(w.top)};
   };
   Json bodies = Json::array();
-  const std::vector<Hanger> bars = hangers(geometry.frames.front());
+  const std::vector<HangerBar> bars = hangers(geometry.frames.front());
   for (const GeometryLine& line : geometry.frames.front().lines) {
     if (line.body >= 0) bodies.push_back(body(geometry, line, bars));
   }
   Json frames = Json::array();
   for (const GeometryFrame& frame : geometry.frames)
-    frames.push_back(frame_json(frame));
+    frames.push_back(frame_json(frame, bars));
   Json charts = Json::array();
   const KeptHistory& history = histories.histories.back();  // history.csv, which every run leaves
   for (Json made :

@@ -22,7 +22,7 @@ std::vector<Vec2> outline(const Body& body, double reach) {
   const Shape& shape = body.shape;
   std::vector<Vec2> points;
   if (std::holds_alternative<NoShape>(shape)) {
-    if (body.mobility == Mobility::pinned) points = {body.p_BPin, {0.0, 0.0}};
+    if (has_pin(body.mobility)) points = {body.p_BPin, {0.0, 0.0}};
     return points;
   }
   if (std::holds_alternative<HalfPlane>(shape)) return {{-reach, 0.0}, {reach, 0.0}};
@@ -141,7 +141,8 @@ void VtpSeries::operator()(const State& state, const StepInfo& info) {
   for (std::size_t c = 0; c < cables.size(); ++c) {
     for (const std::size_t j : {cables.ends()[c].a, cables.ends()[c].b}) {
       const Joint& joint = cables.joints()[j];
-      lines.add(work_.joints[j].p_WP, joint.along, joint.on_body ? static_cast<long>(index(joint.body)) : -1);
+      const bool held = joint.on_body && (work_.rigging.broken.empty() || !work_.rigging.broken[j]);
+      lines.add(work_.joints[j].p_WP, joint.along, held ? static_cast<long>(index(joint.body)) : -1);
     }
     lines.end(-1, static_cast<long>(c), forces_.tensions[c], forces_.tensions[c] == 0.0);
   }

@@ -259,6 +259,26 @@ BOOST_AUTO_TEST_CASE(snapshots_show_what_the_histories_say) {
   BOOST_TEST(std::abs(sum) < 1e-5 * 14 * 22e3);
 }
 
+// Hangers of 20,000 lbf: those of the two central columns break, at 11 and 23 ms by the summary, and no other by 30 ms.
+BOOST_AUTO_TEST_CASE(a_broken_hanger_is_drawn_no_more) {
+  const Folder folder;
+  const std::string deck = (folder.path / "weak.toml").string();
+  std::ofstream{deck} << talus::read_text(scene("fence/sample2.toml"))
+                      << "\n[fence.options]\nhanger_strength = \"20000 lbf\"\n";
+  const std::string run = (folder.path / "run").string();
+  const Ended ended = talus_ran({"run", deck, "--end", "30 ms", "--frames", "10", "--out", run});
+  BOOST_REQUIRE(ended.code == 0);
+  BOOST_TEST(holds(ended.out, "hanger 'hanger1' breaks"));
+  BOOST_TEST(holds(ended.out, "hanger 'back_hanger1' breaks"));
+  const Asked asked{{"snapshot", run, "--times", "0 s,17 ms,29 ms"}};
+  BOOST_REQUIRE(asked.ended.code == 0);
+  // Two ends for each of 14 columns, 13 and 12.
+  for (const auto& [file, ends] : std::map<std::string, std::size_t>{{"0", 28}, {"1", 26}, {"2", 24}})
+    BOOST_TEST(rows(asked.file("frame" + file + ".csv")).at("hanger").size() == ends);
+  BOOST_REQUIRE(talus_ran({"animate", run, "--out", run}).code == 0);
+  BOOST_TEST(holds(talus::read_text(run + "/animation.html"), "\"broken\":[2,9]}"));
+}
+
 BOOST_AUTO_TEST_CASE(the_dialogue_of_gplot_as_options) {
   const Asked asked{{"snapshot", sample().string(), "--times", "0 s,26 ms", "--view", "both", "--window", "-10", "-15",
                      "10", "9.69", "--numbers", "--no-grid", "--title", "Mine"}};
