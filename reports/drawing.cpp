@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include <ctime>
 #include <functional>
 
 #include "reports/error.hpp"
@@ -13,15 +13,26 @@
 namespace talus::reports {
 namespace {
 
-std::string pdf_date(long long epoch_seconds) {
-  namespace chr = std::chrono;
-  const chr::sys_seconds time{chr::seconds(epoch_seconds)};
-  const chr::sys_days day = chr::floor<chr::days>(time);
-  const chr::year_month_day date(day);
-  const chr::hh_mm_ss clock(time - day);
-  return fmt::format("{:04}{:02}{:02}{:02}{:02}{:02}", static_cast<int>(date.year()),
-                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), clock.hours().count(),
-                     clock.minutes().count(), clock.seconds().count());
+/// Where cairo writes the clock's time in a kind of picture, and in what form (of strftime).
+struct DateField {
+  const char* extension;
+  const char* mark;
+  const char* form;
+};
+constexpr DateField date_fields[] = {{".pdf", "/CreationDate (D:", "%Y%m%d%H%M%S"},
+                                     {".ps", "%%CreationDate: ", "%a %b %e %H:%M:%S %Y"}};
+
+std::string date_text(const char* form, std::time_t time) {
+  std::tm parts{};
+  ::gmtime_r(&time, &parts);
+  char text[64];
+  return {text, std::strftime(text, sizeof text, form, &parts)};
+}
+
+/// gnuplot says so of each GIF, on the channel of its warnings.
+bool counts_frames(const std::string& said) {
+  const std::size_t text = said.find_first_not_of("0123456789 \n");
+  return text != std::string::npos && said.substr(text) == "frames in animation sequence\n";
 }
 
 }  // namespace
@@ -35,23 +46,26 @@ std::string draw(const std::vector<Drawing>& drawings, const std::filesystem::pa
       write_file(script, drawings[i].script);
       const Command gnuplot{"gnuplot", {script.string()}, folder, {{"LC_ALL", "C.UTF-8"}, {"GNUTERM", "svg"}}};
       const std::string said = run_or_throw(gnuplot, drawings[i].name).messages;
-      if (!said.empty()) warnings[i] = fmt::format("gnuplot on {}: {}", drawings[i].name, said);
+      if (!said.empty() && !counts_frames(said)) warnings[i] = fmt::format("gnuplot on {}: {}", drawings[i].name, said);
     });
   }
   in_parallel(tasks, jobs);
   return fmt::format("{}", fmt::join(warnings, ""));
 }
 
-void date_pdf(const std::filesystem::path& file, long long epoch_seconds) {
-  std::string bytes = read_file(file);
-  const std::string mark = "/CreationDate (D:";
-  const std::size_t place = bytes.find(mark);
-  const std::string date = pdf_date(epoch_seconds);
-  if (place == std::string::npos || place + mark.size() + date.size() > bytes.size()) {
-    throw OutputError(file.string() + ": has no creation date where gnuplot's pdfcairo writes it");
+void date_picture(const std::filesystem::path& file, long long epoch_seconds) {
+  for (const DateField& field : date_fields) {
+    if (file.extension() != field.extension) continue;
+    std::string bytes = read_file(file);
+    const std::string mark = field.mark;
+    const std::size_t place = bytes.find(mark);
+    const std::string date = date_text(field.form, static_cast<std::time_t>(epoch_seconds));
+    if (place == std::string::npos || place + mark.size() + date.size() > bytes.size()) {
+      throw OutputError(file.string() + ": has no creation date where cairo writes it");
+    }
+    bytes.replace(place + mark.size(), date.size(), date);
+    write_file(file, bytes);
   }
-  bytes.replace(place + mark.size(), date.size(), date);
-  write_file(file, bytes);
 }
 
 }  // namespace talus::reports

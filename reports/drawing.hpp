@@ -17,8 +17,9 @@ struct Drawing {
 /// gnuplot's own words when it is absent or refuses a script; returns its warnings.
 std::string draw(const std::vector<Drawing>& drawings, const std::filesystem::path& folder, unsigned jobs);
 
-/// Sets the creation date in a PDF of gnuplot's to the given time, digits for digits. Cairo writes the clock's, and a
-/// picture must depend on its numbers only. Throws OutputError when the file is not as cairo writes it.
-void date_pdf(const std::filesystem::path& file, long long epoch_seconds);
+/// Sets the creation date in a PDF or PostScript file of gnuplot's to the given time, digits for digits; other pictures
+/// hold none. Cairo writes the clock's, and a picture must depend on its numbers only. Throws OutputError when the file
+/// is not as cairo writes it.
+void date_picture(const std::filesystem::path& file, long long epoch_seconds);
 
 }  // namespace talus::reports

@@ -10,7 +10,27 @@ Axis axis_of(const Node& node) {
   if (axis.log && ((axis.min && *axis.min <= 0.0) || (axis.max && *axis.max <= 0.0))) {
     node.complain("limits of a log axis must be > 0");
   }
+  if (node.has("divisions")) axis.divisions = node.at("divisions").integer();
+  if (axis.divisions < 0 || axis.divisions > 100) node.at("divisions").complain("must be from 0 to 100");
   return axis;
+}
+
+std::string colour_or_empty(const Node& node, const char* key) {
+  const std::string colour = node.text_or_empty(key);
+  const bool fine = colour.size() == 7 && colour[0] == '#' &&
+                    colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  if (!colour.empty() && !fine) node.at(key).complain("must be a colour such as #0072b2");
+  return colour;
+}
+
+Look look_of(const Node& node) {
+  Look look{colour_or_empty(node, "colour"), colour_or_empty(node, "fill"), node.text_or_empty("value")};
+  if (node.has("width")) look.width = node.at("width").finite();
+  look.dashed = node.flag_or_false("dashed");
+  if (look.colour.empty() && look.fill.empty() && look.value.empty()) {
+    node.complain("shapes need a colour, a fill or a value");
+  }
+  return look;
 }
 
 Series series_of(const Node& node) {
@@ -18,12 +38,13 @@ Series series_of(const Node& node) {
   series.label = node.text_or_empty("label");
   series.x = node.at("x").words();
   series.y = node.at("y").words();
-  series.style = node.at("style").one_of({"points", "lines", "linespoints", "errorbars", "crosses"});
+  series.style = node.at("style").one_of({"points", "lines", "linespoints", "errorbars", "crosses", "shapes"});
   series.where = node.text_or_empty("where");
   if (series.style == "errorbars") {
     series.y_low = node.at("y_low").words();
     series.y_high = node.at("y_high").words();
   }
+  if (series.style == "shapes") series.look = look_of(node);
   return series;
 }
 
@@ -38,7 +59,7 @@ std::string file_name(const Node& node) {
 Figure figure_of(const Node& node) {
   Figure figure;
   figure.name = file_name(node.at("name"));
-  figure.title = node.at("title").words();
+  figure.title = node.at("title").text();
   figure.caption = node.text_or_empty("caption");
   figure.x = axis_of(node.at("x"));
   figure.y = axis_of(node.at("y"));
@@ -58,7 +79,41 @@ Figure figure_of(const Node& node) {
     if ((line.axis == 'x' ? figure.x : figure.y).log && line.at <= 0.0) item.at("at").complain("a log axis needs > 0");
     figure.lines.push_back(line);
   }
+  for (const Node& item : node.list_or_empty("marks"))
+    figure.marks.push_back({item.at("x").finite(), item.at("y").finite(), item.at("words").words()});
+  if (node.has("grid")) figure.grid = node.at("grid").flag();
+  figure.equal = node.flag_or_false("equal");
+  if (figure.equal && (!figure.x.min || !figure.x.max || !figure.y.min || !figure.y.max)) {
+    node.complain("a figure with equal units needs min and max of both axes");
+  }
   return figure;
+}
+
+Page page_of(const Node& node) {
+  Page page{file_name(node.at("name")), node.text_or_empty("title"), node.at("columns").integer(), {}, {}};
+  if (page.columns < 1 || page.columns > 12) node.at("columns").complain("must be from 1 to 12");
+  for (const Node& item : node.at("panels").list())
+    page.panels.push_back(figure_of(item));
+  if (page.panels.empty()) node.at("panels").complain("must hold at least one figure");
+  if (!node.has("scale")) return page;
+  const Node scale = node.at("scale");
+  page.scale = {scale.at("label").words(), scale.text_or_empty("unit"), scale.at("min").finite(),
+                scale.at("max").finite()};
+  if (!(page.scale->min < page.scale->max)) scale.complain("min must be less than max");
+  return page;
+}
+
+Film film_of(const Node& node) {
+  Film film{file_name(node.at("name")), node.at("delay").finite(), {}};
+  if (film.delay <= 0.0) node.at("delay").complain("must be > 0");
+  for (const Node& item : node.at("pages").list())
+    film.pages.push_back(page_of(item));
+  if (film.pages.empty()) node.at("pages").complain("must hold at least one page");
+  return film;
+}
+
+Player player_of(const Node& node) {
+  return {file_name(node.at("name")), node.at("title").words(), file_name(node.at("data"))};
 }
 
 }  // namespace talus::reports

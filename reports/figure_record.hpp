@@ -17,6 +17,11 @@ namespace talus::reports {
 /// A figure as record and plot tell it. Throws RecordError (file and field) when it is not what the schema says.
 [[nodiscard]] Figure figure_of(const Node& node);
 
+/// The same for a page, a film and a player of a plot record.
+[[nodiscard]] Page page_of(const Node& node);
+[[nodiscard]] Film film_of(const Node& node);
+[[nodiscard]] Player player_of(const Node& node);
+
 /// Names within a case are what failures, controls and files are told by: each may occur once.
 /// Throws RecordError when one of `things` has another's name.
 template <class Things>

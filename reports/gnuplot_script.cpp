@@ -7,10 +7,10 @@
 #include <cctype>
 #include <cmath>
 
+#include "reports/colour_scale.hpp"
+
 namespace talus::reports {
 namespace {
-
-constexpr double centimetres_wide = 15.0;
 
 bool letter_or_digit(char letter) { return std::isalnum(static_cast<unsigned char>(letter)) != 0; }
 
@@ -51,14 +51,14 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string curve_command(const Curve& curve, std::size_t index) {
+std::string curve_command(const Curve& curve, const std::string& block, std::size_t index) {
   const std::string title = curve.label.empty() ? "notitle" : "title " + gnuplot_text(curve.label);
   const std::string with = curve.style == "errorbars" ? "yerrorbars"
                            : curve.style == "crosses" ? "points"
                                                       : curve.style;
   const std::string columns = curve.style == "errorbars" ? "1:2:3:4" : "1:2";
   const std::string crosses = curve.style == "crosses" ? " pt 2 ps 0.7" : "";
-  return fmt::format("$curve{} using {} with {} linetype {}{} {}", index + 1, columns, with, index + 1, crosses, title);
+  return fmt::format("{} using {} with {} linetype {}{} {}", block, columns, with, index + 1, crosses, title);
 }
 
 /// The part of a power law that lies in the plot: a third of the x axis to each side of its point, clipped.
@@ -130,16 +130,58 @@ std::string axis_commands(char name, const Axis& axis, const Extent& extent) {
     text += fmt::format("set logscale {}\n", name) + log_tics(name, extent);
   } else {
     text += fmt::format("set format {} '%.8g'\n", name);
+    if (axis.divisions > 0) {
+      const double part = (extent.high - extent.low) / axis.divisions;
+      text += fmt::format("set {}tics {:.12g},{:.12g}\nset format {} '%.4g'\n", name, extent.low, part, name);
+    }
   }
   return text;
 }
 
-std::string data_block(const Curve& curve, std::size_t index) {
-  std::string text = fmt::format("$curve{} << END\n", index + 1);
+std::string curve_rows(const Curve& curve) {
+  std::string text;
   for (const Point& point : curve.points) {
     text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", point.x, point.y, point.low, point.high);
   }
-  return text + "END\n";
+  return text;
+}
+
+/// Rows with an empty one between two lines; the third number is the colour of the value.
+std::string shape_rows(const Curve& curve, const Scale& scale) {
+  std::string text;
+  double line = curve.points.front().line;
+  for (const Point& point : curve.points) {
+    if (point.line != line) text += "\n";
+    line = point.line;
+    const double place = (point.value - scale.min) / (scale.max - scale.min);
+    text += fmt::format("{:.6g} {:.6g} {}\n", point.x, point.y, scale_colour(place));
+  }
+  return text;
+}
+
+/// Shapes are never in the key of their own panel: the page explains them. Filled ones are drawn one after the other
+/// with their borders, so that those in front cover those behind.
+std::string shape_command(const Curve& curve, const std::string& block) {
+  const Look& look = curve.look;
+  if (!look.fill.empty()) {
+    const std::string border = look.colour.empty() ? "noborder" : fmt::format("border lc rgb '{}'", look.colour);
+    return fmt::format("{} using 1:2 with filledcurves closed fc rgb '{}' lw {:g} fs transparent solid 0.85 {} notitle",
+                       block, look.fill, look.width, border);
+  }
+  const bool by_value = !look.value.empty();
+  return fmt::format("{} using 1:2{} with lines lw {:g} dt {} lc rgb {} notitle", block, by_value ? ":3" : "",
+                     look.width, look.dashed ? "(6,4)" : "1", by_value ? "variable" : fmt::format("'{}'", look.colour));
+}
+
+std::string mark_commands(const Plot& plot) {
+  std::string text;
+  for (const Mark& mark : plot.figure.marks) {
+    const bool inside = mark.x > plot.x.low && mark.x < plot.x.high && mark.y > plot.y.low && mark.y < plot.y.high;
+    if (!inside) continue;
+    text += fmt::format("set label {} at {:.6g},{:.6g} center front textcolor rgb '#111111' font ',{}'\n",
+                        gnuplot_text(mark.words), mark.x, mark.y, 9);
+  }
+  return text;
 }
 
 /// Columns of the key that fit side by side below the plot, from the longest label.
@@ -164,6 +206,8 @@ std::string gnuplot_quoted(const std::string& text) {
 std::string gnuplot_text(const std::string& words) {
   std::string text = words;
   text.erase(std::remove(text.begin(), text.end(), '$'), text.end());
+  for (char& letter : text)
+    if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = ' ';  // a deck's title may hold tabs
   std::string result = "'";
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool raises = text[i] == '^';
@@ -207,19 +251,19 @@ std::string log_tics(char axis, const Extent& extent) {
   return fmt::format("set {}tics ({})\n", axis, places);
 }
 
-std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, const std::string& body,
-                                 double height) {
+std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, const std::string& body, double height,
+                                 Letters letters) {
   std::string text;
   for (const std::string& format : canvas.formats) {
     const std::string file = (canvas.folder / (stem + "." + format)).string();
-    if (format == "pdf") {
-      text += fmt::format("set terminal pdfcairo enhanced font 'DejaVu Sans,12' fontscale 0.5 size {}cm,{:.2f}cm\n",
-                          centimetres_wide, height);
+    if (format == "pdf" || format == "ps") {
+      text += fmt::format("set terminal {} enhanced font 'DejaVu Sans,12' fontscale {} size {}cm,{:.2f}cm\n",
+                          format == "pdf" ? "pdfcairo" : "epscairo", letters.paper, centimetres_wide, height);
     } else if (format == "svg") {
       text += fmt::format(
-          "set terminal svg enhanced font 'DejaVu Sans, Verdana, sans-serif,13' size 760,{:.0f} dynamic background "
+          "set terminal svg enhanced font 'DejaVu Sans, Verdana, sans-serif,{}' size 760,{:.0f} dynamic background "
           "'#ffffff'\n",
-          760.0 * height / centimetres_wide);
+          letters.svg, 760.0 * height / centimetres_wide);
     } else {
       text += fmt::format(
           "set terminal pngcairo enhanced font 'DejaVu Sans,9' fontscale 1.6 linewidth 1.6 pointscale 1.6 size "
@@ -231,23 +275,34 @@ std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, 
   return text;
 }
 
-std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem) {
-  std::string text = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string()));
-  std::string curves;
-  std::size_t in_key = 0;
+Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale) {
+  Panel panel;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
-    if (plot.curves[i].points.empty()) continue;  // nothing of it fits a log axis; the caption counts such points
-    text += data_block(plot.curves[i], i);
-    curves += (curves.empty() ? "" : ", ") + curve_command(plot.curves[i], i);
-    if (!plot.curves[i].label.empty()) ++in_key;
+    const Curve& curve = plot.curves[i];
+    if (curve.points.empty()) continue;  // nothing of it fits a log axis; the caption counts such points
+    const std::string block = fmt::format("${}{}", prefix, i + 1);
+    const bool shapes = curve.style == "shapes";
+    panel.settings +=
+        fmt::format("{} << END\n", block) + (shapes ? shape_rows(curve, scale) : curve_rows(curve)) + "END\n";
+    panel.curves += (panel.curves.empty() ? "" : ", ");
+    panel.curves += shapes ? shape_command(curve, block) : curve_command(curve, block, i);
+    if (!shapes && !curve.label.empty()) ++panel.in_key;
   }
-  text += axis_commands('x', plot.figure.x, plot.x) + axis_commands('y', plot.figure.y, plot.y);
-  text += slope_commands(plot, curves) + line_commands(plot);
+  panel.settings += axis_commands('x', plot.figure.x, plot.x) + axis_commands('y', plot.figure.y, plot.y);
+  if (!plot.figure.grid) panel.settings += "unset grid\n";
+  panel.settings += slope_commands(plot, panel.curves) + line_commands(plot) + mark_commands(plot);
   const std::size_t columns = key_columns(plot);
-  const std::size_t rows = (in_key + columns - 1) / columns;
-  text += fmt::format("set key at screen 0.54, char 0.4 center bottom maxrows {}\nset bmargin {:.2f}\n",
-                      std::max<std::size_t>(rows, 1), 4.3 + 1.15 * static_cast<double>(rows));
-  return text + drawn_in_each_format(canvas, stem, "plot " + curves, 7.6 + 0.42 * static_cast<double>(rows));
+  panel.key_rows = (panel.in_key + columns - 1) / columns;
+  return panel;
+}
+
+std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem) {
+  const Panel panel = panel_of(plot, "curve", {});
+  const std::string text = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string())) + panel.settings;
+  const auto rows = static_cast<double>(panel.key_rows);
+  const std::string key = fmt::format("set key at screen 0.54, char 0.4 center bottom maxrows {}\nset bmargin {:.2f}\n",
+                                      std::max<std::size_t>(panel.key_rows, 1), 4.3 + 1.15 * rows);
+  return text + key + drawn_in_each_format(canvas, stem, "plot " + panel.curves, 7.6 + 0.42 * rows);
 }
 
 }  // namespace talus::reports

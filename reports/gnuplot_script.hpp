@@ -9,7 +9,10 @@
 
 namespace talus::reports {
 
-/// Where and in which formats (svg, pdf, png) a script draws.
+/// Width of all pictures.
+inline constexpr double centimetres_wide = 15.0;
+
+/// Where and in which formats (ps, pdf, svg, png) a script draws.
 struct Canvas {
   std::filesystem::path preamble;   ///< gnuplot/preamble.gp
   std::filesystem::path folder;     ///< of the pictures
@@ -28,10 +31,27 @@ struct Canvas {
 /// else 1-2-5 numbers.
 [[nodiscard]] std::string log_tics(char axis, const Extent& extent);
 
+/// Size of the letters: on paper as a scale of 12 points, in an SVG of 760 pixels in pixels. (A PNG has one size.)
+struct Letters {
+  double paper{0.5};
+  double svg{13.0};
+};
+
 /// The commands that draw `body` (a complete `plot` command) as folder/stem.<format> in each format;
 /// height is in centimetres at 15 cm width.
 [[nodiscard]] std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, const std::string& body,
-                                               double height);
+                                               double height, Letters letters = {});
+
+/// What draws one plot between its margins.
+struct Panel {
+  std::string settings;    ///< its numbers as data blocks, axes, labels
+  std::string curves;      ///< what `plot` is given
+  std::size_t in_key{};    ///< entries of the key
+  std::size_t key_rows{};  ///< rows of the key where it may be as wide as a picture
+};
+
+/// The parts of a plot's script; the names of its data blocks begin with `prefix`, and `scale` colours its values.
+[[nodiscard]] Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale);
 
 /// The commands that draw the plot as folder/stem.<format>.
 [[nodiscard]] std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem);

@@ -15,6 +15,7 @@ struct Options {
   std::string verify;
   std::string report;
   std::string plot;
+  std::string to;
   std::vector<std::string> formats{"svg", "pdf", "png"};
   unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
 };
@@ -25,10 +26,11 @@ void describe(CLI::App& app, Options& options) {
       "or the pictures of one run (--plot). Exit codes: 0 written, 2 wrong usage or record, 4 a file or tool failed.");
   app.add_option("verify", options.verify, "folder with results.json and the cases' folders (build/verify)");
   app.add_option("report", options.report, "folder to write the report to (build/report)");
-  app.add_option("--plot", options.plot, "a run's folder: draw the figures of its plot.json into its folder plots/");
-  app.add_option("--format", options.formats, "formats of --plot, from svg, pdf, png; default all")
+  app.add_option("--plot", options.plot, "a folder with a plot.json: draw what it asks for");
+  app.add_option("--to", options.to, "folder for the pictures; default plots/ in that of --plot");
+  app.add_option("--format", options.formats, "formats of --plot, from ps, pdf, svg, png; default the last three")
       ->delimiter(',')
-      ->check(CLI::IsMember({"svg", "pdf", "png"}));
+      ->check(CLI::IsMember({"ps", "pdf", "svg", "png"}));
   app.add_option("--jobs", options.jobs, "processes at a time; default the number of cores")
       ->check(CLI::Range(1U, 1024U));
 }
@@ -37,9 +39,10 @@ void work(const Options& options) {
   const talus::reports::Workplace workplace{talus::reports::find_resources(), options.jobs};
   if (!options.plot.empty()) {
     const std::set<std::string> formats(options.formats.begin(), options.formats.end());
-    for (const auto& file : talus::reports::make_plots(options.plot, formats, workplace)) {
+    const std::filesystem::path run = options.plot;
+    const std::filesystem::path target = options.to.empty() ? run / "plots" : std::filesystem::path{options.to};
+    for (const auto& file : talus::reports::make_plots(run, target, formats, workplace))
       fmt::print("{}\n", file.string());
-    }
     return;
   }
   const std::string warnings = talus::reports::make_report(options.verify, options.report, workplace);

@@ -25,12 +25,16 @@ Curve curve_of(const Series& series, const Figure& figure, const Csv& csv, std::
   const std::size_t low = bars ? csv.column(series.y_low) : y;
   const std::size_t high = bars ? csv.column(series.y_high) : y;
   const std::size_t filter = series.where.empty() ? 0 : csv.column("series");
-  Curve curve{series.label, series.style, {}};
+  const bool shapes = series.style == "shapes";
+  const std::size_t line = shapes ? csv.column("line") : y;
+  const std::size_t value = series.look.value.empty() ? y : csv.column(series.look.value);
+  Curve curve{series.label, series.style, {}, series.look};
   std::size_t rows = 0;
   for (std::size_t row = 0; row < csv.rows.size(); ++row) {
     if (!series.where.empty() && csv.rows[row][filter] != series.where) continue;
     ++rows;
-    Point point{csv.number(row, x), csv.number(row, y), csv.number(row, low), csv.number(row, high)};
+    Point point{csv.number(row, x),    csv.number(row, y),    csv.number(row, low),
+                csv.number(row, high), csv.number(row, line), csv.number(row, value)};
     if (!drawable(point, figure)) {
       ++undrawn;
       continue;
@@ -44,7 +48,7 @@ Curve curve_of(const Series& series, const Figure& figure, const Csv& csv, std::
                                   figure.name, series.label, series.x, series.y,
                                   series.where.empty() ? "" : ", series = '" + series.where + "'"));
   }
-  curve.points = thinned(curve.points, most_points);
+  if (!shapes) curve.points = thinned(curve.points, most_points);
   return curve;
 }
 

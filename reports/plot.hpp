@@ -9,9 +9,11 @@
 
 namespace talus::reports {
 
-/// One point; low and high are the ends of its error bar (equal to y without one).
+/// One point; low and high are the ends of its error bar (equal to y without one). Of a shape: the line that it is of,
+/// and the value that gives its colour.
 struct Point {
   double x{}, y{}, low{}, high{};
+  double line{}, value{};
 };
 
 /// One curve's points, in the order of the file.
@@ -19,6 +21,7 @@ struct Curve {
   std::string label;
   std::string style;
   std::vector<Point> points;
+  Look look{};
 };
 
 /// Limits of one axis, low < high.

@@ -98,11 +98,20 @@ Results read_results(const std::filesystem::path& file) {
 Plots read_plots(const std::filesystem::path& file) {
   const json document = parsed(file);
   const Node root(document, file.string() + ": plot");
-  Plots plots{root.text_or_empty("title"), {}};
+  Plots plots{root.text_or_empty("title"), {}, {}, {}, {}};
   for (const Node& item : root.at("figures").list())
     plots.figures.push_back(figure_of(item));
-  if (plots.figures.empty()) root.at("figures").complain("must hold at least one figure");
+  for (const Node& item : root.list_or_empty("pages"))
+    plots.pages.push_back(page_of(item));
+  for (const Node& item : root.list_or_empty("films"))
+    plots.films.push_back(film_of(item));
+  for (const Node& item : root.list_or_empty("players"))
+    plots.players.push_back(player_of(item));
+  if (plots.figures.empty() && plots.pages.empty() && plots.films.empty() && plots.players.empty()) {
+    root.at("figures").complain("must hold at least one figure");
+  }
   demand_distinct_names(root, "figures", plots.figures);
+  demand_distinct_names(root, "pages", plots.pages);
   return plots;
 }
 

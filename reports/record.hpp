@@ -52,6 +52,16 @@ struct Axis {
   bool log{};
   std::optional<double> min;
   std::optional<double> max;
+  int divisions{};  ///< equal parts that the grid makes of a linear axis; 0: round numbers
+};
+
+/// How shapes are drawn: poly lines, each as far as the column `line` of the CSV file holds the same number.
+struct Look {
+  std::string colour;  ///< of the lines, "#rrggbb"; empty: none, or by `value`
+  std::string fill;    ///< of closed ones, "#rrggbb"; empty: none
+  std::string value;   ///< column whose values the page's scale turns into colours; empty: none
+  double width{1.0};   ///< of the lines
+  bool dashed{};
 };
 
 /// One curve: columns of the figure's CSV file, and how they are drawn.
@@ -59,10 +69,11 @@ struct Series {
   std::string label;
   std::string x;
   std::string y;
-  std::string style;   ///< points, lines, linespoints, errorbars or crosses
+  std::string style;   ///< points, lines, linespoints, errorbars, crosses, or shapes: see Look
   std::string y_low;   ///< column of the lower end of the error bar
   std::string y_high;  ///< column of its upper end
   std::string where;   ///< when not empty: only the rows whose column `series` holds this
+  Look look{};         ///< of shapes
 };
 
 /// A power law y ~ x^order through (x, y), drawn in a log-log figure to compare with.
@@ -80,6 +91,13 @@ struct LimitLine {
   std::string label;
 };
 
+/// Words at a place of a figure.
+struct Mark {
+  double x{};
+  double y{};
+  std::string words;
+};
+
 /// What a figure shows, without how it is drawn.
 struct Figure {
   std::string name;  ///< file stem
@@ -91,6 +109,40 @@ struct Figure {
   std::vector<Series> series;
   std::vector<Slope> slopes;
   std::vector<LimitLine> lines;
+  std::vector<Mark> marks;
+  bool grid{true};
+  bool equal{};  ///< a unit is as long on both axes; both must then have their limits
+};
+
+/// Colours for values: from min to max, pale to dark, one bar for all panels of a page.
+struct Scale {
+  std::string label;
+  std::string unit;
+  double min{};
+  double max{1.0};
+};
+
+/// Figures side by side, row by row, under one title. Shapes with a label are explained once, below all panels.
+struct Page {
+  std::string name;  ///< file stem
+  std::string title;
+  int columns{1};
+  std::vector<Figure> panels;
+  std::optional<Scale> scale;
+};
+
+/// Pages one after the other as one picture that moves.
+struct Film {
+  std::string name;  ///< file stem
+  double delay{};    ///< from page to page [s] > 0
+  std::vector<Page> pages;
+};
+
+/// A page for a browser that plays a run; what it plays stands in a file beside the record.
+struct Player {
+  std::string name;  ///< file stem
+  std::string title;
+  std::string data;  ///< JSON file
 };
 
 struct Table {
@@ -170,6 +222,9 @@ struct Results {
 struct Plots {
   std::string title;
   std::vector<Figure> figures;
+  std::vector<Page> pages;
+  std::vector<Film> films;
+  std::vector<Player> players;
 };
 
 /// Reads results.json. Throws OutputError when the file cannot be read, RecordError (file and field) when it is not

@@ -53,7 +53,7 @@ std::string tool_versions() {
 
 void date_pictures(const fs::path& folder, long long epoch) {
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".pdf") date_pdf(entry.path(), epoch);
+    if (entry.path().extension() == ".pdf") date_picture(entry.path(), epoch);
   }
 }
 
@@ -97,30 +97,6 @@ std::string make_report(const fs::path& verify, const fs::path& report, const Wo
   for (const char* name : {"figures", "verification.md", "verification.html", "verification.pdf"})
     workshop.publish(name);
   return picture_warnings + html_warnings + latex_warnings;
-}
-
-std::vector<fs::path> make_plots(const fs::path& run, const std::set<std::string>& formats,
-                                 const Workplace& workplace) {
-  const Plots plots = read_plots(run / "plot.json");
-  const Workshop workshop(run / "plots");
-  const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", workshop.folder(), formats};
-  std::vector<Drawing> drawings;
-  std::vector<std::string> names;
-  for (const Figure& figure : plots.figures) {
-    drawings.push_back({"figure " + figure.name, figure_script(plot_of(figure, run), canvas, figure.name)});
-    for (const std::string& format : formats)
-      names.push_back(figure.name + "." + format);
-  }
-  const std::string warnings = draw(drawings, workshop.folder(), workplace.jobs);
-  if (!warnings.empty()) fmt::print(stderr, "{}", warnings);
-  std::vector<fs::path> files;
-  for (const std::string& name : names) {
-    // A run has no date of its own; the same numbers still give the same bytes.
-    if (fs::path(name).extension() == ".pdf") date_pdf(workshop.folder() / name, 0);
-    workshop.publish(name);
-    files.push_back(run / "plots" / name);
-  }
-  return files;
 }
 
 }  // namespace talus::reports

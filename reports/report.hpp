@@ -27,9 +27,9 @@ struct Workplace {
 std::string make_report(const std::filesystem::path& verify, const std::filesystem::path& report,
                         const Workplace& workplace);
 
-/// Draws the figures of run/plot.json into run/plots/ in each of the formats (svg, pdf, png); returns the files'
-/// paths. Throws as make_report() does.
-std::vector<std::filesystem::path> make_plots(const std::filesystem::path& run, const std::set<std::string>& formats,
-                                              const Workplace& workplace);
+/// Draws what run/plot.json asks for into `target`: figures and pages in each of the formats (ps, pdf, svg, png), films
+/// as GIF, players as HTML. Returns the files' paths. Throws as make_report() does.
+std::vector<std::filesystem::path> make_plots(const std::filesystem::path& run, const std::filesystem::path& target,
+                                              const std::set<std::string>& formats, const Workplace& workplace);
 
 }  // namespace talus::reports

@@ -22,6 +22,8 @@ void describe(CLI::App& talus) {
       "  talus check cases/two_cable.toml             what the scene carries, and what its step is worth\n"
       "  talus run cases/two_cable.toml --out out     run it; summary here, histories and state in out/\n"
       "  talus plot out                               draw the histories into out/plots/\n"
+      "  talus snapshot out                           draw bodies and cables at several times\n"
+      "  talus animate out                            a page that plays the run in a browser\n"
       "  talus convert fence.DAT fence.toml           a deck of the 1993 program FENCE as a scene, or back\n"
       "  talus list fields                            every field that a scene can hold, with its dimension\n"
       "Exit codes: 0 done, 2 wrong input or usage, 3 the run failed numerically, 4 a file cannot be read or written.");
@@ -109,8 +111,8 @@ double option_quantity(const std::string& option, const std::string& text, Dimen
 int run_command_line(int count, const char* const* arguments) {
   CLI::App talus{"", "talus"};
   describe(talus);
-  const std::vector<Command> commands{add_run(talus),     add_check(talus), add_calibrate(talus),
-                                      add_convert(talus), add_plot(talus),  add_list(talus)};
+  const std::vector<Command> commands{add_run(talus),  add_check(talus),    add_calibrate(talus), add_convert(talus),
+                                      add_plot(talus), add_snapshot(talus), add_animate(talus),   add_list(talus)};
   try {
     talus.parse(count, arguments);
   } catch (const CLI::Success& help) {

@@ -9,24 +9,21 @@ FenceFiles::FenceFiles(const FenceInput& input, const RunPlan& plan, const Dynam
     : folder_{folder},
       name_{name},
       history_{input.fence, input.made, dynamics},
-      listing_{input.fence, input.made, plan},
-      geometry_{dynamics, folder, name, input.fence.print_every} {}
+      listing_{input.fence, input.made, plan} {}
 
 void FenceFiles::operator()(const State& state, const StepInfo& info) {
   history_(state, info);
   listing_(state, info);
-  geometry_(state, info);
 }
 
 void FenceFiles::write() const {
   write_whole(folder_ / (name_ + ".OUT"), listing_.text());
   write_whole(folder_ / (name_ + ".history.csv"), history_.csv_text());
   write_whole(folder_ / (name_ + ".history.json"), history_.json_text());
-  geometry_.write_index();
 }
 
 std::vector<std::string> FenceFiles::names() const {
-  return {name_ + ".OUT", name_ + ".history.csv", name_ + ".history.json", name_ + ".pvd"};
+  return {name_ + ".OUT", name_ + ".history.csv", name_ + ".history.json"};
 }
 
 }  // namespace talus::app

@@ -7,12 +7,11 @@
 #include "solver/io/fence_history.hpp"
 #include "solver/io/out_listing.hpp"
 #include "solver/io/scene_file.hpp"
-#include "solver/io/vtp_series.hpp"
 
 namespace talus::app {
 
-/// The files that a fence's run leaves beside those of every run: the listing NAME.OUT, the deck's histories
-/// NAME.history.csv and NAME.history.json, and the geometry NAME.pvd with NAME_geometry/.
+/// The files that a fence's run leaves beside those of every run: the listing NAME.OUT, and the deck's histories
+/// NAME.history.csv and NAME.history.json.
 class FenceFiles {
  public:
   /// Arguments must outlive it. Errors: InputError for history codes that are none; IoError.
@@ -33,7 +32,6 @@ class FenceFiles {
   std::string name_;
   FenceHistory history_;
   OutListing listing_;
-  VtpSeries geometry_;
 };
 
 }  // namespace talus::app

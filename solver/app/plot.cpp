@@ -1,20 +1,13 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 
 #include "solver/app/command.hpp"
+#include "solver/app/history_plot.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/toml_document.hpp"
-
-extern char** environ;
 
 namespace talus::app {
 namespace {
@@ -22,59 +15,71 @@ namespace {
 namespace fs = std::filesystem;
 
 struct PlotOptions {
-  std::string folder;
-  std::vector<std::string> formats{"svg", "pdf", "png"};
+  HistoryPlotOptions wish;
+  std::vector<double> x_limits;
+  std::vector<double> y_limits;
+  bool list{false};
 };
 
-/// talus_report beside this executable, or else in the folders of PATH.
-fs::path find_report_tool() {
-  std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  std::vector<fs::path> places;
-  if (!error) places.push_back(self.parent_path());
-  const char* path = std::getenv("PATH");
-  for (std::string_view rest = path != nullptr ? path : ""; !rest.empty();) {
-    const std::size_t colon = std::min(rest.find(':'), rest.size());
-    if (colon > 0) places.emplace_back(rest.substr(0, colon));
-    rest.remove_prefix(std::min(colon + 1, rest.size()));
+Limits limits(const char* option, const std::vector<double>& ends) {
+  if (ends.empty()) return {};
+  if (!(ends[0] < ends[1])) {
+    throw InputError{fmt::format("{}: found {} {}; the first must be less than the second", option, ends[0], ends[1])};
   }
-  for (const fs::path& place : places) {
-    if (const fs::path tool = place / "talus_report"; ::access(tool.c_str(), X_OK) == 0) return tool;
-  }
-  throw IoError{"talus_report draws the plots; it is neither beside talus nor in PATH"};
+  return std::pair{ends[0], ends[1]};
 }
 
-int plot(const PlotOptions& options) {
+int plot(PlotOptions& options) {
+  HistoryPlotOptions& wish = options.wish;
+  if (options.list) return list_histories(wish.folders);
+  if (!wish.histories.empty()) {
+    wish.x_limits = limits("--x-limits", options.x_limits);
+    wish.y_limits = limits("--y-limits", options.y_limits);
+    return plot_histories(wish);
+  }
+  const fs::path folder = wish.folders.front();
+  if (wish.folders.size() > 1) throw InputError{"several runs are drawn over each other by --history only; name one"};
   // Read here only so that a folder without a run is named before another program starts.
-  static_cast<void>(read_text(fs::path{options.folder} / "plot.json"));
-  const std::string tool = find_report_tool().string();
-  const std::string formats = fmt::format("{}", fmt::join(options.formats, ","));
-  std::string words[] = {tool, "--plot", options.folder, "--format", formats};
-  std::vector<char*> arguments;
-  for (std::string& word : words)
-    arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t child = 0;
-  if (const int reason = ::posix_spawn(&child, tool.c_str(), nullptr, nullptr, arguments.data(), environ)) {
-    throw IoError{fmt::format("{}: {}", tool, std::strerror(reason))};
-  }
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (WIFEXITED(status)) return WEXITSTATUS(status);
-  throw IoError{fmt::format("{}: ended by signal {}", tool, WTERMSIG(status))};
+  static_cast<void>(read_text(folder / "plot.json"));
+  const fs::path target = wish.picture.folder.empty() ? folder / "plots" : fs::path{wish.picture.folder};
+  return draw(folder, target, wish.picture.formats);
 }
 
 }  // namespace
 
 Command add_plot(CLI::App& talus) {
-  CLI::App* app = talus.add_subcommand("plot", "Draw the histories of a run into its folder plots/");
+  CLI::App* app = talus.add_subcommand("plot", "Draw the histories of a run, or chosen ones of several runs");
   const auto options = std::make_shared<PlotOptions>();
-  app->add_option("DIR", options->folder, "folder that `talus run --out` wrote")->required();
-  app->add_option("--format", options->formats, "formats, from svg, pdf, png; default all")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"svg", "pdf", "png"}));
-  app->footer("Example:\n  talus run cases/two_cable.toml --out out && talus plot out --format svg");
+  HistoryPlotOptions& wish = options->wish;
+  app->add_option("DIR", wish.folders, "folders that `talus run --out` wrote; without --history one, drawn whole")
+      ->required();
+  app->add_option("--history", wish.histories,
+                  "histories to draw: a number or title of 1993 (48), a quantity (top_tension, vx) or a whole column "
+                  "(rock.vx)")
+      ->delimiter(',');
+  app->add_option("--element", wish.elements, "elements by number, bodies and cables by name; default all")
+      ->delimiter(',');
+  app->add_option("--x", wish.abscissa, "abscissa, named as a history is; default time");
+  app->add_option("--until", wish.until, "last time drawn, e.g. \"0.1 s\"");
+  app->add_flag("--apart", wish.apart, "a panel for each history; else for each unit");
+  app->add_option("--columns", wish.columns, "panels side by side")->check(CLI::Range(1, 6));
+  app->add_option("--x-limits", options->x_limits, "window: the abscissa's ends, in its unit")->expected(2);
+  app->add_option("--y-limits", options->y_limits, "window: the ordinate's ends, in its unit")->expected(2);
+  app->add_option("--x-title", wish.x_title, "words at the abscissa");
+  app->add_option("--y-title", wish.y_title, "words at the ordinate");
+  app->add_option("--divisions", wish.divisions, "parts of the grid in x and in y")
+      ->expected(2)
+      ->check(CLI::Range(1, 100));
+  app->add_flag("--no-grid", wish.no_grid, "no grid");
+  app->add_flag("--list", options->list, "print what can be drawn, and of which elements");
+  add_format_option(*app, wish.picture);
+  add_picture_options(*app, wish.picture);
+  app->footer(
+      "Examples:\n"
+      "  talus run cases/two_cable.toml --out out && talus plot out --format svg\n"
+      "  talus plot out --list\n"
+      "  talus plot out --history top_joint_force,48 --element 3,4 --format ps\n"
+      "  talus plot slack tight --history 4 --element 2 --x x --title \"Rock\"");
   return {app, [options] { return plot(*options); }};
 }
 

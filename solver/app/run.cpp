@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "solver/app/command.hpp"
-#include "solver/app/fence_files.hpp"
 #include "solver/app/run_summary.hpp"
+#include "solver/app/scene_files.hpp"
 #include "solver/base/error.hpp"
 #include "solver/calibrate/step_advice.hpp"
 #include "solver/io/atomic_file.hpp"
@@ -34,6 +34,7 @@ struct RunOptions {
   std::string integrator;
   double tolerance{};
   bool json{false};
+  long frames{};  ///< states of the geometry; 0: as the scene says
 };
 
 /// The scene with what the command line changes of it.
@@ -96,7 +97,7 @@ StepRatio step_ratio(const Scene& scene) {
           beyond};
 }
 
-RunRecord run_scene(const Scene& scene, const Dynamics& dynamics, FenceFiles* fence_files) {
+RunRecord run_scene(const Scene& scene, const Dynamics& dynamics, const Observer& also) {
   RigidBodySystem system{dynamics, scene.plan.ledger};
   Integrator integrator = scene.integrator;
   State state = scene.initial;
@@ -109,7 +110,7 @@ RunRecord run_scene(const Scene& scene, const Dynamics& dynamics, FenceFiles* fe
   const Observer observers[] = {[&](const State& seen, const StepInfo& info) {
     recorder(seen, info);
     failures(seen, info);
-    if (fence_files) (*fence_files)(seen, info);
+    also(seen, info);
     progress(seen.t, info.step);
     last = seen;
     record.steps = info.step;
@@ -130,11 +131,11 @@ RunRecord run_scene(const Scene& scene, const Dynamics& dynamics, FenceFiles* fe
   return record;
 }
 
-void write_files(const RunRecord& record, const FenceFiles* fence_files, const fs::path& folder) {
+void write_files(const RunRecord& record, const SceneFiles& files, const fs::path& folder) {
   write_whole(folder / "history.csv", csv(record.history, record.units));
   write_whole(folder / "final_state.json", final_state_json(record));
-  write_whole(folder / "plot.json", plot_json(record, "history.csv"));
-  if (fence_files) fence_files->write();
+  write_whole(folder / "plot.json", plot_json(record, "history.csv", files.drawn_from()));
+  files.write();
   write_whole(folder / "summary.json", summary_json(record));  // last: its presence says that all is there
 }
 
@@ -153,17 +154,6 @@ void prepare(const fs::path& folder) {
   fs::remove(folder / "summary.json", none);
 }
 
-/// The files that only fences leave; none without a folder. What is wrong names the scene's file.
-std::optional<FenceFiles> fence_files(const SceneFile& file, const Dynamics& dynamics, const RunOptions& options) {
-  if (!file.fence || options.folder.empty()) return {};
-  try {
-    return std::optional<FenceFiles>{std::in_place, *file.fence,    file.scene.plan,
-                                     dynamics,      options.folder, fs::path{options.scene}.stem().string()};
-  } catch (const InputError& error) {
-    throw InputError{options.scene + ": " + error.what()};
-  }
-}
-
 int run(const RunOptions& options) {
   if (options.tolerance != 0.0 && options.integrator.empty()) {
     throw InputError{"--tolerance: it goes with --integrator; name both"};
@@ -171,18 +161,20 @@ int run(const RunOptions& options) {
   const SceneFile file = changed_scene(options);
   if (!options.folder.empty()) prepare(options.folder);
   const Dynamics dynamics{file.scene.model};
-  std::optional<FenceFiles> of_fence = fence_files(file, dynamics, options);
-  FenceFiles* const also = of_fence ? &*of_fence : nullptr;
+  std::optional<SceneFiles> files;
+  if (!options.folder.empty()) files.emplace(file, dynamics, options.folder, options.scene, options.frames);
   const StepRatio ratio = step_ratio(file.scene);
   if (ratio.beyond) print_failure(fmt::format("warning: {}; the answer may grow without bound", ratio.words));
-  RunRecord record = run_scene(file.scene, dynamics, also);
+  RunRecord record = run_scene(file.scene, dynamics, [&](const State& seen, const StepInfo& info) {
+    if (files) (*files)(seen, info);
+  });
   if (!record.outcome && !ratio.words.empty()) record.outcome.words += fmt::format("; {}", ratio.words);
-  if (also) record.notes = also->left_out();
-  if (!options.folder.empty()) write_files(record, also, options.folder);
+  if (files) record.notes = files->left_out();
+  if (files) write_files(record, *files, options.folder);
   fmt::print("{}", options.json ? summary_json(record) : run_summary(record));
-  if (!options.folder.empty() && !options.json) {
-    fmt::print("files: {}: history.csv, final_state.json, summary.json, plot.json{}{}\n", options.folder,
-               also ? ", " : "", also ? fmt::format("{}", fmt::join(also->names(), ", ")) : "");
+  if (files && !options.json) {
+    fmt::print("files: {}: history.csv, final_state.json, summary.json, plot.json, {}\n", options.folder,
+               fmt::join(files->names(), ", "));
   }
   if (record.outcome) return ok;
   print_failure(record.outcome.words);
@@ -197,13 +189,17 @@ Command add_run(CLI::App& talus) {
   app->add_option("SCENE", options->scene, "scene file (.toml) or deck of 1993 (.DAT)")->required();
   app->add_option(
       "--out", options->folder,
-      "folder for history.csv, final_state.json, summary.json and plot.json, and for a fence its listing NAME.OUT, the "
-      "deck's histories NAME.history.csv and .json and the geometry NAME.pvd; without it nothing is written");
+      "folder for history.csv, final_state.json, summary.json, plot.json and the geometry NAME.pvd, and for a fence "
+      "its "
+      "listing NAME.OUT and the deck's histories NAME.history.csv and .json; without it nothing is written");
   app->add_flag("--json", options->json, "print the summary as JSON");
   app->add_option("--end", options->end, "time at which the run ends instead of the scene's, e.g. \"5 s\"");
   app->add_option("--step", options->step, "step instead of the scene's, e.g. \"10 us\"");
   app->add_option("--integrator", options->integrator, "integrator instead of the scene's (talus list integrators)");
   app->add_option("--tolerance", options->tolerance, "step control of that integrator, a pure number, e.g. 1e-9");
+  app->add_option("--frames", options->frames,
+                  "states of the geometry, evenly over the run; default: a fence's every nprint steps, else 100")
+      ->check(CLI::Range(1L, 100'000L));
   app->footer(
       "Examples:\n"
       "  talus run cases/two_cable.toml --out out\n"

@@ -57,9 +57,16 @@ Json axis(std::string_view label, const UnitSystem& units, Dimension dimension) 
   return {{"label", label}, {"unit", symbol(units, dimension)}, {"log", false}};
 }
 
+Json geometry(const RunFiles& files) {
+  Json bodies = Json::array();
+  for (const DrawnBody& body : files.bodies)
+    bodies.push_back({{"name", body.name}, {"number", body.number}, {"kind", body.kind}});
+  return {{"index", files.geometry}, {"bodies", bodies}, {"cables", files.cables}};
+}
+
 }  // namespace
 
-std::string plot_json(const RunRecord& record, const std::string& csv_file) {
+std::string plot_json(const RunRecord& record, const std::string& csv_file, const RunFiles& files) {
   const History& history = record.history;
   Json figures = Json::array();
   for (const Kind& kind : kinds()) {
@@ -85,7 +92,13 @@ std::string plot_json(const RunRecord& record, const std::string& csv_file) {
                        {"slopes", Json::array()},
                        {"lines", Json::array()}});
   }
-  return Json{{"schema", 1}, {"title", record.title}, {"figures", figures}}.dump(2) + "\n";
+  const Json json{{"schema", 1},
+                  {"title", record.title},
+                  {"units", record.units.name},
+                  {"histories", files.histories},
+                  {"geometry", geometry(files)},
+                  {"figures", figures}};
+  return json.dump(2) + "\n";
 }
 
 }  // namespace talus

@@ -16,10 +16,15 @@ namespace {
 /// Parts of a round outline.
 constexpr int parts = 96;
 
-/// Outline in the body's axes: the first point again at the end, but for ground's.
-std::vector<Vec2> outline(const Shape& shape, double reach) {
+/// Outline in the body's axes: the first point again at the end, but for ground's and the arm of a pinned body without
+/// a shape.
+std::vector<Vec2> outline(const Body& body, double reach) {
+  const Shape& shape = body.shape;
   std::vector<Vec2> points;
-  if (std::holds_alternative<NoShape>(shape)) return points;
+  if (std::holds_alternative<NoShape>(shape)) {
+    if (has_pin(body.mobility)) points = {body.p_BPin, {0.0, 0.0}};
+    return points;
+  }
   if (std::holds_alternative<HalfPlane>(shape)) return {{-reach, 0.0}, {reach, 0.0}};
   if (const auto* terrain = std::get_if<Terrain>(&shape)) return terrain->points;
   if (const auto* r = std::get_if<Rectangle>(&shape)) {
@@ -118,7 +123,7 @@ VtpSeries::VtpSeries(const Dynamics& dynamics, std::filesystem::path folder, std
   for (const Body& body : model.bodies)
     reach = std::max({reach, std::abs(body.p_WB.x), std::abs(body.p_WB.y)});
   for (const Body& body : model.bodies)
-    outlines_.push_back(outline(body.shape, 2.0 * reach));
+    outlines_.push_back(outline(body, 2.0 * reach));
 }
 
 void VtpSeries::operator()(const State& state, const StepInfo& info) {
@@ -136,7 +141,8 @@ void VtpSeries::operator()(const State& state, const StepInfo& info) {
   for (std::size_t c = 0; c < cables.size(); ++c) {
     for (const std::size_t j : {cables.ends()[c].a, cables.ends()[c].b}) {
       const Joint& joint = cables.joints()[j];
-      lines.add(work_.joints[j].p_WP, joint.along, joint.on_body ? static_cast<long>(index(joint.body)) : -1);
+      const bool held = joint.on_body && (work_.rigging.broken.empty() || !work_.rigging.broken[j]);
+      lines.add(work_.joints[j].p_WP, joint.along, held ? static_cast<long>(index(joint.body)) : -1);
     }
     lines.end(-1, static_cast<long>(c), forces_.tensions[c], forces_.tensions[c] == 0.0);
   }

@@ -12,9 +12,10 @@ namespace talus {
 /// The geometry of a run as a series of VTK XML poly data, FOLDER/NAME_geometry/NAME_00000060.vtp, and its index
 /// FOLDER/NAME.pvd, which ParaView opens. Each file holds poly lines in the scene's units: first the outlines of the
 /// bodies, then the cables. Bodies and cables stand at their place z along the fence. A half-plane is drawn as far as
-/// the scene reaches. Cell data: `body` (its number in the model, -1 for a cable), `cable` (-1 for an outline),
-/// `tension` (0 for an outline) and `slack` (1 for a cable without tension). Point data: `body` (-1 for a point of the
-/// world). States are synchronised: positions at the time that the index gives.
+/// the scene reaches, a pinned body without a shape as its arm, another without a shape not at all. Cell data: `body`
+/// (its number in the model, -1 for a cable), `cable` (-1 for an outline), `tension` (0 for an outline) and `slack` (1
+/// for a cable without tension). Point data: `body` (-1 for a point of the world, as a cable's is where its hanger
+/// broke). States are synchronised: positions at the time that the index gives.
 class VtpSeries {
  public:
   /// Every `every` steps from the start on. The Dynamics must outlive it. An index of before is removed. Errors:

@@ -136,3 +136,71 @@ BOOST_AUTO_TEST_CASE(a_run_is_plotted_in_each_format) {
   BOOST_TEST(fs::exists(scratch.folder / "plots" / "path.svg"));
   BOOST_TEST(!fs::exists(scratch.folder / "plots" / "path.pdf"));
 }
+
+namespace {
+
+/// A record that draws a page of two panels of shapes.
+std::string page_record(const std::string& more) {
+  const std::string panel = R"({"name": "p", "title": "t = 0 s", "csv": "shapes.csv", "equal": true,
+      "x": {"label": "x", "min": -1, "max": 2}, "y": {"label": "y", "min": -1, "max": 2},
+      "marks": [{"x": 0.5, "y": 0.5, "words": "7"}],
+      "series": [{"label": "square", "x": "x", "y": "y", "style": "shapes", "where": "body", "colour": "#102030",
+                  "fill": "#a0b0c0"},
+                 {"x": "x", "y": "y", "style": "shapes", "where": "cable", "value": "pull", "width": 3}]})";
+  const std::string page = R"({"name": "page", "title": "Two", "columns": 2, "panels": [)" + panel + "," + panel +
+                           R"(], "scale": {"label": "tension", "unit": "N", "min": 0, "max": 8}})";
+  return R"({"figures": [], "pages": [)" + page + R"(], "films": [{"name": "film", "delay": 0.1, "pages": [)" + page +
+         "," + page + "]}]" + more + "}";
+}
+
+void write_shapes(const fs::path& folder) {
+  write_file(folder / "shapes.csv",
+             "series,line,x,y,pull\nbody,0,0,0,0\nbody,0,1,0,0\nbody,0,1,1,0\nbody,0,0,1,0\nbody,0,0,0,0\n"
+             "cable,1,0,0,8\ncable,1,0,1.5,8\ncable,2,1,0,0\ncable,2,1,1.5,0\n");
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_page_shows_shapes_in_the_colours_of_their_values) {
+  const Scratch scratch("page");
+  write_shapes(scratch.folder);
+  write_file(scratch.folder / "player.json", R"({"title": "</script>"})");
+  write_file(scratch.folder / "plot.json",
+             page_record(R"(, "players": [{"name": "play", "title": "A <b>", "data": "player.json"}])"));
+  const Finished finished =
+      program({"--plot", scratch.folder.string(), "--format", "svg,ps", "--to", (scratch.folder / "to").string()});
+  BOOST_TEST_REQUIRE(finished.status == 0, finished.messages);
+  BOOST_TEST(finished.messages == "");
+  const std::string svg = read_file(scratch.folder / "to" / "page.svg");
+  // The scale's dark end for a pull of 8, its pale one for none; a fill and its line; title, key and number.
+  for (const char* part :
+       {"rgb(103,   0,  31)", "rgb(254, 196,  79)", "rgb(160, 176, 192)", "Two", "square", "tension [N]", ">7<"})
+    BOOST_TEST(contains(svg, part), part);
+  BOOST_TEST(contains(read_file(scratch.folder / "to" / "page.ps"), "%%CreationDate: Thu Jan  1 00:00:00 1970"));
+  BOOST_TEST(read_file(scratch.folder / "to" / "film.gif").rfind("GIF89a", 0) == 0U);
+  const std::string html = read_file(scratch.folder / "to" / "play.html");
+  BOOST_TEST(contains(html, "<title>A &lt;b&gt;</title>"));
+  BOOST_TEST(contains(html, R"({"title": "\u003c/script>"})"));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_pages_are_named) {
+  const Scratch scratch("page");
+  write_shapes(scratch.folder);
+  const std::string good = page_record("");
+  const std::vector<std::pair<std::pair<std::string, std::string>, std::string>> changes{
+      {{"#102030", "blue"}, "series[0].colour: must be a colour such as #0072b2"},
+      {{"\"min\": -1, ", ""}, "panels[0]: a figure with equal units needs min and max of both axes"},
+      {{"\"columns\": 2", "\"columns\": 0"}, "pages[0].columns: must be from 1 to 12"},
+      {{"\"max\": 8", "\"max\": 0"}, "pages[0].scale: min must be less than max"},
+      {{"\"delay\": 0.1", "\"delay\": 0"}, "films[0].delay: must be > 0"},
+      {{"\"value\": \"pull\", ", ""}, "series[1]: shapes need a colour, a fill or a value"},
+      {{"\"where\": \"cable\"", "\"where\": \"rope\""}, "has no row"}};
+  for (const auto& [change, words] : changes) {
+    std::string text = good;
+    text.replace(text.find(change.first), change.first.size(), change.second);
+    write_file(scratch.folder / "plot.json", text);
+    const Finished finished = program({"--plot", scratch.folder.string()});
+    BOOST_TEST(finished.status == 2);
+    BOOST_TEST(contains(finished.messages, words), finished.messages);
+  }
+}

@@ -1,8 +1,5 @@
 #define BOOST_TEST_MODULE command_line
-#include <fcntl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -15,69 +12,14 @@
 #include <vector>
 
 #include "solver/io/toml_document.hpp"
+#include "tests/solver/app/program.hpp"
 
 // The built program from end to end: exit codes, messages, files.
 
 namespace fs = std::filesystem;
 
-namespace {
-
-struct Folder {
-  fs::path path;
-
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "talus_command_XXXXXX").string();
-    BOOST_REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path); }
-};
-
-struct Ended {
-  int code{};
-  std::string out;
-  std::string err;
-};
-
-/// Runs a program with its output in files; `stdout_to` in place of one of them.
-Ended ran(const std::string& program, std::vector<std::string> arguments, const std::string& stdout_to = "",
-          const char* path = nullptr) {
-  const Folder folder;
-  const std::string out = stdout_to.empty() ? (folder.path / "out").string() : stdout_to;
-  const std::string err = (folder.path / "err").string();
-  const pid_t child = ::fork();
-  BOOST_REQUIRE(child >= 0);
-  if (child == 0) {
-    ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
-    ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
-    if (path != nullptr) ::setenv("PATH", path, 1);
-    std::vector<char*> words{const_cast<char*>(program.c_str())};
-    for (std::string& argument : arguments)
-      words.push_back(argument.data());
-    words.push_back(nullptr);
-    ::execv(program.c_str(), words.data());
-    ::_exit(127);
-  }
-  int status = 0;
-  BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
-  BOOST_REQUIRE(WIFEXITED(status));
-  return {WEXITSTATUS(status), stdout_to.empty() ? talus::read_text(out) : "", talus::read_text(err)};
-}
-
-Ended talus_ran(std::vector<std::string> arguments, const std::string& stdout_to = "") {
-  return ran(TALUS_EXECUTABLE, std::move(arguments), stdout_to);
-}
-
-std::string scene(const char* name) { return (fs::path{TALUS_CASES} / name).string(); }
-
-bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
-
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(help_and_version) {
-  for (const std::string command : {"run", "check", "calibrate", "convert", "plot", "list"}) {
+  for (const std::string command : {"run", "check", "calibrate", "convert", "plot", "snapshot", "animate", "list"}) {
     const Ended help = talus_ran({command, "--help"});
     BOOST_TEST(help.code == 0);
     BOOST_TEST(holds(help.out, "Example"));
@@ -88,14 +30,17 @@ BOOST_AUTO_TEST_CASE(help_and_version) {
 
 BOOST_AUTO_TEST_CASE(wrong_command_lines) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
-      {{}, "talus: a command is missing; known: run, check, calibrate, convert, plot, list\nhelp: talus --help\n"},
+      {{},
+       "talus: a command is missing; known: run, check, calibrate, convert, plot, snapshot, animate, list\nhelp: talus "
+       "--help\n"},
       {{"rnu"},
-       "talus: command 'rnu' is not known; nearest: run; known: run, check, calibrate, convert, plot, list\n"
+       "talus: command 'rnu' is not known; nearest: run; known: run, check, calibrate, convert, plot, snapshot, "
+       "animate, list\n"
        "help: talus --help\n"},
       {{"run"}, "talus: SCENE is required\nhelp: talus run --help\n"},
       {{"run", scene("pendulum.toml"), "--uot", "d"},
        "talus: option '--uot' is not known; nearest: --out; known: --help, --out, --json, --end, --step, --integrator, "
-       "--tolerance\nhelp: talus run --help\n"},
+       "--tolerance, --frames\nhelp: talus run --help\n"},
       {{"run", scene("pendulum.toml"), "more"}, "talus: 'more' is one argument too many\nhelp: talus run --help\n"},
       {{"run", scene("pendulum.toml"), "--step", "5"},
        "talus: --step: found \"5\"; the unit is missing; write e.g. \"5 s\"\n"},
@@ -215,7 +160,7 @@ BOOST_AUTO_TEST_CASE(files_that_cannot_be_read_or_written) {
   BOOST_TEST(talus_ran({"plot", "/nowhere"}).code == 4);
 }
 
-// Files may hold 4096 bytes here; the history needs more.
+// Files may hold 4096 bytes here; a state of the geometry needs more.
 BOOST_AUTO_TEST_CASE(a_full_disk_leaves_nothing_behind) {
   const Folder folder;
   const std::string out = (folder.path / "run").string();
@@ -226,8 +171,9 @@ BOOST_AUTO_TEST_CASE(a_full_disk_leaves_nothing_behind) {
   const Ended ended = talus_ran({"run", scene("two_cable.toml"), "--out", out});
   BOOST_REQUIRE(::setrlimit(RLIMIT_FSIZE, &before) == 0);
   BOOST_TEST(ended.code == 4);
-  BOOST_TEST(ended.err == "talus: " + out + "/history.csv: File too large\n");
-  BOOST_TEST(fs::is_empty(out));
+  BOOST_TEST(ended.err == "talus: " + out + "/two_cable_geometry/two_cable_00000000.vtp: File too large\n");
+  for (const auto& entry : fs::recursive_directory_iterator(out))
+    BOOST_TEST(entry.is_directory(), "left behind: " << entry.path());
 }
 
 BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {

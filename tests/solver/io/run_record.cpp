@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(final_state) {
 
 // Curves that are zero throughout are left out; a figure without curves is none.
 BOOST_AUTO_TEST_CASE(plots_name_the_columns_of_the_csv) {
-  const auto json = nlohmann::json::parse(plot_json(record(), "history.csv"));
+  const auto json = nlohmann::json::parse(plot_json(record(), "history.csv", {{"history.csv"}, "scene.pvd", {}, {}}));
   BOOST_TEST(json.at("figures").size() == 2U);
   const auto& figure = json.at("figures").at(0);
   BOOST_TEST(figure.at("name").get<std::string>() == "positions");

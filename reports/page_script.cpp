@@ -1,0 +1,249 @@
+#include "reports/page_script.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "reports/colour_scale.hpp"
+
+namespace talus::reports {
+namespace {
+
+// All lengths in centimetres.
+constexpr double line_high = 0.44;
+constexpr double tallest_panel = 11.0;
+
+/// Smaller than in a figure of its own: a panel has less room.
+constexpr Letters panel_letters{0.385, 10.4};
+
+/// The part of a page that one panel's axes enclose.
+struct Frame {
+  double left{}, right{}, bottom{}, top{};
+};
+
+/// Room around and between panels.
+struct Layout {
+  bool shared{};    ///< inner panels have no words at their axes
+  double height{};  ///< of the page
+  double legend{};  ///< upper edge of the legend, from the page's lower edge
+  std::vector<Frame> frames;
+};
+
+bool same(const Axis& a, const Axis& b) { return a.label == b.label && a.unit == b.unit && a.log == b.log; }
+bool same(const Extent& a, const Extent& b) { return a.low == b.low && a.high == b.high; }
+
+bool axes_shared(const std::vector<Plot>& panels) {
+  return std::all_of(panels.begin(), panels.end(), [&](const Plot& panel) {
+    const Plot& first = panels.front();
+    return same(panel.figure.x, first.figure.x) && same(panel.figure.y, first.figure.y) && same(panel.x, first.x) &&
+           same(panel.y, first.y);
+  });
+}
+
+/// Series of shapes with a label, each label once.
+std::vector<Series> explained(const PagePlot& page) {
+  std::vector<Series> entries;
+  std::set<std::string> seen;
+  for (const Figure& figure : page.page.panels) {
+    for (const Series& series : figure.series) {
+      if (series.style == "shapes" && !series.label.empty() && seen.insert(series.label).second) {
+        entries.push_back(series);
+      }
+    }
+  }
+  return entries;
+}
+
+/// Width and height of a panel; one with equal units is drawn as large as its column lets it.
+std::pair<double, double> panel_size(const Plot& plot, double room) {
+  if (!plot.figure.equal) return {room, room > 9.0 ? 5.6 : 4.4};
+  const double shape = (plot.y.high - plot.y.low) / (plot.x.high - plot.x.low);
+  const double width = std::min(room, tallest_panel / shape);
+  return {width, width * shape};
+}
+
+Layout layout_of(const PagePlot& page, const std::vector<Panel>& panels, double legend) {
+  Layout layout{axes_shared(page.panels), 0.0, legend, {}};
+  const auto columns = std::min(static_cast<std::size_t>(page.page.columns), page.panels.size());
+  const double left = 1.55;
+  const double right = 0.35;
+  const double gap = layout.shared ? 0.35 : left + 0.15;
+  const bool titled = std::any_of(page.panels.begin(), page.panels.end(),
+                                  [](const Plot& panel) { return !panel.figure.title.empty(); });
+  const double above = titled ? 0.62 : 0.2;
+  const auto per_row = static_cast<double>(columns);
+  const double room = (centimetres_wide - left - right - gap * (per_row - 1.0)) / per_row;
+  // From the upper edge down; turned over at the end, when the height is known.
+  double y = page.page.title.empty() ? 0.0 : 0.85;
+  for (std::size_t first = 0; first < panels.size(); first += columns) {
+    const std::size_t end = std::min(first + columns, panels.size());
+    double tallest = 0.0;
+    std::size_t key_rows = 0;
+    for (std::size_t i = first; i < end; ++i) {
+      const auto [width, height] = panel_size(page.panels[i], room);
+      const double x = left + static_cast<double>(i - first) * (room + gap) + 0.5 * (room - width);
+      layout.frames.push_back({x, x + width, y + above + height, y + above});
+      tallest = std::max(tallest, height);
+      key_rows = std::max(key_rows, columns == 1 ? panels[i].key_rows : panels[i].in_key);
+    }
+    const double below = layout.shared && end < panels.size() ? 0.1 : 1.1;
+    y += above + tallest + below + line_high * static_cast<double>(key_rows);
+  }
+  layout.height = y + legend;
+  for (Frame& frame : layout.frames) {
+    frame.bottom = layout.height - frame.bottom;
+    frame.top = layout.height - frame.top;
+  }
+  return layout;
+}
+
+/// The round number nearest to a part.
+double round_step(double wanted) {
+  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+  const double part = wanted / decade;
+  return decade * (part <= 1.5 ? 1.0 : part <= 3.5 ? 2.0 : part <= 7.5 ? 5.0 : 10.0);
+}
+
+/// Round numbers, as many as have room on the axis.
+std::string tics(char axis, const Extent& extent, double length) {
+  const double parts = std::max(2.0, length / (axis == 'x' ? 1.25 : 0.8));
+  return fmt::format("set {}tics {:.6g}\n", axis, round_step((extent.high - extent.low) / parts));
+}
+
+std::string panel_commands(const Plot& plot, const Panel& panel, const Layout& layout, std::size_t place,
+                           std::size_t columns) {
+  const Frame& frame = layout.frames[place];
+  const double w = centimetres_wide;
+  const double h = layout.height;
+  std::string text = panel.settings;
+  text += fmt::format("set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\n", frame.left / w, frame.right / w);
+  text += fmt::format("set bmargin at screen {:.6f}\nset tmargin at screen {:.6f}\n", frame.bottom / h, frame.top / h);
+  text += fmt::format("set title {} offset 0,-0.6\n", gnuplot_text(plot.figure.title));
+  if (plot.figure.x.divisions == 0 && !plot.figure.x.log) text += tics('x', plot.x, frame.right - frame.left);
+  if (plot.figure.y.divisions == 0 && !plot.figure.y.log) text += tics('y', plot.y, frame.top - frame.bottom);
+  if (layout.shared && place % columns > 0) text += "unset ylabel\nset format y ''\n";
+  if (layout.shared && place + columns < layout.frames.size()) text += "unset xlabel\nset format x ''\n";
+  if (panel.in_key == 0) return text + "unset key\n";
+  const std::size_t rows = columns == 1 ? panel.key_rows : panel.in_key;
+  return text + fmt::format("set key at screen {:.6f}, screen {:.6f} center top maxrows {} reverse Left\n",
+                            0.5 * (frame.left + frame.right) / w, (frame.bottom - 1.05) / h, rows);
+}
+
+std::string legend_entry(const Series& series) {
+  const Look& look = series.look;
+  const std::string label = gnuplot_text(series.label);
+  if (!look.fill.empty()) {
+    return fmt::format("keyentry with boxes fs solid 0.75 border lc rgb '{}' fc rgb '{}' title {}",
+                       look.colour.empty() ? look.fill : look.colour, look.fill, label);
+  }
+  const std::string colour = look.value.empty() ? fmt::format("rgb '{}'", look.colour) : "rgb 'black'";
+  return fmt::format("keyentry with lines lw {:g} dt {} lc {} title {}", std::max(look.width, 1.5),
+                     look.dashed ? "(6,4)" : "1", colour, label);
+}
+
+/// The bar of colours with its numbers, `top` its upper edge.
+std::string bar_commands(const Scale& scale, double top, double height) {
+  constexpr double left = 0.60;
+  constexpr double width = 0.35;
+  constexpr int parts = 96;  // each reaches into the next: no seams
+  const auto up = [&](double centimetres) { return (top - centimetres) / height; };
+  std::string text;
+  for (int i = 0; i < parts; ++i) {
+    text += fmt::format(
+        "set object rect from screen {:.6f}, screen {:.6f} to screen {:.6f}, screen {:.6f} fs solid "
+        "noborder fc rgb {}\n",
+        left + width * i / parts, up(0.35), std::min(left + width * (i + 2) / parts, left + width), up(0.1),
+        scale_colour((i + 0.5) / parts));
+  }
+  const double step = round_step((scale.max - scale.min) / 4.0);
+  const long last = std::lround(std::floor(scale.max / step + 1e-9));
+  for (long i = std::lround(std::ceil(scale.min / step - 1e-9)); i <= last; ++i) {
+    const double value = static_cast<double>(i) * step;
+    text += fmt::format("set label '{:.6g}' at screen {:.6f}, screen {:.6f} center\n", value,
+                        left + width * (value - scale.min) / (scale.max - scale.min), up(0.6));
+  }
+  return text + fmt::format("set label {} at screen {:.6f}, screen {:.6f} center\n",
+                            gnuplot_text(scale.label + (scale.unit.empty() ? "" : " [" + scale.unit + "]")),
+                            left + 0.5 * width, up(1.05));
+}
+
+/// Bar of the scale and key of the shapes, below all panels.
+std::string legend_commands(const PagePlot& page, const std::vector<Series>& entries, const Layout& layout) {
+  if (entries.empty() && !page.page.scale) return {};
+  const double h = layout.height;
+  const bool bar = page.page.scale.has_value();
+  std::string text = fmt::format(
+      "unset border\nunset tics\nunset grid\nset xrange [0:1]\nset yrange [0:1]\nset lmargin at screen 0\n"
+      "set rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen {:.6f}\n",
+      layout.legend / h);
+  if (bar) text += bar_commands(*page.page.scale, layout.legend, h);
+  text += entries.empty()
+              ? "unset key\n"
+              : fmt::format("set key at screen {:.6f}, screen {:.6f} {} top maxrows {} samplen 2.2 reverse Left\n",
+                            bar ? 0.06 : 0.5, (layout.legend - 0.1) / h, bar ? "left" : "center", bar ? 2 : 1);
+  // A point outside the axes: gnuplot draws a key only beside something that it plots.
+  text += "plot '+' using (2):(2) with points notitle";
+  for (const Series& series : entries)
+    text += ", " + legend_entry(series);
+  return text + "\n";
+}
+
+/// The page between `set multiplot` and `unset multiplot`, and its height.
+std::pair<std::string, double> page_commands(const PagePlot& page, const Canvas& canvas) {
+  const std::vector<Series> entries = explained(page);
+  const double legend = page.page.scale ? 1.5 : entries.empty() ? 0.0 : 0.8;
+  std::vector<Panel> panels;
+  for (const Plot& plot : page.panels)
+    panels.push_back(panel_of(plot, fmt::format("panel{}_", panels.size() + 1), page.page.scale.value_or(Scale{})));
+  const Layout layout = layout_of(page, panels, legend);
+  const auto columns = std::min(static_cast<std::size_t>(page.page.columns), panels.size());
+  const std::string clean = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string()));
+  std::string text = "set multiplot\n";
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    text += clean;
+    if (i == 0 && !page.page.title.empty()) {
+      text += fmt::format("set label {} at screen 0.5, screen {:.6f} center font ',{}'\n",
+                          gnuplot_text(page.page.title), 1.0 - 0.42 / layout.height, 14);
+    }
+    text += panel_commands(page.panels[i], panels[i], layout, i, columns) + "plot " + panels[i].curves + "\n";
+  }
+  return {text + clean + legend_commands(page, entries, layout) + "unset multiplot", layout.height};
+}
+
+}  // namespace
+
+PagePlot page_plot_of(const Page& page, const std::filesystem::path& folder) {
+  PagePlot made{page, {}};
+  for (const Figure& figure : page.panels)
+    made.panels.push_back(plot_of(figure, folder));
+  return made;
+}
+
+std::string page_script(const PagePlot& page, const Canvas& canvas, const std::string& stem) {
+  const auto [body, height] = page_commands(page, canvas);
+  return drawn_in_each_format(canvas, stem, body, height, panel_letters);
+}
+
+std::string film_script(const std::vector<PagePlot>& pages, double delay, const Canvas& canvas,
+                        const std::string& stem) {
+  constexpr double pixels_wide = 900.0;
+  std::string bodies;
+  double tallest = 0.0;
+  for (const PagePlot& page : pages) {
+    const auto [body, height] = page_commands(page, canvas);
+    bodies += body + "\n";
+    tallest = std::max(tallest, height);
+  }
+  // A GIF counts in hundredths of a second; most viewers slow down what is quicker than two of them.
+  const auto hundredths = std::max(2L, std::lround(100.0 * delay));
+  return fmt::format(
+             "set terminal gif animate delay {} loop 0 enhanced font 'DejaVu Sans,11' size {:.0f},{:.0f}\n"
+             "set output {}\n",
+             hundredths, pixels_wide, pixels_wide * tallest / centimetres_wide,
+             gnuplot_quoted((canvas.folder / (stem + ".gif")).string())) +
+         bodies + "unset output\n";
+}
+
+}  // namespace talus::reports

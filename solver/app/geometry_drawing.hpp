@@ -1,0 +1,30 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "solver/app/drawn_geometry.hpp"
+
+namespace talus::app {
+
+/// How a frame is drawn.
+struct FrameStyle {
+  View view{View::side};
+  Window window;
+  bool numbers{false};  ///< of elements
+  bool grid{true};
+  std::vector<int> divisions;  ///< of the grid; empty: round numbers
+};
+
+/// A frame's shapes as the CSV file that figures of it name; for both views.
+[[nodiscard]] std::string frame_csv(const DrawnGeometry& geometry, std::size_t frame);
+
+/// A frame as a figure of the drawing record, over its CSV file.
+[[nodiscard]] nlohmann::ordered_json frame_figure(const DrawnGeometry& geometry, std::size_t frame,
+                                                  const FrameStyle& style, const std::string& csv_file);
+
+/// The scale of tensions for a page; null without cables that ever pull.
+[[nodiscard]] nlohmann::ordered_json tension_scale(const DrawnGeometry& geometry);
+
+}  // namespace talus::app

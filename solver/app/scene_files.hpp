@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/app/fence_files.hpp"
+#include "solver/io/run_folder.hpp"
+#include "solver/io/scene_file.hpp"
+#include "solver/io/vtp_series.hpp"
+
+namespace talus::app {
+
+/// The files that a run leaves beside its records while it goes on, named after the scene's file: the geometry NAME.pvd
+/// with NAME_geometry/, and of a fence the files of 1993 too.
+class SceneFiles {
+ public:
+  /// `frames` states of the geometry, evenly over the run; 0: a fence's every nprint steps, else 100. Arguments must
+  /// outlive it. Errors: InputError, which names the scene's file; IoError.
+  SceneFiles(const SceneFile& file, const Dynamics& dynamics, const std::filesystem::path& folder,
+             const std::filesystem::path& scene, long frames);
+
+  void operator()(const State& state, const StepInfo& info);
+  /// Writes what is not yet written. Errors: IoError.
+  void write() const;
+
+  /// Names of the files, for the summary.
+  std::vector<std::string> names() const;
+  /// Histories that were asked for and do not exist, in words.
+  std::vector<std::string> left_out() const;
+  /// What pictures are drawn from; "history.csv" among it.
+  RunFiles drawn_from() const;
+
+ private:
+  std::vector<DrawnBody> drawn_bodies() const;
+
+  const SceneFile* file_;
+  std::string name_;
+  std::optional<FenceFiles> of_fence_;
+  VtpSeries geometry_;
+};
+
+}  // namespace talus::app

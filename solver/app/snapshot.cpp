@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "solver/app/command.hpp"
+#include "solver/app/drawing.hpp"
+#include "solver/app/geometry_drawing.hpp"
+#include "solver/base/error.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// GPLOT's dialogue as options.
+struct SnapshotOptions {
+  std::string folder;
+  std::vector<std::string> times;
+  int count{9};
+  std::string view{"side"};
+  std::vector<double> window;
+  bool numbers{false};
+  bool no_grid{false};
+  std::vector<int> divisions;
+  bool single{false};
+  int columns{};
+  PictureOptions picture;
+};
+
+/// The file of the state nearest to a time.
+GeometryFile nearest(const std::vector<GeometryFile>& files, const std::string& text, const UnitSystem& units) {
+  const double time = option_quantity("--times", text, dimension::time, units, false);
+  const double first = files.front().time;
+  const double last = files.back().time;
+  const double apart = files.size() > 1 ? (last - first) / static_cast<double>(files.size() - 1) : 0.0;
+  if (time < first - apart || time > last + apart) {
+    const std::string unit = symbol(units, dimension::time);
+    throw InputError{fmt::format("--times: found \"{}\"; the run left its geometry from {:.6g} {} to {:.6g} {}", text,
+                                 first, unit, last, unit)};
+  }
+  return *std::min_element(files.begin(), files.end(), [time](const GeometryFile& a, const GeometryFile& b) {
+    return std::abs(a.time - time) < std::abs(b.time - time);
+  });
+}
+
+std::vector<GeometryFile> chosen_files(const std::vector<GeometryFile>& files, const SnapshotOptions& options,
+                                       const UnitSystem& units) {
+  std::vector<GeometryFile> chosen;
+  for (const std::string& time : options.times)
+    chosen.push_back(nearest(files, time, units));
+  if (!chosen.empty()) return chosen;
+  const auto count = std::min(static_cast<std::size_t>(options.count), files.size());
+  for (std::size_t i = 0; i < count; ++i)
+    chosen.push_back(files[count == 1 ? files.size() - 1 : i * (files.size() - 1) / (count - 1)]);
+  return chosen;
+}
+
+Json page(const std::string& name, const std::string& title, int columns, Json panels, const DrawnGeometry& geometry) {
+  return {{"name", name},
+          {"title", title},
+          {"columns", columns},
+          {"panels", std::move(panels)},
+          {"scale", tension_scale(geometry)}};
+}
+
+/// Panels side by side so that the page is about as high as it is wide, and if that may be its last row is full.
+int usual_columns(const Window& window, std::size_t panels) {
+  const double shape = (window.top - window.bottom) / (window.right - window.left);
+  const double wanted = std::clamp(std::sqrt(std::max(shape, 0.1) * static_cast<double>(panels)), 1.0, 5.0);
+  const auto cost = [&](std::size_t columns) {
+    return std::abs(static_cast<double>(columns) - wanted) + (panels % columns == 0 ? 0.0 : 1.0);
+  };
+  std::size_t best = 1;
+  for (std::size_t columns = 2; columns <= std::min<std::size_t>(5, panels); ++columns)
+    if (cost(columns) < cost(best)) best = columns;
+  return static_cast<int>(best);
+}
+
+void add_pages(Json& pages, const DrawnGeometry& geometry, View view, const SnapshotOptions& options) {
+  FrameStyle style{view, window_of(geometry, view), options.numbers, !options.no_grid, options.divisions};
+  if (!options.window.empty())
+    style.window = {options.window[0], options.window[1], options.window[2], options.window[3]};
+  const std::string stem = fmt::format("{}_{}", options.picture.name.empty() ? "snapshot" : options.picture.name,
+                                       view == View::side ? "side" : "along");
+  const std::string title = options.picture.title.empty() ? geometry.run.title : options.picture.title;
+  Json panels = Json::array();
+  for (std::size_t i = 0; i < geometry.frames.size(); ++i) {
+    panels.push_back(frame_figure(geometry, i, style, fmt::format("frame{}.csv", i)));
+    if (!options.single) continue;
+    pages.push_back(page(fmt::format("{}_{:02}", stem, i + 1), title, 1, panels, geometry));
+    panels.clear();
+  }
+  if (options.single) return;
+  const int columns = options.columns > 0 ? options.columns : usual_columns(style.window, panels.size());
+  pages.push_back(page(stem, title, columns, std::move(panels), geometry));
+}
+
+int snapshot(const SnapshotOptions& options) {
+  if (!options.window.empty() && !(options.window[0] < options.window[2] && options.window[1] < options.window[3])) {
+    throw InputError{fmt::format("--window: found {}; it must be x-min y-min x-max y-max, with min < max",
+                                 fmt::join(options.window, " "))};
+  }
+  const RunFolder run = read_run_folder(options.folder);
+  const DrawnGeometry geometry = read_frames(run, chosen_files(geometry_files(run), options, run.units));
+  if (options.view != "side" && !geometry.has_depth) {
+    throw InputError{
+        fmt::format("--view: found \"{}\"; in {} nothing has a place along z", options.view, options.folder)};
+  }
+  Json pages = Json::array();
+  if (options.view != "along") add_pages(pages, geometry, View::side, options);
+  if (options.view != "side") add_pages(pages, geometry, View::along, options);
+  const PictureOptions& picture = options.picture;
+  const DrawingRecord record{picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder}};
+  for (std::size_t i = 0; i < geometry.frames.size(); ++i)
+    record.add(fmt::format("frame{}.csv", i), frame_csv(geometry, i));
+  record.add("plot.json", Json{{"schema", 1}, {"figures", Json::array()}, {"pages", std::move(pages)}}.dump(1));
+  return record.draw(picture.formats);
+}
+
+}  // namespace
+
+Command add_snapshot(CLI::App& talus) {
+  CLI::App* app = talus.add_subcommand("snapshot", "Draw bodies and cables of a run at chosen times");
+  const auto options = std::make_shared<SnapshotOptions>();
+  app->add_option("DIR", options->folder, "folder that `talus run --out` wrote")->required();
+  const auto times = app->add_option("--times", options->times, "times, e.g. \"0 s,50 ms\"; the nearest state is drawn")
+                         ->delimiter(',');
+  app->add_option("--count", options->count, "so many states, evenly over the run; default 9")
+      ->check(CLI::Range(1, 60))
+      ->excludes(times);
+  app->add_option("--view", options->view, "side (x, y), along (z, y: the fence from the front) or both; default side")
+      ->check(CLI::IsMember({"side", "along", "both"}));
+  app->add_option("--window", options->window, "x-min y-min x-max y-max (along: z for x); default: all that moves")
+      ->expected(4);
+  app->add_flag("--numbers", options->numbers, "element numbers");
+  app->add_option("--divisions", options->divisions, "parts of the grid in x and in y")
+      ->expected(2)
+      ->check(CLI::Range(1, 100));
+  app->add_flag("--no-grid", options->no_grid, "no grid");
+  app->add_flag("--single", options->single, "a picture for each state instead of one page of them");
+  app->add_option("--columns", options->columns, "states side by side")->check(CLI::Range(1, 12));
+  add_format_option(*app, options->picture);
+  add_picture_options(*app, options->picture);
+  app->footer(
+      "Taut cables are coloured by their tension, slack ones are dashed.\n"
+      "Examples:\n"
+      "  talus run cases/fence/sample2.DAT --out out && talus snapshot out --format pdf\n"
+      "  talus snapshot out --times \"0 s,20 ms,50 ms\" --view both --numbers\n"
+      "  talus snapshot out --count 1 --window -10 -15 10 9.69 --format ps");
+  return {app, [options] { return snapshot(*options); }};
+}
+
+}  // namespace talus::app

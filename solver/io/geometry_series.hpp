@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "solver/base/vec.hpp"
+
+namespace talus {
+
+/// One file of a geometry series by its index.
+struct GeometryFile {
+  double time{};  ///< [T]
+  std::filesystem::path path;
+};
+
+/// The outline of a body, or a cable, at one time; numbers count from 0 in the model's order.
+struct GeometryLine {
+  long body{-1};             ///< of an outline; -1 for a cable
+  long cable{-1};            ///< of a cable; -1 for an outline
+  double tension{};          ///< of a cable [F]
+  bool slack{};              ///< a cable without tension
+  std::vector<Vec3> points;  ///< z along the fence [L]; an outline is closed by its first point but for a half-plane's
+  std::vector<long> bodies;  ///< of each point: the body it is of, -1 for the world
+};
+
+/// What stood where at one time.
+struct GeometryFrame {
+  double time{};
+  std::vector<GeometryLine> lines;
+};
+
+/// Reads the index NAME.pvd that VtpSeries writes: its files in the order of time. Errors: IoError; InputError with the
+/// file and what is wrong in it.
+[[nodiscard]] std::vector<GeometryFile> read_geometry_index(const std::filesystem::path& file);
+
+/// Reads one file of the series. Errors: as read_geometry_index.
+[[nodiscard]] GeometryFrame read_geometry(const GeometryFile& file);
+
+}  // namespace talus

@@ -1,0 +1,363 @@
+#define BOOST_TEST_MODULE drawing_commands
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "solver/io/kept_history.hpp"
+#include "tests/solver/app/program.hpp"
+
+// talus plot --history, snapshot and animate: what they ask talus_report to draw, and what it draws.
+
+namespace {
+
+/// sample2 run once for all tests, with its histories and geometry at the same times: every 60 steps, 50 ms long.
+const fs::path& sample() {
+  static const Folder folder;
+  static const bool made = [] {
+    std::string deck = talus::read_text(scene("fence/sample2.DAT"));
+    std::ofstream{folder.path / "fence.DAT"} << deck;
+    const Ended ended = talus_ran({"run", (folder.path / "fence.DAT").string(), "--end", "50 ms", "--frames", "10",
+                                   "--out", (folder.path / "run").string()});
+    return ended.code == 0;
+  }();
+  BOOST_REQUIRE(made);
+  static const fs::path run = folder.path / "run";
+  return run;
+}
+
+/// What the command asks talus_report to draw: its record, kept by a stand-in that draws nothing.
+struct Asked {
+  Folder folder;
+  Ended ended;
+  nlohmann::json plot;
+
+  explicit Asked(std::vector<std::string> arguments) {
+    fs::copy_file(TALUS_EXECUTABLE, folder.path / "talus");
+    const fs::path tool = folder.path / "talus_report";
+    std::ofstream{tool} << "#!/bin/sh\ncp -r \"$2\" '" << (folder.path / "record").string() << "'\n";
+    fs::permissions(tool, fs::perms::owner_all);
+    arguments.insert(arguments.end(), {"--out", (folder.path / "pictures").string()});
+    ended = ran((folder.path / "talus").string(), arguments);
+    if (ended.code == 0) plot = nlohmann::json::parse(file("plot.json"));
+  }
+  std::string file(const std::string& name) const { return talus::read_text(folder.path / "record" / name); }
+  const nlohmann::json& page() const { return plot.at("pages").at(0); }
+};
+
+/// Rows of a record's CSV file by the word in their first column.
+std::map<std::string, std::vector<std::vector<double>>> rows(const std::string& csv) {
+  std::map<std::string, std::vector<std::vector<double>>> made;
+  std::istringstream in{csv};
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line)) {
+    std::istringstream cells{line};
+    std::string word;
+    std::getline(cells, word, ',');
+    auto& row = made[word].emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');)
+      row.push_back(std::stod(cell));
+  }
+  return made;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_menu_tells_what_a_run_kept) {
+  const Ended ended = talus_ran({"plot", sample().string(), "--list"});
+  BOOST_TEST(ended.code == 0);
+  BOOST_TEST(holds(ended.out, "  48  top_tension               [lbf]      tension in top cable"));
+  BOOST_TEST(holds(ended.out, "energy.kinetic            [lbf ft]"));
+}
+
+// The same history by its number, its title and its name of 1993, and as a column.
+BOOST_AUTO_TEST_CASE(a_history_has_many_names) {
+  const Asked number{{"plot", sample().string(), "--history", "48", "--element", "3"}};
+  BOOST_REQUIRE(number.ended.code == 0);
+  for (const char* name : {"top_tension", "tension in TOP cable", "element3.top_tension"}) {
+    const Asked other{{"plot", sample().string(), "--history", name, "--element", "3"}};
+    BOOST_TEST(other.file("panel0.csv") == number.file("panel0.csv"));
+  }
+  const talus::KeptHistory kept = talus::read_history(sample() / "fence.history.csv");
+  const auto drawn = rows(number.file("panel0.csv")).at("0");
+  BOOST_TEST(drawn.size() == kept.columns.front().values.size());
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    BOOST_TEST(drawn[i][0] == kept.columns.front().values[i]);
+    BOOST_TEST(drawn[i][1] == kept.find("element3.top_tension")->values[i]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_dialogue_of_hplot_as_options) {
+  const Asked asked{{"plot",
+                     sample().string(),
+                     "--history",
+                     "6,48,52",
+                     "--element",
+                     "3,4",
+                     "--apart",
+                     "--until",
+                     "20 ms",
+                     "--title",
+                     "Mine",
+                     "--x-title",
+                     "TIME IN (SECS.)",
+                     "--y-limits",
+                     "-5",
+                     "10.5",
+                     "--divisions",
+                     "5",
+                     "4",
+                     "--no-grid",
+                     "--name",
+                     "mine"}};
+  BOOST_REQUIRE(asked.ended.code == 0);
+  BOOST_TEST(asked.page().at("name") == "mine");
+  BOOST_TEST(asked.page().at("title") == "Mine");
+  BOOST_TEST(asked.page().at("columns") == 2);
+  BOOST_TEST(asked.page().at("panels").size() == 3U);
+  const auto& panel = asked.page().at("panels").at(0);
+  BOOST_TEST(panel.at("x").at("label") == "TIME IN (SECS.)");
+  BOOST_TEST(panel.at("x").at("divisions") == 5);
+  BOOST_TEST(panel.at("y").at("label") == "x - velocity of element centroid");
+  BOOST_TEST(panel.at("y").at("unit") == "ft/s");
+  BOOST_TEST(panel.at("y").at("min") == -5.0);
+  BOOST_TEST(panel.at("y").at("max") == 10.5);
+  BOOST_TEST(panel.at("grid") == false);
+  BOOST_TEST(panel.at("series").at(1).at("label") == "element 4");
+  for (const auto& [series, list] : rows(asked.file("panel0.csv"))) {
+    BOOST_TEST(list.size() > 5U, series);
+    BOOST_TEST(list.back()[0] <= 0.02);
+  }
+}
+
+// By unit, not --apart: two forces share a panel. An abscissa of the same element; an element's number finds its body.
+BOOST_AUTO_TEST_CASE(panels_and_abscissas) {
+  const Asked forces{{"plot", sample().string(), "--history", "48,52,6", "--element", "3"}};
+  BOOST_TEST(forces.page().at("panels").size() == 2U);
+  BOOST_TEST(forces.page().at("panels").at(0).at("series").at(1).at("label") == "tension in bottom cable");
+  const Asked path{{"plot", sample().string(), "--history", "4", "--element", "2", "--x", "3"}};
+  BOOST_REQUIRE(path.ended.code == 0);
+  const talus::KeptHistory kept = talus::read_history(sample() / "history.csv");
+  const auto drawn = rows(path.file("panel0.csv")).at("0");
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    BOOST_TEST(drawn[i][0] == kept.find("rock.x")->values[i]);
+    BOOST_TEST(drawn[i][1] == kept.find("rock.y")->values[i]);
+  }
+  BOOST_TEST(path.page().at("panels").at(0).at("x").at("unit") == "ft");
+}
+
+BOOST_AUTO_TEST_CASE(several_runs_over_each_other) {
+  const Folder folder;
+  std::vector<std::string> arguments{"plot"};
+  for (const char* step : {"20 us", "40 us"}) {
+    arguments.push_back((folder.path / std::string{step}.substr(0, 2)).string());
+    BOOST_REQUIRE(
+        talus_ran({"run", scene("two_cable.toml"), "--step", step, "--out", arguments.back(), "--frames", "2"}).code ==
+        0);
+  }
+  arguments.insert(arguments.end(), {"--history", "vx", "--element", "particle,striker"});
+  const Asked asked{arguments};
+  BOOST_REQUIRE(asked.ended.code == 0);
+  const auto& panel = asked.page().at("panels").at(0);
+  BOOST_TEST(panel.at("series").size() == 4U);
+  BOOST_TEST(panel.at("series").at(2).at("label") == "40, particle");
+  arguments = {"plot", arguments[1], sample().string(), "--history", "energy.kinetic"};
+  const Asked apart{arguments};
+  BOOST_TEST(apart.page().at("panels").size() == 2U);  // N m and lbf ft are not one axis
+  arguments.push_back("--apart");
+  BOOST_TEST(Asked{arguments}.ended.code == 2);
+}
+
+BOOST_AUTO_TEST_CASE(histories_that_cannot_be_drawn) {
+  const std::string run = sample().string();
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"--history", "top_tensoin"},
+       ": history 'top_tensoin' is not known; nearest: top_tension; known: vx, vy, omega, kinetic_translation, "},
+      {{"--history", "46"},
+       ": history 46 (TOP CABLE LENGTH, top_length) was not kept; nearest: top_tension; kept: vx, vy, "},
+      {{"--history", "29"}, "talus: --history: 29 (NORMAL CONTACT STIFFNESS) has no history: a contact's stiffness "},
+      {{"--history", "48", "--element", "2"},
+       "fence.history.csv: history '48' was kept of no element '2'; nearest: element 3; kept of: element 3, element "
+       "4, "},
+      {{"--history", "48", "--x", "tmie"},
+       "fence.history.csv: abscissa 'tmie' is not known; nearest: time; known: time, "},
+      {{"--history", "48", "--until", "0 s"}, "--until: found \"0 s\"; "},
+      {{"--history", "48", "--until", "1 ft"}, "--until: found \"1 ft\""},
+      {{"--history", "48", "--y-limits", "3", "2"}, "--y-limits: found 3 2; the first must be less than the second"},
+      {{run}, "several runs are drawn over each other by --history only; name one"},
+      {{"--history", "48", "--format", "gif"}, "--format: gif not in {ps,pdf,svg,png}"}};
+  for (const auto& [options, message] : wrong) {
+    std::vector<std::string> arguments{"plot", run};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Ended ended = talus_ran(arguments);
+    BOOST_TEST(ended.code == 2);
+    BOOST_TEST(holds(ended.err, message), ended.err << " holds no " << message);
+  }
+  BOOST_TEST(talus_ran({"plot", "/nowhere", "--history", "48"}).code == 4);
+}
+
+BOOST_AUTO_TEST_CASE(histories_are_drawn_in_each_format_the_same_each_time) {
+  const Folder folder;
+  for (const char* out : {"a", "b"}) {
+    const Ended ended = talus_ran({"plot", sample().string(), "--history", "48,6", "--format", "ps,pdf,svg,png",
+                                   "--out", (folder.path / out).string()});
+    BOOST_TEST(ended.code == 0, ended.err);
+    BOOST_TEST(ended.err.empty());
+    BOOST_TEST(holds(ended.out, out + std::string{"/histories.ps\n"}));
+  }
+  for (const auto& [format, start] : std::map<std::string, std::string>{
+           {"ps", "%!PS-Adobe"}, {"pdf", "%PDF"}, {"svg", "<?xml"}, {"png", "\x89PNG"}}) {
+    const std::string bytes = talus::read_text(folder.path / "a" / ("histories." + format));
+    BOOST_TEST(bytes.rfind(start, 0) == 0U, format);
+    BOOST_TEST((bytes == talus::read_text(folder.path / "b" / ("histories." + format))), format);
+  }
+  BOOST_TEST(holds(talus::read_text(folder.path / "a/histories.svg"), "tension in top cable"));
+  for (const auto& entry : fs::directory_iterator(folder.path / "a"))
+    BOOST_TEST(entry.path().filename().string().front() != '.', "left behind: " << entry.path());
+}
+
+// The outlines' middles against the histories' positions, taut and slack cables against the histories' tensions: the
+// histories do not come through the geometry's files.
+BOOST_AUTO_TEST_CASE(snapshots_show_what_the_histories_say) {
+  const Asked asked{{"snapshot", sample().string(), "--count", "11"}};
+  BOOST_REQUIRE(asked.ended.code == 0);
+  BOOST_TEST(asked.page().at("panels").size() == 11U);
+  const talus::KeptHistory kept = talus::read_history(sample() / "history.csv");
+  const std::vector<double>& times = kept.columns.front().values;
+  const auto last = rows(asked.file("frame10.csv"));
+  std::size_t row = 0;
+  while (row + 1 < times.size() && times[row] < 0.0497)
+    ++row;
+  // Rows: line, x, y, z, v, tension; six digits.
+  double x = 0.0;
+  for (std::size_t i = 0; i < 96; ++i)
+    x += last.at("rock")[i][1] / 96.0;
+  const auto middle = [&](const char* name, std::size_t at) { return kept.find(name)->values[at]; };
+  // The geometry's last state is at most a tenth of the run from the history's row: 65 ft/s * 5 ms.
+  BOOST_TEST(std::abs(x - middle("rock.x", row)) < 0.4);
+  const auto first = rows(asked.file("frame0.csv"));
+  x = 0.0;
+  for (std::size_t i = 0; i < 96; ++i)
+    x += first.at("rock")[i][1] / 96.0;
+  BOOST_TEST(std::abs(x - middle("rock.x", 0)) < 1e-4);
+  std::size_t taut = 0;
+  std::size_t cables = 0;
+  double sum = 0.0;
+  for (const talus::KeptColumn& column : kept.columns) {
+    if (column.quantity() != "tension") continue;
+    ++cables;
+    sum += column.values.front();
+    if (column.values.front() > 0.0) ++taut;
+  }
+  BOOST_TEST(first.at("taut").size() == 2 * taut);
+  BOOST_TEST(first.at("slack").size() == 2 * (cables - taut));
+  for (const auto& end : first.at("taut"))
+    sum -= 0.5 * end[5];  // each cable has two ends
+  BOOST_TEST(std::abs(sum) < 1e-5 * 14 * 22e3);
+}
+
+// Hangers of 20,000 lbf: those of the two central columns break, at 11 and 23 ms by the summary, and no other by 30 ms.
+BOOST_AUTO_TEST_CASE(a_broken_hanger_is_drawn_no_more) {
+  const Folder folder;
+  const std::string deck = (folder.path / "weak.toml").string();
+  std::ofstream{deck} << talus::read_text(scene("fence/sample2.toml"))
+                      << "\n[fence.options]\nhanger_strength = \"20000 lbf\"\n";
+  const std::string run = (folder.path / "run").string();
+  const Ended ended = talus_ran({"run", deck, "--end", "30 ms", "--frames", "10", "--out", run});
+  BOOST_REQUIRE(ended.code == 0);
+  BOOST_TEST(holds(ended.out, "hanger 'hanger1' breaks"));
+  BOOST_TEST(holds(ended.out, "hanger 'back_hanger1' breaks"));
+  const Asked asked{{"snapshot", run, "--times", "0 s,17 ms,29 ms"}};
+  BOOST_REQUIRE(asked.ended.code == 0);
+  // Two ends for each of 14 columns, 13 and 12.
+  for (const auto& [file, ends] : std::map<std::string, std::size_t>{{"0", 28}, {"1", 26}, {"2", 24}})
+    BOOST_TEST(rows(asked.file("frame" + file + ".csv")).at("hanger").size() == ends);
+  BOOST_REQUIRE(talus_ran({"animate", run, "--out", run}).code == 0);
+  BOOST_TEST(holds(talus::read_text(run + "/animation.html"), "\"broken\":[2,9]}"));
+}
+
+BOOST_AUTO_TEST_CASE(the_dialogue_of_gplot_as_options) {
+  const Asked asked{{"snapshot", sample().string(), "--times", "0 s,26 ms", "--view", "both", "--window", "-10", "-15",
+                     "10", "9.69", "--numbers", "--no-grid", "--title", "Mine"}};
+  BOOST_REQUIRE(asked.ended.code == 0);
+  BOOST_TEST(asked.plot.at("pages").size() == 2U);
+  BOOST_TEST(asked.plot.at("pages").at(1).at("name") == "snapshot_along");
+  BOOST_TEST(asked.page().at("title") == "Mine");
+  BOOST_TEST(asked.page().at("scale").at("unit") == "lbf");
+  const auto& panel = asked.page().at("panels").at(1);
+  BOOST_TEST(panel.at("title") == "t = 0.02482 s");  // 300 steps of 82.7374 us: the nearest state to 26 ms
+  BOOST_TEST(panel.at("y").at("max") == 9.69);
+  BOOST_TEST(panel.at("grid") == false);
+  BOOST_TEST(panel.at("marks").at(0).at("words") == "2");
+  const Asked single{{"snapshot", sample().string(), "--count", "3", "--single"}};
+  BOOST_TEST(single.plot.at("pages").size() == 3U);
+  BOOST_TEST(single.plot.at("pages").at(2).at("name") == "snapshot_side_03");
+}
+
+BOOST_AUTO_TEST_CASE(snapshots_that_cannot_be_drawn) {
+  const Folder folder;
+  const std::string planar = (folder.path / "planar").string();
+  BOOST_REQUIRE(talus_ran({"run", scene("pendulum.toml"), "--out", planar, "--frames", "4"}).code == 0);
+  const std::string run = sample().string();
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{run, "--times", "1 s"}, "--times: found \"1 s\"; the run left its geometry from 0 s to 0.0"},
+      {{run, "--times", "3"}, "--times: found \"3\"; the unit is missing"},
+      {{run, "--times", "0 s", "--count", "3"}, "--times excludes --count"},
+      {{run, "--window", "1", "0", "-1", "2"},
+       "--window: found 1 0 -1 2; it must be x-min y-min x-max y-max, with min < max"},
+      {{run, "--view", "top"}, "--view: top not in {side,along,both}"},
+      {{planar, "--view", "along"}, "planar nothing has a place along z"}};
+  for (const auto& [options, message] : wrong) {
+    std::vector<std::string> arguments{"snapshot"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Ended ended = talus_ran(arguments);
+    BOOST_TEST(ended.code == 2);
+    BOOST_TEST(holds(ended.err, message), ended.err << " holds no " << message);
+  }
+  BOOST_TEST(talus_ran({"snapshot", "/nowhere"}).code == 4);
+  std::ofstream{folder.path / "planar/plot.json"} << "{\"title\": \"older\"}";
+  const Ended older = talus_ran({"snapshot", planar});
+  BOOST_TEST(older.code == 2);
+  BOOST_TEST(holds(older.err, "planar/plot.json: it is not what `talus run --out` leaves: "));
+}
+
+BOOST_AUTO_TEST_CASE(a_gif_has_a_picture_for_each_state) {
+  const Folder folder;
+  const Ended ended =
+      talus_ran({"animate", sample().string(), "--gif", "--until", "20 ms", "--out", folder.path.string()});
+  BOOST_TEST(ended.code == 0, ended.err);
+  BOOST_TEST(ended.err.empty());
+  const std::string gif = talus::read_text(folder.path / "animation.gif");
+  BOOST_TEST(gif.rfind("GIF89a", 0) == 0U);
+  // Each picture is announced by a graphic control block: 0x21 0xF9 0x04. States at 0, 5, 10, 15 and 20 ms.
+  int pictures = 0;
+  for (std::size_t at = 0; (at = gif.find("\x21\xF9\x04", at)) != std::string::npos; ++at)
+    ++pictures;
+  BOOST_TEST(pictures == 5);
+  BOOST_TEST(!fs::exists(folder.path / "animation.html"));
+}
+
+BOOST_AUTO_TEST_CASE(the_player_is_one_file_that_needs_no_other) {
+  const Folder folder;
+  const Ended ended = talus_ran({"animate", sample().string(), "--out", folder.path.string()});
+  BOOST_TEST(ended.code == 0, ended.err);
+  std::string page = talus::read_text(folder.path / "animation.html");
+  for (const char* part : {"src=", "href=", "@import", "fetch(", "url("})
+    BOOST_TEST(!holds(page, part), part);
+  const std::string mark = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t begin = page.find(mark) + mark.size();
+  const auto data = nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  BOOST_TEST(data.at("frames").size() == 11U);
+  BOOST_TEST(data.at("bodies").size() == 16U);
+  BOOST_TEST(data.at("charts").at(0).at("title") == "Energies");
+  const talus::KeptHistory kept = talus::read_history(sample() / "history.csv");
+  // Body 1 is the rock; places have six digits.
+  BOOST_TEST(data.at("frames").at(0).at("bodies").at(1).at(0).get<double>() == kept.find("rock.x")->values.front(),
+             boost::test_tools::tolerance(1e-5));
+  const Ended late = talus_ran({"animate", sample().string(), "--until", "1 us"});
+  BOOST_TEST(late.code == 2);
+  BOOST_TEST(holds(late.err, "--until: found \"1 us\"; the run left fewer than two states up to then"));
+}

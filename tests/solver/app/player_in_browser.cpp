@@ -1,0 +1,120 @@
+#define BOOST_TEST_MODULE player_in_browser
+#include <boost/test/unit_test.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/solver/app/program.hpp"
+
+// The HTML player as a real browser runs it, without a window.
+
+namespace {
+
+std::string browser() {
+  for (const char* name : {"/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"})
+    if (::access(name, X_OK) == 0) return name;
+  return {};
+}
+
+/// Ends the test as skipped where there is none.
+struct BrowserNeeded {
+  BrowserNeeded() {
+    if (!browser().empty()) return;
+    std::fprintf(stderr, "player_in_browser: skipped, chromium is not installed (scripts/setup --test installs it)\n");
+    std::_Exit(77);
+  }
+};
+BOOST_TEST_GLOBAL_FIXTURE(BrowserNeeded);
+
+/// The first 50 ms of sample2 in 26 states, 2 ms apart, and the page that plays them.
+const fs::path& player() {
+  static const Folder folder;
+  static const bool made = [] {
+    const std::string run = (folder.path / "run").string();
+    return talus_ran({"run", scene("fence/sample2.DAT"), "--end", "50 ms", "--frames", "25", "--out", run}).code == 0 &&
+           talus_ran({"animate", run}).code == 0;
+  }();
+  BOOST_REQUIRE(made);
+  static const fs::path page = folder.path / "run/plots/animation.html";
+  return page;
+}
+
+/// The page as it stands after some time of its own clock.
+std::string document(const fs::path& page, const std::string& hash, int milliseconds = 500) {
+  const Folder profile;
+  const Ended ended = ran(
+      browser(), {"--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                  "--user-data-dir=" + profile.path.string(), "--virtual-time-budget=" + std::to_string(milliseconds),
+                  "--dump-dom", "file://" + page.string() + "#" + hash});
+  BOOST_REQUIRE(ended.code == 0);
+  BOOST_TEST(holds(ended.out, "data-ready=\"yes\""));
+  BOOST_TEST(!holds(ended.out, "data-error="), ended.out.substr(0, 300));
+  return ended.out;
+}
+
+/// What stands in an attribute after the first place of `mark`.
+std::string after(const std::string& text, const std::string& mark) {
+  const std::size_t begin = text.find(mark);
+  BOOST_REQUIRE(begin != std::string::npos);
+  return text.substr(begin + mark.size(), text.find_first_of("\"<", begin + mark.size()) - begin - mark.size());
+}
+
+std::string time_shown(const std::string& text) { return after(text, "<output id=\"time\">"); }
+/// Body 1 is the rock.
+std::string rock(const std::string& text) { return after(text, "id=\"body1\" transform=\""); }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_time_in_the_address_is_shown) {
+  const std::string start = document(player(), "");
+  const std::string later = document(player(), "t=.02");
+  BOOST_TEST(time_shown(start) == "t = 0 s");
+  BOOST_TEST(time_shown(later) == "t = 0.01986 s");  // the state nearest to .02 s: 240 steps of 82.7374 us
+  BOOST_TEST(rock(start) != rock(later));
+  // Circles and columns in both views, the top cables taut and coloured, the bottom ones slack.
+  for (const char* part : {"<polygon class=\"rock\"", "<polygon class=\"column\"", "class=\"cable\"", "stroke=\"rgb(",
+                           "class=\"cable slack\"", "<svg id=\"along\"", "class=\"cursor\""})
+    BOOST_TEST(holds(start, part), part);
+  BOOST_TEST(after(start, "class=\"cursor\" y1=\"8\" y2=\"") != "");
+  BOOST_TEST(after(start, "class=\"cursor\"").empty() == after(later, "class=\"cursor\"").empty());
+}
+
+BOOST_AUTO_TEST_CASE(playing_goes_on_to_the_end) {
+  const std::string begun = document(player(), "play&speed=8&loop=0", 500);
+  const std::string ended = document(player(), "play&speed=8&loop=0", 5000);
+  const int first = std::stoi(after(begun, "data-frame=\""));
+  BOOST_TEST(first > 2);
+  BOOST_TEST(first < 25);
+  BOOST_TEST(after(ended, "data-frame=\"") == "25");
+  BOOST_TEST(holds(begun, ">Pause</button>"));
+  BOOST_TEST(holds(ended, ">Play</button>"));
+}
+
+// A script at the page's end presses keys, moves the slider and points into a chart, and notes the state shown.
+BOOST_AUTO_TEST_CASE(keys_slider_and_charts_lead_through_time) {
+  std::string text = talus::read_text(player());
+  const std::string script = R"(<script>{
+    const noted = [];
+    const note = () => noted.push(Number(document.body.dataset.frame));
+    const press = (key, more) => { document.dispatchEvent(new KeyboardEvent("keydown", {key, ...more})); note(); };
+    press("ArrowRight"); press("ArrowRight", {shiftKey: true}); press("ArrowLeft"); press("End"); press("Home");
+    const slider = document.getElementById("scrub");
+    slider.value = 7; slider.dispatchEvent(new Event("input")); note();
+    const chart = document.querySelector(".chart"), box = chart.getBoundingClientRect();
+    chart.dispatchEvent(new PointerEvent("pointerdown",
+      {clientX: box.right - 10, clientY: box.top + 20, buttons: 1, bubbles: true})); note();
+    press(" "); const plays = document.getElementById("play").textContent; press(" ");
+    press("+"); const speed = document.getElementById("speed").value;
+    document.getElementById("theme").click();
+    document.body.dataset.noted = noted.slice(0, 7).join(" ") + " " + plays + " " + speed + " " +
+      document.documentElement.dataset.theme;
+    }</script>)";
+  text.insert(text.rfind("</body>"), script);
+  const Folder folder;
+  std::ofstream{folder.path / "pressed.html"} << text;
+  const std::string seen = document(folder.path / "pressed.html", "theme=light");
+  BOOST_TEST(after(seen, "data-noted=\"") == "1 11 10 25 0 7 25 Pause 2 dark");
+}

@@ -1,0 +1,140 @@
+#define BOOST_TEST_MODULE geometry_series
+#include "solver/io/geometry_series.hpp"
+
+#include <unistd.h>
+
+#include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "solver/base/error.hpp"
+#include "solver/io/kept_history.hpp"
+#include "solver/io/run_folder.hpp"
+#include "solver/io/toml_document.hpp"
+#include "solver/io/vtp_series.hpp"
+#include "tests/solver/io/fence_run.hpp"
+
+// The files that a run leaves, read back.
+
+using namespace talus;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+  fs::path path;
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "talus_series_XXXXXX").string();
+    BOOST_REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { fs::remove_all(path); }
+
+  fs::path file(const std::string& name, const std::string& text) const {
+    std::ofstream{path / name} << text;
+    return path / name;
+  }
+};
+
+template <class Read>
+std::string complaint(Read read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+// Positions and tensions against the Dynamics that the series was written from; VTP holds every digit.
+BOOST_AUTO_TEST_CASE(what_was_written_is_read) {
+  const Folder folder;
+  const FenceInput input = *read_scene_file(fs::path{TALUS_CASES} / "fence/sample2.DAT").fence;
+  const Dynamics dynamics{input.made.scene.model};
+  VtpSeries series{dynamics, folder.path, "s", 20};
+  std::vector<State> states;
+  run_fence(input, dynamics, 40, [&](const State& state, const StepInfo& info) {
+    series(state, info);
+    if (info.step % 20 == 0) states.push_back(state);
+  });
+  series.write_index();
+  const std::vector<GeometryFile> files = read_geometry_index(folder.path / "s.pvd");
+  BOOST_REQUIRE(files.size() == 3U);
+  Workspace work = dynamics.workspace();
+  LawForces forces;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    BOOST_TEST(files[i].time == states[i].t);
+    const GeometryFrame frame = read_geometry(files[i]);
+    BOOST_TEST(frame.lines.size() == input.made.scene.model.bodies.size() + input.made.scene.model.cables.size());
+    dynamics.update(states[i], work);
+    dynamics.forces(states[i], work, forces);
+    for (const GeometryLine& line : frame.lines) {
+      if (line.body >= 0) BOOST_TEST((line.body == 0 || line.points.front() == line.points.back()));
+      if (line.cable < 0) continue;
+      const auto cable = static_cast<std::size_t>(line.cable);
+      const auto& ends = dynamics.cables().ends()[cable];
+      BOOST_TEST(line.tension == forces.tensions[cable]);
+      BOOST_TEST(line.slack == (forces.tensions[cable] == 0.0));
+      BOOST_TEST((in_plane(line.points.front()) == work.joints[ends.a].p_WP));
+      BOOST_TEST((in_plane(line.points.back()) == work.joints[ends.b].p_WP));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(damaged_geometry_is_named) {
+  const Folder folder;
+  const auto index = [&](const std::string& text) {
+    return complaint([&] { static_cast<void>(read_geometry_index(folder.file("x.pvd", text))); });
+  };
+  BOOST_TEST(holds(index("<VTKFile>\n<Coll"), "x.pvd:2: not XML: "));
+  BOOST_TEST(holds(index("<VTKFile/>"), "x.pvd: it holds no VTKFile/Collection; "));
+  BOOST_TEST(holds(index("<VTKFile><Collection/></VTKFile>"), "x.pvd: it names no file: the run left no geometry"));
+  BOOST_TEST(holds(index("<VTKFile><Collection><DataSet timestep=\"now\"/></Collection></VTKFile>"),
+                   "x.pvd: timestep: found \"now\"; it must be a number"));
+  const auto piece = [&](const std::string& text) {
+    const fs::path file = folder.file("x.vtp", "<VTKFile><PolyData><Piece>" + text + "</Piece></PolyData></VTKFile>");
+    return complaint([&] { static_cast<void>(read_geometry({0.0, file})); });
+  };
+  BOOST_TEST(holds(piece(""), "x.vtp: Points holds no array 'Points'"));
+  BOOST_TEST(holds(piece("<Points><DataArray Name=\"Points\">0 1 a</DataArray></Points>"),
+                   "x.vtp: Points: array 'Points': found \"a\"; it must be a number"));
+  BOOST_CHECK_THROW(static_cast<void>(read_geometry({0.0, folder.path / "none.vtp"})), IoError);
+}
+
+BOOST_AUTO_TEST_CASE(histories_are_read_with_their_units) {
+  const Folder folder;
+  const KeptHistory history =
+      read_history(folder.file("h.csv", "# left out\ntime [s],element3.top_tension [lbf],n [1]\n0,1e3,2\n.5,-2,3\n"));
+  BOOST_REQUIRE(history.columns.size() == 3U);
+  BOOST_TEST(history.columns[1].subject() == "element3");
+  BOOST_TEST(history.columns[1].quantity() == "top_tension");
+  BOOST_TEST(history.columns[1].unit == "lbf");
+  BOOST_TEST(history.find("time")->values[1] == 0.5);
+  BOOST_TEST(history.find("nothing") == nullptr);
+  const auto wrong = [&](const std::string& text) {
+    return complaint([&] { static_cast<void>(read_history(folder.file("h.csv", text))); });
+  };
+  BOOST_TEST(holds(wrong("time [s],x [m]\n0,1\n2\n"), "h.csv:3: found 1 numbers; its head has 2 columns"));
+  BOOST_TEST(holds(wrong("time [s],x [m]\n0,one\n"), "h.csv:2: x: found \"one\"; it must be a number"));
+  BOOST_TEST(holds(wrong("# only words\n"), "h.csv: found no head"));
+}
+
+BOOST_AUTO_TEST_CASE(what_no_run_left_is_named) {
+  const Folder folder;
+  const auto wrong = [&](const std::string& text) {
+    static_cast<void>(folder.file("plot.json", text));
+    return complaint([&] { static_cast<void>(read_run_folder(folder.path)); });
+  };
+  BOOST_TEST(holds(wrong("{"), "plot.json: it is not what `talus run --out` leaves: "));
+  BOOST_TEST(holds(wrong("{\"title\": 3}"), "plot.json: it is not what `talus run --out` leaves: "));
+  BOOST_TEST(holds(wrong(R"({"title": "t", "units": "SI", "histories": [], "geometry": {"index": "g", "cables": [],
+                            "bodies": [{"name": "b", "number": 1, "kind": "tree"}]}})"),
+                   "plot.json: body kind 'tree' is not known"));
+  BOOST_CHECK_THROW(static_cast<void>(read_run_folder(folder.path / "none")), IoError);
+}
