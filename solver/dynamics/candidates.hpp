@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "solver/base/ids.hpp"
 #include "solver/geometry/pose.hpp"
@@ -31,5 +32,37 @@ struct Candidate {
 /// Whether a side of one of the boxes separates the two shapes (a half-plane: whether the other's box lies above it).
 /// Never says so of bodies that touch.
 [[nodiscard]] bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B);
+
+/// Finds the pairs within reach of each other. A few are looked at one by one; among many the bodies are swept in the
+/// order of their least x (Baraff 1992), which changes little from one evaluation to the next.
+class ContactSearch {
+ public:
+  void add(const Candidate& pair) { pairs_.push_back(pair); }
+  /// After the last add: chooses the way of searching; `sweep` for the tests, else by the number of pairs.
+  void prepare(std::size_t bodies);
+  void prepare(std::size_t bodies, bool sweep);
+
+  const std::vector<Candidate>& pairs() const { return pairs_; }
+
+  /// Sets near[p] to whether pair p is within reach. Of pairs that lie apart along x it may say so where out_of_reach
+  /// alone would not see it. `order` is scratch that the caller keeps; any content will do.
+  void find(const std::vector<Pose>& poses, std::vector<char>& near, std::vector<std::size_t>& order) const;
+
+ private:
+  /// A body that is swept, and its pairs with others of them.
+  struct Swept {
+    BodyId body{};
+    Bounds bounds;
+    struct Partner {
+      std::size_t other{};  ///< place in swept_
+      std::size_t pair{};
+    };
+    std::vector<Partner> partners;  ///< sorted by `other`
+  };
+
+  std::vector<Candidate> pairs_;
+  std::vector<std::size_t> single_;  ///< pairs looked at one by one
+  std::vector<Swept> swept_;
+};
 
 }  // namespace talus

@@ -229,8 +229,8 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) {
     rough_ = rough_ || contact.friction.has_value();
     const Slot slot = layout.contact_slots[c];
     const std::size_t instances = layout.contact_instances[c];
-    candidates_.push_back({contact.a, contact.b, bounds(model.bodies[index(contact.a)].shape),
-                           bounds(model.bodies[index(contact.b)].shape), slot.mode, slot.mode + instances});
+    search_.add({contact.a, contact.b, bounds(model.bodies[index(contact.a)].shape),
+                 bounds(model.bodies[index(contact.b)].shape), slot.mode, slot.mode + instances});
     std::visit(
         [&]<class L>(const L& law) {
           Compiler<L>{model, std::get<ContactArrays<L>>(laws_), pairs_}.add(c, contact, law, slot,
@@ -239,17 +239,18 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) {
         },
         contact.law);
   }
+  search_.prepare(model.bodies.size());
 }
 
 void ContactForces::update(const State& state, Workspace& work) const {
-  for (std::size_t c = 0; c < candidates_.size(); ++c) {
-    const Candidate& pair = candidates_[c];
+  search_.find(work.poses, work.near, work.order);
+  // Bodies may have parted within one step: what still acts is looked at once more, to be ended.
+  for (std::size_t c = 0; c < candidates(); ++c) {
+    const Candidate& pair = search_.pairs()[c];
     const auto mode = state.mode.begin();
-    const auto acts = [](Mode m) { return m != 0; };
-    // Bodies may have parted within one step: what still acts is looked at once more, to be ended.
-    work.near[c] = !out_of_reach(pair, work.poses[index(pair.a)], work.poses[index(pair.b)]) ||
-                   std::any_of(mode + static_cast<std::ptrdiff_t>(pair.first),
-                               mode + static_cast<std::ptrdiff_t>(pair.last), acts);
+    work.near[c] =
+        work.near[c] || std::any_of(mode + static_cast<std::ptrdiff_t>(pair.first),
+                                    mode + static_cast<std::ptrdiff_t>(pair.last), [](Mode m) { return m != 0; });
   }
   for_each_array(laws_, [&](const auto& array) { update_gaps(array, &state, work); });
 }
@@ -281,9 +282,9 @@ void ContactForces::memory_rates(const State& state, const Workspace& work, Rate
 }
 
 void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken) const {
-  for (std::size_t c = 0; c < candidates_.size(); ++c) {
+  for (std::size_t c = 0; c < candidates(); ++c) {
     if (!work.near[c]) continue;
-    for (const BodyId body : {candidates_[c].a, candidates_[c].b}) {
+    for (const BodyId body : {search_.pairs()[c].a, search_.pairs()[c].b}) {
       if (!work.waking.awake[index(body)]) woken.push_back(body);
     }
   }

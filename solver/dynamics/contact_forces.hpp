@@ -59,7 +59,7 @@ class ContactForces {
   /// Number of law instances: the length of Workspace::gaps and Workspace::rates.
   std::size_t size() const { return pairs_.size(); }
   /// Number of pairs that the search looks at: the length of Workspace::near.
-  std::size_t candidates() const { return candidates_.size(); }
+  std::size_t candidates() const { return search_.pairs().size(); }
 
   /// Gaps of the pairs within reach, and of those that still act in this state.
   void update(const State& state, Workspace& work) const;
@@ -89,7 +89,7 @@ class ContactForces {
  private:
   ContactLaws::Tuple<ContactArrays> laws_;
   bool rough_{};  ///< some contact has friction
-  std::vector<Candidate> candidates_;
+  ContactSearch search_;
   std::vector<Pair> pairs_;
   std::vector<Tangent> tangents_;
 };

@@ -64,7 +64,8 @@ struct Workspace {
   std::vector<double> rates;       ///< their depth rates [L/T]
   Waking waking;
   Rigging rigging;
-  std::vector<char> near;  ///< one for each pair of the contact search: whether its gaps were worked out
+  std::vector<std::size_t> order;  ///< of the bodies that the contact search sweeps
+  std::vector<char> near;          ///< one for each pair of the contact search: whether its gaps were worked out
 };
 
 }  // namespace talus

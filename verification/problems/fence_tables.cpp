@@ -7,6 +7,7 @@
 #include "verification/problems/fence_choice_findings.hpp"
 #include "verification/problems/fence_ensemble.hpp"
 #include "verification/problems/fence_pair_findings.hpp"
+#include "verification/problems/fence_snapshots.hpp"
 #include "verification/problems/fence_table_figures.hpp"
 
 namespace talus::verification::problems {
@@ -188,6 +189,7 @@ void run(Findings& findings, const Setup& setup) {
   tell(findings, rows);
   check_choices(findings, rows, setup);
   draw_tables(findings, rows);
+  draw_snapshots(findings);
   draw_histories(findings);
 }
 
