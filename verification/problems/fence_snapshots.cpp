@@ -56,8 +56,8 @@ Series rock_outline(const Snapshot& taken, double radius) {
   constexpr int parts = 48;
   for (int i = -1; i <= parts; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / parts;
-    const Vec2 p = i < 0 ? taken.rock.p_WB
-                         : world_point(taken.rock, {radius * std::cos(angle), radius * std::sin(angle)});
+    const Vec2 p =
+        i < 0 ? taken.rock.p_WB : world_point(taken.rock, {radius * std::cos(angle), radius * std::sin(angle)});
     series.x.push_back(p.x);
     series.y.push_back(p.y);
   }
@@ -71,16 +71,16 @@ void draw_snapshots(Findings& findings) {
     if (row.table != 2 || row.height != 0.0 || row.plastic) continue;
     const int number = row.bottom_cable ? 12 : 13;
     const scenes::Fence fence = fence_of(row);
-    Figure figure{.name = fmt::format("fig_{}_snapshots", number),
-                  .title = fmt::format("Fig. {}: rock of 600 lb, {} bottom cable", number,
-                                       row.bottom_cable ? "with" : "without"),
-                  .caption = fmt::format("Central column and rock seen along the fence, for Fig. {} of the report; the "
-                                         "rock comes from the right.",
-                                         number),
-                  .x = {.label = "x", .unit = "ft", .min = -14.0, .max = 10.0},
-                  .y = {.label = "y", .unit = "ft", .min = -5.0, .max = 5.0},
-                  .series = {},
-                  .lines = {{'y', -4.5, "ground"}}};
+    Figure figure{
+        .name = fmt::format("fig_{}_snapshots", number),
+        .title = fmt::format("Fig. {}: rock of 600 lb, {} bottom cable", number, row.bottom_cable ? "with" : "without"),
+        .caption = fmt::format("Central column and rock seen along the fence, for Fig. {} of the report; the "
+                               "rock comes from the right.",
+                               number),
+        .x = {.label = "x", .unit = "ft", .min = -14.0, .max = 10.0},
+        .y = {.label = "y", .unit = "ft", .min = -5.0, .max = 5.0},
+        .series = {},
+        .lines = {{'y', -4.5, "ground"}}};
     const std::vector<Snapshot> taken = snapshots(scenes::fence_scene(fence));
     for (const Snapshot& snapshot : taken)
       figure.series.push_back(column_outline(snapshot, fence.column));

@@ -94,10 +94,11 @@ BOOST_AUTO_TEST_CASE(names_and_keys) {
              "s.toml:7: body 'rock': mas: this key is not known; nearest: mass; known: name, mass, inertia, angle, "
              "moment, mobility, shape, position, pin, velocity, spin, force");
   BOOST_TEST(message("\"free\"", "\"fre\"") ==
-             "s.toml:6: body 'rock': mobility: found \"fre\"; nearest: free; known: free, particle, pinned, fixed");
+             "s.toml:6: body 'rock': mobility: found \"fre\"; nearest: free; known: free, particle, pinned, fixed, "
+             "sliding_x, sliding_y, guided_x, guided_y");
   BOOST_TEST(message("\"circle\"", "\"circel\"") ==
              "s.toml:9: body 'rock': shape: kind: found \"circel\"; nearest: circle; known: none, circle, rectangle, "
-             "superquadric, half_plane");
+             "superquadric, half_plane, terrain");
   BOOST_TEST(message("radius =", "radios =") ==
              "s.toml:9: body 'rock': shape: radios: this key is not known; nearest: radius; known: kind, radius");
   BOOST_TEST(message("\"rock\", \"ground\"", "\"rok\", \"ground\"") ==
