@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "solver/io/atomic_file.hpp"
+#include "solver/io/toml_document.hpp"
 
 namespace talus {
 namespace {
@@ -147,8 +148,32 @@ void VtpSeries::operator()(const State& state, const StepInfo& info) {
     lines.end(-1, static_cast<long>(c), forces_.tensions[c], forces_.tensions[c] == 0.0);
   }
   if (!lines.finite()) return;
-  files_.push_back({state.t, fmt::format("{0}_geometry/{0}_{1:08}.vtp", name_, info.step)});
-  write_whole(folder_ / files_.back().path, lines.xml());
+  files_.push_back({state.t, info.step});
+  write_whole(folder_ / path(files_.back()), lines.xml());
+}
+
+std::string VtpSeries::path(const File& file) const {
+  return fmt::format("{0}_geometry/{0}_{1:08}.vtp", name_, file.step);
+}
+
+void VtpSeries::remember(Memory& memory) {
+  memory.count("every", every_);
+  std::vector<double> times;
+  for (const File& file : files_)
+    times.push_back(file.time);
+  memory.list("times", times);
+  files_.resize(times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    files_[i].time = times[i];
+    memory.count(fmt::format("step_{}", i), files_[i].step);
+  }
+}
+
+void VtpSeries::bring_files(const std::filesystem::path& from) const {
+  for (const File& file : files_) {
+    const std::string text = read_text(from / path(file));
+    if (!std::filesystem::equivalent(from, folder_)) write_whole(folder_ / path(file), text);
+  }
 }
 
 void VtpSeries::write_index() const {
@@ -156,7 +181,7 @@ void VtpSeries::write_index() const {
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
       "<Collection>\n";
   for (const File& file : files_)
-    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", file.time, escaped(file.path));
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", file.time, escaped(path(file)));
   write_whole(folder_ / (name_ + ".pvd"), text + "</Collection>\n</VTKFile>\n");
 }
 

@@ -48,12 +48,13 @@ Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const R
   }
   while (standing.step < steps) {
     method.step(system, state, plan.step);
-    const long n = ++standing.step;
+    const long n = standing.step + 1;
     standing.evaluations = before + system.evaluations();
     // n h rather than a sum of h: the time of a step does not collect round-off.
     state.t = start + static_cast<double>(n) * plan.step;
     if (const std::size_t bad = first_not_finite(state); bad < state.q.size())
       return diverged(system, state, bad, plan.step);
+    standing.step = n;
     if (observers.empty() && !stop) continue;
     // A copy with its own modes: a method may hold those of before its last kick, by which a slack cable would seem to
     // push.
