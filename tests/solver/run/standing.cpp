@@ -4,10 +4,12 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 #include "solver/base/error.hpp"
 #include "solver/run/history.hpp"
 #include "solver/scenes/fence_scene.hpp"
+#include "solver/scenes/pendulum.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "solver/scenes/two_cable.hpp"
 
@@ -187,6 +189,21 @@ BOOST_AUTO_TEST_CASE(pivoted_cylinder_with_nodes) {
   Scene scene = scenes::pivoted_cylinder({.rock_radius = 1.5, .contact = contact, .method = ContactMethod::nodes});
   scene.plan.step = 2e-4;
   every_integrator(scene, 400, {{1}, {30, 31}, {150}, {399}, {400}});
+}
+
+// Intervals of many internal steps: what step control carries from one to the next matters.
+BOOST_AUTO_TEST_CASE(pendulum_with_long_intervals) {
+  Scene scene = scenes::cable_pendulum({.amplitude = 1.0});
+  scene.plan = {.step = 0.1, .end = 10.0, .interval = 0.3};
+  std::vector<long> everywhere(99);
+  std::iota(everywhere.begin(), everywhere.end(), 1L);
+  for (const Integrator& integrator : all_integrators()) {
+    if (tolerance(integrator) == 0.0) continue;
+    BOOST_TEST_CONTEXT(name(integrator)) {
+      scene.integrator = integrator;
+      stopped_runs_end_alike(scene, {everywhere});
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(fence_that_yields_with_sleeping_columns) {
