@@ -8,6 +8,7 @@
 
 #include "solver/io/atomic_file.hpp"
 #include "solver/io/csv.hpp"
+#include "solver/io/fence_sheet.hpp"
 #include "solver/io/json.hpp"
 #include "solver/io/plot_record.hpp"
 #include "solver/state/state_memory.hpp"
@@ -45,8 +46,9 @@ class Progress {
 }  // namespace
 
 SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene,
-                   long frames)
-    : scene_{&file.scene},
+                   long frames, bool sheet)
+    : file_{&file},
+      scene_{&file.scene},
       folder_{folder},
       dynamics_{file.scene.model},
       system_{dynamics_, file.scene.plan.ledger},
@@ -55,6 +57,7 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       recorder_{dynamics_, standing_.state, file.scene.plan.ledger},
       failures_{dynamics_} {
   if (!folder.empty()) files_.emplace(file, dynamics_, folder, scene, frames);
+  if (sheet) watch_.emplace(file.fence->fence, file.fence->made, dynamics_);
 }
 
 State SceneRun::settled(State state) {
@@ -68,6 +71,7 @@ void SceneRun::remember(Memory& memory) {
   memory.part("recorder", [&] { recorder_.remember(memory); });
   memory.part("failures", [&] { failures_.remember(memory); });
   if (files_) memory.part("files", [&] { files_->remember(memory); });
+  if (watch_) memory.part("sheet", [&] { watch_->remember(memory); });
 }
 
 void SceneRun::bring_files(const std::filesystem::path& from) const {
@@ -80,6 +84,7 @@ Outcome SceneRun::go_on(const StopCondition& stop) {
     recorder_(seen, info);
     failures_(seen, info);
     if (files_) (*files_)(seen, info);
+    if (watch_) (*watch_)(seen, info);
     progress(seen.t, info.step);
     seen_ = seen;
   }};
@@ -111,6 +116,7 @@ void SceneRun::write(const RunRecord& record) const {
   write_whole(folder_ / "final_state.json", final_state_json(record));
   write_whole(folder_ / "plot.json", plot_json(record, "history.csv", files_->drawn_from()));
   files_->write();
+  if (watch_) write_whole(folder_ / "sheet.json", sheet_json(record, *file_->fence, dynamics_, *watch_));
 }
 
 std::vector<std::string> SceneRun::file_names() const {
@@ -118,6 +124,7 @@ std::vector<std::string> SceneRun::file_names() const {
   if (!files_) return names;
   for (std::string& name : files_->names())
     names.push_back(std::move(name));
+  if (watch_) names.insert(names.end(), {"sheet.json", "sheet.pdf", "sheet.html"});
   return names;
 }
 

@@ -8,6 +8,7 @@
 #include "solver/app/scene_files.hpp"
 #include "solver/io/run_record.hpp"
 #include "solver/run/history.hpp"
+#include "solver/scenes/fence_summary.hpp"
 
 namespace talus::app {
 
@@ -15,8 +16,9 @@ namespace talus::app {
 class SceneRun {
  public:
   /// `folder` empty: nothing is written. `scene` names files, `frames` is the number of states of the geometry: see
-  /// SceneFiles. The scene must outlive it. Errors: as SceneFiles.
-  SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene, long frames);
+  /// SceneFiles. With `sheet` a fence's summary is kept too. The scene must outlive it. Errors: as SceneFiles.
+  SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene, long frames,
+           bool sheet);
 
   /// Names all that the run carries from one step to the next; a run of the same scene goes on from it.
   void remember(Memory& memory);
@@ -38,6 +40,7 @@ class SceneRun {
  private:
   State settled(State state);
 
+  const SceneFile* file_;
   const Scene* scene_;
   std::filesystem::path folder_;
   Dynamics dynamics_;
@@ -47,6 +50,7 @@ class SceneRun {
   Recorder recorder_;
   FailureLog failures_;
   std::optional<SceneFiles> files_;
+  std::optional<scenes::FenceWatch> watch_;
 };
 
 }  // namespace talus::app

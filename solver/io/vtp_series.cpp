@@ -5,44 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
 #include "solver/io/atomic_file.hpp"
 #include "solver/io/toml_document.hpp"
+#include "solver/model/outline.hpp"
 
 namespace talus {
 namespace {
-
-/// Parts of a round outline.
-constexpr int parts = 96;
-
-/// Outline in the body's axes: the first point again at the end, but for ground's and the arm of a pinned body without
-/// a shape.
-std::vector<Vec2> outline(const Body& body, double reach) {
-  const Shape& shape = body.shape;
-  std::vector<Vec2> points;
-  if (std::holds_alternative<NoShape>(shape)) {
-    if (has_pin(body.mobility)) points = {body.p_BPin, {0.0, 0.0}};
-    return points;
-  }
-  if (std::holds_alternative<HalfPlane>(shape)) return {{-reach, 0.0}, {reach, 0.0}};
-  if (const auto* terrain = std::get_if<Terrain>(&shape)) return terrain->points;
-  if (const auto* r = std::get_if<Rectangle>(&shape)) {
-    points = {{r->half_width, r->half_height},
-              {-r->half_width, r->half_height},
-              {-r->half_width, -r->half_height},
-              {r->half_width, -r->half_height}};
-  } else {
-    const auto* circle = std::get_if<Circle>(&shape);
-    const Superquadric round =
-        circle ? Superquadric{circle->radius, circle->radius, 2.0} : std::get<Superquadric>(shape);
-    for (int i = 0; i < parts; ++i)
-      points.push_back(boundary_point(round, 2.0 * std::numbers::pi * i / parts));
-  }
-  points.push_back(points.front());
-  return points;
-}
 
 /// Text as it may stand in an attribute of XML.
 std::string escaped(std::string_view text) {

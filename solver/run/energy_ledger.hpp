@@ -29,6 +29,9 @@ class EnergyLedger {
 
   [[nodiscard]] Accounts accounts(const State& state);
 
+  /// Energies of the first state.
+  const Energies& start() const { return start_energies_; }
+
   /// Largest |energy_closure| of the accounts drawn so far [F L].
   double largest_energy_closure() const { return largest_energy_closure_; }
   /// What closures are measured against: the largest kinetic energy seen, or change of energy in one place, whichever

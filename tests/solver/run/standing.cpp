@@ -3,7 +3,6 @@
 #define BOOST_TEST_MODULE standing
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <functional>
 #include <numeric>
 
 #include "solver/base/error.hpp"
