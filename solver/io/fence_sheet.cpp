@@ -133,8 +133,12 @@ Json Sheet::layers() const {
 Json Sheet::columns() const {
   Json list = Json::array();
   for (const scenes::ColumnRecord& column : summary_.columns) {
+    const std::vector<Joint>& joints = dynamics_.cables().joints();
+    const auto joint =
+        std::find_if(joints.begin(), joints.end(), [&](const Joint& j) { return j.on_body && j.body == column.body; });
     list.push_back({{"name", dynamics_.model().bodies[index(column.body)].name},
                     {"layer", column.layer},
+                    {"along", length(joint->along)},
                     {"travel", length(column.travel)},
                     {"travel_time", time(column.travel_time)},
                     {"hanger", force(column.hanger)}});

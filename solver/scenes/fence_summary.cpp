@@ -110,25 +110,27 @@ double FenceWatch::height(Vec2 p) const {
   return dot(p - ground.p_WB, ground.R_WB * Vec2{0.0, 1.0});
 }
 
+void FenceWatch::approach(std::size_t i, const State& before) {
+  const Pose pose = talus::pose(dynamics_->model(), before, rocks_[i]);
+  RockPassage& rock = summary_.rocks[i];
+  rock.approach_velocity = pose.v_WB, rock.approach_spin = pose.w_WB, rock.approach_energy = kinetic(i, before);
+}
+
 /// A rock that touches from the start approaches as the deck says: a half kick has by then taken a little of it.
 void FenceWatch::begin(const State& state) {
   begun_ = true;
   time_ = state.t;
   summary_.start = summary_.at_travel = state;
   for (std::size_t i = 0; i < rocks_.size(); ++i) {
-    RockPassage& rock = summary_.rocks[i];
     State given = state;
-    const FenceElement& e = fence_->rocks[i];
-    if (dynamics_->model().bodies[index(rocks_[i])].mobility == Mobility::free)
-      set_velocity(dynamics_->model(), given, rocks_[i], e.velocity, e.spin);
-    rock.approach_velocity = e.velocity;
-    rock.approach_spin = e.spin;
-    rock.approach_energy = kinetic(i, given);
+    set_velocity(dynamics_->model(), given, rocks_[i], fence_->rocks[i].velocity, fence_->rocks[i].spin);
+    approach(i, given);
   }
 }
 
 void FenceWatch::operator()(const State& state, const StepInfo& info) {
-  dynamics_->update(state, work_);
+  // All of it: of a sleeping column beside an awake one only half the pulls would be summed.
+  dynamics_->update_all(state, work_);
   dynamics_->forces(state, work_, forces_);
   dynamics_->rates(state, work_, rates_, false);
   if (!begun_) begin(state);
@@ -151,12 +153,9 @@ void FenceWatch::watch_rocks(const State& state) {
       rock.touched = true;
       rock.touch_time = state.t;
       touch_x_[i] = now.p_WB.x;
+      if (state.t > summary_.start.t) approach(i, summary_.end);
     }
-    if (!rock.touched) {
-      if (state.t == summary_.start.t) continue;  // the deck's velocities stand until the first step
-      rock.approach_velocity = now.v_WB, rock.approach_spin = now.w_WB, rock.approach_energy = kinetic(i, state);
-      continue;
-    }
+    if (!rock.touched) continue;
     const double way = rock.approach_velocity.x < 0.0 ? -1.0 : 1.0;
     const bool leaves = !touching && !rock.left;
     rock.left = !touching;

@@ -22,7 +22,7 @@ struct RockPassage {
   double mass{};  ///< [M]
   bool touched{};
   double touch_time{};       ///< of the first step at which it touches [T]
-  Vec2 approach_velocity{};  ///< as given, if it touches from the start; else of the step before [L/T]
+  Vec2 approach_velocity{};  ///< of the step before; as given, if it touches from the start or never [L/T]
   double approach_spin{};    ///< [rad/T]
   double approach_energy{};  ///< kinetic, of translation and rotation [F L]
   bool left{};               ///< it no longer touches at the last step
@@ -120,6 +120,7 @@ class FenceWatch {
  private:
   void list_parts();
   void begin(const State& state);
+  void approach(std::size_t rock, const State& before);
   void watch_rocks(const State& state);
   void watch_columns(const State& state);
   void watch_cables(const State& state);

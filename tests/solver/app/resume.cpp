@@ -82,6 +82,23 @@ BOOST_AUTO_TEST_CASE(a_fence_goes_on_to_the_same_listing_histories_and_geometry)
     stops_and_goes_on({"run", scene(file), "--end", "20 ms"}, "5 ms", "11.1 ms");
 }
 
+BOOST_AUTO_TEST_CASE(a_sheet_sums_up_the_whole_run) {
+  stops_and_goes_on({"run", scene("fence/sample2.DAT"), "--end", "10 ms", "--sheet"}, "3 ms", "6 ms");
+}
+
+BOOST_AUTO_TEST_CASE(sheets_that_cannot_be) {
+  const Folder folder;
+  const std::string out = (folder.path / "out").string();
+  const std::string goes_with =
+      "talus: --sheet: it goes with a fence (a deck or a scene with [fence]) and with --out\n";
+  BOOST_TEST(talus_ran({"run", scene("two_cable.toml"), "--sheet", "--out", out}).err == goes_with);
+  BOOST_TEST(talus_ran({"run", scene("fence/sample2.DAT"), "--sheet"}).err == goes_with);
+  BOOST_TEST(!fs::exists(out));
+  runs({"run", scene("fence/sample2.DAT"), "--until", "1 ms", "--out", out});
+  BOOST_TEST(talus_ran({"run", "--resume", out, "--sheet"}).err ==
+             "talus: --sheet: a run that is taken on (--resume) keeps what it began with\n");
+}
+
 BOOST_AUTO_TEST_CASE(a_scene_that_was_moved_is_named_again) {
   const Folder folder;
   const fs::path here = folder.path / "here.toml", there = folder.path / "there.toml";

@@ -168,7 +168,7 @@ scenes::FenceScene yielding_fence() {
   fence.young = 2e7 * 144.0, fence.area_top = 1.076 / 144.0, fence.area_bottom = 0.25 / 144.0;
   fence.y_top = 6.67, fence.y_bottom = -4.0;
   fence.columns = 13, fence.restitution = 0.4, fence.slack = 0.5;
-  fence.limit_top = 2e4, fence.limit_bottom = 1e8;
+  fence.limit_top = 4e4, fence.limit_bottom = 1e8;
   fence.layers = 2, fence.layer_spacing = 2.6, fence.rock_overlap = 0.6, fence.layer_overlap = 0.5;
   return fence_scene(fence);
 }
