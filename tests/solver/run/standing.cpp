@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "solver/base/error.hpp"
+#include "solver/run/failure_log.hpp"
 #include "solver/run/history.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/pendulum.hpp"
@@ -24,6 +25,7 @@ struct Left {
   std::vector<std::vector<double>> rows;
   std::vector<double> extremes{};
   std::vector<double> closures{};
+  std::string failures{};
 };
 
 /// A run with its recorder, made afresh for each leg of it.
@@ -34,11 +36,15 @@ class Leg {
         dynamics_{scene.model},
         system_{dynamics_, plan_.ledger},
         standing_{standing_at_start(scene.integrator, settled(scene.initial))},
-        recorder_{dynamics_, standing_.state, plan_.ledger} {}
+        recorder_{dynamics_, standing_.state, plan_.ledger},
+        failures_{dynamics_} {}
 
   /// Goes on until so many steps are done.
   void run_to(long step) {
-    const Observer observers[] = {[this](const State& seen, const StepInfo& info) { recorder_(seen, info); }};
+    const Observer observers[] = {[this](const State& seen, const StepInfo& info) {
+      recorder_(seen, info);
+      failures_(seen, info);
+    }};
     const double end = standing_.start + static_cast<double>(step) * plan_.step;
     const StopCondition stop = [end](const State& seen) { return seen.t >= end; };
     const Outcome outcome = simulate(system_, standing_, plan_, observers, stop);
@@ -49,6 +55,7 @@ class Leg {
   void remember(Memory& memory) {
     memory.part("run", [&] { standing_.remember(memory); });
     memory.part("recorder", [&] { recorder_.remember(memory); });
+    memory.part("failures", [&] { failures_.remember(memory); });
   }
 
   Left left() {
@@ -58,6 +65,8 @@ class Leg {
              .rows = recorder_.history().rows};
     for (const Recorder::Extreme& e : recorder_.extremes())
       all.extremes.insert(all.extremes.end(), {e.least, e.least_time, e.largest, e.largest_time});
+    for (const Failure& failure : failures_.failures())
+      all.failures += failure.part + " " + std::string{failure.what} + " at " + std::to_string(failure.time) + "\n";
     const Accounts& accounts = recorder_.accounts();
     all.closures = {accounts.energies.total(),
                     accounts.dissipated(),
@@ -81,6 +90,7 @@ class Leg {
   RigidBodySystem system_;
   Standing standing_;
   Recorder recorder_;
+  FailureLog failures_;
 };
 
 void same_bits(const Left& one, const Left& other) {
@@ -90,6 +100,7 @@ void same_bits(const Left& one, const Left& other) {
   BOOST_TEST((one.rows == other.rows));
   BOOST_TEST((one.extremes == other.extremes));
   BOOST_TEST((one.closures == other.closures));
+  BOOST_TEST(one.failures == other.failures);
 }
 
 /// The run of one leg against that of legs which end at these steps, each taken on by fresh objects.
@@ -149,8 +160,8 @@ void every_integrator(Scene scene, long steps, const std::vector<std::vector<lon
   }
 }
 
-/// sample2 of the manual (Mustoe & Huttelmaier 1993, Appendix II.5.1) with a top cable that yields soon after the
-/// impact.
+/// sample2 of the manual (Mustoe & Huttelmaier 1993, Appendix II.5.1) with a top cable that yields and hangers that
+/// break soon after the impact, and friction.
 scenes::FenceScene yielding_fence() {
   using namespace scenes;
   Fence fence;
@@ -167,7 +178,8 @@ scenes::FenceScene yielding_fence() {
   fence.span = 55.0, fence.sag = 5.5, fence.spacing = 2.5;
   fence.young = 2e7 * 144.0, fence.area_top = 1.076 / 144.0, fence.area_bottom = 0.25 / 144.0;
   fence.y_top = 6.67, fence.y_bottom = -4.0;
-  fence.columns = 13, fence.restitution = 0.4, fence.slack = 0.5;
+  fence.columns = 13, fence.restitution = 0.4, fence.slack = 0.5, fence.friction = 0.4;
+  fence.options.hanger_strength = 8000.0;
   fence.limit_top = 4e4, fence.limit_bottom = 1e8;
   fence.layers = 2, fence.layer_spacing = 2.6, fence.rock_overlap = 0.6, fence.layer_overlap = 0.5;
   return fence_scene(fence);
@@ -205,7 +217,7 @@ BOOST_AUTO_TEST_CASE(pendulum_with_long_intervals) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(fence_that_yields_with_sleeping_columns) {
+BOOST_AUTO_TEST_CASE(fence_that_yields_breaks_and_rubs_with_sleeping_columns) {
   const scenes::FenceScene made = yielding_fence();
   const Layout layout{made.scene.model};
   Leg whole{made.scene};
@@ -215,7 +227,10 @@ BOOST_AUTO_TEST_CASE(fence_that_yields_with_sleeping_columns) {
   BOOST_TEST(std::count(sleepers, early.end(), Mode{0}) > 0);
   BOOST_TEST(std::count(sleepers, early.end(), Mode{1}) > 0);
   whole.run_to(250);
-  BOOST_TEST(whole.left().state.work[static_cast<std::size_t>(Mechanism::cable_yield)] > 0.0);
+  const Left end = whole.left();
+  BOOST_TEST(end.state.work[static_cast<std::size_t>(Mechanism::cable_yield)] > 0.0);
+  BOOST_TEST(end.state.work[static_cast<std::size_t>(Mechanism::friction)] > 0.0);
+  BOOST_TEST(end.failures.find("hanger 'hanger1' breaks") != std::string::npos);
   every_integrator(made.scene, 250, {{1}, {2}, {5, 6, 7}, {40, 41}, {120, 200}, {249}});
 }
 
