@@ -149,6 +149,15 @@ Panel force_chart(const SheetRecord& record) {
   return panel;
 }
 
+/// Height of the ground's line at x.
+double ground_below(const SheetRecord& record, double x) {
+  const auto next = std::find_if(record.ground.begin(), record.ground.end(), [x](Pair p) { return p[0] > x; });
+  if (record.ground.empty()) return 0.0;
+  if (next == record.ground.begin() || next == record.ground.end()) return record.ground.front()[1];
+  const Pair a = *(next - 1), b = *next;
+  return a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
+}
+
 /// Limits of an axis with a little room.
 std::string range(char axis, const std::vector<double>& values) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -161,22 +170,26 @@ std::string range(char axis, const std::vector<double>& values) {
 std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const std::string& stem) {
   Panel side = side_view(record), front = front_view(record);
   const Panel forces = force_chart(record);
-  side.y.push_back(record.ground[1]), front.y.push_back(record.ground[1]);
-  const double slope = record.ground_direction[1] / record.ground_direction[0];
-  const std::string ground = fmt::format("{:.6g} + {:.6g}*(x - {:.6g})", record.ground[1], slope, record.ground[0]);
+  Block ground{"ground"};
+  for (const Pair p : record.ground)
+    ground.add(p[0], p[1]);
+  // Along the fence it is level: as high as below the place where the columns hang.
+  const double level = ground_below(record, 0.0);
+  side.y.push_back(level), front.y.push_back(level);
   std::string body =
       "set multiplot\nset size ratio -1\nset tics font ',9'\nset title font ',10' offset 0,-0.7\n"
       "set xlabel font ',9' offset 0,0.8\nset ylabel font ',9' offset 1,0\nset key font ',9'\n"
-      "set lmargin at screen 0.075\nset rmargin at screen 0.30\nset bmargin at screen 0.52\nset tmargin at screen 0.94\n"
+      "set lmargin at screen 0.075\nset rmargin at screen 0.30\nset bmargin at screen 0.52\nset tmargin at screen "
+      "0.94\n"
       "set key off\nset xtics 1\nset title 'from the side'\nset xlabel 'x, m'\nset ylabel 'y, m'\n" +
       range('x', side.x) + range('y', side.y);
-  body += fmt::format("plot {} with lines lc rgb '#666666' lw 1.4 notitle, {}\n", ground, side.curves);
+  body += fmt::format("plot {}, {}\n", ground.curve("lc rgb '#666666' lw 1.4"), side.curves);
   body +=
       "set lmargin at screen 0.37\nset rmargin at screen 0.98\nset xtics autofreq\n"
       "set title 'along the fence, first layer'\nset xlabel 'z, m'\n"
       "set key on at screen 0.98, screen 0.98 right top vertical maxrows 3 Right noreverse samplen 1.5\n" +
       range('x', front.x) + range('y', front.y);
-  body += fmt::format("plot {:.6g} with lines lc rgb '#666666' lw 1.4 notitle, {}\n", record.ground[1], front.curves);
+  body += fmt::format("plot {:.6g} with lines lc rgb '#666666' lw 1.4 notitle, {}\n", level, front.curves);
   body +=
       "set size noratio\nset lmargin at screen 0.075\nset rmargin at screen 0.98\nset bmargin at screen 0.12\n"
       "set tmargin at screen 0.35\nunset title\nset xlabel 'time, s'\nset ylabel 'kN'\n"
@@ -187,8 +200,8 @@ std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const 
   // Long tables leave it less of the page.
   const double lines = static_cast<double>(std::min<std::size_t>(record.rocks.size() + record.columns.size(), 26));
   const double height = 9.6 - 0.25 * std::max(0.0, lines - 16.0);
-  return fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string())) + side.data + front.data + forces.data +
-         drawn_in_each_format(canvas, stem, body, height);
+  return fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string())) + ground.data() + side.data + front.data +
+         forces.data + drawn_in_each_format(canvas, stem, body, height);
 }
 
 }  // namespace talus::reports

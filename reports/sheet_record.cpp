@@ -88,7 +88,8 @@ SheetState state(const Node& node) {
 void read_forces(const Node& sheet, SheetRecord& record) {
   for (const Node& node : sheet.at("columns").list()) {
     record.columns.push_back({node.at("name").text(), node.at("layer").integer(), node.at("along").finite(),
-                              node.at("travel").finite(), node.at("travel_time").finite(), force(node.at("hanger"))});
+                              node.at("travel").finite(), node.at("travel_time").finite(), node.at("margin").finite(),
+                              force(node.at("hanger"))});
   }
   for (const Node& node : sheet.at("segments").list()) {
     record.segments.push_back({node.at("name").text(), node.at("layer").integer(),
@@ -98,13 +99,13 @@ void read_forces(const Node& sheet, SheetRecord& record) {
   for (const Node& node : sheet.at("anchors").list())
     record.anchors.push_back({node.at("layer").integer(), numbers<3>(node.at("place")), force(node.at("force"))});
   for (const Node& node : sheet.at("events").list())
-    record.events.push_back({node.at("time").finite(), node.at("cable").text(), node.at("mode").text()});
+    record.events.push_back({node.at("time").finite(), node.at("part").text(), node.at("what").text()});
 }
 
 void read_drawing(const Node& sheet, SheetRecord& record) {
   const Node drawing = sheet.at("drawing");
-  record.ground = numbers<2>(drawing.at("ground").at("place"));
-  record.ground_direction = numbers<2>(drawing.at("ground").at("direction"));
+  for (const Node& point : drawing.at("ground").list())
+    record.ground.push_back(numbers<2>(point));
   record.column_half_width = drawing.at("column_half_width").finite();
   for (const Node& node : drawing.at("states").list())
     record.states.push_back(state(node));

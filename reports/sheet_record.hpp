@@ -37,7 +37,7 @@ struct SheetLayer {
 struct SheetColumn {
   std::string name;
   int layer{};
-  double along{}, travel{}, travel_time{};
+  double along{}, travel{}, travel_time{}, margin{};
   SheetForce hanger;
 };
 
@@ -56,7 +56,7 @@ struct SheetAnchor {
 
 struct SheetEvent {
   double time{};
-  std::string cable, mode;
+  std::string part, what;
 };
 
 /// One line of the ledger; the change from start to end, or what was lost.
@@ -97,7 +97,7 @@ struct SheetRecord {
   std::vector<SheetAnchor> anchors;
   std::vector<SheetEvent> events;
   std::vector<SheetEnergy> energies;  ///< empty when the run kept no ledger
-  Pair ground{}, ground_direction{};
+  std::vector<Pair> ground;           ///< its line, from left to right
   double column_half_width{};
   std::vector<SheetState> states;
   std::vector<std::string> history_columns;

@@ -51,6 +51,7 @@ SheetTable hanger_table(const SheetRecord& record) {
                     {"hanger", "kN"},
                     {"hanger", "kip"},
                     {"hanger", "at s"},
+                    {"hanger", "% of limit"},
                     {"hanger", "angle, deg"},
                     {"hanger", "kN s"},
                     {"hanger", "kip s"},
@@ -68,6 +69,7 @@ SheetTable hanger_table(const SheetRecord& record) {
     Row row{column.name};
     add(row, hanger.peak, 1e3, kip);
     row.push_back(seconds(hanger.peak_time));
+    row.push_back(column.margin > 0.0 ? per_cent(column.margin) : "none");
     row.push_back(fmt::format("{:.0f}", std::atan2(hanger.at_peak[1], hanger.at_peak[0]) * 180.0 / std::numbers::pi));
     add(row, size(hanger.impulse), 1e3, kip);
     for (const char* cable : {"top", "bottom"}) {
@@ -92,7 +94,7 @@ SheetTable hanger_table(const SheetRecord& record) {
   table.note =
       "Hanger: sum of the top cable's pulls on the column; angle from +x, up positive; impulse over the whole run, "
       "with "
-      "what it carries at rest. Limit: where the cable yields or breaks.";
+      "what it carries at rest. Limit: where a hanger breaks, a cable yields or breaks.";
   cut(table);
   return table;
 }
@@ -148,25 +150,26 @@ SheetTable travel_table(const SheetRecord& record) {
   return table;
 }
 
-SheetTable event_table(const SheetRecord& record) {
-  SheetTable table{"Order of yields and breaks",
-                   SheetTable::Place::left,
-                   {{"at s"}, {"cable"}, {"from then on"}, {"peak, % of limit"}},
-                   {}};
-  for (const SheetEvent& event : record.events) {
-    const auto segment = std::find_if(record.segments.begin(), record.segments.end(),
-                                      [&](const SheetSegment& s) { return s.name == event.cable; });
-    table.rows.push_back({fmt::format("{:.5f}", event.time), event.cable, event.mode,
-                          segment == record.segments.end() ? "" : per_cent(segment->margin)});
+/// The part that comes nearest to its limit, in words; empty when nothing has one.
+std::string nearest_to_limit(const SheetRecord& record) {
+  double margin = 0.0;
+  std::string name;
+  for (const SheetSegment& segment : record.segments) {
+    if (segment.margin > margin) margin = segment.margin, name = segment.name;
   }
-  const auto nearest =
-      std::max_element(record.segments.begin(), record.segments.end(),
-                       [](const SheetSegment& a, const SheetSegment& b) { return a.margin < b.margin; });
+  for (const SheetColumn& column : record.columns) {
+    if (column.margin > margin) margin = column.margin, name = "the hanger of " + column.name;
+  }
+  return name.empty() ? "" : fmt::format("Nearest to its limit: {}, {} %.", name, per_cent(margin));
+}
+
+SheetTable event_table(const SheetRecord& record) {
+  SheetTable table{"Order of yields and breaks", SheetTable::Place::left, {{"at s"}, {"part"}, {"what"}}, {}};
+  for (const SheetEvent& event : record.events)
+    table.rows.push_back({fmt::format("{:.5f}", event.time), event.part, event.what});
   if (record.events.empty()) {
-    table.rows.push_back({"", "none", "", ""});
-    if (nearest != record.segments.end()) {
-      table.note = fmt::format("Nearest to its limit: {}, {} %.", nearest->name, per_cent(nearest->margin));
-    }
+    table.rows.push_back({"", "none", ""});
+    table.note = nearest_to_limit(record);
   }
   constexpr std::size_t most = 10;
   if (table.rows.size() > most) {

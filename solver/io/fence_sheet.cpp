@@ -141,6 +141,8 @@ Json Sheet::columns() const {
                     {"along", length(joint->along)},
                     {"travel", length(column.travel)},
                     {"travel_time", time(column.travel_time)},
+                    {"limit", in_si(column.limit, dimension::force)},
+                    {"margin", column.margin()},
                     {"hanger", force(column.hanger)}});
   }
   return list;
@@ -172,8 +174,8 @@ Json Sheet::anchors() const {
 
 Json Sheet::events() const {
   Json list = Json::array();
-  for (const scenes::CableEvent& event : summary_.events)
-    list.push_back({{"time", time(event.time)}, {"cable", cable(event.cable).name}, {"mode", event.mode}});
+  for (const Failure& failure : record_.failures)
+    list.push_back({{"time", time(failure.time)}, {"part", failure.part}, {"what", failure.what}});
   return list;
 }
 
@@ -203,7 +205,7 @@ Json Sheet::drawn(const char* name, const State& state) const {
   const Model& model = dynamics_.model();
   Json bodies = Json::array(), cables = Json::array();
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-    if (std::holds_alternative<HalfPlane>(model.bodies[i].shape)) continue;
+    if (i == index(*input_.made.members.front().body)) continue;
     const auto is = [i](const scenes::ColumnRecord& column) { return index(column.body) == i; };
     const auto column = std::find_if(summary_.columns.begin(), summary_.columns.end(), is);
     Json points = Json::array();
@@ -225,10 +227,12 @@ Json Sheet::drawn(const char* name, const State& state) const {
 }
 
 Json Sheet::drawing() const {
-  const Model& model = dynamics_.model();
-  const Body& ground = model.bodies[index(*input_.made.members.front().body)];
-  const Rotation R = rotation(ground.angle);
-  return {{"ground", {{"place", place(ground.p_WB)}, {"direction", Json::array({R.cosine, R.sine})}}},
+  const Body& ground = dynamics_.model().bodies[index(*input_.made.members.front().body)];
+  const Pose stands{ground.p_WB, rotation(ground.angle), {}, 0.0};
+  Json line = Json::array();
+  for (const Vec2 p : outline(ground.shape, 100.0 * input_.fence.span))
+    line.push_back(place(world_point(stands, p)));
+  return {{"ground", std::move(line)},
           {"column_half_width", length(input_.fence.column.a)},
           {"states", Json::array({drawn("start", summary_.start), drawn("largest travel", summary_.at_travel),
                                   drawn("end", summary_.end)})}};

@@ -5,6 +5,8 @@
 #include <limits>
 #include <variant>
 
+#include "solver/geometry/gap.hpp"
+
 namespace talus::scenes {
 namespace {
 
@@ -23,9 +25,8 @@ double limit(const CableLaw& law) {
   return plastic ? std::min(plastic->yield, plastic->strength) : std::numeric_limits<double>::infinity();
 }
 
-std::string_view mode_name(const CableLaw& law, Mode mode) {
-  return std::visit([mode](const auto& l) { return l.modes.at(mode); }, law);
-}
+/// The place of a column from the centre outwards, as its name says: 3 for "back_column-3".
+int place(const std::string& name) { return std::stoi(name.substr(name.find_first_of("123456789"))); }
 
 }  // namespace
 
@@ -48,8 +49,21 @@ FenceWatch::FenceWatch(const Fence& fence, const FenceScene& made, const Dynamic
     history_.columns.push_back({force, dimension::force});
 }
 
+void FenceWatch::add_column(const Joint& hanger, int layer) {
+  const Model& model = dynamics_->model();
+  double y_bottom = fence_->y_bottom, strength = std::numeric_limits<double>::infinity();
+  for (const ChangedColumn& changed : fence_->changed_columns) {
+    if (changed.place == place(model.bodies[index(hanger.body)].name)) y_bottom = changed.y_bottom;
+  }
+  for (const Hanger& breakable : model.hangers) {
+    if (breakable.body == hanger.body) strength = breakable.strength;
+  }
+  summary_.columns.push_back({.body = hanger.body, .layer = layer, .limit = strength});
+  joints_.push_back({hanger.p, Vec2{0.0, y_bottom}});
+}
+
 /// Rocks by the numbering of 1993; columns, segments and anchors by the cables, so that both sides of a full model are
-/// in. A segment begins at a column: at its top joint or at its bottom joint.
+/// in. A segment begins at a column; names tell top from bottom.
 void FenceWatch::list_parts() {
   const Model& model = dynamics_->model();
   const CableForces& cables = dynamics_->cables();
@@ -59,7 +73,7 @@ void FenceWatch::list_parts() {
   };
   for (std::size_t c = 0; c < model.cables.size(); ++c) {
     const auto [a, b, share_a, share_b] = cables.ends()[c];
-    const bool top = cables.joints()[a].p.y == fence_->y_top;
+    const bool top = model.cables[c].name.find("top") != std::string::npos;
     const int layer = layer_at(model.bodies[index(cables.joints()[a].body)].p_WB.x);
     summary_.segments.push_back(
         {.cable = static_cast<CableId>(c), .layer = layer, .top = top, .limit = limit(model.cables[c].law)});
@@ -68,7 +82,7 @@ void FenceWatch::list_parts() {
       const auto listed = [j](const AnchorRecord& anchor) { return anchor.joint == j; };
       if (joint.on_body && top && std::find(hangers_.begin(), hangers_.end(), j) == hangers_.end()) {
         hangers_.push_back(j);
-        summary_.columns.push_back({.body = joint.body, .layer = layer});
+        add_column(joint, layer);
       }
       if (!joint.on_body && std::none_of(summary_.anchors.begin(), summary_.anchors.end(), listed))
         summary_.anchors.push_back({.joint = j, .layer = layer});
@@ -106,7 +120,10 @@ double FenceWatch::kinetic(std::size_t rock, const State& state) const {
 }
 
 double FenceWatch::height(Vec2 p) const {
-  const Pose& ground = work_.poses[index(*made_->members.front().body)];
+  const BodyId body = *made_->members.front().body;
+  const Pose& ground = work_.poses[index(body)];
+  if (const auto* terrain = std::get_if<Terrain>(&dynamics_->model().bodies[index(body)].shape))
+    return -depth_below(*terrain, p - ground.p_WB).depth;
   return dot(p - ground.p_WB, ground.R_WB * Vec2{0.0, 1.0});
 }
 
@@ -173,7 +190,8 @@ void FenceWatch::watch_columns(const State& state) {
   const double h = state.t - time_;
   for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
     ColumnRecord& column = summary_.columns[i];
-    const Vec2 pull = work_.joints[hangers_[i]].force;
+    const bool broken = !work_.rigging.broken.empty() && work_.rigging.broken[hangers_[i]];
+    const Vec2 pull = broken ? Vec2{} : work_.joints[hangers_[i]].force;
     add(column.hanger, {pull.x, pull.y, 0.0}, last_hanger_[i], state.t, h);
     const Pose& now = work_.poses[index(column.body)];
     const double travel = std::abs(now.p_WB.x - dynamics_->model().bodies[index(column.body)].p_WB.x);
@@ -190,13 +208,6 @@ void FenceWatch::watch_cables(const State& state) {
     if (tension > segment.peak) segment.peak = tension, segment.peak_time = state.t;
     segment.impulse += 0.5 * h * (last_tension_[i] + tension);
     last_tension_[i] = tension;
-    const CableLaw& law = dynamics_->model().cables[index(segment.cable)].law;
-    const std::string_view mode =
-        mode_name(law, state.mode[dynamics_->layout().cable_slots[index(segment.cable)].mode]);
-    if (mode == "slack" || mode == "taut") continue;
-    const auto same = [&](const CableEvent& event) { return event.cable == segment.cable && event.mode == mode; };
-    if (std::none_of(summary_.events.begin(), summary_.events.end(), same))
-      summary_.events.push_back({segment.cable, std::string{mode}, state.t});
   }
 }
 
@@ -211,7 +222,9 @@ void FenceWatch::watch_anchors(const State& state) {
       if (a != summary_.anchors[i].joint && b != summary_.anchors[i].joint) continue;
       const Path& path = work_.paths[c];
       const double way = a == summary_.anchors[i].joint ? 1.0 : -1.0;
-      const double along = (cables.joints()[b].along - cables.joints()[a].along) / path.length;
+      // The rest of the unit vector: through a broken hanger the cable does not run to its own joint.
+      const double along = std::copysign(std::sqrt(std::max(0.0, 1.0 - dot(path.pull_A, path.pull_A))),
+                                         cables.joints()[b].along - cables.joints()[a].along);
       force = force + way * forces_.tensions[c] * Vec3{path.pull_A.x, path.pull_A.y, along};
     }
     add(summary_.anchors[i].force, force, last_anchor_[i], state.t, h);
@@ -225,8 +238,8 @@ void FenceWatch::watch_heights(const State& state) {
     for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
       if (summary_.columns[i].layer != static_cast<int>(layer) + 1) continue;
       const Pose& column = work_.poses[index(summary_.columns[i].body)];
-      top = std::min(top, height(work_.joints[hangers_[i]].p_WP));
-      bottom = std::max(bottom, height(world_point(column, {0.0, fence_->y_bottom})));
+      top = std::min(top, height(world_point(column, joints_[i][0])));
+      bottom = std::max(bottom, height(world_point(column, joints_[i][1])));
     }
     LayerRecord& record = summary_.layers[layer];
     if (first) record.top.start = top, record.bottom.start = bottom;

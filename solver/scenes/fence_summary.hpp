@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -44,9 +45,12 @@ struct RockPassage {
 struct ColumnRecord {
   BodyId body{};
   int layer{};
+  double limit{};        ///< pull at which the hanger breaks [F]; infinite where it cannot
   ForceRecord hanger{};  ///< sum of the top cable's pulls on the column; no z, which the segments balance
   double travel{};       ///< largest distance along x of its centre from its place at the start [L]
   double travel_time{};  ///< [T]
+
+  double margin() const { return hanger.peak / limit; }
 };
 
 /// A segment of a cable.
@@ -69,7 +73,7 @@ struct AnchorRecord {
 };
 
 /// Heights over the ground of a layer: of the lowest top joint, and of the highest bottom joint, below which a rock may
-/// pass (a column's lower edge where there is no bottom cable: the local y of the deck's bottom joint is used anyway).
+/// pass. Joints are points of the columns: of one that has lost its hanger too. Height is the distance to the ground.
 struct LayerRecord {
   struct Height {
     double start{};
@@ -81,13 +85,6 @@ struct LayerRecord {
   Height bottom;
 };
 
-/// A cable that yields or breaks: the first step at which its law is in that mode.
-struct CableEvent {
-  CableId cable{};
-  std::string mode;  ///< as the law names it
-  double time{};     ///< [T]
-};
-
 /// What a fence did in a run, as an engineer asks.
 struct FenceSummary {
   std::vector<RockPassage> rocks;
@@ -95,11 +92,10 @@ struct FenceSummary {
   std::vector<SegmentRecord> segments;
   std::vector<AnchorRecord> anchors;
   std::vector<LayerRecord> layers;
-  std::vector<CableEvent> events;  ///< in their order
-  double travel{};                 ///< largest of all columns' [L]
-  State start;                     ///< the first state
-  State at_travel;                 ///< the state of the largest travel
-  State end;                       ///< the last state
+  double travel{};  ///< largest of all columns' [L]
+  State start;      ///< the first state
+  State at_travel;  ///< the state of the largest travel
+  State end;        ///< the last state
 };
 
 /// Watches a fence's run and sums it up. Every step counts; integrals are trapezoids between steps.
@@ -119,6 +115,7 @@ class FenceWatch {
 
  private:
   void list_parts();
+  void add_column(const Joint& hanger, int layer);
   void begin(const State& state);
   void approach(std::size_t rock, const State& before);
   void watch_rocks(const State& state);
@@ -138,6 +135,7 @@ class FenceWatch {
   LawForces forces_;
   Rates rates_;
   std::vector<BodyId> rocks_;
+  std::vector<std::array<Vec2, 2>> joints_;         ///< top and bottom joint of each column, in its axes [L]
   std::vector<std::size_t> hangers_;                ///< joint of each column's hanger
   std::vector<std::vector<std::size_t>> touching_;  ///< modes of each rock's contacts with columns
   FenceSummary summary_;

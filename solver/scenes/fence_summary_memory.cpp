@@ -83,16 +83,6 @@ void FenceWatch::remember(Memory& memory) {
     memory.part("top", [&] { scenes::remember(memory, layer.top); });
     memory.part("bottom", [&] { scenes::remember(memory, layer.bottom); });
   });
-  auto events = static_cast<long>(s.events.size());
-  memory.count("events", events);
-  if (memory.puts_back()) s.events.resize(std::min(static_cast<std::size_t>(events), 16 * s.segments.size()));
-  each(memory, "event", s.events, [&](CableEvent& event) {
-    auto cable = static_cast<long>(index(event.cable));
-    memory.count("cable", cable);
-    event.cable = static_cast<CableId>(cable);
-    memory.text("mode", event.mode);
-    memory.number("time", event.time);
-  });
   memory.number("travel", s.travel);
   memory.part("start", [&] { talus::remember(memory, s.start); });
   memory.part("at_travel", [&] { talus::remember(memory, s.at_travel); });
