@@ -192,8 +192,8 @@ std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const 
   body += fmt::format("plot {:.6g} with lines lc rgb '#666666' lw 1.4 notitle, {}\n", level, front.curves);
   body +=
       "set size noratio\nset lmargin at screen 0.075\nset rmargin at screen 0.98\nset bmargin at screen 0.12\n"
-      "set tmargin at screen 0.35\nunset title\nset xlabel 'time, s'\nset ylabel 'kN'\n"
-      "set label 1 'largest forces, at the times of the histories' at screen 0.075, screen 0.385 font ',10'\n"
+      "set tmargin at screen 0.35\nunset title\nset xlabel 'time, s'\nunset ylabel\n"
+      "set label 1 'largest forces in kN, at the times of the histories' at screen 0.075, screen 0.385 font ',10'\n"
       "set key at screen 0.98, screen 0.385 right center horizontal maxrows 1 Right noreverse\nset autoscale\n"
       "set yrange [0:*]\n";
   body += fmt::format("plot {}\nunset label 1\nunset multiplot", forces.curves);
