@@ -16,6 +16,7 @@ struct Options {
   std::string report;
   std::string plot;
   std::string to;
+  std::string sheet;
   std::vector<std::string> formats{"svg", "pdf", "png"};
   unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
 };
@@ -28,6 +29,7 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("report", options.report, "folder to write the report to (build/report)");
   app.add_option("--plot", options.plot, "a folder with a plot.json: draw what it asks for");
   app.add_option("--to", options.to, "folder for the pictures; default plots/ in that of --plot");
+  app.add_option("--sheet", options.sheet, "a fence run's folder: make sheet.pdf and sheet.html from its sheet.json");
   app.add_option("--format", options.formats, "formats of --plot, from ps, pdf, svg, png; default the last three")
       ->delimiter(',')
       ->check(CLI::IsMember({"ps", "pdf", "svg", "png"}));
@@ -45,6 +47,11 @@ void work(const Options& options) {
       fmt::print("{}\n", file.string());
     return;
   }
+  if (!options.sheet.empty()) {
+    for (const auto& file : talus::reports::make_sheet(options.sheet, workplace))
+      fmt::print("{}\n", file.string());
+    return;
+  }
   const std::string warnings = talus::reports::make_report(options.verify, options.report, workplace);
   if (!warnings.empty()) fmt::print(stderr, "{}", warnings);
   fmt::print("{0}/verification.md\n{0}/verification.html\n{0}/verification.pdf\n", options.report);
@@ -58,9 +65,10 @@ int main(int argc, char** argv) {
   describe(app, options);
   try {
     app.parse(argc, argv);
-    const bool folders = !options.verify.empty() && !options.report.empty();
-    if (options.plot.empty() ? !folders : !options.verify.empty()) {
-      throw CLI::ValidationError("give either two folders, VERIFY and REPORT, or --plot DIR");
+    const int jobs =
+        (!options.verify.empty() && !options.report.empty()) + !options.plot.empty() + !options.sheet.empty();
+    if (jobs != 1 || options.verify.empty() != options.report.empty()) {
+      throw CLI::ValidationError("give either two folders, VERIFY and REPORT, or --plot DIR, or --sheet DIR");
     }
   } catch (const CLI::ParseError& wrong) {
     return app.exit(wrong) == 0 ? 0 : 2;

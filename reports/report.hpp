@@ -32,4 +32,8 @@ std::string make_report(const std::filesystem::path& verify, const std::filesyst
 std::vector<std::filesystem::path> make_plots(const std::filesystem::path& run, const std::filesystem::path& target,
                                               const std::set<std::string>& formats, const Workplace& workplace);
 
+/// Makes run/sheet.pdf and run/sheet.html, one page each, from run/sheet.json; returns the files' paths. Throws as
+/// make_report() does.
+std::vector<std::filesystem::path> make_sheet(const std::filesystem::path& run, const Workplace& workplace);
+
 }  // namespace talus::reports

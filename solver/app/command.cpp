@@ -26,7 +26,8 @@ void describe(CLI::App& talus) {
       "  talus animate out                            a page that plays the run in a browser\n"
       "  talus convert fence.DAT fence.toml           a deck of the 1993 program FENCE as a scene, or back\n"
       "  talus list fields                            every field that a scene can hold, with its dimension\n"
-      "Exit codes: 0 done, 2 wrong input or usage, 3 the run failed numerically, 4 a file cannot be read or written.");
+      "Exit codes: 0 done, 2 wrong input or usage, 3 the run failed numerically, 4 a file cannot be read or written, "
+      "128 + n stopped by signal n and left to be taken on.");
   talus.set_version_flag("--version", std::string{"talus "} + TALUS_VERSION, "Print the version and exit");
   talus.require_subcommand(1);
 }

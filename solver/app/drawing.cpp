@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -11,34 +9,12 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "solver/app/report_tool.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/atomic_file.hpp"
 
-extern char** environ;
-
 namespace talus::app {
-namespace {
-
 namespace fs = std::filesystem;
-
-fs::path find_report_tool() {
-  std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  std::vector<fs::path> places;
-  if (!error) places.push_back(self.parent_path());
-  const char* path = std::getenv("PATH");
-  for (std::string_view rest = path != nullptr ? path : ""; !rest.empty();) {
-    const std::size_t colon = std::min(rest.find(':'), rest.size());
-    if (colon > 0) places.emplace_back(rest.substr(0, colon));
-    rest.remove_prefix(std::min(colon + 1, rest.size()));
-  }
-  for (const fs::path& place : places) {
-    if (const fs::path tool = place / "talus_report"; ::access(tool.c_str(), X_OK) == 0) return tool;
-  }
-  throw IoError{"talus_report draws the plots; it is neither beside talus nor in PATH"};
-}
-
-}  // namespace
 
 void add_format_option(CLI::App& app, PictureOptions& options) {
   app.add_option("--format", options.formats, "formats, from ps, pdf, svg, png; default the last three")
@@ -53,22 +29,8 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
 }
 
 int draw(const fs::path& record, const fs::path& target, const std::vector<std::string>& formats) {
-  const std::string tool = find_report_tool().string();
-  std::string words[] = {
-      tool, "--plot", record.string(), "--to", target.string(), "--format", fmt::format("{}", fmt::join(formats, ","))};
-  std::vector<char*> arguments;
-  for (std::string& word : words)
-    arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t child = 0;
-  if (const int reason = ::posix_spawn(&child, tool.c_str(), nullptr, nullptr, arguments.data(), environ)) {
-    throw IoError{fmt::format("{}: {}", tool, std::strerror(reason))};
-  }
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (WIFEXITED(status)) return WEXITSTATUS(status);
-  throw IoError{fmt::format("{}: ended by signal {}", tool, WTERMSIG(status))};
+  return run_report_tool(
+      {"--plot", record.string(), "--to", target.string(), "--format", fmt::format("{}", fmt::join(formats, ","))});
 }
 
 DrawingRecord::DrawingRecord(fs::path target) : target_{std::move(target)} {

@@ -22,6 +22,11 @@ void FenceFiles::write() const {
   write_whole(folder_ / (name_ + ".history.json"), history_.json_text());
 }
 
+void FenceFiles::remember(Memory& memory) {
+  memory.part("history", [&] { history_.remember(memory); });
+  memory.part("listing", [&] { listing_.remember(memory); });
+}
+
 std::vector<std::string> FenceFiles::names() const {
   return {name_ + ".OUT", name_ + ".history.csv", name_ + ".history.json"};
 }

@@ -22,6 +22,9 @@ class FenceFiles {
   /// Writes what is not yet written. Errors: IoError.
   void write() const;
 
+  /// Names what the files carry from one step to the next; those of the same run go on from it.
+  void remember(Memory& memory);
+
   /// Names of the files, for the summary.
   std::vector<std::string> names() const;
   /// Histories that were asked for and do not exist, in words.

@@ -3,78 +3,53 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "solver/app/command.hpp"
+#include "solver/app/interruption.hpp"
+#include "solver/app/report_tool.hpp"
+#include "solver/app/run_order.hpp"
 #include "solver/app/run_summary.hpp"
-#include "solver/app/scene_files.hpp"
+#include "solver/app/scene_run.hpp"
 #include "solver/base/error.hpp"
 #include "solver/calibrate/step_advice.hpp"
 #include "solver/io/atomic_file.hpp"
-#include "solver/io/csv.hpp"
+#include "solver/io/checkpoint.hpp"
 #include "solver/io/json.hpp"
-#include "solver/io/plot_record.hpp"
-#include "solver/io/scene_file.hpp"
-#include "solver/io/toml_scene.hpp"
 
 namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct RunOptions {
-  std::string scene;
-  std::string folder;
-  std::string end;
-  std::string step;
-  std::string integrator;
-  double tolerance{};
-  bool json{false};
-  long frames{};  ///< states of the geometry; 0: as the scene says
-};
-
-/// The scene with what the command line changes of it.
-SceneFile changed_scene(const RunOptions& options) {
-  SceneFile file = read_scene_file(fs::path{options.scene});
-  Scene& scene = file.scene;
-  const UnitSystem& units = scene.model.units;
-  if (!options.end.empty()) scene.plan.end = option_quantity("--end", options.end, dimension::time, units);
-  if (!options.step.empty()) scene.plan.step = option_quantity("--step", options.step, dimension::time, units);
-  if (!options.integrator.empty()) scene.integrator = make_integrator(options.integrator, options.tolerance);
-  check_step_count(scene.plan);
-  return file;
+/// Makes the folder and finds the tool before the run: what is wrong with them must not cost a run.
+void prepare(const RunOrder& order) {
+  if (order.sheet) static_cast<void>(report_tool());
+  if (order.folder.empty()) return;
+  make_folder(order.folder);
+  // An earlier run's summary would vouch for a mixture if this one cannot finish; its checkpoint is not this run's.
+  std::error_code none;
+  fs::remove(order.folder / "summary.json", none);
+  if (order.from.empty() || !fs::equivalent(order.from, order.folder)) fs::remove(order.checkpoint(), none);
 }
 
-/// Shows on a terminal how far a run has come, once it takes longer than a second.
-class Progress {
- public:
-  explicit Progress(double end) : end_{end}, shown_to_terminal_{::isatty(STDERR_FILENO) == 1} {}
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  ~Progress() {
-    if (written_) fmt::print(stderr, "\r{:40}\r", "");
+/// The run, brought to where it stands. What is wrong names the file that it is wrong in.
+std::unique_ptr<SceneRun> standing_run(const RunOrder& order, long frames) {
+  auto run = std::make_unique<SceneRun>(order.file, order.folder, order.name, frames, order.sheet);
+  if (order.from.empty()) return run;
+  try {
+    Memory memory{order.memory};
+    run->remember(memory);
+    if (const auto names = memory.left_over(); !names.empty())
+      throw InputError{fmt::format("found {}; a run of this scene has no such part", names.front())};
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("{}: memory: {}", (order.from / checkpoint_name).string(), error.what())};
   }
-
-  void operator()(double time, long step) {
-    if (!shown_to_terminal_ || step % 256 != 0) return;
-    const auto now = std::chrono::steady_clock::now();
-    if (now < next_) return;
-    next_ = now + std::chrono::milliseconds{200};
-    written_ = true;
-    fmt::print(stderr, "\rt = {:.5g} of {:.5g}  ({:3.0f} %)", time, end_, 100.0 * time / end_);
-    std::fflush(stderr);
-  }
-
- private:
-  double end_;
-  bool shown_to_terminal_;
-  bool written_{false};
-  std::chrono::steady_clock::time_point next_{std::chrono::steady_clock::now() + std::chrono::seconds{1}};
-};
+  run->bring_files(order.from);
+  return run;
+}
 
 /// The step against the method's linear limit, all contacts closed and all cables taut; empty where no limit is known.
 struct StepRatio {
@@ -97,48 +72,6 @@ StepRatio step_ratio(const Scene& scene) {
           beyond};
 }
 
-RunRecord run_scene(const Scene& scene, const Dynamics& dynamics, const Observer& also) {
-  RigidBodySystem system{dynamics, scene.plan.ledger};
-  Integrator integrator = scene.integrator;
-  State state = scene.initial;
-  system.settle(state);
-  Recorder recorder{dynamics, state, scene.plan.ledger};
-  FailureLog failures{dynamics};
-  Progress progress{scene.plan.end};
-  RunRecord record;
-  State last = state;
-  const Observer observers[] = {[&](const State& seen, const StepInfo& info) {
-    recorder(seen, info);
-    failures(seen, info);
-    also(seen, info);
-    progress(seen.t, info.step);
-    last = seen;
-    record.steps = info.step;
-  }};
-  record.outcome = simulate(system, integrator, state, scene.plan, observers);
-  record.title = scene.title;
-  record.units = scene.model.units;
-  record.integrator = name(scene.integrator);
-  record.plan = scene.plan;
-  record.evaluations = system.evaluations();
-  record.coordinates = dynamics.layout().coordinates.size();
-  record.laws = dynamics.layout().mode_count;
-  record.contacts = scene.model.contacts.size();
-  record.cables = scene.model.cables.size();
-  record.bodies = body_states(scene.model, last);
-  record.failures = failures.failures();
-  record_history(record, recorder);
-  return record;
-}
-
-void write_files(const RunRecord& record, const SceneFiles& files, const fs::path& folder) {
-  write_whole(folder / "history.csv", csv(record.history, record.units));
-  write_whole(folder / "final_state.json", final_state_json(record));
-  write_whole(folder / "plot.json", plot_json(record, "history.csv", files.drawn_from()));
-  files.write();
-  write_whole(folder / "summary.json", summary_json(record));  // last: its presence says that all is there
-}
-
 /// Red on a terminal, unless NO_COLOR is set (no-color.org).
 void print_failure(std::string_view words) {
   const char* no_color = std::getenv("NO_COLOR");
@@ -146,39 +79,74 @@ void print_failure(std::string_view words) {
   fmt::print(stderr, "{}talus: {}{}\n", red ? "\033[31m" : "", words, red ? "\033[0m" : "");
 }
 
-/// Makes the folder before the run: a wrong one must not cost a run.
-void prepare(const fs::path& folder) {
-  make_folder(folder);
-  // An earlier run's summary would vouch for a mixture if this one cannot finish.
-  std::error_code none;
-  fs::remove(folder / "summary.json", none);
+void write_checkpoint(const RunOrder& order, SceneRun& run) {
+  Memory memory;
+  run.remember(memory);
+  const Scene& scene = order.file.scene;
+  write_whole(order.checkpoint(), checkpoint_text({.scene_file = fs::absolute(order.scene).string(),
+                                                   .scene_fnv1a = fnv1a(order.text),
+                                                   .integrator = std::string{name(scene.integrator)},
+                                                   .tolerance = tolerance(scene.integrator),
+                                                   .step = scene.plan.step,
+                                                   .end = scene.plan.end,
+                                                   .steps = run.standing().step,
+                                                   .memory = memory.items()},
+                                                  TALUS_VERSION));
+}
+
+/// Writes all files of the run; with `leave` its checkpoint, else none stays in the folder.
+void write_files(const RunOrder& order, SceneRun& run, const RunRecord& record, bool leave) {
+  run.write(record);
+  if (leave) {
+    write_checkpoint(order, run);
+  } else {
+    std::error_code none;
+    fs::remove(order.checkpoint(), none);
+  }
+  write_whole(order.folder / "summary.json", summary_json(record));  // last: its presence says that all is there
+}
+
+void print_result(const RunOptions& options, const RunOrder& order, const SceneRun& run, const RunRecord& record,
+                  bool left) {
+  fmt::print("{}", options.json ? summary_json(record) : run_summary(record));
+  if (options.json || order.folder.empty()) return;
+  fmt::print("files: {}: {}{}\n", order.folder.string(), fmt::join(run.file_names(), ", "),
+             left ? fmt::format(", {}", checkpoint_name) : "");
+  if (left) fmt::print("go on: talus run --resume {}\n", order.folder.string());
 }
 
 int run(const RunOptions& options) {
-  if (options.tolerance != 0.0 && options.integrator.empty()) {
-    throw InputError{"--tolerance: it goes with --integrator; name both"};
-  }
-  const SceneFile file = changed_scene(options);
-  if (!options.folder.empty()) prepare(options.folder);
-  const Dynamics dynamics{file.scene.model};
-  std::optional<SceneFiles> files;
-  if (!options.folder.empty()) files.emplace(file, dynamics, options.folder, options.scene, options.frames);
-  const StepRatio ratio = step_ratio(file.scene);
+  const RunOrder order = run_order(options);
+  const long last = last_step(options, order);
+  prepare(order);
+  const std::unique_ptr<SceneRun> run = standing_run(order, options.frames);
+  const StepRatio ratio = step_ratio(order.file.scene);
   if (ratio.beyond) print_failure(fmt::format("warning: {}; the answer may grow without bound", ratio.words));
-  RunRecord record = run_scene(file.scene, dynamics, [&](const State& seen, const StepInfo& info) {
-    if (files) (*files)(seen, info);
-  });
-  if (!record.outcome && !ratio.words.empty()) record.outcome.words += fmt::format("; {}", ratio.words);
-  if (files) record.notes = files->left_out();
-  if (files) write_files(record, *files, options.folder);
-  fmt::print("{}", options.json ? summary_json(record) : run_summary(record));
-  if (files && !options.json) {
-    fmt::print("files: {}: history.csv, final_state.json, summary.json, plot.json, {}\n", options.folder,
-               fmt::join(files->names(), ", "));
+
+  // Without a folder there is nowhere to leave the run: a signal then ends the program as usual.
+  std::optional<Interruption> interruption;
+  if (!order.folder.empty()) interruption.emplace();
+  const double until = run->standing().start + static_cast<double>(last) * order.file.scene.plan.step;
+  Outcome outcome =
+      run->go_on([&](const State& seen) { return seen.t >= until || (interruption && interruption->signal() != 0); });
+  if (!outcome && !ratio.words.empty()) outcome.words += fmt::format("; {}", ratio.words);
+
+  const bool left = outcome.kind == Outcome::Kind::stopped || (outcome && !options.until.empty());
+  const RunRecord record = run->record(outcome);
+  if (!order.folder.empty()) write_files(order, *run, record, left);
+  if (order.sheet && run_report_tool({"--sheet", order.folder.string()}) != 0)
+    throw IoError{fmt::format("{}: the sheet was not made", (order.folder / "sheet.json").string())};
+  print_result(options, order, *run, record, left);
+  if (!outcome) {
+    print_failure(outcome.words);
+    return diverged;
   }
-  if (record.outcome) return ok;
-  print_failure(record.outcome.words);
-  return diverged;
+  const int signal = interruption ? interruption->signal() : 0;
+  if (signal == 0 || outcome.kind == Outcome::Kind::finished) return ok;
+  print_failure(fmt::format("{} came; the run was left at t = {:.10g} in {}; talus run --resume {} takes it on",
+                            signal == SIGINT ? "SIGINT" : "SIGTERM", outcome.time, order.checkpoint().string(),
+                            order.folder.string()));
+  return 128 + signal;
 }
 
 }  // namespace
@@ -186,12 +154,19 @@ int run(const RunOptions& options) {
 Command add_run(CLI::App& talus) {
   CLI::App* app = talus.add_subcommand("run", "Run a scene; print its summary, write its histories");
   const auto options = std::make_shared<RunOptions>();
-  app->add_option("SCENE", options->scene, "scene file (.toml) or deck of 1993 (.DAT)")->required();
+  app->add_option("SCENE", options->scene,
+                  "scene file (.toml) or deck of 1993 (.DAT); with --resume only if it was moved");
   app->add_option(
       "--out", options->folder,
       "folder for history.csv, final_state.json, summary.json, plot.json and the geometry NAME.pvd, and for a fence "
-      "its "
-      "listing NAME.OUT and the deck's histories NAME.history.csv and .json; without it nothing is written");
+      "its listing NAME.OUT and the deck's histories NAME.history.csv and .json; without it nothing is written");
+  app->add_option("--until", options->until,
+                  "stop there and leave the run in the folder of --out, to be taken on, e.g. \"20 ms\"");
+  app->add_option("--resume", options->resume,
+                  "folder in which a run was left: take it on, to its end or to --until, as if it had never stopped; "
+                  "the files go to --out, or else the same folder");
+  app->add_flag("--sheet", options->sheet,
+                "of a fence: the engineer's sheet, one page as sheet.pdf and sheet.html, its numbers in sheet.json");
   app->add_flag("--json", options->json, "print the summary as JSON");
   app->add_option("--end", options->end, "time at which the run ends instead of the scene's, e.g. \"5 s\"");
   app->add_option("--step", options->step, "step instead of the scene's, e.g. \"10 us\"");
@@ -205,6 +180,9 @@ Command add_run(CLI::App& talus) {
       "  talus run cases/two_cable.toml --out out\n"
       "  talus run cases/fence/sample2.DAT --out out\n"
       "  talus run cases/two_cable.toml --end \"2 s\" --integrator odeint_dopri5 --tolerance 1e-9 --json\n"
+      "  talus run cases/fence/sample2.DAT --until \"10 ms\" --out out && talus run --resume out\n"
+      "  talus run cases/fence/table_2.toml --sheet --out out\n"
+      "SIGINT and SIGTERM stop a run that has a folder after its present step; it can be taken on with --resume.\n"
       "A run that diverges keeps its history up to there; its summary says why, and the exit code is 3.");
   return {app, [options] { return run(*options); }};
 }

@@ -25,7 +25,8 @@ void head(Page& page, const RunRecord& record) {
   const std::string time = symbol(record.units, dimension::time);
   page.line("{}", record.title);
   if (record.outcome) {
-    page.line("  outcome      finished at t = {:.10g} {}", record.outcome.time, time);
+    const bool finished = record.outcome.kind == Outcome::Kind::finished;
+    page.line("  outcome      {} at t = {:.10g} {}", finished ? "finished" : "stopped", record.outcome.time, time);
   } else {
     page.line("  outcome      {}", record.outcome.words);
   }

@@ -44,6 +44,11 @@ void SceneFiles::write() const {
   geometry_.write_index();
 }
 
+void SceneFiles::remember(Memory& memory) {
+  if (of_fence_) memory.part("fence", [&] { of_fence_->remember(memory); });
+  memory.part("geometry", [&] { geometry_.remember(memory); });
+}
+
 std::vector<std::string> SceneFiles::names() const {
   std::vector<std::string> names;
   if (of_fence_) names = of_fence_->names();

@@ -74,6 +74,7 @@ void Dynamics::list_awake(const State& state, Workspace& work, bool whole) const
   for (std::size_t i = 0; i < layout_.sleepers.size(); ++i)
     waking.awake[index(layout_.sleepers[i])] = static_cast<char>(waking.modes[i]);
   waking.whole = whole;
+  waking.summed = false;
   bodies_.list_awake(waking);
   cables_.list_awake(waking, work.rigging);
 }
@@ -84,7 +85,7 @@ void Dynamics::update(const State& state, Workspace& work) const {
     const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
     const bool changed =
         rerigged || !std::equal(work.waking.modes.begin(), work.waking.modes.end(), modes, state.mode.end());
-    if (changed || work.waking.whole) list_awake(state, work, changed);
+    if (changed || (work.waking.whole && work.waking.summed)) list_awake(state, work, changed);
   }
   bodies_.update(state, work);
   cables_.update(state, work);
@@ -152,6 +153,7 @@ void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledge
   Rates* const accounts = ledger ? &out : nullptr;
   // Cables first: a half model's doubled pull and a full model's two pulls are then the same sum to the last bit.
   cables_.add(state, work, accounts);
+  work.waking.summed = true;
   contacts_.add(state, work, accounts);
   bodies_.rates(work, out, ledger);
 }

@@ -27,7 +27,8 @@ struct JointPoint {
 /// What of a scene an evaluation works out: all but sleeping bodies and the cables between them.
 struct Waking {
   std::vector<Mode> modes;  ///< sleep modes of the state that the lists stand for
-  bool whole{true};         ///< this evaluation works out all paths and poses, because the modes have just changed
+  bool whole{true};         ///< all paths and poses are worked out, because the modes have just changed
+  bool summed{false};       ///< and the pulls at all joints have been summed from them: the next may leave out sleepers
   std::vector<char> awake;  ///< one for each body
   std::vector<std::size_t> bodies;               ///< places of the awake free bodies in their array
   std::vector<std::size_t> joints;               ///< joints to work out

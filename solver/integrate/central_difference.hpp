@@ -36,6 +36,9 @@ struct CentralDifference {
     drift_coordinates(same_time, -0.5 * h);
     return same_time;
   }
+
+  /// Nothing: the stagger is in the state.
+  void remember(Memory&, const State&) const {}
 };
 
 }  // namespace talus

@@ -2,6 +2,7 @@
 
 #include <concepts>
 
+#include "solver/base/memory.hpp"
 #include "solver/state/state.hpp"
 
 namespace talus {
@@ -34,13 +35,17 @@ concept Differentiable = requires(S& system, State& state, const State& fixed, R
 ///   start(system, state, h)         once before the first step of length h (a staggered method shifts the state here)
 ///   step(system, state, h)          advances state by h, time included
 ///   synchronized(state, h)          the state with all parts at the same time, state.t; what observers see
+///   remember(memory, like)          names all that the method carries from one step to the next. After it is put back
+///                                   into a method of the same name, step() goes on bit for bit, without start();
+///                                   `like`, a state of the same scene, tells the sizes
 template <class I, class S>
-concept IntegratorFor = requires(I integrator, S& system, State& state, const State& fixed, double h) {
+concept IntegratorFor = requires(I integrator, S& system, State& state, const State& fixed, double h, Memory& memory) {
   { I::name } -> std::convertible_to<std::string_view>;
   { I::order } -> std::convertible_to<int>;
   integrator.start(system, state, h);
   integrator.step(system, state, h);
   { integrator.synchronized(fixed, h) } -> std::convertible_to<State>;
+  integrator.remember(memory, fixed);
 };
 
 }  // namespace talus

@@ -23,6 +23,8 @@ struct EulerCromer {
   }
 
   const State& synchronized(const State& state, double) const { return state; }
+
+  void remember(Memory&, const State&) const {}
 };
 
 }  // namespace talus

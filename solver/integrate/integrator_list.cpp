@@ -63,6 +63,15 @@ std::string_view name(const Integrator& integrator) {
   return std::visit([](const auto& i) { return i.name; }, integrator);
 }
 
+double tolerance(const Integrator& integrator) {
+  return std::visit(
+      [](const auto& i) {
+        if constexpr (requires { i.tolerance; }) return i.tolerance;
+        return 0.0;
+      },
+      integrator);
+}
+
 int order(const Integrator& integrator) {
   return std::visit([](const auto& i) { return i.order; }, integrator);
 }

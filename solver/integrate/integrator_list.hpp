@@ -31,4 +31,7 @@ using Integrator =
 [[nodiscard]] std::string_view name(const Integrator& integrator);
 [[nodiscard]] int order(const Integrator& integrator);
 
+/// Tolerance of an integrator's step control; 0 where it has none or takes fixed steps.
+[[nodiscard]] double tolerance(const Integrator& integrator);
+
 }  // namespace talus

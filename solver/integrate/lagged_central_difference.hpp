@@ -49,6 +49,11 @@ class LaggedCentralDifference {
     return same_time;
   }
 
+  void remember(Memory& memory, const State& like) {
+    if (memory.puts_back()) rates_ = Rates{like}, old_velocity_ = like.v;
+    memory.numbers("old_velocity", old_velocity_);
+  }
+
  private:
   std::vector<double> old_velocity_;
   Rates rates_;

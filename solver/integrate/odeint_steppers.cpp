@@ -1,7 +1,10 @@
 #include "solver/integrate/odeint_steppers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <boost/numeric/odeint/stepper/adams_bashforth_moulton.hpp>
+#include <boost/numeric/odeint/stepper/adams_bashforth.hpp>
+#include <boost/numeric/odeint/stepper/adams_moulton.hpp>
 #include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_cash_karp54.hpp>
@@ -9,6 +12,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <type_traits>
 #include <variant>
 
 #include "solver/base/error.hpp"
@@ -25,10 +29,58 @@ using Controlled = odeint::controlled_runge_kutta<Stepper>;
 using Dopri5 = odeint::runge_kutta_dopri5<Vector>;
 using CashKarp54 = odeint::runge_kutta_cash_karp54<Vector>;
 using Fehlberg78 = odeint::runge_kutta_fehlberg78<Vector>;
-// Started by Fehlberg 7(8): odeint's default start, rk4, leaves an error of h^5 that the whole run keeps.
-using Adams8 = odeint::adams_bashforth_moulton<8, Vector, double, Vector, double, odeint::range_algebra,
-                                               odeint::default_operations, odeint::initially_resizer, Fehlberg78>;
 using BulirschStoer = odeint::bulirsch_stoer<Vector>;
+
+/// Predictor and corrector of Adams with eight values, as odeint's adams_bashforth_moulton<8> joins them; taken apart
+/// because that class does not show the derivatives that it keeps.
+class Adams8 {
+ public:
+  template <class System>
+  void do_step(System system, Vector& x, double t, double h) {
+    // Eight are kept; the first seven steps are of the method that starts.
+    kept_ = std::min(kept_ + 1, most);
+    if (!predictor_.is_initialized()) return predictor_.do_step(system, x, t, h);
+    predicted_.resize(x.size());
+    predictor_.do_step(system, x, t, predicted_, h);
+    corrector_.do_step(system, x, predicted_, t + h, x, h, predictor_.step_storage());
+  }
+
+  void remember(Memory& memory, std::size_t size) {
+    long kept = kept_;
+    memory.count("derivatives_kept", kept);
+    if (memory.puts_back()) {
+      if (kept > most) throw InputError{fmt::format("derivatives_kept: found {}; it must be at most {}", kept, most)};
+      count_steps(kept, size);
+    }
+    for (long i = 0; i < kept_; ++i)
+      memory.numbers(fmt::format("derivative_{}", i), predictor_.step_storage()[static_cast<std::size_t>(i)].m_v);
+  }
+
+ private:
+  static constexpr long most = 8;
+  // Started by Fehlberg 7(8): odeint's default start, rk4, leaves an error of h^5 that the whole run keeps.
+  using Predictor = odeint::adams_bashforth<8, Vector, double, Vector, double, odeint::range_algebra,
+                                            odeint::default_operations, odeint::initially_resizer, Fehlberg78>;
+  using Corrector = odeint::adams_moulton<8, Vector, double, Vector, double, odeint::range_algebra>;
+
+  /// Brings the predictor's own count of steps to that of a method that has run: nothing but steps advances it.
+  void count_steps(long steps, std::size_t size) {
+    const auto at_rest = [](const Vector&, Vector& dxdt, double) { std::fill(dxdt.begin(), dxdt.end(), 0.0); };
+    Vector zeros(size, 0.0);
+    predictor_ = Predictor{};
+    for (kept_ = 0; kept_ < steps; ++kept_)
+      predictor_.do_step(at_rest, zeros, 0.0, 1.0);
+  }
+
+  /// A corrector refers to an algebra: this one, so that a copy refers to no member of the original.
+  static inline odeint::range_algebra algebra_{};
+
+  Predictor predictor_;
+  Corrector corrector_{algebra_};
+  Vector predicted_;
+  long kept_{0};
+};
+
 using AnyStepper = std::variant<Dopri5, CashKarp54, Fehlberg78, Adams8, Controlled<Dopri5>, Controlled<CashKarp54>,
                                 Controlled<Fehlberg78>, BulirschStoer>;
 
@@ -59,6 +111,10 @@ AnyStepper make_stepper(OdeintMethod method, double tolerance) {
   std::abort();
 }
 
+/// Whether the last stage is the first of the next step.
+template <class Stepper>
+constexpr bool keeps_derivative = std::is_same_v<Stepper, Dopri5> || std::is_same_v<Stepper, Controlled<Dopri5>>;
+
 /// The least internal step, as a share of the interval: below it a run has failed, not merely slowed down.
 constexpr double least_share = 1e-12;
 
@@ -66,8 +122,49 @@ constexpr double least_share = 1e-12;
 
 struct OdeintStepper::Method {
   AnyStepper stepper;
-  double internal_step{};  ///< the step that step control would take next; 0 before the first
+  double internal_step{};    ///< the step that step control would take next; 0 before the first
+  Vector last_derivative{};  ///< of a method whose last stage is the first of its next step; empty before the first
 };
+
+namespace {
+
+/// Steps under control over the interval h. `Method` is OdeintStepper's own.
+template <class Stepper, class Method>
+void controlled_steps(Stepper& stepper, Method& method, const OdeintStepper::Derivative& derivative,
+                      const OdeintStepper::Accepted& accepted, Vector& x, double t, double h) {
+  const auto try_step = [&](double& attempt) {
+    if constexpr (keeps_derivative<Stepper>) {
+      return stepper.try_step(std::cref(derivative), x, method.last_derivative, t, attempt) == odeint::success;
+    } else {
+      return stepper.try_step(std::cref(derivative), x, t, attempt) == odeint::success;
+    }
+  };
+  // Its order is private to odeint and could not be put back from a checkpoint: each interval begins anew.
+  if constexpr (std::is_same_v<Stepper, BulirschStoer>) stepper.reset();
+  const double end = t + h;
+  double dt = method.internal_step == 0.0 ? h : std::min(method.internal_step, h);
+  while (t < end) {
+    const bool last = t + dt * (1.0 + 1e-12) >= end;
+    double attempt = last ? end - t : dt;
+    const double wanted = attempt;
+    if (try_step(attempt)) {
+      if (last) t = end;
+      // A step cut short by the end of the interval says nothing against the longer one.
+      dt = last ? std::max(dt, attempt) : attempt;
+      accepted(x, t);
+    } else {
+      dt = attempt;
+    }
+    if (dt < least_share * h || !std::isfinite(wanted)) {
+      x.assign(x.size(), std::nan(""));  // the run is over: the caller sees a state that is not finite
+      accepted(x, end);
+      return;
+    }
+  }
+  method.internal_step = dt;
+}
+
+}  // namespace
 
 OdeintStepper::OdeintStepper(OdeintMethod method, double tolerance)
     : method_{std::make_unique<Method>(Method{make_stepper(method, tolerance)})} {}
@@ -81,41 +178,39 @@ OdeintStepper::OdeintStepper(OdeintStepper&&) noexcept = default;
 OdeintStepper& OdeintStepper::operator=(OdeintStepper&&) noexcept = default;
 
 void OdeintStepper::advance(const Derivative& derivative, const Accepted& accepted, Vector& x, double t, double h) {
-  const auto one_step = [&](auto& stepper) {
-    stepper.do_step(std::cref(derivative), x, t, h);
-    accepted(x, t + h);
-  };
-  const auto controlled_steps = [&](auto& stepper) {
-    const double end = t + h;
-    double dt = method_->internal_step == 0.0 ? h : std::min(method_->internal_step, h);
-    while (t < end) {
-      const bool last = t + dt * (1.0 + 1e-12) >= end;
-      double attempt = last ? end - t : dt;
-      const double wanted = attempt;
-      if (stepper.try_step(std::cref(derivative), x, t, attempt) == odeint::success) {
-        if (last) t = end;
-        // A step cut short by the end of the interval says nothing against the longer one.
-        dt = last ? std::max(dt, attempt) : attempt;
-        accepted(x, t);
-      } else {
-        dt = attempt;
-      }
-      if (dt < least_share * h || !std::isfinite(wanted)) {
-        x.assign(x.size(), std::nan(""));  // the run is over: the caller sees a state that is not finite
-        accepted(x, end);
-        return;
-      }
-    }
-    method_->internal_step = dt;
-  };
   std::visit(
-      [&](auto& stepper) {
+      [&]<class Stepper>(Stepper& stepper) {
+        if constexpr (keeps_derivative<Stepper>) {
+          if (method_->last_derivative.empty()) {
+            method_->last_derivative.resize(x.size());
+            derivative(x, method_->last_derivative, t);
+          }
+        }
         if constexpr (requires(Vector & v, double& time, double& dt) {
                         stepper.try_step(std::cref(derivative), v, time, dt);
                       }) {
-          controlled_steps(stepper);
+          controlled_steps(stepper, *method_, derivative, accepted, x, t, h);
         } else {
-          one_step(stepper);
+          if constexpr (keeps_derivative<Stepper>) {
+            stepper.do_step(std::cref(derivative), x, method_->last_derivative, t, h);
+          } else {
+            stepper.do_step(std::cref(derivative), x, t, h);
+          }
+          accepted(x, t + h);
+        }
+      },
+      method_->stepper);
+}
+
+void OdeintStepper::remember(Memory& memory, std::size_t size) {
+  memory.number("internal_step", method_->internal_step);
+  std::visit(
+      [&]<class Stepper>(Stepper& stepper) {
+        if constexpr (keeps_derivative<Stepper>) {
+          method_->last_derivative.resize(size);
+          memory.numbers("last_derivative", method_->last_derivative);
+        } else if constexpr (std::is_same_v<Stepper, Adams8>) {
+          stepper.remember(memory, size);
         }
       },
       method_->stepper);

@@ -35,6 +35,9 @@ class OdeintStepper {
   /// Advances x from t to t + h, by one step or by as many as the step control takes.
   void advance(const Derivative& derivative, const Accepted& accepted, Vector& x, double t, double h);
 
+  /// Names what is carried to the next advance(), of vectors of `size` numbers.
+  void remember(Memory& memory, std::size_t size);
+
  private:
   struct Method;
   std::unique_ptr<Method> method_;
@@ -65,10 +68,8 @@ class Odeint {
 
   template <Differentiable System>
   void start(System& system, State& state, double) {
-    stepper_.emplace(method, tolerance);
     system.settle(state);
-    scratch_ = state;
-    rates_ = Rates{state};
+    prepare(state);
   }
 
   template <Differentiable System>
@@ -91,7 +92,19 @@ class Odeint {
 
   const State& synchronized(const State& state, double) const { return state; }
 
+  void remember(Memory& memory, const State& like) {
+    if (memory.puts_back()) prepare(like);
+    stepper_->remember(memory, x_.size());
+  }
+
  private:
+  void prepare(const State& like) {
+    stepper_.emplace(method, tolerance);
+    scratch_ = like;
+    rates_ = Rates{like};
+    pack(like, x_);
+  }
+
   std::optional<OdeintStepper> stepper_;
   State scratch_;
   Rates rates_;

@@ -17,7 +17,6 @@ class RungeKutta4 {
 
   template <Differentiable System>
   void start(System& system, State& state, double) {
-    stage_ = state;
     rates_.fill(Rates{state});
     system.settle(state);
   }
@@ -48,6 +47,11 @@ class RungeKutta4 {
   }
 
   const State& synchronized(const State& state, double) const { return state; }
+
+  /// Nothing but room for the stages.
+  void remember(Memory& memory, const State& like) {
+    if (memory.puts_back()) rates_.fill(Rates{like});
+  }
 
  private:
   State stage_;

@@ -4,6 +4,7 @@
 
 #include "solver/integrate/advance.hpp"
 #include "solver/integrate/concepts.hpp"
+#include "solver/state/state_memory.hpp"
 
 namespace talus {
 
@@ -33,6 +34,11 @@ class VelocityVerlet {
   }
 
   const State& synchronized(const State& state, double) const { return state; }
+
+  void remember(Memory& memory, const State& like) {
+    if (memory.puts_back()) rates_ = Rates{like};
+    memory.part("rates", [&] { talus::remember(memory, rates_); });
+  }
 
  private:
   Rates rates_;

@@ -81,7 +81,8 @@ const scenes::FenceElement& FenceHistory::element(int number) const {
 
 void FenceHistory::operator()(const State& state, const StepInfo& info) {
   if (info.step % fence_->history_every != 0) return;
-  dynamics_->update(state, work_);
+  // All of it: at a sleeping column beside an awake one only the awake side's pulls would be summed.
+  dynamics_->update_all(state, work_);
   dynamics_->forces(state, work_, forces_);
   dynamics_->rates(state, work_, rates_, false);
   std::vector<double> row{state.t};

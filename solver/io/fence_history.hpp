@@ -20,6 +20,9 @@ class FenceHistory {
   /// Adds a row if one is due and all its numbers are finite.
   void operator()(const State& state, const StepInfo& info);
 
+  /// Names what it carries from one step to the next; one of the same run goes on from it.
+  void remember(Memory& memory) { history_.remember(memory); }
+
   /// Columns "time", "element3.top_joint_force", ...
   const History& history() const { return history_; }
   /// Pairs left out, in words: "element 2: codes 51, 52 left out: ...".

@@ -1,5 +1,6 @@
 #include "solver/io/json.hpp"
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -17,7 +18,8 @@ Json number(double value) {
 Json vector(Vec2 value) { return Json::array({number(value.x), number(value.y)}); }
 
 Json outcome(const Outcome& outcome) {
-  Json json{{"kind", outcome ? "finished" : "diverged"}, {"time", number(outcome.time)}};
+  constexpr std::array kinds{"finished", "stopped", "diverged"};
+  Json json{{"kind", kinds.at(static_cast<std::size_t>(outcome.kind))}, {"time", number(outcome.time)}};
   if (!outcome) json["words"] = outcome.words;
   return json;
 }

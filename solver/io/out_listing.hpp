@@ -23,6 +23,9 @@ class OutListing {
   /// Adds the state if one is due.
   void operator()(const State& state, const StepInfo& info);
 
+  /// Names what it carries from one step to the next; one of the same run goes on from it.
+  void remember(Memory& memory) { memory.text("text", text_); }
+
   const std::string& text() const { return text_; }
 
  private:

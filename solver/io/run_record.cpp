@@ -27,6 +27,7 @@ void record_history(RunRecord& record, const Recorder& recorder) {
   record.rows_cut = all.rows.size() - record.history.rows.size();
   record.accounts = recorder.accounts();
   if (!recorder.ledger()) return;
+  record.start_energies = recorder.ledger()->start();
   record.largest_energy_closure = recorder.ledger()->largest_energy_closure();
   record.energy_scale = recorder.ledger()->energy_scale();
 }

@@ -39,6 +39,7 @@ struct RunRecord {
   std::size_t contacts{};
   std::size_t cables{};
   std::vector<BodyState> bodies;  ///< at the last step that was finite
+  Energies start_energies;        ///< of the first state
   Accounts accounts;              ///< at that step
   double largest_energy_closure{};
   double energy_scale{};

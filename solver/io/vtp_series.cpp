@@ -5,43 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
 #include "solver/io/atomic_file.hpp"
+#include "solver/io/toml_document.hpp"
+#include "solver/model/outline.hpp"
 
 namespace talus {
 namespace {
-
-/// Parts of a round outline.
-constexpr int parts = 96;
-
-/// Outline in the body's axes: the first point again at the end, but for ground's and the arm of a pinned body without
-/// a shape.
-std::vector<Vec2> outline(const Body& body, double reach) {
-  const Shape& shape = body.shape;
-  std::vector<Vec2> points;
-  if (std::holds_alternative<NoShape>(shape)) {
-    if (has_pin(body.mobility)) points = {body.p_BPin, {0.0, 0.0}};
-    return points;
-  }
-  if (std::holds_alternative<HalfPlane>(shape)) return {{-reach, 0.0}, {reach, 0.0}};
-  if (const auto* terrain = std::get_if<Terrain>(&shape)) return terrain->points;
-  if (const auto* r = std::get_if<Rectangle>(&shape)) {
-    points = {{r->half_width, r->half_height},
-              {-r->half_width, r->half_height},
-              {-r->half_width, -r->half_height},
-              {r->half_width, -r->half_height}};
-  } else {
-    const auto* circle = std::get_if<Circle>(&shape);
-    const Superquadric round =
-        circle ? Superquadric{circle->radius, circle->radius, 2.0} : std::get<Superquadric>(shape);
-    for (int i = 0; i < parts; ++i)
-      points.push_back(boundary_point(round, 2.0 * std::numbers::pi * i / parts));
-  }
-  points.push_back(points.front());
-  return points;
-}
 
 /// Text as it may stand in an attribute of XML.
 std::string escaped(std::string_view text) {
@@ -147,8 +118,32 @@ void VtpSeries::operator()(const State& state, const StepInfo& info) {
     lines.end(-1, static_cast<long>(c), forces_.tensions[c], forces_.tensions[c] == 0.0);
   }
   if (!lines.finite()) return;
-  files_.push_back({state.t, fmt::format("{0}_geometry/{0}_{1:08}.vtp", name_, info.step)});
-  write_whole(folder_ / files_.back().path, lines.xml());
+  files_.push_back({state.t, info.step});
+  write_whole(folder_ / path(files_.back()), lines.xml());
+}
+
+std::string VtpSeries::path(const File& file) const {
+  return fmt::format("{0}_geometry/{0}_{1:08}.vtp", name_, file.step);
+}
+
+void VtpSeries::remember(Memory& memory) {
+  memory.count("every", every_);
+  std::vector<double> times;
+  for (const File& file : files_)
+    times.push_back(file.time);
+  memory.list("times", times);
+  files_.resize(times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    files_[i].time = times[i];
+    memory.count(fmt::format("step_{}", i), files_[i].step);
+  }
+}
+
+void VtpSeries::bring_files(const std::filesystem::path& from) const {
+  for (const File& file : files_) {
+    const std::string text = read_text(from / path(file));
+    if (!std::filesystem::equivalent(from, folder_)) write_whole(folder_ / path(file), text);
+  }
 }
 
 void VtpSeries::write_index() const {
@@ -156,7 +151,7 @@ void VtpSeries::write_index() const {
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
       "<Collection>\n";
   for (const File& file : files_)
-    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", file.time, escaped(file.path));
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", file.time, escaped(path(file)));
   write_whole(folder_ / (name_ + ".pvd"), text + "</Collection>\n</VTKFile>\n");
 }
 

@@ -27,11 +27,20 @@ class VtpSeries {
   /// Writes the index of the files written so far. Errors: IoError.
   void write_index() const;
 
+  /// Names what it carries from one step to the next; one of the same run goes on from it.
+  void remember(Memory& memory);
+  /// After it was put back: copies the files written so far from the folder in which they were, if that is another.
+  /// Errors: IoError for one that is missing.
+  void bring_files(const std::filesystem::path& from) const;
+
  private:
   struct File {
     double time{};
-    std::string path;  ///< from the index's folder
+    long step{};
   };
+  /// From the index's folder.
+  std::string path(const File& file) const;
+
   const Dynamics* dynamics_;
   std::filesystem::path folder_;
   std::string name_;

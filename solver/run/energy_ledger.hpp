@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/base/memory.hpp"
 #include "solver/dynamics/dynamics.hpp"
 
 namespace talus {
@@ -14,6 +15,9 @@ struct Accounts {
   double angular_momentum_closure{};  ///< the same for moments about the world's origin [M L^2/T]
 
   double dissipated() const;  ///< sum of `lost` [F L]
+
+  /// Names all parts.
+  void remember(Memory& memory);
 };
 
 /// Keeps the accounts of energy and momentum of a run against its first state.
@@ -25,11 +29,17 @@ class EnergyLedger {
 
   [[nodiscard]] Accounts accounts(const State& state);
 
+  /// Energies of the first state.
+  const Energies& start() const { return start_energies_; }
+
   /// Largest |energy_closure| of the accounts drawn so far [F L].
   double largest_energy_closure() const { return largest_energy_closure_; }
   /// What closures are measured against: the largest kinetic energy seen, or change of energy in one place, whichever
   /// is more.
   double energy_scale() const { return energy_scale_; }
+
+  /// Names what the ledger carries from one step to the next; a ledger of the same start goes on from it.
+  void remember(Memory& memory);
 
  private:
   const Dynamics* dynamics_;

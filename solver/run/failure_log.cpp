@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <variant>
+
+#include "solver/base/error.hpp"
 
 namespace talus {
 
@@ -33,6 +36,32 @@ void FailureLog::operator()(const State& state, const StepInfo&) {
     watch.seen = true;
     failures_.push_back(watch.failure);
     failures_.back().time = state.t;
+  }
+}
+
+/// Times by the place of what is waited for, and the order in which it came.
+void FailureLog::remember(Memory& memory) {
+  std::vector<double> times, places;
+  for (const Failure& failure : failures_) {
+    const auto is = [&](const Watch& watch) {
+      return watch.failure.part == failure.part && watch.failure.what == failure.what;
+    };
+    places.push_back(static_cast<double>(std::find_if(watches_.begin(), watches_.end(), is) - watches_.begin()));
+    times.push_back(failure.time);
+  }
+  memory.list("times", times);
+  places.resize(times.size());
+  memory.numbers("places", places);
+  if (!memory.puts_back()) return;
+  failures_.clear();
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!(places[i] >= 0.0 && places[i] < static_cast<double>(watches_.size()))) {
+      throw InputError{fmt::format("places: found {}; it must be from 0 to below {}", places[i], watches_.size())};
+    }
+    Watch& watch = watches_[static_cast<std::size_t>(places[i])];
+    watch.seen = true;
+    failures_.push_back(watch.failure);
+    failures_.back().time = times[i];
   }
 }
 

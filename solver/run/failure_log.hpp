@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/base/memory.hpp"
 #include "solver/dynamics/dynamics.hpp"
 #include "solver/run/simulate.hpp"
 
@@ -24,6 +25,9 @@ class FailureLog {
   explicit FailureLog(const Dynamics& dynamics);
 
   void operator()(const State& state, const StepInfo& info);
+
+  /// Names what it carries from one step to the next; a log of the same scene goes on from it.
+  void remember(Memory& memory);
 
   const std::vector<Failure>& failures() const { return failures_; }
 

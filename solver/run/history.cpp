@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "solver/base/error.hpp"
+
 namespace talus {
 namespace {
 
@@ -45,6 +47,21 @@ void add_account_columns(std::vector<Column>& found) {
 
 }  // namespace
 
+void History::remember(Memory& memory) {
+  std::vector<double> numbers;
+  for (const std::vector<double>& row : rows)
+    numbers.insert(numbers.end(), row.begin(), row.end());
+  memory.list("rows", numbers);
+  if (!memory.puts_back()) return;
+  if (numbers.size() % columns.size() != 0) {
+    throw InputError{
+        fmt::format("rows: found {} numbers; it must be whole rows of {}", numbers.size(), columns.size())};
+  }
+  rows.clear();
+  for (auto from = numbers.begin(); from != numbers.end(); from += static_cast<std::ptrdiff_t>(columns.size()))
+    rows.emplace_back(from, from + static_cast<std::ptrdiff_t>(columns.size()));
+}
+
 Recorder::Recorder(const Dynamics& dynamics, const State& start, bool ledger)
     : dynamics_{&dynamics}, work_{dynamics.workspace()} {
   history_.columns = columns(dynamics.model());
@@ -68,7 +85,25 @@ void Recorder::operator()(const State& state, const StepInfo& info) {
     if (row_[i] < extreme.least) extreme.least = row_[i], extreme.least_time = state.t;
     if (row_[i] > extreme.largest) extreme.largest = row_[i], extreme.largest_time = state.t;
   }
-  if (info.due) history_.rows.push_back(row_);
+  if (row_of_stop_) history_.rows.pop_back();
+  row_of_stop_ = info.stop && !info.due;
+  if (info.due || info.stop) history_.rows.push_back(row_);
+}
+
+void Recorder::remember(Memory& memory) {
+  memory.part("history", [&] { history_.remember(memory); });
+  memory.flag("row_of_stop", row_of_stop_);
+  std::vector<double> numbers;
+  for (const Extreme& e : extremes_)
+    numbers.insert(numbers.end(), {e.least, e.least_time, e.largest, e.largest_time});
+  numbers.resize(4 * history_.columns.size());
+  memory.numbers("extremes", numbers);
+  extremes_.clear();
+  for (std::size_t i = 0; i < numbers.size(); i += 4)
+    extremes_.push_back({numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3]});
+  if (!ledger_) return;
+  memory.part("ledger", [&] { ledger_->remember(memory); });
+  memory.part("accounts", [&] { accounts_.remember(memory); });
 }
 
 void Recorder::fill_row(const State& state) {

@@ -20,6 +20,9 @@ struct Column {
 struct History {
   std::vector<Column> columns;
   std::vector<std::vector<double>> rows;
+
+  /// Names the rows; the columns are the scene's.
+  void remember(Memory& memory);
 };
 
 /// Fills a history and keeps the extreme values of every step: for each body that moves x, y, vx, vy and, if it turns,
@@ -31,8 +34,12 @@ class Recorder {
   /// outlive the recorder.
   Recorder(const Dynamics& dynamics, const State& start, bool ledger = true);
 
-  /// Writes a row when one is due; the ledger and the extremes are brought up to date with every step.
+  /// Writes a row when one is due, and one for a step with which the run stops, which gives way when it is taken on.
+  /// The ledger and the extremes are brought up to date with every step.
   void operator()(const State& state, const StepInfo& info);
+
+  /// Names what the recorder carries from one step to the next; a recorder of the same start goes on from it.
+  void remember(Memory& memory);
 
   const History& history() const { return history_; }
   /// Empty when the ledger is off.
@@ -60,6 +67,7 @@ class Recorder {
   History history_;
   LawForces forces_;
   std::vector<double> row_;
+  bool row_of_stop_{false};  ///< the history's last row is there only because the run stopped
   std::vector<Extreme> extremes_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/integrate/concepts.hpp"
+#include "solver/state/state_memory.hpp"
 
 namespace talus {
 namespace {
@@ -26,38 +27,45 @@ Outcome diverged(const RigidBodySystem& system, const State& state, std::size_t 
           fmt::format("diverged at t = {:.6g}: '{}' is not finite (step {:.6g})", state.t, which, h)};
 }
 
+/// Takes the standing run on with its own integrator, which is of type Method.
 template <class Method>
-Outcome run(RigidBodySystem& system, Method& method, State& state, const RunPlan& plan,
+Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const RunPlan& plan,
             std::span<const Observer> observers, const StopCondition& stop) {
   static_assert(IntegratorFor<Method, RigidBodySystem>);
-  const double start = state.t;
+  const double start = standing.start;
   const long steps =
       step_count({.step = plan.step, .end = plan.end - start, .interval = plan.interval, .ledger = plan.ledger});
   // An interval longer than any run would overflow a whole number of steps.
   const long every = std::max(1L, std::lround(std::min(plan.interval / plan.step, 1e15)));
+  const long before = standing.evaluations - system.evaluations();
+  State& state = standing.state;
   State seen = state;
-  system.settle(state);
-  for (const Observer& observe : observers)
-    observe(state, {0, system.evaluations(), true, &state});
-  method.start(system, state, plan.step);
-  for (long n = 1; n <= steps; ++n) {
+  if (standing.step == 0) {
+    system.settle(state);
+    for (const Observer& observe : observers)
+      observe(state, {0, before + system.evaluations(), true, false, &state});
+    method.start(system, state, plan.step);
+  }
+  while (standing.step < steps) {
     method.step(system, state, plan.step);
+    const long n = standing.step + 1;
+    standing.evaluations = before + system.evaluations();
     // n h rather than a sum of h: the time of a step does not collect round-off.
     state.t = start + static_cast<double>(n) * plan.step;
     if (const std::size_t bad = first_not_finite(state); bad < state.q.size())
       return diverged(system, state, bad, plan.step);
+    standing.step = n;
     if (observers.empty() && !stop) continue;
     // A copy with its own modes: a method may hold those of before its last kick, by which a slack cable would seem to
     // push.
     seen = method.synchronized(state, plan.step);
     system.settle(seen);
-    const bool last = n == steps || (stop && stop(seen));
+    const bool last = n == steps;
+    const bool stops = !last && stop && stop(seen);
     for (const Observer& observe : observers)
-      observe(seen, {n, system.evaluations(), last || n % every == 0, &state});
-    if (last) break;
+      observe(seen, {n, standing.evaluations, last || n % every == 0, stops, &state});
+    if (stops) return {Outcome::Kind::stopped, state.t, {}};
   }
-  state = State{method.synchronized(state, plan.step)};
-  system.settle(state);
   return {Outcome::Kind::finished, state.t, {}};
 }
 
@@ -69,9 +77,39 @@ long step_count(const RunPlan& plan) {
   return std::max(1L, static_cast<long>(std::ceil(plan.end / plan.step - 1e-9)));
 }
 
+void Standing::remember(Memory& memory) {
+  memory.number("start", start);
+  memory.count("step", step);
+  memory.count("evaluations", evaluations);
+  memory.part("state", [&] { talus::remember(memory, state); });
+  memory.part(name(integrator), [&] { std::visit([&](auto& method) { method.remember(memory, state); }, integrator); });
+}
+
+Standing standing_at_start(const Integrator& integrator, const State& state) {
+  return {.integrator = integrator, .state = state, .start = state.t};
+}
+
+State synchronized(const Standing& standing, RigidBodySystem& system, const RunPlan& plan) {
+  State state = std::visit([&](const auto& method) { return State{method.synchronized(standing.state, plan.step)}; },
+                           standing.integrator);
+  system.settle(state);
+  return state;
+}
+
+Outcome simulate(RigidBodySystem& system, Standing& standing, const RunPlan& plan, std::span<const Observer> observers,
+                 const StopCondition& stop) {
+  return std::visit([&](auto& method) { return run(system, method, standing, plan, observers, stop); },
+                    standing.integrator);
+}
+
 Outcome simulate(RigidBodySystem& system, Integrator& integrator, State& state, const RunPlan& plan,
                  std::span<const Observer> observers, const StopCondition& stop) {
-  return std::visit([&](auto& method) { return run(system, method, state, plan, observers, stop); }, integrator);
+  Standing standing = standing_at_start(integrator, state);
+  standing.evaluations = system.evaluations();
+  const Outcome outcome = simulate(system, standing, plan, observers, stop);
+  state = outcome ? synchronized(standing, system, plan) : standing.state;
+  integrator = std::move(standing.integrator);
+  return outcome;
 }
 
 }  // namespace talus

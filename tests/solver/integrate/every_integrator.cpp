@@ -138,24 +138,36 @@ BOOST_AUTO_TEST_CASE(same_input_same_bits) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_copy_of_a_running_method_goes_on_as_the_original) {
+BOOST_AUTO_TEST_CASE(a_copy_of_a_running_method_and_one_put_back_go_on_as_the_original) {
   for (const Integrator& integrator : fixed_step_integrators()) {
     BOOST_TEST_CONTEXT(name(integrator)) {
-      Integrator running = integrator;
-      std::visit(
-          [](auto& method) {
-            Duffing system;
-            State state = start();
-            method.start(system, state, 0.05);
-            for (int i = 0; i < 20; ++i)
-              method.step(system, state, 0.05);
-            auto copy = method;
-            State twin = state;
-            method.step(system, state, 0.05);
-            copy.step(system, twin, 0.05);
-            BOOST_TEST((state == twin));
-          },
-          running);
+      // 3 steps: a multistep method is still being started.
+      for (const int steps : {1, 3, 20}) {
+        Integrator running = integrator;
+        std::visit(
+            [&]<class Method>(Method& method) {
+              Duffing system;
+              State state = start();
+              method.start(system, state, 0.05);
+              for (int i = 0; i < steps; ++i)
+                method.step(system, state, 0.05);
+              Method copy = method;
+              State twin = state, third = state;
+              Memory saving;
+              method.remember(saving, state);
+              Method fresh = std::get<Method>(integrator);
+              Memory putting_back{saving.items()};
+              fresh.remember(putting_back, state);
+              for (int i = 0; i < 10; ++i) {
+                method.step(system, state, 0.05);
+                copy.step(system, twin, 0.05);
+                fresh.step(system, third, 0.05);
+              }
+              BOOST_TEST((state == twin));
+              BOOST_TEST((state == third));
+            },
+            running);
+      }
     }
   }
 }

@@ -165,3 +165,15 @@ BOOST_AUTO_TEST_CASE(rows_come_every_nhisto_steps_in_both_files) {
   for (std::size_t i = 0; i < 4; ++i)
     BOOST_TEST(joint.at("values").at(i).get<double>() == kept.history.history().rows[i][2]);
 }
+
+// A column that sleeps beside one that is awake still carries both its segments: its weight, until it is pulled.
+BOOST_AUTO_TEST_CASE(hangers_of_sleeping_columns_carry_their_weight) {
+  scenes::Fence fence = sample({3, 4, 5, 6, 7, 8, 9}, {51}, 1).fence;
+  fence.options.sleep = Sleep::on;
+  scenes::FenceScene made = scenes::fence_scene(fence);
+  const Kept kept{{std::move(fence), std::move(made)}, 12};
+  for (const std::vector<double>& row : kept.history.history().rows) {
+    for (std::size_t column = 3; column < row.size(); ++column)
+      BOOST_TEST(near(row[column], 960.4162901, 1e-5));  // the wave brings less than 1e-5 of it within 12 steps
+  }
+}

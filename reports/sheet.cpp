@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+
+#include <functional>
+#include <kainjow/mustache.hpp>
+
+#include "reports/document.hpp"
+#include "reports/drawing.hpp"
+#include "reports/file.hpp"
+#include "reports/report.hpp"
+#include "reports/sheet_drawing.hpp"
+#include "reports/sheet_tables.hpp"
+
+namespace talus::reports {
+namespace fs = std::filesystem;
+namespace {
+
+namespace mustache = kainjow::mustache;
+
+/// Text with each letter that means something to the format written so that it shows.
+using Escape = std::function<std::string(const std::string&)>;
+
+std::string replaced_letters(const std::string& text, const std::map<char, std::string>& marks) {
+  std::string made;
+  for (const char c : text) {
+    const auto mark = marks.find(c);
+    if (mark == marks.end()) {
+      made += c;
+    } else {
+      made += mark->second;
+    }
+  }
+  return made;
+}
+
+std::string html_text(const std::string& text) {
+  return replaced_letters(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
+}
+
+std::string latex_text(const std::string& text) {
+  return replaced_letters(text, {{'\\', "\\textbackslash{}"},
+                                 {'{', "\\{"},
+                                 {'}', "\\}"},
+                                 {'$', "\\$"},
+                                 {'&', "\\&"},
+                                 {'#', "\\#"},
+                                 {'%', "\\%"},
+                                 {'_', "\\_"},
+                                 {'^', "\\textasciicircum{}"},
+                                 {'~', "\\textasciitilde{}"},
+                                 {'<', "\\textless{}"},
+                                 {'>', "\\textgreater{}"}});
+}
+
+/// Groups of neighbouring heads: name and number of columns.
+std::vector<std::pair<std::string, int>> groups(const SheetTable& table) {
+  std::vector<std::pair<std::string, int>> found;
+  for (const SheetHead& head : table.heads) {
+    if (!found.empty() && !head.group.empty() && found.back().first == head.group) {
+      ++found.back().second;
+    } else {
+      found.emplace_back(head.group, 1);
+    }
+  }
+  return found;
+}
+
+bool has_units(const SheetTable& table) {
+  return std::any_of(table.heads.begin(), table.heads.end(), [](const SheetHead& head) { return !head.unit.empty(); });
+}
+
+std::string latex_row(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells)
+    line += (&cell == &cells.front() ? "" : " & ") + cell;
+  return line + " \\\\\n";
+}
+
+std::string latex_table(const SheetTable& table) {
+  std::vector<std::string> tops, units;
+  for (const auto& [group, count] : groups(table)) {
+    tops.push_back(count == 1 ? latex_text(group)
+                              : fmt::format("\\multicolumn{{{}}}{{c}}{{{}}}", count, latex_text(group)));
+  }
+  for (const SheetHead& head : table.heads)
+    units.push_back(latex_text(head.unit));
+  const bool any_group =
+      std::any_of(table.heads.begin(), table.heads.end(), [](const SheetHead& head) { return !head.group.empty(); });
+  std::string text = fmt::format("\\SheetTitle{{{}}}\n", latex_text(table.title));
+  text += fmt::format(
+      "\\begin{{tabular*}}{{\\linewidth}}{{@{{}}l@{{\\extracolsep{{\\fill}}}}*{{{}}}{{r}}@{{}}}}\\toprule\n",
+      table.heads.size() - 1);
+  if (any_group) {
+    text += latex_row(tops);
+    int column = 1;
+    for (const auto& [group, count] : groups(table)) {
+      if (count > 1) text += fmt::format("\\cmidrule(lr){{{}-{}}}", column, column + count - 1);
+      column += count;
+    }
+    text += '\n';
+  }
+  if (has_units(table)) text += latex_row(units);
+  text += "\\midrule\n";
+  for (const std::vector<std::string>& row : table.rows) {
+    std::vector<std::string> cells;
+    for (const std::string& cell : row)
+      cells.push_back(latex_text(cell));
+    text += latex_row(cells);
+  }
+  text += "\\bottomrule\\end{tabular*}\n";
+  if (!table.note.empty()) text += fmt::format("\\SheetNote{{{}}}\n", latex_text(table.note));
+  return text + "\\par\\smallskip\n";
+}
+
+std::string html_table(const SheetTable& table) {
+  std::string text = fmt::format("<table><caption>{}</caption><thead><tr>", html_text(table.title));
+  for (const auto& [group, count] : groups(table))
+    text += fmt::format("<th colspan=\"{}\">{}</th>", count, html_text(group));
+  text += "</tr>";
+  if (has_units(table)) {
+    text += "<tr>";
+    for (const SheetHead& head : table.heads)
+      text += fmt::format("<th>{}</th>", html_text(head.unit));
+    text += "</tr>";
+  }
+  text += "</thead><tbody>\n";
+  for (const std::vector<std::string>& row : table.rows) {
+    text += "<tr>";
+    for (const std::string& cell : row)
+      text += fmt::format("<td>{}</td>", html_text(cell));
+    text += "</tr>\n";
+  }
+  text += "</tbody>";
+  if (!table.note.empty()) {
+    text +=
+        fmt::format("<tfoot><tr><td colspan=\"{}\">{}</td></tr></tfoot>", table.heads.size(), html_text(table.note));
+  }
+  return text + "</table>\n";
+}
+
+/// The tables of one place, each written by `write`.
+template <class Write>
+std::string tables_at(SheetTable::Place place, const std::vector<SheetTable>& tables, Write&& write) {
+  std::string text;
+  for (const SheetTable& table : tables) {
+    if (table.place == place) text += write(table);
+  }
+  return text;
+}
+
+/// The page of a template; `write` makes a table of its format.
+template <class Write>
+std::string rendered(const fs::path& page, const SheetRecord& record, const Escape& escape, Write&& write,
+                     const std::string& picture) {
+  mustache::mustache frame{read_file(page)};
+  frame.set_custom_escape(escape);
+  mustache::data data;
+  data["title"] = record.title;
+  data["run"] = fmt::format("{} at {:.6g} s; {} steps of {:.4g} s, {}", record.outcome, record.end, record.steps,
+                            record.step, record.integrator);
+  data["fence"] = fmt::format(
+      "{} layer{} of {} columns{}; span {:.4g} m, {:.4g} ft; sag {:.3g} m, {:.3g} ft; columns "
+      "{:.3g} m, {:.3g} ft apart",
+      record.layers, record.layers == 1 ? "" : "s", record.columns_of_layer, record.half_model ? " (half model)" : "",
+      record.span, record.span / 0.3048, record.sag, record.sag / 0.3048, record.spacing, record.spacing / 0.3048);
+  const std::vector<SheetTable> tables = fence_tables(record);
+  data["rocks"] = write(rock_table(record));
+  data["tables"] = tables_at(SheetTable::Place::page, tables, write);
+  data["left"] = tables_at(SheetTable::Place::left, tables, write);
+  data["right"] = tables_at(SheetTable::Place::right, tables, write);
+  data["picture"] = picture;
+  return frame.render(data);
+}
+
+}  // namespace
+
+std::vector<fs::path> make_sheet(const fs::path& run, const Workplace& workplace) {
+  const SheetRecord record = read_sheet(run / "sheet.json");
+  const Workshop workshop(run);
+  const fs::path& folder = workshop.folder();
+  const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", folder, {"pdf", "svg"}};
+  const std::string warnings = draw({{"the sheet", sheet_script(record, canvas, "drawing")}}, folder, workplace.jobs);
+  if (!warnings.empty()) fmt::print(stderr, "{}", warnings);
+  // A run has no date of its own; the same numbers give the same bytes.
+  date_pdf(folder / "drawing.pdf", 0);
+
+  const fs::path templates = workplace.resources / "templates";
+  write_file(folder / "sheet.html", rendered(templates / "sheet.html.mustache", record, html_text, html_table,
+                                             read_file(folder / "drawing.svg")));
+  const std::string latex = rendered(templates / "sheet.tex.mustache", record, latex_text, latex_table, "drawing.pdf");
+  write_file(folder / "sheet.tex", printable(latex, read_file(workplace.resources / "pandoc" / "header.tex")));
+  make_pdf({.folder = folder, .stem = "sheet", .title = record.title, .resources = workplace.resources, .epoch = 0});
+  std::vector<fs::path> files;
+  for (const char* name : {"sheet.html", "sheet.pdf"}) {
+    workshop.publish(name);
+    files.push_back(run / name);
+  }
+  return files;
+}
+
+}  // namespace talus::reports

@@ -1,0 +1,207 @@
+#include "reports/sheet_drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace talus::reports {
+namespace {
+
+/// Grey, blue and vermilion of the preamble: start, largest travel, end.
+constexpr std::array colours{"#999999", "#0072B2", "#D55E00"};
+
+/// Poly lines as one gnuplot data block; an empty line ends a poly line.
+class Block {
+ public:
+  explicit Block(std::string name) : name_{std::move(name)} {}
+  void add(double x, double y) {
+    fmt::format_to(std::back_inserter(text_), "{:.6g} {:.6g}\n", x, y);
+    x_.push_back(x), y_.push_back(y);
+  }
+  void end() { text_ += '\n'; }
+  bool empty() const { return x_.empty(); }
+  const std::vector<double>& x() const { return x_; }
+  const std::vector<double>& y() const { return y_; }
+  std::string data() const { return fmt::format("${} << EOD\n{}EOD\n", name_, text_); }
+  std::string curve(std::string_view style, const std::string& title = "") const {
+    const std::string words = title.empty() ? "notitle" : "title " + gnuplot_text(title);
+    return fmt::format("${} using 1:2 with lines {} {}", name_, style, words);
+  }
+
+ private:
+  std::string name_;
+  std::string text_;
+  std::vector<double> x_, y_;
+};
+
+/// A panel: its blocks and curves.
+struct Panel {
+  std::string data;
+  std::string curves;
+  std::vector<double> x, y;
+
+  void add(const Block& block, std::string_view style, const std::string& title = "") {
+    if (block.empty()) return;
+    data += block.data();
+    curves += (curves.empty() ? "" : ", ") + block.curve(style, title);
+    x.insert(x.end(), block.x().begin(), block.x().end());
+    y.insert(y.end(), block.y().begin(), block.y().end());
+  }
+};
+
+std::string style(std::size_t state, double width) { return fmt::format("lc rgb '{}' lw {}", colours[state], width); }
+
+std::string state_title(const SheetState& state) { return fmt::format("{}, {:.4g} s", state.name, state.time); }
+
+/// Whether a state stands where a later one does, and would only be drawn over.
+bool hidden(const SheetRecord& record, std::size_t state) {
+  return state + 1 < record.states.size() && record.states[state].time == record.states[state + 1].time;
+}
+
+/// Whether a column stands at the middle of the fence: in front of it the side view shows what is hit.
+bool central(const SheetRecord& record, const std::string& name) {
+  double least = record.span;
+  for (const SheetColumn& column : record.columns)
+    least = std::min(least, std::abs(column.along));
+  return std::any_of(record.columns.begin(), record.columns.end(), [&](const SheetColumn& column) {
+    return column.name == name && std::abs(column.along) <= least * (1.0 + 1e-9);
+  });
+}
+
+Panel side_view(const SheetRecord& record) {
+  Panel panel;
+  for (std::size_t r = 0; r < record.rocks.size(); ++r) {
+    Block path{fmt::format("path{}", r)};
+    for (const std::vector<double>& row : record.history)
+      path.add(row[1 + 3 * r], row[2 + 3 * r]);
+    panel.add(path, "lc rgb '#009E73' lw 1 dt 2", r == 0 ? "path of the rock" : "");
+  }
+  for (std::size_t s = 0; s < record.states.size(); ++s) {
+    if (hidden(record, s)) continue;
+    Block bodies{fmt::format("bodies{}", s)}, cables{fmt::format("cables{}", s)};
+    for (const SheetState::Body& body : record.states[s].bodies) {
+      if (body.layer != 0 && !central(record, body.name)) continue;
+      for (const Pair p : body.outline)
+        bodies.add(p[0], p[1]);
+      bodies.end();
+    }
+    for (const SheetState::Segment& segment : record.states[s].cables) {
+      for (const Triple& p : segment.ends)
+        cables.add(p[0], p[1]);
+      cables.end();
+    }
+    panel.add(cables, style(s, 0.6));
+    panel.add(bodies, style(s, 1.6));
+  }
+  return panel;
+}
+
+/// Seen across the fence; a half model is shown with its mirror image.
+Panel front_view(const SheetRecord& record) {
+  Panel panel;
+  const std::vector<double> sides = record.half_model ? std::vector{1.0, -1.0} : std::vector{1.0};
+  for (std::size_t s = 0; s < record.states.size(); ++s) {
+    if (hidden(record, s)) continue;
+    const SheetState& state = record.states[s];
+    Block block{fmt::format("front{}", s)};
+    for (const double side : sides) {
+      for (const SheetState::Segment& segment : state.cables) {
+        if (segment.layer != 1) continue;
+        for (const Triple& p : segment.ends)
+          block.add(side * p[2], p[1]);
+        block.end();
+      }
+      for (const SheetColumn& column : record.columns) {
+        const auto body = std::find_if(state.bodies.begin(), state.bodies.end(),
+                                       [&](const SheetState::Body& b) { return b.name == column.name; });
+        if (column.layer != 1 || body == state.bodies.end()) continue;
+        const auto [low, high] = std::minmax_element(body->outline.begin(), body->outline.end(),
+                                                     [](const Pair& a, const Pair& b) { return a[1] < b[1]; });
+        const double half = std::min(record.column_half_width, 0.42 * record.spacing);
+        const double left = side * column.along - half, right = side * column.along + half;
+        for (const auto& [z, y] : {Pair{left, (*low)[1]}, Pair{right, (*low)[1]}, Pair{right, (*high)[1]},
+                                   Pair{left, (*high)[1]}, Pair{left, (*low)[1]}})
+          block.add(z, y);
+        block.end();
+      }
+    }
+    panel.add(block, style(s, s == 0 ? 1.4 : 1.0), state_title(state));
+  }
+  return panel;
+}
+
+Panel force_chart(const SheetRecord& record) {
+  Panel panel;
+  constexpr std::array names{"hanger", "top", "bottom"};
+  constexpr std::array titles{"hanger", "top cable", "bottom cable"};
+  constexpr std::array styles{"lt 3", "lt 1", "lt 2"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto column = std::find(record.history_columns.begin(), record.history_columns.end(), names[i]);
+    const auto place = static_cast<std::size_t>(column - record.history_columns.begin());
+    Block block{fmt::format("force{}", i)};
+    for (const std::vector<double>& row : record.history)
+      block.add(row.at(0), 1e-3 * row.at(place));
+    const bool any = std::any_of(block.y().begin(), block.y().end(), [](double y) { return y > 0.0; });
+    if (any) panel.add(block, styles[i], titles[i]);
+  }
+  return panel;
+}
+
+/// Height of the ground's line at x.
+double ground_below(const SheetRecord& record, double x) {
+  const auto next = std::find_if(record.ground.begin(), record.ground.end(), [x](Pair p) { return p[0] > x; });
+  if (record.ground.empty()) return 0.0;
+  if (next == record.ground.begin() || next == record.ground.end()) return record.ground.front()[1];
+  const Pair a = *(next - 1), b = *next;
+  return a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
+}
+
+/// Limits of an axis with a little room.
+std::string range(char axis, const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double room = 0.04 * std::max(*high - *low, 0.1);
+  return fmt::format("set {}range [{:.6g}:{:.6g}]\n", axis, *low - room, *high + room);
+}
+
+}  // namespace
+
+std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const std::string& stem) {
+  Panel side = side_view(record), front = front_view(record);
+  const Panel forces = force_chart(record);
+  Block ground{"ground"};
+  for (const Pair p : record.ground)
+    ground.add(p[0], p[1]);
+  // Along the fence it is level: as high as below the place where the columns hang.
+  const double level = ground_below(record, 0.0);
+  side.y.push_back(level), front.y.push_back(level);
+  std::string body =
+      "set multiplot\nset size ratio -1\nset tics font ',9'\nset title font ',10' offset 0,-0.7\n"
+      "set xlabel font ',9' offset 0,0.8\nset ylabel font ',9' offset 1,0\nset key font ',9'\n"
+      "set lmargin at screen 0.075\nset rmargin at screen 0.30\nset bmargin at screen 0.52\nset tmargin at screen "
+      "0.94\n"
+      "set key off\nset xtics 1\nset title 'from the side'\nset xlabel 'x, m'\nset ylabel 'y, m'\n" +
+      range('x', side.x) + range('y', side.y);
+  body += fmt::format("plot {}, {}\n", ground.curve("lc rgb '#666666' lw 1.4"), side.curves);
+  body +=
+      "set lmargin at screen 0.37\nset rmargin at screen 0.98\nset xtics autofreq\n"
+      "set title 'along the fence, first layer'\nset xlabel 'z, m'\n"
+      "set key on at screen 0.98, screen 0.98 right top vertical maxrows 3 Right noreverse samplen 1.5\n" +
+      range('x', front.x) + range('y', front.y);
+  body += fmt::format("plot {:.6g} with lines lc rgb '#666666' lw 1.4 notitle, {}\n", level, front.curves);
+  body +=
+      "set size noratio\nset lmargin at screen 0.075\nset rmargin at screen 0.98\nset bmargin at screen 0.12\n"
+      "set tmargin at screen 0.35\nunset title\nset xlabel 'time, s'\nunset ylabel\n"
+      "set label 1 'largest forces in kN, at the times of the histories' at screen 0.075, screen 0.385 font ',10'\n"
+      "set key at screen 0.98, screen 0.385 right center horizontal maxrows 1 Right noreverse\nset autoscale\n"
+      "set yrange [0:*]\n";
+  body += fmt::format("plot {}\nunset label 1\nunset multiplot", forces.curves);
+  // Long tables leave it less of the page.
+  const double lines = static_cast<double>(std::min<std::size_t>(record.rocks.size() + record.columns.size(), 26));
+  const double height = 9.6 - 0.25 * std::max(0.0, lines - 16.0);
+  return fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string())) + ground.data() + side.data + front.data +
+         forces.data + drawn_in_each_format(canvas, stem, body, height);
+}
+
+}  // namespace talus::reports

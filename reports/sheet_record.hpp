@@ -1,0 +1,110 @@
+/// The engineer's sheet of a fence as `talus run --sheet` writes it. All in SI; a direction or place is x across the
+/// fence, y up, z along it.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace talus::reports {
+
+using Triple = std::array<double, 3>;
+using Pair = std::array<double, 2>;
+
+struct SheetForce {
+  double peak{}, peak_time{};
+  Triple at_peak{}, impulse{};
+};
+
+struct SheetRock {
+  std::string name;
+  double mass{}, approach_energy{};
+  Pair approach_velocity{};
+  bool touched{}, left{}, turned{};
+  double touch_time{}, exit_time{}, exit_energy{}, energy_taken{}, braking_time{}, travel{};
+  Pair exit_velocity{};
+};
+
+struct SheetHeight {
+  double start{}, extreme{}, extreme_time{}, end{};
+};
+
+struct SheetLayer {
+  SheetHeight top, bottom;
+};
+
+struct SheetColumn {
+  std::string name;
+  int layer{};
+  double along{}, travel{}, travel_time{}, margin{};
+  SheetForce hanger;
+};
+
+struct SheetSegment {
+  std::string name;
+  int layer{};
+  bool top{};
+  double peak{}, peak_time{}, margin{};
+};
+
+struct SheetAnchor {
+  int layer{};
+  Triple place{};
+  SheetForce force;
+};
+
+struct SheetEvent {
+  double time{};
+  std::string part, what;
+};
+
+/// One line of the ledger; the change from start to end, or what was lost.
+struct SheetEnergy {
+  std::string name;
+  double value{};
+};
+
+/// What stood where at one time.
+struct SheetState {
+  struct Body {
+    std::string name;
+    int layer{};  ///< 0 for a rock
+    std::vector<Pair> outline;
+  };
+  struct Segment {
+    int layer{};
+    bool top{};
+    std::array<Triple, 2> ends{};
+  };
+  std::string name;
+  double time{};
+  std::vector<Body> bodies;
+  std::vector<Segment> cables;
+};
+
+struct SheetRecord {
+  std::string title, outcome, integrator;
+  double end{}, step{};
+  int steps{};
+  int layers{}, columns_of_layer{};
+  bool half_model{};
+  double span{}, sag{}, spacing{}, travel{}, travel_time{};
+  std::vector<SheetRock> rocks;
+  std::vector<SheetLayer> heights;
+  std::vector<SheetColumn> columns;
+  std::vector<SheetSegment> segments;
+  std::vector<SheetAnchor> anchors;
+  std::vector<SheetEvent> events;
+  std::vector<SheetEnergy> energies;  ///< empty when the run kept no ledger
+  std::vector<Pair> ground;           ///< its line, from left to right
+  double column_half_width{};
+  std::vector<SheetState> states;
+  std::vector<std::string> history_columns;
+  std::vector<std::vector<double>> history;
+};
+
+/// Reads sheet.json. Throws RecordError naming file and field.
+[[nodiscard]] SheetRecord read_sheet(const std::filesystem::path& file);
+
+}  // namespace talus::reports

@@ -1,0 +1,117 @@
+#include "solver/app/run_order.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "solver/app/command.hpp"
+#include "solver/base/error.hpp"
+#include "solver/io/checkpoint.hpp"
+#include "solver/io/toml_document.hpp"
+#include "solver/io/toml_scene.hpp"
+#include "solver/run/simulate.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A new run, with what the command line changes of its scene.
+RunOrder new_order(const RunOptions& options) {
+  if (options.scene.empty()) throw InputError{"SCENE is required, or --resume DIR\nhelp: talus run --help"};
+  if (options.tolerance != 0.0 && options.integrator.empty()) {
+    throw InputError{"--tolerance: it goes with --integrator; name both"};
+  }
+  if (!options.until.empty() && options.folder.empty()) {
+    throw InputError{"--until: it goes with --out, the folder in which the run is left to be taken on"};
+  }
+  const fs::path file{options.scene};
+  RunOrder order{.scene = file,
+                 .text = read_text(file),
+                 .file = read_scene_file(file),
+                 .folder = options.folder,
+                 .from = {},
+                 .name = file,
+                 .sheet = options.sheet,
+                 .memory = {}};
+  if (options.sheet && (!order.file.fence || options.folder.empty())) {
+    throw InputError{"--sheet: it goes with a fence (a deck or a scene with [fence]) and with --out"};
+  }
+  Scene& scene = order.file.scene;
+  const UnitSystem& units = scene.model.units;
+  if (!options.end.empty()) scene.plan.end = option_quantity("--end", options.end, dimension::time, units);
+  if (!options.step.empty()) scene.plan.step = option_quantity("--step", options.step, dimension::time, units);
+  if (!options.integrator.empty()) scene.integrator = make_integrator(options.integrator, options.tolerance);
+  return order;
+}
+
+/// A run that stands, as its checkpoint says.
+RunOrder resumed_order(const RunOptions& options) {
+  const fs::path file = fs::path{options.resume} / checkpoint_name;
+  Checkpoint checkpoint = read_checkpoint(file, TALUS_VERSION);
+  const bool sheet = checkpoint.memory.contains("sheet.time");
+  for (const auto& [name, given] : {std::pair{"--end", !options.end.empty()},
+                                    {"--step", !options.step.empty()},
+                                    {"--integrator", !options.integrator.empty()},
+                                    {"--tolerance", options.tolerance != 0.0},
+                                    {"--frames", options.frames != 0},
+                                    {"--sheet", options.sheet && !sheet}}) {
+    if (given) throw InputError{fmt::format("{}: a run that is taken on (--resume) keeps what it began with", name)};
+  }
+  const fs::path scene = options.scene.empty() ? fs::path{checkpoint.scene_file} : fs::path{options.scene};
+  RunOrder order{.scene = scene,
+                 .text = read_text(scene),
+                 .file = {},
+                 .folder = options.folder.empty() ? options.resume : options.folder,
+                 .from = options.resume,
+                 .name = checkpoint.scene_file,
+                 .sheet = sheet,
+                 .steps = checkpoint.steps,
+                 .memory = std::move(checkpoint.memory)};
+  if (fnv1a(order.text) != checkpoint.scene_fnv1a) {
+    throw InputError{
+        fmt::format("{}: scene_fnv1a: found {}, but {} has {}; it must be the scene as it was when the run "
+                    "was stopped",
+                    file.string(), checkpoint.scene_fnv1a, scene.string(), fnv1a(order.text))};
+  }
+  order.file = read_scene_file(scene);
+  order.file.scene.integrator = make_integrator(checkpoint.integrator, checkpoint.tolerance);
+  order.file.scene.plan.step = checkpoint.step;
+  order.file.scene.plan.end = checkpoint.end;
+  return order;
+}
+
+}  // namespace
+
+RunOrder run_order(const RunOptions& options) {
+  RunOrder order = options.resume.empty() ? new_order(options) : resumed_order(options);
+  check_step_count(order.file.scene.plan);
+  return order;
+}
+
+long last_step(const RunOptions& options, const RunOrder& order) {
+  const Scene& scene = order.file.scene;
+  const RunPlan& plan = scene.plan;
+  const double start = scene.initial.t;
+  const auto steps_to = [&](double time) {
+    return step_count({.step = plan.step, .end = time - start, .interval = plan.interval, .ledger = plan.ledger});
+  };
+  const long all = steps_to(plan.end);
+  if (options.until.empty()) return all;
+  const UnitSystem& units = scene.model.units;
+  const std::string unit = symbol(units, dimension::time);
+  const double time = option_quantity("--until", options.until, dimension::time, units);
+  const double stands = start + static_cast<double>(order.steps) * plan.step;
+  // Not by steps: a time far beyond the end may be more of them than can be counted.
+  if (time > plan.end && (time > 2.0 * plan.end || steps_to(time) > all)) {
+    throw InputError{fmt::format("--until: found \"{}\"; it must be at most {:.10g} {}, where the run ends",
+                                 options.until, plan.end, unit)};
+  }
+  if (time <= stands || steps_to(time) <= order.steps) {
+    throw InputError{fmt::format("--until: found \"{}\"; it must be beyond {:.10g} {}, where the run stands",
+                                 options.until, stands, unit)};
+  }
+  return steps_to(time);
+}
+
+}  // namespace talus::app

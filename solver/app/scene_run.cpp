@@ -1,0 +1,131 @@
+#include "solver/app/scene_run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "solver/io/atomic_file.hpp"
+#include "solver/io/csv.hpp"
+#include "solver/io/fence_sheet.hpp"
+#include "solver/io/json.hpp"
+#include "solver/io/plot_record.hpp"
+#include "solver/state/state_memory.hpp"
+
+namespace talus::app {
+namespace {
+
+/// Shows on a terminal how far a run has come, once it takes longer than a second.
+class Progress {
+ public:
+  explicit Progress(double end) : end_{end}, shown_to_terminal_{::isatty(STDERR_FILENO) == 1} {}
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress() {
+    if (written_) fmt::print(stderr, "\r{:40}\r", "");
+  }
+
+  void operator()(double time, long step) {
+    if (!shown_to_terminal_ || step % 256 != 0) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return;
+    next_ = now + std::chrono::milliseconds{200};
+    written_ = true;
+    fmt::print(stderr, "\rt = {:.5g} of {:.5g}  ({:3.0f} %)", time, end_, 100.0 * time / end_);
+    std::fflush(stderr);
+  }
+
+ private:
+  double end_;
+  bool shown_to_terminal_;
+  bool written_{false};
+  std::chrono::steady_clock::time_point next_{std::chrono::steady_clock::now() + std::chrono::seconds{1}};
+};
+
+}  // namespace
+
+SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene,
+                   long frames, bool sheet)
+    : file_{&file},
+      scene_{&file.scene},
+      folder_{folder},
+      dynamics_{file.scene.model},
+      system_{dynamics_, file.scene.plan.ledger},
+      standing_{standing_at_start(file.scene.integrator, settled(file.scene.initial))},
+      seen_{standing_.state},
+      recorder_{dynamics_, standing_.state, file.scene.plan.ledger},
+      failures_{dynamics_} {
+  if (!folder.empty()) files_.emplace(file, dynamics_, folder, scene, frames);
+  if (sheet) watch_.emplace(file.fence->fence, file.fence->made, dynamics_);
+}
+
+State SceneRun::settled(State state) {
+  system_.settle(state);
+  return state;
+}
+
+void SceneRun::remember(Memory& memory) {
+  memory.part("run", [&] { standing_.remember(memory); });
+  memory.part("seen", [&] { talus::remember(memory, seen_); });
+  memory.part("recorder", [&] { recorder_.remember(memory); });
+  memory.part("failures", [&] { failures_.remember(memory); });
+  if (files_) memory.part("files", [&] { files_->remember(memory); });
+  if (watch_) memory.part("sheet", [&] { watch_->remember(memory); });
+}
+
+void SceneRun::bring_files(const std::filesystem::path& from) const {
+  if (files_) files_->bring_files(from);
+}
+
+Outcome SceneRun::go_on(const StopCondition& stop) {
+  Progress progress{scene_->plan.end};
+  const Observer observers[] = {[&](const State& seen, const StepInfo& info) {
+    recorder_(seen, info);
+    failures_(seen, info);
+    if (files_) (*files_)(seen, info);
+    if (watch_) (*watch_)(seen, info);
+    progress(seen.t, info.step);
+    seen_ = seen;
+  }};
+  return simulate(system_, standing_, scene_->plan, observers, stop);
+}
+
+RunRecord SceneRun::record(Outcome outcome) const {
+  RunRecord record;
+  record.outcome = std::move(outcome);
+  record.title = scene_->title;
+  record.units = scene_->model.units;
+  record.integrator = name(scene_->integrator);
+  record.plan = scene_->plan;
+  record.steps = standing_.step;
+  record.evaluations = standing_.evaluations;
+  record.coordinates = dynamics_.layout().coordinates.size();
+  record.laws = dynamics_.layout().mode_count;
+  record.contacts = scene_->model.contacts.size();
+  record.cables = scene_->model.cables.size();
+  record.bodies = body_states(scene_->model, seen_);
+  record.failures = failures_.failures();
+  record_history(record, recorder_);
+  if (files_) record.notes = files_->left_out();
+  return record;
+}
+
+void SceneRun::write(const RunRecord& record) const {
+  write_whole(folder_ / "history.csv", csv(record.history, record.units));
+  write_whole(folder_ / "final_state.json", final_state_json(record));
+  write_whole(folder_ / "plot.json", plot_json(record, "history.csv", files_->drawn_from()));
+  files_->write();
+  if (watch_) write_whole(folder_ / "sheet.json", sheet_json(record, *file_->fence, dynamics_, *watch_));
+}
+
+std::vector<std::string> SceneRun::file_names() const {
+  std::vector<std::string> names{"history.csv", "final_state.json", "summary.json", "plot.json"};
+  if (!files_) return names;
+  for (std::string& name : files_->names())
+    names.push_back(std::move(name));
+  if (watch_) names.insert(names.end(), {"sheet.json", "sheet.pdf", "sheet.html"});
+  return names;
+}
+
+}  // namespace talus::app

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/app/scene_files.hpp"
+#include "solver/io/run_record.hpp"
+#include "solver/run/history.hpp"
+#include "solver/scenes/fence_summary.hpp"
+
+namespace talus::app {
+
+/// A scene's run with all that it leaves in a folder, which can be stopped between two steps and taken on by another.
+class SceneRun {
+ public:
+  /// `folder` empty: nothing is written. `scene` names files, `frames` is the number of states of the geometry: see
+  /// SceneFiles. With `sheet` a fence's summary is kept too. The scene must outlive it. Errors: as SceneFiles.
+  SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene, long frames,
+           bool sheet);
+
+  /// Names all that the run carries from one step to the next; a run of the same scene goes on from it.
+  void remember(Memory& memory);
+  /// After it was put back: brings what was written to the folder in which the run stood. Errors: IoError.
+  void bring_files(const std::filesystem::path& from) const;
+
+  /// Takes the run on to its plan's end or until `stop`. Errors: IoError.
+  Outcome go_on(const StopCondition& stop);
+
+  const Standing& standing() const { return standing_; }
+  const Dynamics& dynamics() const { return dynamics_; }
+  /// The run as it is reported.
+  [[nodiscard]] RunRecord record(Outcome outcome) const;
+  /// Writes all files but summary.json. Errors: IoError.
+  void write(const RunRecord& record) const;
+  /// Names of the files, for the summary.
+  std::vector<std::string> file_names() const;
+
+ private:
+  State settled(State state);
+
+  const SceneFile* file_;
+  const Scene* scene_;
+  std::filesystem::path folder_;
+  Dynamics dynamics_;
+  RigidBodySystem system_;
+  Standing standing_;
+  State seen_;  ///< by the observers, last
+  Recorder recorder_;
+  FailureLog failures_;
+  std::optional<SceneFiles> files_;
+  std::optional<scenes::FenceWatch> watch_;
+};
+
+}  // namespace talus::app

@@ -1,0 +1,94 @@
+#include "solver/base/memory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solver/base/error.hpp"
+
+namespace talus {
+
+std::vector<std::string> Memory::left_over() const {
+  std::vector<std::string> names;
+  if (!saved_) return names;
+  for (const auto& [name, value] : *saved_) {
+    if (!items_.contains(name)) names.push_back(name);
+  }
+  return names;
+}
+
+template <class Kind>
+const Kind& Memory::saved(std::string_view name, std::string_view kind) {
+  const std::string full = full_name(name);
+  const auto found = saved_->find(full);
+  if (found == saved_->end()) throw InputError{fmt::format("{}: it is missing; it must be {}", full, kind)};
+  const Kind* value = std::get_if<Kind>(&found->second);
+  if (!value) {
+    throw InputError{fmt::format("{}: found {}; it must be {}", full,
+                                 found->second.index() == 0 ? "a list of numbers" : "a text", kind)};
+  }
+  items_.emplace(full, Kind{});
+  return *value;
+}
+
+void Memory::numbers(std::string_view name, std::span<double> values) {
+  if (!saved_) {
+    items_.insert_or_assign(full_name(name), std::vector<double>(values.begin(), values.end()));
+    return;
+  }
+  const auto& found = saved<std::vector<double>>(name, "a list of numbers");
+  if (found.size() != values.size()) {
+    throw InputError{
+        fmt::format("{}: found {} numbers; it must have {}", full_name(name), found.size(), values.size())};
+  }
+  std::copy(found.begin(), found.end(), values.begin());
+}
+
+void Memory::list(std::string_view name, std::vector<double>& values) {
+  if (saved_) {
+    values = saved<std::vector<double>>(name, "a list of numbers");
+  } else {
+    items_.insert_or_assign(full_name(name), values);
+  }
+}
+
+void Memory::text(std::string_view name, std::string& value) {
+  if (saved_) {
+    value = saved<std::string>(name, "a text");
+  } else {
+    items_.insert_or_assign(full_name(name), value);
+  }
+}
+
+void Memory::demand_whole(std::string_view name, double value, double largest) const {
+  if (value >= 0.0 && value <= largest && value == std::floor(value)) return;
+  throw InputError{
+      fmt::format("{}: found {}; it must be a whole number from 0 to {}", full_name(name), value, largest)};
+}
+
+void Memory::count(std::string_view name, long& value) {
+  auto kept = static_cast<double>(value);
+  number(name, kept);
+  demand_whole(name, kept, 0x1p53);
+  value = static_cast<long>(kept);
+}
+
+void Memory::flag(std::string_view name, bool& value) {
+  double kept = value ? 1.0 : 0.0;
+  number(name, kept);
+  demand_whole(name, kept, 1.0);
+  value = kept == 1.0;
+}
+
+void Memory::numbers(std::string_view name, std::span<std::uint8_t> values) {
+  std::vector<double> kept(values.begin(), values.end());
+  numbers(name, kept);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    demand_whole(name, kept[i], std::numeric_limits<std::uint8_t>::max());
+    values[i] = static_cast<std::uint8_t>(kept[i]);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,269 @@
+#include "solver/scenes/fence_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "solver/geometry/gap.hpp"
+
+namespace talus::scenes {
+namespace {
+
+Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+
+void add(ForceRecord& record, Vec3 force, Vec3& last, double time, double h) {
+  const double size = norm(force);
+  if (size > record.peak) record.peak = size, record.peak_time = time, record.at_peak = force;
+  record.impulse = record.impulse + 0.5 * h * (last + force);
+  last = force;
+}
+
+/// The tension at which a law stops being elastic; infinite for one that never does.
+double limit(const CableLaw& law) {
+  const auto* plastic = std::get_if<ElasticPlastic>(&law);
+  return plastic ? std::min(plastic->yield, plastic->strength) : std::numeric_limits<double>::infinity();
+}
+
+/// The place of a column from the centre outwards, as its name says: 3 for "back_column-3".
+int place(const std::string& name) { return std::stoi(name.substr(name.find_first_of("123456789"))); }
+
+}  // namespace
+
+FenceWatch::FenceWatch(const Fence& fence, const FenceScene& made, const Dynamics& dynamics)
+    : fence_{&fence}, made_{&made}, dynamics_{&dynamics}, work_{dynamics.workspace()}, rates_{made.scene.initial} {
+  list_parts();
+  touch_x_.resize(rocks_.size());
+  last_hanger_.resize(summary_.columns.size());
+  last_anchor_.resize(summary_.anchors.size());
+  last_tension_.resize(summary_.segments.size());
+  summary_.layers.resize(static_cast<std::size_t>(fence.layers));
+  summary_.start = summary_.at_travel = summary_.end = made.scene.initial;
+  history_.columns = {{"time", dimension::time}};
+  for (const RockPassage& rock : summary_.rocks) {
+    history_.columns.push_back({rock.name + ".x", dimension::length});
+    history_.columns.push_back({rock.name + ".y", dimension::length});
+    history_.columns.push_back({rock.name + ".vx", dimension::velocity});
+  }
+  for (const char* force : {"hanger", "top", "bottom"})
+    history_.columns.push_back({force, dimension::force});
+}
+
+void FenceWatch::add_column(const Joint& hanger, int layer) {
+  const Model& model = dynamics_->model();
+  double y_bottom = fence_->y_bottom, strength = std::numeric_limits<double>::infinity();
+  for (const ChangedColumn& changed : fence_->changed_columns) {
+    if (changed.place == place(model.bodies[index(hanger.body)].name)) y_bottom = changed.y_bottom;
+  }
+  for (const Hanger& breakable : model.hangers) {
+    if (breakable.body == hanger.body) strength = breakable.strength;
+  }
+  summary_.columns.push_back({.body = hanger.body, .layer = layer, .limit = strength});
+  joints_.push_back({hanger.p, Vec2{0.0, y_bottom}});
+}
+
+/// Rocks by the numbering of 1993; columns, segments and anchors by the cables, so that both sides of a full model are
+/// in. A segment begins at a column; names tell top from bottom.
+void FenceWatch::list_parts() {
+  const Model& model = dynamics_->model();
+  const CableForces& cables = dynamics_->cables();
+  const auto layer_at = [&](double x) {
+    const double behind = fence_->column.position.x - x;
+    return fence_->layers == 1 ? 1 : 1 + static_cast<int>(std::lround(behind / fence_->layer_spacing));
+  };
+  for (std::size_t c = 0; c < model.cables.size(); ++c) {
+    const auto [a, b, share_a, share_b] = cables.ends()[c];
+    const bool top = model.cables[c].name.find("top") != std::string::npos;
+    const int layer = layer_at(model.bodies[index(cables.joints()[a].body)].p_WB.x);
+    summary_.segments.push_back(
+        {.cable = static_cast<CableId>(c), .layer = layer, .top = top, .limit = limit(model.cables[c].law)});
+    for (const std::size_t j : {a, b}) {
+      const Joint& joint = cables.joints()[j];
+      const auto listed = [j](const AnchorRecord& anchor) { return anchor.joint == j; };
+      if (joint.on_body && top && std::find(hangers_.begin(), hangers_.end(), j) == hangers_.end()) {
+        hangers_.push_back(j);
+        add_column(joint, layer);
+      }
+      if (!joint.on_body && std::none_of(summary_.anchors.begin(), summary_.anchors.end(), listed))
+        summary_.anchors.push_back({.joint = j, .layer = layer});
+    }
+  }
+  const auto is_column = [&](BodyId body) {
+    return std::any_of(summary_.columns.begin(), summary_.columns.end(),
+                       [body](const ColumnRecord& column) { return column.body == body; });
+  };
+  for (std::size_t member = 1; made_->members[member].layer == 0; ++member) {
+    const BodyId rock = *made_->members[member].body;
+    rocks_.push_back(rock);
+    summary_.rocks.push_back({.name = model.bodies[index(rock)].name, .mass = model.bodies[index(rock)].mass});
+    auto& modes = touching_.emplace_back();
+    for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+      const Contact& contact = model.contacts[c];
+      if (!(contact.a == rock && is_column(contact.b)) && !(contact.b == rock && is_column(contact.a))) continue;
+      for (std::size_t i = 0; i < dynamics_->layout().contact_instances[c]; ++i)
+        modes.push_back(dynamics_->layout().contact_slots[c].mode + i);
+    }
+  }
+}
+
+bool FenceWatch::touches(std::size_t rock, const State& state) const {
+  return std::any_of(touching_[rock].begin(), touching_[rock].end(),
+                     [&](std::size_t mode) { return state.mode[mode] != 0; });
+}
+
+double FenceWatch::kinetic(std::size_t rock, const State& state) const {
+  const std::size_t body = index(rocks_[rock]);
+  double energy = 0.0;
+  for (std::size_t i = dynamics_->layout().first[body]; i < dynamics_->layout().first[body + 1]; ++i)
+    energy += 0.5 * dynamics_->inertias()[i] * state.v[i] * state.v[i];
+  return energy;
+}
+
+double FenceWatch::height(Vec2 p) const {
+  const BodyId body = *made_->members.front().body;
+  const Pose& ground = work_.poses[index(body)];
+  if (const auto* terrain = std::get_if<Terrain>(&dynamics_->model().bodies[index(body)].shape))
+    return -depth_below(*terrain, p - ground.p_WB).depth;
+  return dot(p - ground.p_WB, ground.R_WB * Vec2{0.0, 1.0});
+}
+
+void FenceWatch::approach(std::size_t i, const State& before) {
+  const Pose pose = talus::pose(dynamics_->model(), before, rocks_[i]);
+  RockPassage& rock = summary_.rocks[i];
+  rock.approach_velocity = pose.v_WB, rock.approach_spin = pose.w_WB, rock.approach_energy = kinetic(i, before);
+}
+
+/// A rock that touches from the start approaches as the deck says: a half kick has by then taken a little of it.
+void FenceWatch::begin(const State& state) {
+  begun_ = true;
+  time_ = state.t;
+  summary_.start = summary_.at_travel = state;
+  for (std::size_t i = 0; i < rocks_.size(); ++i) {
+    State given = state;
+    set_velocity(dynamics_->model(), given, rocks_[i], fence_->rocks[i].velocity, fence_->rocks[i].spin);
+    approach(i, given);
+  }
+}
+
+void FenceWatch::operator()(const State& state, const StepInfo& info) {
+  // All of it: of a sleeping column beside an awake one only half the pulls would be summed.
+  dynamics_->update_all(state, work_);
+  dynamics_->forces(state, work_, forces_);
+  dynamics_->rates(state, work_, rates_, false);
+  if (!begun_) begin(state);
+  watch_rocks(state);
+  watch_columns(state);
+  watch_cables(state);
+  watch_anchors(state);
+  watch_heights(state);
+  if (info.due) add_row(state);
+  time_ = state.t;
+  summary_.end = state;
+}
+
+void FenceWatch::watch_rocks(const State& state) {
+  for (std::size_t i = 0; i < rocks_.size(); ++i) {
+    RockPassage& rock = summary_.rocks[i];
+    const Pose& now = work_.poses[index(rocks_[i])];
+    const bool touching = touches(i, state);
+    if (touching && !rock.touched) {
+      rock.touched = true;
+      rock.touch_time = state.t;
+      touch_x_[i] = now.p_WB.x;
+      if (state.t > summary_.start.t) approach(i, summary_.end);
+    }
+    if (!rock.touched) continue;
+    const double way = rock.approach_velocity.x < 0.0 ? -1.0 : 1.0;
+    const bool leaves = !touching && !rock.left;
+    rock.left = !touching;
+    if (!touching && !leaves) continue;
+    rock.exit_time = state.t;
+    rock.exit_velocity = now.v_WB, rock.exit_spin = now.w_WB, rock.exit_energy = kinetic(i, state);
+    rock.travel = std::max(rock.travel, way * (now.p_WB.x - touch_x_[i]));
+    if (rock.turned) continue;
+    rock.turned = way * now.v_WB.x <= 0.0;
+    rock.braking_time = state.t - rock.touch_time;
+  }
+}
+
+void FenceWatch::watch_columns(const State& state) {
+  const double h = state.t - time_;
+  for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
+    ColumnRecord& column = summary_.columns[i];
+    const bool broken = !work_.rigging.broken.empty() && work_.rigging.broken[hangers_[i]];
+    const Vec2 pull = broken ? Vec2{} : work_.joints[hangers_[i]].force;
+    add(column.hanger, {pull.x, pull.y, 0.0}, last_hanger_[i], state.t, h);
+    const Pose& now = work_.poses[index(column.body)];
+    const double travel = std::abs(now.p_WB.x - dynamics_->model().bodies[index(column.body)].p_WB.x);
+    if (travel > column.travel) column.travel = travel, column.travel_time = state.t;
+    if (travel > summary_.travel) summary_.travel = travel, summary_.at_travel = state;
+  }
+}
+
+void FenceWatch::watch_cables(const State& state) {
+  const double h = state.t - time_;
+  for (std::size_t i = 0; i < summary_.segments.size(); ++i) {
+    SegmentRecord& segment = summary_.segments[i];
+    const double tension = forces_.tensions[index(segment.cable)];
+    if (tension > segment.peak) segment.peak = tension, segment.peak_time = state.t;
+    segment.impulse += 0.5 * h * (last_tension_[i] + tension);
+    last_tension_[i] = tension;
+  }
+}
+
+/// Each segment pulls an anchor towards its other end, in space.
+void FenceWatch::watch_anchors(const State& state) {
+  const double h = state.t - time_;
+  const CableForces& cables = dynamics_->cables();
+  for (std::size_t i = 0; i < summary_.anchors.size(); ++i) {
+    Vec3 force;
+    for (std::size_t c = 0; c < cables.size(); ++c) {
+      const auto [a, b, share_a, share_b] = cables.ends()[c];
+      if (a != summary_.anchors[i].joint && b != summary_.anchors[i].joint) continue;
+      const Path& path = work_.paths[c];
+      const double way = a == summary_.anchors[i].joint ? 1.0 : -1.0;
+      // The rest of the unit vector: through a broken hanger the cable does not run to its own joint.
+      const double along = std::copysign(std::sqrt(std::max(0.0, 1.0 - dot(path.pull_A, path.pull_A))),
+                                         cables.joints()[b].along - cables.joints()[a].along);
+      force = force + way * forces_.tensions[c] * Vec3{path.pull_A.x, path.pull_A.y, along};
+    }
+    add(summary_.anchors[i].force, force, last_anchor_[i], state.t, h);
+  }
+}
+
+void FenceWatch::watch_heights(const State& state) {
+  const bool first = state.t == summary_.start.t;
+  for (std::size_t layer = 0; layer < summary_.layers.size(); ++layer) {
+    double top = std::numeric_limits<double>::infinity(), bottom = -top;
+    for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
+      if (summary_.columns[i].layer != static_cast<int>(layer) + 1) continue;
+      const Pose& column = work_.poses[index(summary_.columns[i].body)];
+      top = std::min(top, height(world_point(column, joints_[i][0])));
+      bottom = std::max(bottom, height(world_point(column, joints_[i][1])));
+    }
+    LayerRecord& record = summary_.layers[layer];
+    if (first) record.top.start = top, record.bottom.start = bottom;
+    if (first || top < record.top.extreme) record.top.extreme = top, record.top.extreme_time = state.t;
+    if (first || bottom > record.bottom.extreme) record.bottom.extreme = bottom, record.bottom.extreme_time = state.t;
+    record.top.end = top, record.bottom.end = bottom;
+  }
+}
+
+void FenceWatch::add_row(const State& state) {
+  std::vector<double> row{state.t};
+  for (const BodyId rock : rocks_) {
+    const Pose& now = work_.poses[index(rock)];
+    row.insert(row.end(), {now.p_WB.x, now.p_WB.y, now.v_WB.x});
+  }
+  double hanger = 0.0, top = 0.0, bottom = 0.0;
+  for (const Vec3& force : last_hanger_)
+    hanger = std::max(hanger, norm(force));
+  for (std::size_t i = 0; i < summary_.segments.size(); ++i) {
+    double& largest = summary_.segments[i].top ? top : bottom;
+    largest = std::max(largest, last_tension_[i]);
+  }
+  row.insert(row.end(), {hanger, top, bottom});
+  history_.rows.push_back(std::move(row));
+}
+
+}  // namespace talus::scenes

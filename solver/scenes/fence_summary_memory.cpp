@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "solver/scenes/fence_summary.hpp"
+#include "solver/state/state_memory.hpp"
+
+namespace talus::scenes {
+namespace {
+
+void remember(Memory& memory, Vec3& value) {
+  memory.number("x", value.x);
+  memory.number("y", value.y);
+  memory.number("z", value.z);
+}
+
+void remember(Memory& memory, ForceRecord& record) {
+  memory.number("peak", record.peak);
+  memory.number("peak_time", record.peak_time);
+  memory.part("at_peak", [&] { remember(memory, record.at_peak); });
+  memory.part("impulse", [&] { remember(memory, record.impulse); });
+}
+
+void remember(Memory& memory, Vec2& value) {
+  memory.number("x", value.x);
+  memory.number("y", value.y);
+}
+
+void remember(Memory& memory, RockPassage& rock) {
+  memory.flag("touched", rock.touched);
+  memory.number("touch_time", rock.touch_time);
+  memory.part("approach_velocity", [&] { remember(memory, rock.approach_velocity); });
+  memory.number("approach_spin", rock.approach_spin);
+  memory.number("approach_energy", rock.approach_energy);
+  memory.flag("left", rock.left);
+  memory.number("exit_time", rock.exit_time);
+  memory.part("exit_velocity", [&] { remember(memory, rock.exit_velocity); });
+  memory.number("exit_spin", rock.exit_spin);
+  memory.number("exit_energy", rock.exit_energy);
+  memory.flag("turned", rock.turned);
+  memory.number("braking_time", rock.braking_time);
+  memory.number("travel", rock.travel);
+}
+
+void remember(Memory& memory, LayerRecord::Height& height) {
+  memory.number("start", height.start);
+  memory.number("extreme", height.extreme);
+  memory.number("extreme_time", height.extreme_time);
+  memory.number("end", height.end);
+}
+
+/// Each element as a part of its own, by its number.
+template <class List, class Visit>
+void each(Memory& memory, std::string_view name, List& list, Visit&& visit) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    memory.part(fmt::format("{}_{}", name, i), [&] { visit(list[i]); });
+}
+
+}  // namespace
+
+void FenceWatch::remember(Memory& memory) {
+  FenceSummary& s = summary_;
+  const auto vector = [&memory](Vec3& value) { scenes::remember(memory, value); };
+  memory.flag("begun", begun_);
+  memory.number("time", time_);
+  memory.numbers("touch_x", touch_x_);
+  memory.numbers("last_tension", last_tension_);
+  each(memory, "last_hanger", last_hanger_, vector);
+  each(memory, "last_anchor", last_anchor_, vector);
+  each(memory, "rock", s.rocks, [&](RockPassage& rock) { scenes::remember(memory, rock); });
+  each(memory, "column", s.columns, [&](ColumnRecord& column) {
+    scenes::remember(memory, column.hanger);
+    memory.number("travel", column.travel);
+    memory.number("travel_time", column.travel_time);
+  });
+  each(memory, "segment", s.segments, [&](SegmentRecord& segment) {
+    memory.number("peak", segment.peak);
+    memory.number("peak_time", segment.peak_time);
+    memory.number("impulse", segment.impulse);
+  });
+  each(memory, "anchor", s.anchors, [&](AnchorRecord& anchor) { scenes::remember(memory, anchor.force); });
+  each(memory, "layer", s.layers, [&](LayerRecord& layer) {
+    memory.part("top", [&] { scenes::remember(memory, layer.top); });
+    memory.part("bottom", [&] { scenes::remember(memory, layer.bottom); });
+  });
+  memory.number("travel", s.travel);
+  memory.part("start", [&] { talus::remember(memory, s.start); });
+  memory.part("at_travel", [&] { talus::remember(memory, s.at_travel); });
+  memory.part("end", [&] { talus::remember(memory, s.end); });
+  memory.part("history", [&] { history_.remember(memory); });
+}
+
+}  // namespace talus::scenes

@@ -1,0 +1,108 @@
+/// A fence's sheet from a record made by hand, whose numbers in feet, pounds and kips can be told at sight.
+#define BOOST_TEST_MODULE reports_sheet
+#include <boost/test/unit_test.hpp>
+
+#include "reports/error.hpp"
+#include "reports/file.hpp"
+#include "reports/process.hpp"
+#include "reports/sheet_tables.hpp"
+#include "tests/reports/scratch.hpp"
+
+using namespace talus::reports;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path record_file = fs::path{TALUS_TEST_DATA} / "sheet" / "sheet.json";
+
+using Row = std::vector<std::string>;
+
+SheetTable table(const SheetRecord& record, const std::string& title) {
+  for (SheetTable& found : fence_tables(record)) {
+    if (found.title.rfind(title, 0) == 0) return found;
+  }
+  BOOST_FAIL("no table " + title);
+  return {};
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  const std::size_t place = text.find(what);
+  BOOST_REQUIRE(place != std::string::npos);
+  return text.replace(place, what.size(), by);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(numbers_in_both_systems) {
+  const SheetRecord record = read_sheet(record_file);
+  const SheetTable rocks = rock_table(record);
+  // 1000 lb; 13 m/s = 42.65 ft/s; 1 kJ = 737.56 ft lbf; exit 5 m/s.
+  BOOST_TEST((rocks.rows.at(0) == Row{"rock", "453.6", "1000", "13", "42.65", "1", "0.7376", "0.1000", "0.3000", "5",
+                                      "16.4", "-3", "-9.843", "0.25", "0.1844", "75.0", "0.2000", "0.3048", "1"}));
+  BOOST_TEST(rocks.rows.at(1).at(7) == "never");
+  BOOST_TEST(contains(rocks.note, "braking until its exit: rock."));
+  // One kip, straight up, 5 kN s; the segment's 10 kip are 89 % of its limit; the bottom cable never pulled.
+  BOOST_TEST((table(record, "Hangers").rows.at(0) == Row{"column1", "4.448", "1", "0.2000", "50.0", "90", "5", "1.124",
+                                                         "44.48", "10", "0.2100", "89.0", "slack", "", "", ""}));
+  BOOST_TEST((table(record, "Anchors").rows.at(0) ==
+              Row{"1, 5 m", "5", "1.124", "0.2200", "0.000", "-0.600", "-0.800", "0.05", "0.01124"}));
+  BOOST_TEST(contains(table(record, "Anchors").note, "the same with -z"));
+  BOOST_TEST((table(record, "Order").rows.at(0) == Row{"0.21100", "cable 'top1'", "yields"}));
+  const SheetTable heights = table(record, "Travel");
+  BOOST_TEST((heights.rows.at(0) == Row{"largest travel of a column", "1.5", "4.921", "0.2500"}));
+  BOOST_TEST((heights.rows.at(2) == Row{"lowest top joint, least", "1.524", "5", "0.2000"}));
+  BOOST_TEST((heights.rows.at(5) == Row{"gap below, largest", "0.75", "2.461", "0.1000"}));
+  const SheetTable energy = table(record, "Energy");
+  BOOST_TEST(energy.rows.size() == 7U);  // what did not change and what lost nothing is left out
+  BOOST_TEST((energy.rows.at(2) == Row{"gained in height", "0.05", "0.03688"}));
+  BOOST_TEST((energy.rows.at(3) == Row{"gained in cables", "-0.001", "-0.0007376"}));
+  BOOST_TEST(energy.rows.at(4).at(0) == "lost: cable yield");
+}
+
+BOOST_AUTO_TEST_CASE(long_lists_are_cut_and_say_so) {
+  SheetRecord record = read_sheet(record_file);
+  record.columns.resize(40, record.columns.front());
+  record.events.resize(25, record.events.front());
+  BOOST_TEST(table(record, "Hangers").rows.size() == 14U);
+  BOOST_TEST(contains(table(record, "Hangers").note, "26 more are in sheet.json."));
+  BOOST_TEST(contains(table(record, "Order").note, "15 more are in sheet.json."));
+  record.events.clear();
+  BOOST_TEST(table(record, "Order").rows.at(0).at(1) == "none");
+  BOOST_TEST(table(record, "Order").note == "Nearest to its limit: top1, 89.0 %.");
+}
+
+BOOST_AUTO_TEST_CASE(the_same_record_gives_the_same_pages) {
+  const Scratch scratch("sheet");
+  std::string before[2];
+  for (std::string& pages : before) {
+    write_file(scratch.folder / "sheet.json", read_file(record_file));
+    const Finished made = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}});
+    BOOST_TEST_REQUIRE(made.status == 0, made.messages);
+    pages = read_file(scratch.folder / "sheet.pdf") + read_file(scratch.folder / "sheet.html");
+  }
+  BOOST_TEST((before[0] == before[1]));
+  BOOST_TEST(std::distance(fs::directory_iterator{scratch.folder}, {}) == 3);
+  const std::string html = read_file(scratch.folder / "sheet.html");
+  BOOST_TEST(contains(html, "<h1>A &amp; B: 50 % of {x_1} #2 &lt;\\&gt; ~ ^ µ ★</h1>"));
+  BOOST_TEST(contains(html, "<svg"));
+  BOOST_TEST(!contains(html, "src="));  // all in one file
+}
+
+BOOST_AUTO_TEST_CASE(records_that_are_wrong) {
+  const Scratch scratch("sheet");
+  const std::string good = read_file(record_file);
+  const fs::path file = scratch.folder / "sheet.json";
+  for (const auto& [text, words] :
+       {std::pair{replaced(good, "\"schema\": 1", "\"schema\": 2"), ".schema: must be 1"},
+        {replaced(good, "\"travel\": 0.3048", "\"far\": 1"), ".rocks[0].travel: is missing"},
+        {replaced(good, "\"margin\": 0.0", "\"margin\": \"inf\""), ".margin: must be a finite"},
+        {std::string{"{"}, ": is not a JSON object"}}) {
+    write_file(file, text);
+    const Finished refused = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}});
+    BOOST_TEST(refused.status == 2);
+    BOOST_TEST(contains(refused.messages, words), refused.messages);
+    BOOST_TEST(!fs::exists(scratch.folder / "sheet.pdf"));
+  }
+}

@@ -1,0 +1,232 @@
+/// Runs that are stopped and taken on by the built program, their files compared byte for byte with those of a run
+/// that never stopped; and what is refused.
+#define BOOST_TEST_MODULE resume
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "solver/integrate/integrator_list.hpp"
+#include "tests/solver/app/program.hpp"
+
+namespace {
+
+/// All files below a folder, by name.
+std::map<std::string, std::string> files(const fs::path& folder) {
+  std::map<std::string, std::string> found;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder}) {
+    if (entry.is_regular_file()) found[fs::relative(entry.path(), folder).string()] = talus::read_text(entry.path());
+  }
+  return found;
+}
+
+void same_files(const fs::path& one, const fs::path& other) {
+  const auto left = files(one), right = files(other);
+  BOOST_TEST(left.size() == right.size());
+  for (const auto& [name, text] : left)
+    BOOST_TEST((right.contains(name) && right.at(name) == text), name);
+}
+
+void runs(std::vector<std::string> arguments) {
+  const Ended ended = talus_ran(std::move(arguments));
+  BOOST_TEST_REQUIRE(ended.code == 0, ended.err);
+}
+
+/// `command` to its end, against the same stopped in one folder, taken on in another, stopped, and taken on there.
+void stops_and_goes_on(std::vector<std::string> command, const std::string& first, const std::string& second) {
+  const Folder folder;
+  const auto in = [&](const char* name) { return (folder.path / name).string(); };
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), command.begin(), command.end());
+    return more;
+  };
+  runs(with({"--out", in("whole")}));
+  runs(with({"--out", in("stopped"), "--until", first}));
+  BOOST_TEST(fs::exists(folder.path / "stopped/checkpoint.json"));
+  const auto before = files(folder.path / "stopped");
+  runs({"run", "--resume", in("stopped"), "--out", in("on"), "--until", second});
+  BOOST_TEST((files(folder.path / "stopped") == before));
+  // Another way to the same step leaves the same, the checkpoint included.
+  runs(with({"--out", in("straight"), "--until", second}));
+  same_files(in("on"), in("straight"));
+  runs({"run", "--resume", in("on")});
+  same_files(in("on"), in("whole"));
+}
+
+std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  const std::size_t place = text.find(what);
+  BOOST_REQUIRE(place != std::string::npos);
+  return text.replace(place, what.size(), by);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_integrator_goes_on_to_the_same_files) {
+  for (const std::string& integrator : talus::integrator_names()) {
+    BOOST_TEST_CONTEXT(integrator) {
+      std::vector<std::string> command{"run",   scene("two_cable.toml"), "--step",   "1 ms",     "--end",
+                                       "0.4 s", "--integrator",          integrator, "--frames", "7"};
+      if (integrator == "odeint_bulirsch_stoer") command.insert(command.end(), {"--tolerance", "1e-9"});
+      // 7 ms: amid the contact, no multiple of the interval of the history; .4 s: the plan's last step.
+      stops_and_goes_on(command, "7 ms", "0.1234 s");
+      stops_and_goes_on(command, "1 ms", "0.4 s");
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_fence_goes_on_to_the_same_listing_histories_and_geometry) {
+  for (const char* file : {"fence/sample2.DAT", "fence/sample2.toml"})
+    stops_and_goes_on({"run", scene(file), "--end", "20 ms"}, "5 ms", "11.1 ms");
+}
+
+BOOST_AUTO_TEST_CASE(a_sheet_sums_up_the_whole_run) {
+  stops_and_goes_on({"run", scene("fence/sample2.DAT"), "--end", "10 ms", "--sheet"}, "3 ms", "6 ms");
+}
+
+BOOST_AUTO_TEST_CASE(sheets_that_cannot_be) {
+  const Folder folder;
+  const std::string out = (folder.path / "out").string();
+  const std::string goes_with =
+      "talus: --sheet: it goes with a fence (a deck or a scene with [fence]) and with --out\n";
+  BOOST_TEST(talus_ran({"run", scene("two_cable.toml"), "--sheet", "--out", out}).err == goes_with);
+  BOOST_TEST(talus_ran({"run", scene("fence/sample2.DAT"), "--sheet"}).err == goes_with);
+  BOOST_TEST(!fs::exists(out));
+  runs({"run", scene("fence/sample2.DAT"), "--until", "1 ms", "--out", out});
+  BOOST_TEST(talus_ran({"run", "--resume", out, "--sheet"}).err ==
+             "talus: --sheet: a run that is taken on (--resume) keeps what it began with\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_that_was_moved_is_named_again) {
+  const Folder folder;
+  const fs::path here = folder.path / "here.toml", there = folder.path / "there.toml";
+  const std::string out = (folder.path / "out").string();
+  fs::copy_file(scene("two_cable.toml"), here);
+  runs({"run", here.string(), "--until", "1 ms", "--out", out});
+  fs::rename(here, there);
+  const Ended lost = talus_ran({"run", "--resume", out, "--until", "2 ms"});
+  BOOST_TEST(lost.code == 4);
+  BOOST_TEST(lost.err == "talus: " + here.string() + ": No such file or directory\n");
+  runs({"run", there.string(), "--resume", out, "--until", "2 ms"});
+}
+
+BOOST_AUTO_TEST_CASE(wrong_orders) {
+  const Folder folder;
+  const std::string out = (folder.path / "out").string();
+  const std::string two = scene("two_cable.toml");
+  runs({"run", two, "--until", "10 ms", "--out", out});
+  const auto before = files(out);
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"run", two, "--until", "1 s"},
+       "--until: it goes with --out, the folder in which the run is left to be taken on"},
+      {{"run", two, "--until", "1", "--out", out}, "--until: found \"1\"; the unit is missing; write e.g. \"1 s\""},
+      {{"run", two, "--until", "0 s", "--out", out}, "--until: found \"0 s\"; it must be > 0"},
+      {{"run", two, "--until", "3.1 s", "--out", out},
+       "--until: found \"3.1 s\"; it must be at most 3 s, where the run ends"},
+      {{"run", two, "--until", "1e300 s", "--out", out},
+       "--until: found \"1e300 s\"; it must be at most 3 s, where the run ends"},
+      {{"run", "--resume", out, "--until", "10 ms"},
+       "--until: found \"10 ms\"; it must be beyond 0.01 s, where the run stands"},
+      {{"run", "--resume", out, "--until", "4 s"},
+       "--until: found \"4 s\"; it must be at most 3 s, where the run ends"},
+      {{"run", "--resume", out, "--step", "1 ms"},
+       "--step: a run that is taken on (--resume) keeps what it began with"},
+      {{"run", "--resume", out, "--end", "9 s"}, "--end: a run that is taken on (--resume) keeps what it began with"},
+      {{"run", "--resume", out, "--integrator", "rk4"},
+       "--integrator: a run that is taken on (--resume) keeps what it began with"}};
+  for (const auto& [arguments, message] : wrong) {
+    const Ended ended = talus_ran(arguments);
+    BOOST_TEST(ended.code == 2);
+    BOOST_TEST(ended.err == "talus: " + message + "\n");
+    BOOST_TEST((files(out) == before), "a wrong order changed the folder");
+  }
+  const Ended none = talus_ran({"run", "--resume", (folder.path / "none").string()});
+  BOOST_TEST(none.code == 4);
+  BOOST_TEST(none.err == "talus: " + (folder.path / "none/checkpoint.json").string() + ": No such file or directory\n");
+}
+
+BOOST_AUTO_TEST_CASE(checkpoints_that_are_refused) {
+  const Folder folder;
+  const fs::path file = folder.path / "checkpoint.json";
+  runs({"run", scene("two_cable.toml"), "--until", "10 ms", "--out", folder.path.string()});
+  const std::string good = talus::read_text(file);
+  const std::string place = "talus: " + file.string() + ": ";
+  const std::string hash = good.substr(good.rfind(": \"") + 3, 16);
+  const std::vector<std::pair<std::string, std::string>> wrong{
+      {replaced(good, "\"schema\": 1", "\"schema\": 2"), "schema: found 2; it must be 1\n"},
+      {replaced(good, "\"schema\": 1,\n", ""), "schema: found nothing; it must be 1\n"},
+      {replaced(good, "\"talus\": \"", "\"talus\": \"9"), "talus: found \"9"},
+      {replaced(good, "\"steps\": 500", "\"steps\": 501"), "fnv1a: found \"" + hash + "\"; it must be \""},
+      {good.substr(0, good.size() / 2),
+       "found " + std::to_string(good.size() / 2) + " bytes that are not a JSON object"},
+      {"", "found 0 bytes that are not a JSON object; it must be a checkpoint that talus wrote, whole"}};
+  for (const auto& [text, message] : wrong) {
+    std::ofstream{file} << text;
+    const Ended ended = talus_ran({"run", "--resume", folder.path.string()});
+    BOOST_TEST(ended.code == 2);
+    BOOST_TEST(ended.err.rfind(place + message, 0) == 0U, ended.err);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_changed_scene_is_refused) {
+  const Folder folder;
+  const fs::path changed = folder.path / "scene.toml";
+  const std::string out = (folder.path / "out").string();
+  const std::string text = talus::read_text(scene("two_cable.toml"));
+  std::ofstream{changed} << text;
+  runs({"run", changed.string(), "--until", "10 ms", "--out", out});
+  std::ofstream{changed} << text << "# one more line\n";
+  const Ended ended = talus_ran({"run", "--resume", out});
+  BOOST_TEST(ended.code == 2);
+  BOOST_TEST(ended.err.rfind("talus: " + out + "/checkpoint.json: scene_fnv1a: found ", 0) == 0U);
+  BOOST_TEST(holds(ended.err, ", but " + changed.string() + " has "));
+  BOOST_TEST(holds(ended.err, "; it must be the scene as it was when the run was stopped\n"));
+}
+
+BOOST_AUTO_TEST_CASE(geometry_that_is_gone_is_missed) {
+  const Folder folder;
+  runs({"run", scene("fence/sample2.DAT"), "--until", "5 ms", "--out", folder.path.string()});
+  const fs::path lost = folder.path / "sample2_geometry/sample2_00000060.vtp";
+  fs::remove(lost);
+  const Ended ended = talus_ran({"run", "--resume", folder.path.string()});
+  BOOST_TEST(ended.code == 4);
+  BOOST_TEST(ended.err == "talus: " + lost.string() + ": No such file or directory\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_signal_leaves_the_run_to_be_taken_on) {
+  const Folder folder;
+  const std::string out = (folder.path / "out").string(), straight = (folder.path / "straight").string();
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t child = ::fork();
+    BOOST_REQUIRE(child >= 0);
+    const std::string two = scene("two_cable.toml");
+    if (child == 0) {
+      const int nowhere = ::open((folder.path / "err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+      ::dup2(nowhere, STDOUT_FILENO);
+      ::dup2(nowhere, STDERR_FILENO);
+      ::execl(TALUS_EXECUTABLE, "talus", "run", two.c_str(), "--end", "2000 s", "--out", out.c_str(), nullptr);
+      ::_exit(127);
+    }
+    while (!fs::exists(out))
+      std::this_thread::sleep_for(std::chrono::milliseconds{10});
+    std::this_thread::sleep_for(std::chrono::milliseconds{200});
+    BOOST_REQUIRE(::kill(child, signal) == 0);
+    int status = 0;
+    BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
+    BOOST_REQUIRE(WIFEXITED(status));
+    BOOST_TEST(WEXITSTATUS(status) == 128 + signal);
+    const std::string words = talus::read_text(folder.path / "err");
+    BOOST_TEST(holds(words, signal == SIGINT ? "talus: SIGINT came; the run was left at t = "
+                                             : "talus: SIGTERM came; the run was left at t = "));
+    BOOST_TEST(holds(words, "talus run --resume " + out + " takes it on\n"));
+    const auto summary = nlohmann::json::parse(talus::read_text(out + "/summary.json"));
+    BOOST_TEST(summary.at("outcome").at("kind").get<std::string>() == "stopped");
+    const std::string later = std::to_string(summary.at("outcome").at("time").get<double>() + 0.05) + " s";
+    runs({"run", "--resume", out, "--until", later});
+    runs({"run", two, "--end", "2000 s", "--until", later, "--out", straight});
+    same_files(out, straight);
+    fs::remove_all(out);
+  }
+}

@@ -1,0 +1,273 @@
+/// A run that is stopped, saved and taken on by fresh objects ends with the bits of one that never was: every
+/// integrator of the closed list, several scenes, several places.
+#define BOOST_TEST_MODULE standing
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numeric>
+
+#include "solver/base/error.hpp"
+#include "solver/run/failure_log.hpp"
+#include "solver/run/history.hpp"
+#include "solver/scenes/fence_scene.hpp"
+#include "solver/scenes/pendulum.hpp"
+#include "solver/scenes/pivoted_cylinder.hpp"
+#include "solver/scenes/two_cable.hpp"
+
+using namespace talus;
+
+namespace {
+
+/// Everything that a run leaves.
+struct Left {
+  State state;
+  State held;
+  long evaluations{};
+  std::vector<std::vector<double>> rows;
+  std::vector<double> extremes{};
+  std::vector<double> closures{};
+  std::string failures{};
+};
+
+/// A run with its recorder, made afresh for each leg of it.
+class Leg {
+ public:
+  explicit Leg(const Scene& scene)
+      : plan_{scene.plan},
+        dynamics_{scene.model},
+        system_{dynamics_, plan_.ledger},
+        standing_{standing_at_start(scene.integrator, settled(scene.initial))},
+        recorder_{dynamics_, standing_.state, plan_.ledger},
+        failures_{dynamics_} {}
+
+  /// Goes on until so many steps are done.
+  void run_to(long step) {
+    const Observer observers[] = {[this](const State& seen, const StepInfo& info) {
+      recorder_(seen, info);
+      failures_(seen, info);
+    }};
+    const double end = standing_.start + static_cast<double>(step) * plan_.step;
+    const StopCondition stop = [end](const State& seen) { return seen.t >= end; };
+    const Outcome outcome = simulate(system_, standing_, plan_, observers, stop);
+    BOOST_TEST_REQUIRE(static_cast<bool>(outcome), outcome.words);
+    BOOST_TEST(standing_.step == step);
+  }
+
+  void remember(Memory& memory) {
+    memory.part("run", [&] { standing_.remember(memory); });
+    memory.part("recorder", [&] { recorder_.remember(memory); });
+    memory.part("failures", [&] { failures_.remember(memory); });
+  }
+
+  Left left() {
+    Left all{.state = synchronized(standing_, system_, plan_),
+             .held = standing_.state,
+             .evaluations = standing_.evaluations,
+             .rows = recorder_.history().rows};
+    for (const Recorder::Extreme& e : recorder_.extremes())
+      all.extremes.insert(all.extremes.end(), {e.least, e.least_time, e.largest, e.largest_time});
+    for (const Failure& failure : failures_.failures())
+      all.failures += failure.part + " " + std::string{failure.what} + " at " + std::to_string(failure.time) + "\n";
+    const Accounts& accounts = recorder_.accounts();
+    all.closures = {accounts.energies.total(),
+                    accounts.dissipated(),
+                    accounts.energy_closure,
+                    accounts.momentum_closure.x,
+                    accounts.momentum_closure.y,
+                    accounts.angular_momentum_closure,
+                    recorder_.ledger()->largest_energy_closure(),
+                    recorder_.ledger()->energy_scale()};
+    return all;
+  }
+
+ private:
+  State settled(State state) {
+    system_.settle(state);
+    return state;
+  }
+
+  RunPlan plan_;
+  Dynamics dynamics_;
+  RigidBodySystem system_;
+  Standing standing_;
+  Recorder recorder_;
+  FailureLog failures_;
+};
+
+void same_bits(const Left& one, const Left& other) {
+  BOOST_TEST((one.state == other.state));
+  BOOST_TEST((one.held == other.held));
+  BOOST_TEST(one.evaluations == other.evaluations);
+  BOOST_TEST((one.rows == other.rows));
+  BOOST_TEST((one.extremes == other.extremes));
+  BOOST_TEST((one.closures == other.closures));
+  BOOST_TEST(one.failures == other.failures);
+}
+
+/// The run of one leg against that of legs which end at these steps, each taken on by fresh objects.
+void stopped_runs_end_alike(const Scene& scene, const std::vector<std::vector<long>>& places) {
+  const long steps = step_count(scene.plan);
+  Leg whole{scene};
+  whole.run_to(steps);
+  const Left wanted = whole.left();
+  for (const std::vector<long>& stops : places) {
+    BOOST_TEST_CONTEXT("first stop after step " << stops.front() << " of " << steps) {
+      MemoryItems kept;
+      {
+        Leg first{scene};
+        first.run_to(stops.front());
+        Memory saving;
+        first.remember(saving);
+        kept = saving.items();
+      }
+      for (std::size_t i = 1; i <= stops.size(); ++i) {
+        Leg next{scene};
+        Memory putting_back{kept};
+        next.remember(putting_back);
+        BOOST_TEST(putting_back.left_over().empty());
+        next.run_to(i < stops.size() ? stops[i] : steps);
+        if (i == stops.size()) same_bits(next.left(), wanted);
+        Memory saving;
+        next.remember(saving);
+        kept = saving.items();
+      }
+    }
+  }
+}
+
+/// Each integrator of the list, with fixed steps and, where it has it, with step control.
+std::vector<Integrator> all_integrators() {
+  std::vector<Integrator> made;
+  for (const std::string& known : integrator_names()) {
+    for (const double tolerance : {0.0, 1e-9}) {
+      try {
+        made.push_back(make_integrator(known, tolerance));
+      } catch (const InputError&) {  // it has the other only
+      }
+    }
+  }
+  return made;
+}
+
+void every_integrator(Scene scene, long steps, const std::vector<std::vector<long>>& places) {
+  scene.plan.end = static_cast<double>(steps) * scene.plan.step;
+  scene.plan.interval = 7.0 * scene.plan.step;
+  scene.plan.ledger = true;
+  for (const Integrator& integrator : all_integrators()) {
+    BOOST_TEST_CONTEXT(scene.title << ", " << name(integrator)) {
+      scene.integrator = integrator;
+      stopped_runs_end_alike(scene, places);
+    }
+  }
+}
+
+/// sample2 of the manual (Mustoe & Huttelmaier 1993, Appendix II.5.1) with a top cable that yields and hangers that
+/// break soon after the impact, and friction.
+scenes::FenceScene yielding_fence() {
+  using namespace scenes;
+  Fence fence;
+  fence.title = "yielding fence";
+  fence.steps = 400, fence.print_every = 60, fence.history_every = 30;
+  fence.penetration = 0.05, fence.gravity = 32.18;
+  fence.ground = {.solid = ElementSolid::block, .a = 10.0, .b = 0.5, .density = 0.1, .position = {0.0, -5.0}};
+  fence.ground.held = {true, true, true};
+  FenceElement rock{.points = 4, .a = 1.201, .b = 1.201, .density = 5.13, .position = {2.451, 0.0}};
+  rock.velocity = {-65.0, 0.0};
+  rock.spin = 34.0;
+  fence.rocks = {rock};
+  fence.column = {.type = ElementType::column, .solid = ElementSolid::cylinder, .a = 1.25, .b = 4.0, .density = 0.76};
+  fence.span = 55.0, fence.sag = 5.5, fence.spacing = 2.5;
+  fence.young = 2e7 * 144.0, fence.area_top = 1.076 / 144.0, fence.area_bottom = 0.25 / 144.0;
+  fence.y_top = 6.67, fence.y_bottom = -4.0;
+  fence.columns = 13, fence.restitution = 0.4, fence.slack = 0.5, fence.friction = 0.4;
+  fence.options.hanger_strength = 8000.0;
+  fence.limit_top = 4e4, fence.limit_bottom = 1e8;
+  fence.layers = 2, fence.layer_spacing = 2.6, fence.rock_overlap = 0.6, fence.layer_overlap = 0.5;
+  return fence_scene(fence);
+}
+
+const LinearSpringDashpot contact{1e5, 300.0, EndRule::clamped};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(two_cables) {
+  Scene scene = scenes::two_cable({.contact = contact});
+  scene.plan.step = 1e-3;
+  // Contact lasts until step 15; the cables go slack and taut again later.
+  every_integrator(scene, 400, {{1}, {2, 3}, {5}, {14, 15, 16}, {399}, {400}});
+}
+
+BOOST_AUTO_TEST_CASE(pivoted_cylinder_with_nodes) {
+  Scene scene = scenes::pivoted_cylinder({.rock_radius = 1.5, .contact = contact, .method = ContactMethod::nodes});
+  scene.plan.step = 2e-4;
+  every_integrator(scene, 400, {{1}, {30, 31}, {150}, {399}, {400}});
+}
+
+// Intervals of many internal steps: what step control carries from one to the next matters.
+BOOST_AUTO_TEST_CASE(pendulum_with_long_intervals) {
+  Scene scene = scenes::cable_pendulum({.amplitude = 1.0});
+  scene.plan = {.step = 0.1, .end = 10.0, .interval = 0.3};
+  std::vector<long> everywhere(99);
+  std::iota(everywhere.begin(), everywhere.end(), 1L);
+  for (const Integrator& integrator : all_integrators()) {
+    if (tolerance(integrator) == 0.0) continue;
+    BOOST_TEST_CONTEXT(name(integrator)) {
+      scene.integrator = integrator;
+      stopped_runs_end_alike(scene, {everywhere});
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(fence_that_yields_breaks_and_rubs_with_sleeping_columns) {
+  const scenes::FenceScene made = yielding_fence();
+  const Layout layout{made.scene.model};
+  Leg whole{made.scene};
+  whole.run_to(5);
+  const std::vector<Mode> early = whole.left().state.mode;
+  const auto sleepers = early.begin() + static_cast<std::ptrdiff_t>(layout.first_sleeper);
+  BOOST_TEST(std::count(sleepers, early.end(), Mode{0}) > 0);
+  BOOST_TEST(std::count(sleepers, early.end(), Mode{1}) > 0);
+  whole.run_to(250);
+  const Left end = whole.left();
+  BOOST_TEST(end.state.work[static_cast<std::size_t>(Mechanism::cable_yield)] > 0.0);
+  BOOST_TEST(end.state.work[static_cast<std::size_t>(Mechanism::friction)] > 0.0);
+  BOOST_TEST(end.failures.find("hanger 'hanger1' breaks") != std::string::npos);
+  every_integrator(made.scene, 250, {{1}, {2}, {5, 6, 7}, {40, 41}, {120, 200}, {249}});
+}
+
+BOOST_AUTO_TEST_CASE(what_is_put_back_must_fit) {
+  Scene scene = scenes::two_cable({.contact = contact});
+  scene.plan = {.step = 1e-3, .end = 0.1, .interval = 0.01};
+  scene.integrator = make_integrator("velocity_verlet");
+  Leg first{scene};
+  first.run_to(10);
+  Memory saving;
+  first.remember(saving);
+  const auto message = [&](const char* item, std::variant<std::vector<double>, std::string> value) {
+    MemoryItems kept = saving.items();
+    BOOST_REQUIRE(kept.contains(item));
+    kept[item] = std::move(value);
+    Leg next{scene};
+    Memory putting_back{kept};
+    try {
+      next.remember(putting_back);
+    } catch (const InputError& error) {
+      return std::string{error.what()};
+    }
+    return std::string{};
+  };
+  BOOST_TEST(message("run.state.q", std::vector{1.0}) == "run.state.q: found 1 numbers; it must have 4");
+  BOOST_TEST(message("run.velocity_verlet.rates.v", std::string{"x"}) ==
+             "run.velocity_verlet.rates.v: found a text; it must be a list of numbers");
+  BOOST_TEST(message("run.step", std::vector{1.5}) ==
+             "run.step: found 1.5; it must be a whole number from 0 to 9007199254740992");
+  BOOST_TEST(message("run.state.mode", std::vector{0.0, 0.0, 256.0}) ==
+             "run.state.mode: found 256; it must be a whole number from 0 to 255");
+  BOOST_TEST(message("recorder.history.rows", std::vector{1.0}).starts_with("rows: found 1 numbers; it must be whole"));
+  MemoryItems kept = saving.items();
+  kept.erase("run.start");
+  Leg next{scene};
+  Memory putting_back{kept};
+  BOOST_CHECK_EXCEPTION(next.remember(putting_back), InputError, [](const InputError& error) {
+    return std::string{error.what()} == "run.start: it is missing; it must be a list of numbers";
+  });
+}
