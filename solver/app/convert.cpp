@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/atomic_file.hpp"
 #include "solver/io/fence_file.hpp"
+#include "solver/io/final_state.hpp"
+#include "solver/scenes/fence_scene.hpp"
 
 namespace talus::app {
 namespace {
@@ -14,13 +17,29 @@ namespace {
 struct ConvertOptions {
   std::string in;
   std::string out;
+  std::string after;
 };
+
+/// Adds what an earlier impact drew out of the cables.
+void stretch(scenes::Fence& fence, const std::string& folder) {
+  for (const scenes::StretchedCable& cable : read_stretched_cables(folder, fence.units)) {
+    const auto same = std::ranges::find(fence.stretched_cables, cable.cable, &scenes::StretchedCable::cable);
+    if (same == fence.stretched_cables.end()) {
+      fence.stretched_cables.push_back(cable);
+    } else {
+      same->stretch += cable.stretch;
+    }
+  }
+  // A cable that the fence does not have is told now, not when it is run.
+  static_cast<void>(scenes::fence_scene(fence));
+}
 
 int convert(const ConvertOptions& options) {
   const FenceFormat format = fence_format(options.out);
-  const scenes::Fence fence = read_fence(options.in);
+  scenes::Fence fence = read_fence(options.in);
   std::string text;
   try {
+    if (!options.after.empty()) stretch(fence, options.after);
     text = fence_text(fence, format);
   } catch (const InputError& error) {
     throw InputError{fmt::format("{}: {}", options.in, error.what())};
@@ -37,11 +56,15 @@ Command add_convert(CLI::App& talus) {
   app->add_option("IN", options->in, "deck of the 1993 program FENCE (.DAT) or scene with a table [fence] (.toml)")
       ->required();
   app->add_option("OUT", options->out, "file to write, .toml or .DAT")->required();
+  app->add_option("--after", options->after,
+                  "folder of a run of the same fence: its plastic stretch becomes that of the cables at the start, for "
+                  "the next rock");
   app->footer(
       "From a deck to a scene and back every number keeps its bits. A scene in SI units, whose numbers a deck gives "
       "in\n"
       "feet, slugs and pounds, is rounded in the last place.\n"
-      "Example:\n  talus convert cases/fence/sample2.DAT sample2.toml");
+      "Example:\n  talus convert cases/fence/sample2.DAT sample2.toml\n"
+      "  talus run fence.toml --out first && talus convert fence.toml second.toml --after first");
   return {app, [options] { return convert(*options); }};
 }
 

@@ -127,11 +127,16 @@ int run(const RunOptions& options) {
   std::optional<Interruption> interruption;
   if (!order.folder.empty()) interruption.emplace();
   const double until = run->standing().start + static_cast<double>(last) * order.file.scene.plan.step;
-  Outcome outcome =
-      run->go_on([&](const State& seen) { return seen.t >= until || (interruption && interruption->signal() != 0); });
+  const Scene& scene = order.file.scene;
+  bool there = false;
+  Outcome outcome = run->go_on([&](const State& seen) {
+    there = scene.early_end && reached(*scene.early_end, scene.model, seen);
+    return there || seen.t >= until || (interruption && interruption->signal() != 0);
+  });
+  if (there) outcome.kind = Outcome::Kind::finished;
   if (!outcome && !ratio.words.empty()) outcome.words += fmt::format("; {}", ratio.words);
 
-  const bool left = outcome.kind == Outcome::Kind::stopped || (outcome && !options.until.empty());
+  const bool left = !there && (outcome.kind == Outcome::Kind::stopped || (outcome && !options.until.empty()));
   const RunRecord record = run->record(outcome);
   if (!order.folder.empty()) write_files(order, *run, record, left);
   if (order.sheet && run_report_tool({"--sheet", order.folder.string()}) != 0)

@@ -105,6 +105,8 @@ RunRecord SceneRun::record(Outcome outcome) const {
   record.contacts = scene_->model.contacts.size();
   record.cables = scene_->model.cables.size();
   record.bodies = body_states(scene_->model, seen_);
+  record.cables_left = cable_states(dynamics_, seen_);
+  record.hangers_left = hanger_states(dynamics_, seen_);
   record.failures = failures_.failures();
   record_history(record, recorder_);
   if (files_) record.notes = files_->left_out();

@@ -79,6 +79,13 @@ Json failures(const RunRecord& record) {
   return json;
 }
 
+Json parts(const std::vector<PartState>& states) {
+  Json json = Json::array();
+  for (const PartState& state : states)
+    json.push_back({{"name", state.name}, {"mode", state.mode}, {"plastic_stretch", number(state.stretch)}});
+  return json;
+}
+
 Json bodies(const RunRecord& record) {
   Json json = Json::array();
   for (const BodyState& body : record.bodies) {
@@ -125,7 +132,9 @@ std::string final_state_json(const RunRecord& record) {
                   {"units", units(record.units)},
                   {"outcome", outcome(record.outcome)},
                   {"time", number(record.outcome.time)},
-                  {"bodies", bodies(record)}};
+                  {"bodies", bodies(record)},
+                  {"cables", parts(record.cables_left)},
+                  {"hangers", parts(record.hangers_left)}};
   return json.dump(2) + "\n";
 }
 

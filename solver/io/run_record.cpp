@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <variant>
+
+#include "solver/dynamics/law_modes.hpp"
 
 namespace talus {
 
@@ -11,6 +15,31 @@ std::vector<BodyState> body_states(const Model& model, const State& state) {
     const auto body = static_cast<BodyId>(i);
     const Pose at = pose(model, state, body);
     states.push_back({model.bodies[i].name, at.p_WB, angle(model, state, body), at.v_WB, at.w_WB});
+  }
+  return states;
+}
+
+std::vector<PartState> cable_states(const Dynamics& dynamics, const State& state) {
+  std::vector<PartState> states;
+  for (std::size_t c = 0; c < dynamics.model().cables.size(); ++c) {
+    const Slot slot = dynamics.layout().cable_slots[c];
+    std::visit(
+        [&]<class L>(const L& law) {
+          PartState left{dynamics.model().cables[c].name, L::modes[state.mode[slot.mode]], 0.0};
+          if constexpr (requires { law.natural_elongation(memory<L>(state, slot)); })
+            left.stretch = law.natural_elongation(memory<L>(state, slot));
+          states.push_back(std::move(left));
+        },
+        dynamics.model().cables[c].law);
+  }
+  return states;
+}
+
+std::vector<PartState> hanger_states(const Dynamics& dynamics, const State& state) {
+  std::vector<PartState> states;
+  for (std::size_t h = 0; h < dynamics.model().hangers.size(); ++h) {
+    const bool broken = state.mode[dynamics.layout().first_hanger + h] != 0;
+    states.push_back({dynamics.model().hangers[h].name, broken ? "broken" : "holds", 0.0});
   }
   return states;
 }

@@ -19,6 +19,13 @@ struct BodyState {
   double spin{};   ///< [rad/T]
 };
 
+/// How a cable or a hanger is left.
+struct PartState {
+  std::string name;
+  std::string_view mode;  ///< of its law: "slack", "taut", "broken", ...; of a hanger "holds" or "broken"
+  double stretch{};       ///< plastic stretch [L]; 0 where there is none
+};
+
 /// Smallest and largest value of one quantity over all steps of a run.
 struct ExtremeRecord {
   Column column;
@@ -38,9 +45,11 @@ struct RunRecord {
   std::size_t laws{};  ///< law instances: point contacts and cables
   std::size_t contacts{};
   std::size_t cables{};
-  std::vector<BodyState> bodies;  ///< at the last step that was finite
-  Energies start_energies;        ///< of the first state
-  Accounts accounts;              ///< at that step
+  std::vector<BodyState> bodies;        ///< at the last step that was finite
+  Energies start_energies;              ///< of the first state
+  std::vector<PartState> cables_left;   ///< at that step
+  std::vector<PartState> hangers_left;  ///< at that step
+  Accounts accounts;                    ///< at that step
   double largest_energy_closure{};
   double energy_scale{};
   std::vector<ExtremeRecord> extremes;
@@ -52,6 +61,10 @@ struct RunRecord {
 
 /// The final positions and velocities of a scene's bodies.
 [[nodiscard]] std::vector<BodyState> body_states(const Model& model, const State& state);
+
+/// The final state of a scene's cables, and of its hangers.
+[[nodiscard]] std::vector<PartState> cable_states(const Dynamics& dynamics, const State& state);
+[[nodiscard]] std::vector<PartState> hanger_states(const Dynamics& dynamics, const State& state);
 
 /// What `recorder` kept: fills history, rows_cut, extremes and accounts of the record, the latter as far as it kept
 /// any.

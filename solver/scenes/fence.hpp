@@ -147,6 +147,13 @@ enum class FenceStart {
               ///< listing)
 };
 
+/// What ends a run before its last step.
+enum class FenceEnd {
+  steps,  ///< nothing (1993)
+  exit,   ///< all rocks have passed x = exit_x
+  rest,   ///< all rocks are slower than a thousandth of the fastest one's speed at the start
+};
+
 /// Choices that no record of the 1993 deck makes. The defaults are the historical program.
 struct FenceOptions {
   FenceSymmetry symmetry{FenceSymmetry::half};
@@ -157,6 +164,7 @@ struct FenceOptions {
   FenceStart start{FenceStart::half_kick};
   BottomEnd bottom_end{BottomEnd::free};
   ColumnGround column_ground{ColumnGround::none};
+  FenceEnd end{FenceEnd::steps};
   Sleep sleep{Sleep::exact};  ///< of columns that nothing has moved; `on` forgoes the smallest digits of the listing
   std::string integrator{"lagged_central_difference"};
 
@@ -168,7 +176,9 @@ struct FenceOptions {
                        ///< (1993)
   double rupture{};    ///< plastic strain at which a cable breaks >= 0; 0: never (1993)
 
-  static constexpr std::array<Field<FenceOptions>, 6> fields() {
+  double exit_x{};  ///< where a run ends with `exit` [L]
+
+  static constexpr std::array<Field<FenceOptions>, 7> fields() {
     using F = FenceOptions;
     return {{{"shear_ratio", dimension::number, &F::shear_ratio, Range::positive, "k_s/k_n of all contacts"},
              {"hanger_strength", dimension::force, &F::hanger_strength, Range::non_negative,
@@ -180,7 +190,8 @@ struct FenceOptions {
              {"hardening", dimension::number, &F::hardening, Range::fraction,
               "tangent modulus of a yielding cable over Young's modulus, < 1"},
              {"rupture", dimension::number, &F::rupture, Range::non_negative,
-              "plastic strain at which a cable breaks (0: never)"}}};
+              "plastic strain at which a cable breaks (0: never)"},
+             {"exit_x", dimension::length, &F::exit_x, Range::any, "x that the rocks pass where a run ends by exit"}}};
   }
   static constexpr std::array<CountField<FenceOptions>, 0> counts() { return {}; }
 
@@ -311,6 +322,10 @@ struct Names<scenes::FenceCalibration> {
 template <>
 struct Names<scenes::ColumnGround> {
   static constexpr std::array<std::string_view, 2> list{"none", "contact"};
+};
+template <>
+struct Names<scenes::FenceEnd> {
+  static constexpr std::array<std::string_view, 3> list{"steps", "exit", "rest"};
 };
 template <>
 struct Names<scenes::FenceStart> {

@@ -79,6 +79,8 @@ void FenceMaker::plan() {
   plan.end = static_cast<double>(fence_.steps) * plan.step;
   plan.interval = static_cast<double>(fence_.history_every) * plan.step;
   made_.scene.integrator = make_integrator(fence_.options.integrator, 0.0);
+  if (fence_.options.end == FenceEnd::exit) made_.scene.early_end = EarlyEnd{rocks_, fence_.options.exit_x, 0.0};
+  if (fence_.options.end == FenceEnd::rest) made_.scene.early_end = EarlyEnd{rocks_, {}, 1e-3 * speed_};
 }
 
 /// Contact forces alone, as the bodies touch at the start, act for half a step. (Cables are in balance with the
