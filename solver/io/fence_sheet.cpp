@@ -230,7 +230,7 @@ Json Sheet::drawing() const {
   const Body& ground = dynamics_.model().bodies[index(*input_.made.members.front().body)];
   const Pose stands{ground.p_WB, rotation(ground.angle), {}, 0.0};
   Json line = Json::array();
-  for (const Vec2 p : outline(ground.shape, 100.0 * input_.fence.span))
+  for (const Vec2 p : outline(ground, 100.0 * input_.fence.span))
     line.push_back(place(world_point(stands, p)));
   return {{"ground", std::move(line)},
           {"column_half_width", length(input_.fence.column.a)},
