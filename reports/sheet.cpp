@@ -181,7 +181,7 @@ std::vector<fs::path> make_sheet(const fs::path& run, const Workplace& workplace
   const std::string warnings = draw({{"the sheet", sheet_script(record, canvas, "drawing")}}, folder, workplace.jobs);
   if (!warnings.empty()) fmt::print(stderr, "{}", warnings);
   // A run has no date of its own; the same numbers give the same bytes.
-  date_pdf(folder / "drawing.pdf", 0);
+  date_picture(folder / "drawing.pdf", 0);
 
   const fs::path templates = workplace.resources / "templates";
   write_file(folder / "sheet.html", rendered(templates / "sheet.html.mustache", record, html_text, html_table,

@@ -37,7 +37,7 @@ class Block {
 };
 
 /// A panel: its blocks and curves.
-struct Panel {
+struct View {
   std::string data;
   std::string curves;
   std::vector<double> x, y;
@@ -70,8 +70,8 @@ bool central(const SheetRecord& record, const std::string& name) {
   });
 }
 
-Panel side_view(const SheetRecord& record) {
-  Panel panel;
+View side_view(const SheetRecord& record) {
+  View panel;
   for (std::size_t r = 0; r < record.rocks.size(); ++r) {
     Block path{fmt::format("path{}", r)};
     for (const std::vector<double>& row : record.history)
@@ -99,8 +99,8 @@ Panel side_view(const SheetRecord& record) {
 }
 
 /// Seen across the fence; a half model is shown with its mirror image.
-Panel front_view(const SheetRecord& record) {
-  Panel panel;
+View front_view(const SheetRecord& record) {
+  View panel;
   const std::vector<double> sides = record.half_model ? std::vector{1.0, -1.0} : std::vector{1.0};
   for (std::size_t s = 0; s < record.states.size(); ++s) {
     if (hidden(record, s)) continue;
@@ -132,8 +132,8 @@ Panel front_view(const SheetRecord& record) {
   return panel;
 }
 
-Panel force_chart(const SheetRecord& record) {
-  Panel panel;
+View force_chart(const SheetRecord& record) {
+  View panel;
   constexpr std::array names{"hanger", "top", "bottom"};
   constexpr std::array titles{"hanger", "top cable", "bottom cable"};
   constexpr std::array styles{"lt 3", "lt 1", "lt 2"};
@@ -168,8 +168,8 @@ std::string range(char axis, const std::vector<double>& values) {
 }  // namespace
 
 std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const std::string& stem) {
-  Panel side = side_view(record), front = front_view(record);
-  const Panel forces = force_chart(record);
+  View side = side_view(record), front = front_view(record);
+  const View forces = force_chart(record);
   Block ground{"ground"};
   for (const Pair p : record.ground)
     ground.add(p[0], p[1]);
