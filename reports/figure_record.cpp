@@ -38,7 +38,8 @@ Series series_of(const Node& node) {
   series.label = node.text_or_empty("label");
   series.x = node.at("x").words();
   series.y = node.at("y").words();
-  series.style = node.at("style").one_of({"points", "lines", "linespoints", "errorbars", "crosses", "shapes"});
+  series.style =
+      node.at("style").one_of({"points", "lines", "linespoints", "errorbars", "crosses", "outlines", "shapes"});
   series.where = node.text_or_empty("where");
   if (series.style == "errorbars") {
     series.y_low = node.at("y_low").words();

@@ -53,9 +53,10 @@ std::string escaped(const std::string& text) {
 
 std::string curve_command(const Curve& curve, const std::string& block, std::size_t index) {
   const std::string title = curve.label.empty() ? "notitle" : "title " + gnuplot_text(curve.label);
-  const std::string with = curve.style == "errorbars" ? "yerrorbars"
-                           : curve.style == "crosses" ? "points"
-                                                      : curve.style;
+  const std::string with = curve.style == "errorbars"  ? "yerrorbars"
+                           : curve.style == "crosses"  ? "points"
+                           : curve.style == "outlines" ? "lines"
+                                                       : curve.style;
   const std::string columns = curve.style == "errorbars" ? "1:2:3:4" : "1:2";
   const std::string crosses = curve.style == "crosses" ? " pt 2 ps 0.7" : "";
   return fmt::format("{} using {} with {} linetype {}{} {}", block, columns, with, index + 1, crosses, title);
@@ -138,10 +139,16 @@ std::string axis_commands(char name, const Axis& axis, const Extent& extent) {
   return text;
 }
 
+/// Rows of a curve; of outlines with an empty one behind each that is closed.
 std::string curve_rows(const Curve& curve) {
   std::string text;
+  const Point* first = nullptr;
   for (const Point& point : curve.points) {
     text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", point.x, point.y, point.low, point.high);
+    if (curve.style != "outlines") continue;
+    const bool closed = first && first->x == point.x && first->y == point.y;
+    if (closed) text += "\n";
+    first = closed ? nullptr : first ? first : &point;
   }
   return text;
 }
@@ -287,6 +294,7 @@ Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale) 
     panel.curves += (panel.curves.empty() ? "" : ", ");
     panel.curves += shapes ? shape_command(curve, block) : curve_command(curve, block, i);
     if (!shapes && !curve.label.empty()) ++panel.in_key;
+    if (curve.style == "outlines") panel.settings += "set size ratio -1\n";
   }
   panel.settings += axis_commands('x', plot.figure.x, plot.x) + axis_commands('y', plot.figure.y, plot.y);
   if (!plot.figure.grid) panel.settings += "unset grid\n";

@@ -69,8 +69,9 @@ struct Series {
   std::string label;
   std::string x;
   std::string y;
-  std::string style;   ///< points, lines, linespoints, errorbars, crosses, or shapes: see Look
-  std::string y_low;   ///< column of the lower end of the error bar
+  std::string style;  ///< points, lines, linespoints, errorbars, crosses, outlines (closed lines one after another), or
+                      ///< shapes: see Look
+  std::string y_low;  ///< column of the lower end of the error bar
   std::string y_high;  ///< column of its upper end
   std::string where;   ///< when not empty: only the rows whose column `series` holds this
   Look look{};         ///< of shapes

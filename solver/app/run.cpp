@@ -174,7 +174,10 @@ Command add_run(CLI::App& talus) {
                 "of a fence: the engineer's sheet, one page as sheet.pdf and sheet.html, its numbers in sheet.json");
   app->add_flag("--json", options->json, "print the summary as JSON");
   app->add_option("--end", options->end, "time at which the run ends instead of the scene's, e.g. \"5 s\"");
-  app->add_option("--step", options->step, "step instead of the scene's, e.g. \"10 us\"");
+  app->add_option(
+      "--step", options->step,
+      "step instead of the scene's, e.g. \"10 us\"; \"auto\": a tenth of the method's linear limit, a fiftieth of "
+      "the shortest contact at most");
   app->add_option("--integrator", options->integrator, "integrator instead of the scene's (talus list integrators)");
   app->add_option("--tolerance", options->tolerance, "step control of that integrator, a pure number, e.g. 1e-9");
   app->add_option("--frames", options->frames,

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
+#include "solver/calibrate/step_advice.hpp"
 #include "solver/io/checkpoint.hpp"
 #include "solver/io/toml_document.hpp"
 #include "solver/io/toml_scene.hpp"
@@ -15,6 +18,19 @@ namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A tenth of the method's linear limit, or a fiftieth of the shortest contact if that is less. Errors: InputError
+/// where neither says anything.
+double automatic_step(const Scene& scene) {
+  const Dynamics dynamics{scene.model};
+  const StepAdvice advice = advise_step(dynamics, scene.initial);
+  double step = advice.shortest_contact / 50.0;
+  if (const auto limit = step_limit(advice, name(scene.integrator))) step = std::min(step, 0.1 * limit->step);
+  if (std::isfinite(step)) return step;
+  throw InputError{fmt::format(
+      "--step: found \"auto\"; no contact limits the steps of this scene and {} has no limit in closed form; give one",
+      name(scene.integrator))};
+}
 
 /// A new run, with what the command line changes of its scene.
 RunOrder new_order(const RunOptions& options) {
@@ -40,8 +56,12 @@ RunOrder new_order(const RunOptions& options) {
   Scene& scene = order.file.scene;
   const UnitSystem& units = scene.model.units;
   if (!options.end.empty()) scene.plan.end = option_quantity("--end", options.end, dimension::time, units);
-  if (!options.step.empty()) scene.plan.step = option_quantity("--step", options.step, dimension::time, units);
   if (!options.integrator.empty()) scene.integrator = make_integrator(options.integrator, options.tolerance);
+  if (options.step == "auto") {
+    scene.plan.step = automatic_step(scene);
+  } else if (!options.step.empty()) {
+    scene.plan.step = option_quantity("--step", options.step, dimension::time, units);
+  }
   return order;
 }
 

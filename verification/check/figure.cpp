@@ -11,9 +11,9 @@ namespace talus::verification {
 
 namespace {
 
-constexpr std::array styles{std::pair{Style::points, "points"}, std::pair{Style::lines, "lines"},
+constexpr std::array styles{std::pair{Style::points, "points"},           std::pair{Style::lines, "lines"},
                             std::pair{Style::linespoints, "linespoints"}, std::pair{Style::errorbars, "errorbars"},
-                            std::pair{Style::crosses, "crosses"}};
+                            std::pair{Style::crosses, "crosses"},         std::pair{Style::outlines, "outlines"}};
 
 [[noreturn]] void refuse(const Figure& figure, const std::string& what) {
   throw std::invalid_argument("figure '" + figure.name + "': " + what);
@@ -67,7 +67,7 @@ Style style_named(const std::string& name) {
     if (name == entry.second) return entry.first;
   }
   throw std::invalid_argument("style '" + name +
-                              "' is not known; known: points, lines, linespoints, errorbars, crosses");
+                              "' is not known; known: points, lines, linespoints, errorbars, crosses, outlines");
 }
 
 void demand_well_formed(const Figure& figure) {

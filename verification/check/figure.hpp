@@ -15,8 +15,9 @@ struct Axis {
   std::optional<double> max{};  ///< Upper end; chosen from the data if absent.
 };
 
-/// How a series is drawn.
-enum class Style { points, lines, linespoints, errorbars, crosses };
+/// How a series is drawn. `outlines` are closed lines, one after another: each ends where its first point is, and the
+/// next point begins another. A figure with outlines has the same scale on both axes.
+enum class Style { points, lines, linespoints, errorbars, crosses, outlines };
 
 /// The word for `style` in the records.
 [[nodiscard]] const char* name_of(Style style);

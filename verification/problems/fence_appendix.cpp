@@ -7,6 +7,7 @@
 
 #include "verification/check/case.hpp"
 #include "verification/problems/fence_appendix_runs.hpp"
+#include "verification/problems/fence_snapshots.hpp"
 #include "verification/problems/fence_table.hpp"
 
 namespace talus::verification::problems {
@@ -228,6 +229,23 @@ void draw(Findings& findings, const Simulations& s) {
                           &FenceSample::joint, {&s.two, &s.nine}));
 }
 
+/// Figs. 2 and 3 of the appendix.
+void draw_snapshots(Findings& findings, const Setup& setup) {
+  struct Shown {
+    const char* name;
+    const char* title;
+    const char* deck;
+  };
+  for (const Shown& shown : {Shown{"snapshots_1", "one layer", "appendix_one_layer.DAT"},
+                             Shown{"snapshots_2", "two layers", "appendix_two_layers.DAT"},
+                             Shown{"snapshots_3", "two layers, nine rocks", "appendix_nine_rocks.DAT"},
+                             Shown{"snapshots_4", "two layers, top cable only", "appendix_top_cable_only.DAT"}}) {
+    findings.figure(snapshots(shown.name, fmt::format("Appendix I, Figs. 2 and 3: {}", shown.title),
+                              "Central columns and rocks at three times; the rocks come from the right.",
+                              appendix_fence(shown.deck, setup), {0.0, 0.08, 0.2}));
+  }
+}
+
 void run(Findings& findings, const Setup& setup) {
   const Simulations s = simulations(setup, findings);
   check_statements(findings, s);
@@ -236,6 +254,7 @@ void run(Findings& findings, const Setup& setup) {
   findings.table(statement_table(s));
   findings.table(run_table(s));
   findings.table(choice_table(setup));
+  draw_snapshots(findings, setup);
   draw(findings, s);
 }
 

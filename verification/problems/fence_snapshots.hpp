@@ -1,11 +1,15 @@
 #pragma once
 
-#include "verification/check/findings.hpp"
+#include <string>
+#include <vector>
+
+#include "solver/scenes/fence.hpp"
+#include "verification/check/figure.hpp"
 
 namespace talus::verification::problems {
 
-/// Figs. 12 and 13 of the report: where the 600 lb rock and the central column are at some times of the impact, with
-/// the bottom cable (.5 ft slack) and without.
-void draw_snapshots(Findings& findings);
+/// Where the rocks and the central column of each layer are at some times [s] of an impact, seen along the fence.
+[[nodiscard]] Figure snapshots(std::string name, std::string title, std::string caption, const scenes::Fence& fence,
+                               const std::vector<double>& times);
 
 }  // namespace talus::verification::problems

@@ -189,7 +189,17 @@ void run(Findings& findings, const Setup& setup) {
   tell(findings, rows);
   check_choices(findings, rows, setup);
   draw_tables(findings, rows);
-  draw_snapshots(findings);
+  for (const PrintedRow& row : printed_rows()) {
+    if (row.table != 2 || row.height != 0.0 || row.plastic) continue;
+    const int number = row.bottom_cable ? 12 : 13;
+    findings.figure(snapshots(
+        fmt::format("fig_{}_snapshots", number),
+        fmt::format("Fig. {}: rock of 600 lb, {} bottom cable", number, row.bottom_cable ? "with" : "without"),
+        fmt::format("Central column and rock at five times, for Fig. {} of the report; the rock "
+                    "comes from the right.",
+                    number),
+        fence_of(row), {0.0, 0.03, 0.06, 0.1, 0.16}));
+  }
   draw_histories(findings);
 }
 

@@ -305,3 +305,45 @@ BOOST_AUTO_TEST_CASE(lists_hold_the_closed_lists) {
   for (const char* topic : {"integrators", "laws", "shapes", "units", "fields"})
     BOOST_TEST(talus_ran({"list", topic}).code == 0);
 }
+
+BOOST_AUTO_TEST_CASE(the_next_rock_meets_the_cables_of_the_last) {
+  const Folder folder;
+  const auto in = [&](const char* name) { return (folder.path / name).string(); };
+  std::string text = talus::read_text(scene("fence/table_2.toml"));
+  const std::size_t limit = text.find("limit_top = ");
+  text.replace(limit, text.find('\n', limit) - limit, "limit_top = \"60000 lbf\"");
+  std::ofstream{in("fence.toml")} << text;
+  const Ended first = talus_ran({"run", in("fence.toml"), "--end", "10 ms", "--out", in("first")});
+  BOOST_TEST(first.code == 0);
+  BOOST_TEST(holds(first.out, "cable 'top1' yields"));
+  BOOST_TEST(talus_ran({"convert", in("fence.toml"), in("second.toml"), "--after", in("first")}).code == 0);
+  BOOST_TEST(holds(talus::read_text(in("second.toml")), "[[fence.stretched_cable]]\ncable = \"top1\"\nstretch = "));
+  BOOST_TEST(talus_ran({"run", in("second.toml"), "--end", "1 ms"}).code == 0);
+
+  std::ofstream{in("weak.toml")} << text << "\n[fence.options]\nhanger_strength = \"10000 lbf\"\n";
+  const Ended weak = talus_ran({"run", in("weak.toml"), "--end", "10 ms", "--out", in("broken")});
+  BOOST_TEST(holds(weak.out, "hanger 'hanger1' breaks"));
+  const Ended refused = talus_ran({"convert", in("weak.toml"), in("third.toml"), "--after", in("broken")});
+  BOOST_TEST(refused.code == 2);
+  BOOST_TEST(holds(refused.err, "final_state.json: hanger 'hanger1': found it broken; a fence is mended before the"));
+  BOOST_TEST(talus_ran({"convert", in("weak.toml"), in("third.toml"), "--after", in("none")}).code == 4);
+
+  // A run ends where its rock has gone: at 65 ft/s and slower 2 ft take 30 ms and more.
+  std::ofstream{in("exit.toml")} << text << "\n[fence.options]\nend = \"exit\"\nexit_x = \"1 ft\"\n";
+  const Ended gone = talus_ran({"run", in("exit.toml"), "--json"});
+  BOOST_TEST(gone.code == 0);
+  const auto summary = nlohmann::json::parse(gone.out);
+  BOOST_TEST(summary["outcome"]["kind"] == "finished");
+  BOOST_TEST(summary["outcome"]["time"].get<double>() > 1.2 / 65.0);
+  BOOST_TEST(summary["outcome"]["time"].get<double>() < 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(a_step_of_its_own) {
+  const Ended step = talus_ran({"run", scene("two_cable.toml"), "--step", "auto", "--end", "10 ms", "--json"});
+  BOOST_TEST(step.code == 0);
+  const double chosen = nlohmann::json::parse(step.out)["step"];
+  BOOST_TEST(chosen > 0.0);
+  const std::string words = nlohmann::json(chosen).dump() + " s";
+  const Ended same = talus_ran({"run", scene("two_cable.toml"), "--step", words, "--end", "10 ms", "--json"});
+  BOOST_TEST(same.out == step.out);
+}
