@@ -73,6 +73,7 @@ void Dynamics::list_awake(const State& state, Workspace& work, bool whole) const
   waking.awake.assign(model_.bodies.size(), 1);
   for (std::size_t i = 0; i < layout_.sleepers.size(); ++i)
     waking.awake[index(layout_.sleepers[i])] = static_cast<char>(waking.modes[i]);
+  waking.any_asleep = std::find(waking.modes.begin(), waking.modes.end(), Mode{0}) != waking.modes.end();
   waking.whole = whole;
   waking.summed = false;
   bodies_.list_awake(waking);
@@ -104,7 +105,7 @@ void Dynamics::settle(State& state, Workspace& work) const {
   contacts_.settle(state, work);
   cables_.settle(state, work);
   if (!model_.hangers.empty() && break_hangers(state, work)) return settle(state, work);
-  if (layout_.sleepers.empty()) return;
+  if (!work.waking.any_asleep) return;
   std::vector<BodyId> woken;
   std::copy_if(restless_.begin(), restless_.end(), std::back_inserter(woken),
                [&work](BodyId body) { return !work.waking.awake[index(body)]; });

@@ -30,6 +30,7 @@ struct Waking {
   bool whole{true};         ///< all paths and poses are worked out, because the modes have just changed
   bool summed{false};       ///< and the pulls at all joints have been summed from them: the next may leave out sleepers
   std::vector<char> awake;  ///< one for each body
+  bool any_asleep{};        ///< whether one of them is not
   std::vector<std::size_t> bodies;               ///< places of the awake free bodies in their array
   std::vector<std::size_t> joints;               ///< joints to work out
   std::vector<std::vector<std::size_t>> cables;  ///< for each law, places of the cables to work out in its array
