@@ -74,6 +74,15 @@ double slip_rate(const Workspace& work, const Slider& slider) {
   return dot(velocity_at(B, gap.p_WC) - velocity_at(A, gap.p_WC), tangent(gap));
 }
 
+/// Starts the spring of a contact that has just begun to push: its bodies have been closing since they touched, for
+/// depth/rate. Bodies that do not close, such as those a scene starts with in touch, keep the stretch they have.
+void begin(State& state, const Workspace& work, const Slider& slider) {
+  const double rate = work.rates[slider.instance];
+  if (!(rate > 0.0)) return;
+  const double slip = slip_rate(work, slider) * work.gaps[slider.instance].depth / rate;
+  state.z[slider.slot.memory] = slider.law.begin(slip, slider.normal);
+}
+
 /// Adds a force [F] on B, and its opposite on A, at the contact point.
 void add_pair(Workspace& work, const ContactGroup& group, const Gap& gap, Vec2 on_b) {
   add_force(work.wrenches[index(group.b)], work.poses[index(group.b)].p_WB, gap.p_WC, group.share_b * on_b);
@@ -267,6 +276,7 @@ void ContactForces::settle(State& state, const Workspace& work) const {
     settle_mode(law, slot, kinematics(work, slot.mode), state, group.copies);
   });
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
+    if (state.mode[slider.slot.mode] == CoulombFriction::open && slider.normal > 0.0) begin(state, work, slider);
     double& stretch = state.z[slider.slot.memory];
     const auto settled = slider.law.settle(stretch, slider.normal);
     stretch = settled.stretch;

@@ -19,13 +19,20 @@ namespace talus {
 ///   open       s = 0,                       F = 0                   without a normal force that pushes
 ///
 /// Between two force evaluations the stretch follows the slip; each evaluation takes it back to the limit of the normal
-/// force of that moment (`settle`).
+/// force of that moment (`settle`). The first evaluation of a contact comes after the touch: it starts with the slip of
+/// the time since (`begin`), without which a contact that sticks would be a method of first order.
 struct CoulombFriction {
   static constexpr std::array<std::string_view, 4> modes{"open", "sticking", "slipping_forward", "slipping_backward"};
   enum : Mode { open, sticking, slipping_forward, slipping_backward };
 
   double coefficient{};  ///< mu >= 0
   double stiffness{};    ///< k_s [F/L] > 0
+
+  /// The stretch of a contact that has slipped so far since the touch, under its first normal force [L].
+  constexpr double begin(double slip, double normal) const {
+    const double limit = coefficient * std::max(normal, 0.0) / stiffness;
+    return std::clamp(slip, -limit, limit);
+  }
 
   /// What a return to the limit leaves, and what it cost.
   struct Settled {

@@ -8,6 +8,7 @@
 #include "solver/laws/law_list.hpp"
 #include "solver/laws/unilateral_spring.hpp"
 #include "solver/model/contact.hpp"
+#include "solver/state/state.hpp"
 
 namespace talus::verification {
 
@@ -69,6 +70,7 @@ std::vector<Requirement> all_requirements() {
   append(all, "law", CableLaws::names(), "cable law");
   append(all, "end_rule", names_of<EndRule>(), "how a contact with a dashpot ends");
   append(all, "method", names_of<ContactMethod>(), "how the overlap of two outlines becomes forces");
+  append(all, "mechanism", {mechanism_names.begin(), mechanism_names.end()}, "how energy leaves bodies and springs");
   append(all, "integrator", integrator_names(), "time integration");
   append(all, "shape", shape_names(), "outline of a body");
   return all;

@@ -91,6 +91,41 @@ BOOST_AUTO_TEST_CASE(slides_the_other_way_alike) {
   BOOST_TEST(left.state.q[1] == right.state.q[1]);
 }
 
+BOOST_AUTO_TEST_CASE(a_contact_that_sticks_from_the_touch_on_is_of_second_order) {
+  // A particle that sticks swings along the plane, v = cos(w_t t) with w_t = sqrt(k_s/m) = 1/2 and t from the touch,
+  // wherever in a step that was; looked at half-way through the contact.
+  for (const char* integrator : {"velocity_verlet", "central_difference", "rk4"}) {
+    double errors[2]{};
+    for (const int refined : {0, 1}) {
+      const double step = 0.02 / (1 + refined);
+      for (int phase = 0; phase < 16; ++phase) {
+        ModelBuilder builder;
+        const double gap = step * (phase + 0.5) / 16.0;
+        const BodyId table = builder.add(Body{.name = "table", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+        const BodyId disc = builder.add(Body{.name = "disc",
+                                             .mobility = Mobility::particle,
+                                             .mass = 1.0,
+                                             .shape = Circle{1.0},
+                                             .p_WB = {0.0, 1.0 + gap}});
+        builder.add(Contact{.name = "impact",
+                            .a = disc,
+                            .b = table,
+                            .law = LinearSpringDashpot{1.0, 0.0},
+                            .friction = CoulombFriction{1e9, 0.25}});
+        const Model model = builder.build();
+        const Run end = run(model, {1.0, -1.0}, integrator, step, 1.5);
+        errors[refined] += std::pow(end.state.v[0] - std::cos(0.5 * (1.5 - gap)), 2);
+      }
+    }
+    BOOST_TEST_CONTEXT(integrator) {
+      BOOST_TEST(std::sqrt(errors[0] / 16.0) < 0.1 * 0.02 * 0.02);
+      // 16 after one halving of the step, as the square; without the slip of the first part step it would be 4.
+      BOOST_TEST(errors[0] / errors[1] > 12.0);
+      BOOST_TEST(errors[0] / errors[1] < 20.0);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_smooth_contact_keeps_no_memory) {
   const Model smooth = on_table(Mobility::free, 0.0, {});
   BOOST_TEST(rest_state(smooth).z.empty());

@@ -23,6 +23,7 @@ BOOST_AUTO_TEST_CASE(requirements_are_unique_and_hold_all_equations) {
   BOOST_TEST(ids.count("shape.circle") == 1u);
   BOOST_TEST(ids.count("end_rule.attractive") == 1u);
   BOOST_TEST(ids.count("method.nodes") == 1u);
+  BOOST_TEST(ids.count("mechanism.friction") == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(errata_and_references_are_whole) {

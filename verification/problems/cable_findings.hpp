@@ -1,0 +1,22 @@
+#pragma once
+
+#include "verification/check/case.hpp"
+#include "verification/check/findings.hpp"
+
+/// Parts of the case `cables`.
+namespace talus::verification::problems {
+
+/// A fall on an elastic cable; a throw on one with a dashpot.
+void check_bungee(Findings& findings, const Setup& setup);
+void check_damped_throw(Findings& findings, const Setup& setup);
+
+/// Throws on cables that yield: perfectly plastic, hardening along a line and along a table, twice.
+void check_yielding(Findings& findings, const Setup& setup);
+
+/// Cables that break, by their strength and by their stretch.
+void check_breaking(Findings& findings, const Setup& setup);
+
+/// A hanger that breaks.
+void check_hanger(Findings& findings, const Setup& setup);
+
+}  // namespace talus::verification::problems

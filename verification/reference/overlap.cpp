@@ -1,0 +1,76 @@
+#include "verification/reference/overlap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace talus::verification::reference {
+namespace {
+
+/// The outline's own axes, with their sine and cosine taken once.
+class Frame {
+ public:
+  explicit Frame(const Outline& o) : x_{o.x}, y_{o.y}, c_{std::cos(o.angle)}, s_{std::sin(o.angle)} {}
+  Point inwards(Point world) const {
+    const double dx = world.x - x_, dy = world.y - y_;
+    return {c_ * dx + s_ * dy, c_ * dy - s_ * dx};
+  }
+  Point outwards(Point own) const { return {x_ + c_ * own.x - s_ * own.y, y_ + s_ * own.x + c_ * own.y}; }
+
+ private:
+  double x_, y_, c_, s_;
+};
+
+/// A point of the boundary, 0 <= share < 1, in the outline's own axes.
+Point boundary_point(const Outline& o, double share) {
+  const double a = o.size.a, b = o.kind == OutlineKind::circle ? o.size.a : o.size.b;
+  if (o.kind == OutlineKind::rectangle) {
+    const double side = 4.0 * share, along = 2.0 * (side - std::floor(side)) - 1.0;
+    const int i = static_cast<int>(side);
+    const double sign = i < 2 ? 1.0 : -1.0;
+    return i % 2 == 0 ? Point{sign * a, sign * along * b} : Point{-sign * along * a, sign * b};
+  }
+  const double t = 2.0 * std::numbers::pi * share, e = o.kind == OutlineKind::circle ? 1.0 : 2.0 / o.size.n;
+  const double c = std::cos(t), s = std::sin(t);
+  return {a * std::copysign(std::pow(std::abs(c), e), c), b * std::copysign(std::pow(std::abs(s), e), s)};
+}
+
+bool holds(const Outline& o, Point own) {
+  switch (o.kind) {
+    case OutlineKind::circle:
+      return std::hypot(own.x, own.y) < o.size.a;
+    case OutlineKind::rectangle:
+      return std::abs(own.x) < o.size.a && std::abs(own.y) < o.size.b;
+    case OutlineKind::superellipse: {
+      const double u = std::abs(own.x) / o.size.a, v = std::abs(own.y) / o.size.b;
+      return u < 1.0 && v < 1.0 && std::pow(u, o.size.n) + std::pow(v, o.size.n) < 1.0;
+    }
+    case OutlineKind::half_plane:
+      return own.y < 0.0;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool contains(const Outline& outline, Point world) { return holds(outline, Frame{outline}.inwards(world)); }
+
+std::vector<Point> boundary(const Outline& outline, int count) {
+  std::vector<Point> points;
+  if (outline.kind == OutlineKind::half_plane) return points;
+  const Frame frame{outline};
+  for (int i = 0; i < count; ++i)
+    points.push_back(frame.outwards(boundary_point(outline, (i + 0.5) / count)));
+  return points;
+}
+
+bool overlap_by_points(const Outline& a, const Outline& b, int count) {
+  const auto any_in = [count](const Outline& of, const Outline& in) {
+    const auto points = boundary(of, count);
+    const Frame frame{in};
+    return std::any_of(points.begin(), points.end(), [&](Point p) { return holds(in, frame.inwards(p)); });
+  };
+  return any_in(a, b) || any_in(b, a);
+}
+
+}  // namespace talus::verification::reference
