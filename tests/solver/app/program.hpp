@@ -12,23 +12,11 @@
 #include <vector>
 
 #include "solver/io/toml_document.hpp"
+#include "tests/solver/io/folder.hpp"
 
 // Programs as a user starts them, for tests from end to end.
 
 namespace fs = std::filesystem;
-
-struct Folder {
-  fs::path path;
-
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "talus_command_XXXXXX").string();
-    BOOST_REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path); }
-};
 
 struct Ended {
   int code{};

@@ -10,27 +10,12 @@
 
 #include "solver/base/error.hpp"
 #include "solver/io/toml_document.hpp"
+#include "tests/solver/io/folder.hpp"
 
 using namespace talus;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A folder of this test's own, removed at the end.
-struct Folder {
-  fs::path path;
-
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "talus_atomic_XXXXXX").string();
-    BOOST_REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path); }
-
-  std::ptrdiff_t files() const { return std::distance(fs::directory_iterator{path}, fs::directory_iterator{}); }
-};
 
 std::string message(const fs::path& file, std::string_view content) {
   try {

@@ -13,6 +13,7 @@
 #include "solver/io/toml_document.hpp"
 #include "solver/io/vtp_series.hpp"
 #include "tests/solver/io/fence_run.hpp"
+#include "tests/solver/io/folder.hpp"
 
 // The files that a run leaves, read back.
 
@@ -20,23 +21,6 @@ using namespace talus;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Folder {
-  fs::path path;
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "talus_series_XXXXXX").string();
-    BOOST_REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path); }
-
-  fs::path file(const std::string& name, const std::string& text) const {
-    std::ofstream{path / name} << text;
-    return path / name;
-  }
-};
 
 template <class Read>
 std::string complaint(Read read) {

@@ -14,24 +14,13 @@
 #include "solver/base/error.hpp"
 #include "solver/io/dat_deck.hpp"
 #include "tests/solver/io/fence_run.hpp"
+#include "tests/solver/io/folder.hpp"
 
 using namespace talus;
 namespace fs = std::filesystem;
 using boost::property_tree::ptree;
 
 namespace {
-
-struct Folder {
-  fs::path path;
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "talus_vtp_XXXXXX").string();
-    BOOST_REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path = name;
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path); }
-};
 
 ptree parsed(const fs::path& file) {
   ptree tree;

@@ -12,6 +12,7 @@
 #include "solver/scenes/pendulum.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "solver/scenes/two_cable.hpp"
+#include "tests/solver/scenes/sample_fence.hpp"
 
 using namespace talus;
 
@@ -163,26 +164,12 @@ void every_integrator(Scene scene, long steps, const std::vector<std::vector<lon
 /// sample2 of the manual (Mustoe & Huttelmaier 1993, Appendix II.5.1) with a top cable that yields and hangers that
 /// break soon after the impact, and friction.
 scenes::FenceScene yielding_fence() {
-  using namespace scenes;
-  Fence fence;
-  fence.title = "yielding fence";
-  fence.steps = 400, fence.print_every = 60, fence.history_every = 30;
-  fence.penetration = 0.05, fence.gravity = 32.18;
-  fence.ground = {.solid = ElementSolid::block, .a = 10.0, .b = 0.5, .density = 0.1, .position = {0.0, -5.0}};
-  fence.ground.held = {true, true, true};
-  FenceElement rock{.points = 4, .a = 1.201, .b = 1.201, .density = 5.13, .position = {2.451, 0.0}};
-  rock.velocity = {-65.0, 0.0};
-  rock.spin = 34.0;
-  fence.rocks = {rock};
-  fence.column = {.type = ElementType::column, .solid = ElementSolid::cylinder, .a = 1.25, .b = 4.0, .density = 0.76};
-  fence.span = 55.0, fence.sag = 5.5, fence.spacing = 2.5;
-  fence.young = 2e7 * 144.0, fence.area_top = 1.076 / 144.0, fence.area_bottom = 0.25 / 144.0;
-  fence.y_top = 6.67, fence.y_bottom = -4.0;
-  fence.columns = 13, fence.restitution = 0.4, fence.slack = 0.5, fence.friction = 0.4;
+  scenes::Fence fence = scenes::sample2();
+  fence.steps = 400;
+  fence.friction = 0.4;
   fence.options.hanger_strength = 8000.0;
-  fence.limit_top = 4e4, fence.limit_bottom = 1e8;
-  fence.layers = 2, fence.layer_spacing = 2.6, fence.rock_overlap = 0.6, fence.layer_overlap = 0.5;
-  return fence_scene(fence);
+  fence.limit_top = 4e4;
+  return scenes::fence_scene(fence);
 }
 
 const LinearSpringDashpot contact{1e5, 300.0, EndRule::clamped};

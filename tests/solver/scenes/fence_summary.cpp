@@ -35,7 +35,7 @@ double weight(const Watched& run) {
 /// At rest each hanger carries its column, each anchor half of all columns and the horizontal tension of the static
 /// shape.
 BOOST_AUTO_TEST_CASE(at_rest) {
-  Watched run{sample2()};
+  Watched run{modern_sample2()};
   const double W = run.mass("column1") * run.fence.gravity;
   run.show(run.state, 0.0);
   run.show(run.state, 0.25);
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(at_rest) {
 /// trapezoids stand a time step h = .83e-4 s apart in a motion of the segments of omega ~ 7e2/s: (omega h)^2/12 = 3e-4
 /// of a force's swing, much less of its integral.
 BOOST_AUTO_TEST_CASE(impulses_balance_momentum) {
-  Fence fence = sample2();
+  Fence fence = modern_sample2();
   fence.connections = 1;
   fence.step_factor = 0.25;
   Watched run{fence};
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(impulses_balance_momentum) {
 
 /// Peaks against those that the recorder keeps of every step; the rock's energy against its law of motion.
 BOOST_AUTO_TEST_CASE(peaks_and_passage) {
-  Watched run{sample2()};
+  Watched run{modern_sample2()};
   Recorder recorder{run.dynamics, run.state};
   const std::size_t rock = run.first("rock");
   const double m = run.mass("rock");
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(peaks_and_passage) {
 
 /// States made by hand: a rock that comes, touches, is turned and leaves; a fence that sinks and is pushed.
 BOOST_AUTO_TEST_CASE(states_made_by_hand) {
-  Fence fence = sample2();
+  Fence fence = modern_sample2();
   fence.rocks.front().position.x = 4.0;
   Watched run{fence};
   const std::size_t rock = run.first("rock"), centre = run.first("column1");
@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(states_made_by_hand) {
 }
 
 BOOST_AUTO_TEST_CASE(a_rock_that_stays_and_one_that_never_touches) {
-  Watched run{sample2()};
+  Watched run{modern_sample2()};
   const std::size_t contact = index(*find_contact(run.made.scene.model, "rock-column1"));
   State touching = run.state;
   touching.mode[run.dynamics.layout().contact_slots[contact].mode] = 1;
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(a_rock_that_stays_and_one_that_never_touches) {
   BOOST_TEST(!passage.turned);
   BOOST_TEST(passage.exit_time == 0.5);
   BOOST_TEST(passage.braking_time == 0.5);
-  Watched away{sample2()};
+  Watched away{modern_sample2()};
   State apart = away.state;
   std::fill(apart.mode.begin(), apart.mode.end(), Mode{0});
   away.show(apart, 0.0);
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(a_rock_that_stays_and_one_that_never_touches) {
 /// What yields shows its limit, what breaks no more than its own; what lost its hanger hangs no longer, and its joint
 /// falls with it.
 BOOST_AUTO_TEST_CASE(limits) {
-  Fence fence = sample2();
+  Fence fence = modern_sample2();
   fence.limit_top = 4e4;
   fence.options.hanger_strength = 8000.0;
   Watched run{fence};
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(limits) {
 
 /// Heights over uneven ground, and the joints of a column unlike the others.
 BOOST_AUTO_TEST_CASE(heights_over_terrain) {
-  Fence fence = sample2();
+  Fence fence = modern_sample2();
   fence.ground_profile = {{-20.0, -6.0}, {-10.0, -7.0}, {10.0, -7.0}, {20.0, -3.0}};
   fence.changed_columns = {{7, 1.25, 3.0, 0.76, 5.0, -3.0}};
   Watched run{fence};
@@ -254,7 +254,7 @@ BOOST_AUTO_TEST_CASE(heights_over_terrain) {
 
 /// A watch that is put back sums up the rest as if it had seen all.
 BOOST_AUTO_TEST_CASE(a_watch_goes_on) {
-  Fence fence = sample2();
+  Fence fence = modern_sample2();
   fence.limit_top = 4e4;
   Watched whole{fence};
   std::vector<State> seen;
