@@ -128,7 +128,7 @@ bool CableForces::rig(const State& state, Rigging& rigging) const {
 /// The whole chain of which a cable is part, from an end that is held if there is one.
 Chain CableForces::chain_from(std::size_t cable, const Rigging& rigging, std::vector<char>& used) const {
   used[cable] = 1;
-  Chain chain{Chain::Start::held, {ends_[cable].a, ends_[cable].b}, {cable}};
+  Chain chain{.joints = {ends_[cable].a, ends_[cable].b}, .cables = {cable}};
   extend(chain, rigging, used);
   std::reverse(chain.joints.begin(), chain.joints.end());
   std::reverse(chain.cables.begin(), chain.cables.end());
@@ -164,7 +164,7 @@ void CableForces::extend(Chain& chain, const Rigging& rigging, std::vector<char>
 /// e_i = p_i + T/k_i of its own natural elongation p_i and compliance 1/k_i:  T = (l - sum(l0_i + p_i))/sum(1/k_i).
 /// Behind a plane of symmetry the chain goes on as its mirror image: it runs straight along the fence and pulls nothing
 /// in the plane of motion. Loose, or with a broken cable in it, it carries nothing.
-void CableForces::straighten(const Chain& chain, const State& state, Workspace& work) const {
+void CableForces::straighten(Chain& chain, const State& state, Workspace& work) const {
   double natural = 0.0, compliance = 0.0;
   bool carries = chain.start != Chain::Start::loose;
   std::vector<double> lengths, compliances;
@@ -179,6 +179,7 @@ void CableForces::straighten(const Chain& chain, const State& state, Workspace& 
     natural += lengths.back();
     compliance += compliances.back();
   }
+  chain.carries = carries;
   const JointPoint start = work.joints[chain.joints.front()];
   const JointPoint end = work.joints[chain.joints.back()];
   const double across = joints_[chain.joints.back()].along - joints_[chain.joints.front()].along;
@@ -219,7 +220,7 @@ void CableForces::update(const State& state, Workspace& work) const {
     const JointPoint& b = work.joints[ends_[c].b];
     work.paths[c] = path(a.p_WP, a.v_WP, b.p_WP, b.v_WP, across_squared_[c]);
   });
-  for (const Chain& chain : work.rigging.chains)
+  for (Chain& chain : work.rigging.chains)
     straighten(chain, state, work);
 }
 
@@ -247,6 +248,19 @@ std::vector<HangerId> CableForces::overloaded(const State& state, const Workspac
     found.push_back(static_cast<HangerId>(h));
   }
   return found;
+}
+
+bool CableForces::chain_parted(const State& state, const Workspace& work) const {
+  bool parted = false;
+  for (const Chain& chain : work.rigging.chains) {
+    if (!chain.carries) continue;
+    for (const std::size_t c : chain.cables) {
+      visit_cable(laws_, places_[c], [&]<class L>(const L&, Slot slot) {
+        if constexpr (requires { L::broken; }) parted = parted || state.mode[slot.mode] == L::broken;
+      });
+    }
+  }
+  return parted;
 }
 
 std::vector<BodyId> CableForces::joined_bodies(HangerId hanger) const {

@@ -62,6 +62,8 @@ class CableForces {
   void update(const State& state, Workspace& work) const;
   /// Hangers on which the cables pull with their strength or more, and of these the ones most overloaded.
   std::vector<HangerId> overloaded(const State& state, const Workspace& work) const;
+  /// Whether a cable has broken in a chain that was laid straight with it.
+  bool chain_parted(const State& state, const Workspace& work) const;
   /// The bodies at both ends of the hanger's cables.
   std::vector<BodyId> joined_bodies(HangerId hanger) const;
   void settle(State& state, const Workspace& work) const;
@@ -94,7 +96,7 @@ class CableForces {
   double load(const Holder& holder, const State& state, const Workspace& work) const;
   Chain chain_from(std::size_t cable, const Rigging& rigging, std::vector<char>& used) const;
   void extend(Chain& chain, const Rigging& rigging, std::vector<char>& used) const;
-  void straighten(const Chain& chain, const State& state, Workspace& work) const;
+  void straighten(Chain& chain, const State& state, Workspace& work) const;
   Kinematics kinematics(const Workspace& work, std::size_t cable) const {
     return {elongation(work, cable), work.paths[cable].length_rate};
   }

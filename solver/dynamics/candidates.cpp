@@ -43,6 +43,8 @@ Bounds bounds(const Shape& shape) {
   return std::visit([](const auto& s) { return box(s); }, shape);
 }
 
+bool endless(const Bounds& bounds) { return bounds.plane || bounds.half_width > 1e100; }
+
 bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B) {
   if (pair.bounds_b.plane) return above(pair.bounds_a, A, B);
   if (pair.bounds_a.plane) return above(pair.bounds_b, B, A);
@@ -55,8 +57,6 @@ namespace {
 
 /// Below so many pairs a sweep costs more than it spares (measured: make bench).
 constexpr std::size_t worth_a_sweep = 64;
-
-bool endless(const Bounds& bounds) { return bounds.plane || bounds.half_width > 1e100; }
 
 /// Range along x, a little wider than the box.
 struct Range1 {

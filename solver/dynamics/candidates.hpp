@@ -19,6 +19,9 @@ struct Bounds {
 
 [[nodiscard]] Bounds bounds(const Shape& shape);
 
+/// Whether it is ground that goes on for ever.
+[[nodiscard]] bool endless(const Bounds& bounds);
+
 /// Two bodies that may touch, and their law instances in the state.
 struct Candidate {
   BodyId a{};
@@ -45,7 +48,7 @@ class ContactSearch {
   const std::vector<Candidate>& pairs() const { return pairs_; }
 
   /// Sets near[p] to whether pair p is within reach. Of pairs that lie apart along x it may say so where out_of_reach
-  /// alone would not see it. `order` is scratch that the caller keeps; any content will do.
+  /// alone would not see it. `order` is scratch that the caller keeps: empty, or as this function left it.
   void find(const std::vector<Pose>& poses, std::vector<char>& near, std::vector<std::size_t>& order) const;
 
  private:

@@ -294,7 +294,15 @@ void ContactForces::memory_rates(const State& state, const Workspace& work, Rate
 void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken) const {
   for (std::size_t c = 0; c < candidates(); ++c) {
     if (!work.near[c]) continue;
-    for (const BodyId body : {search_.pairs()[c].a, search_.pairs()[c].b}) {
+    const Candidate& pair = search_.pairs()[c];
+    // Ground without end is always near; only where it is touched does it wake.
+    const auto touched = [&] {
+      const auto gaps = work.gaps.begin();
+      return std::any_of(gaps + static_cast<std::ptrdiff_t>(pair.first), gaps + static_cast<std::ptrdiff_t>(pair.last),
+                         [](const Gap& gap) { return gap.depth >= 0.0; });
+    };
+    if ((endless(pair.bounds_a) || endless(pair.bounds_b)) && !touched()) continue;
+    for (const BodyId body : {pair.a, pair.b}) {
       if (!work.waking.awake[index(body)]) woken.push_back(body);
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 namespace talus {
 namespace {
@@ -104,7 +105,7 @@ void Dynamics::update_all(const State& state, Workspace& work) const {
 void Dynamics::settle(State& state, Workspace& work) const {
   contacts_.settle(state, work);
   cables_.settle(state, work);
-  if (!model_.hangers.empty() && break_hangers(state, work)) return settle(state, work);
+  if (!model_.hangers.empty() && (part_chains(state, work) || break_hangers(state, work))) return settle(state, work);
   if (!work.waking.any_asleep) return;
   std::vector<BodyId> woken;
   std::copy_if(restless_.begin(), restless_.end(), std::back_inserter(woken),
@@ -130,15 +131,32 @@ void Dynamics::wake(State& state, const std::vector<BodyId>& bodies) const {
 bool Dynamics::break_hangers(State& state, Workspace& work) const {
   const std::vector<HangerId> overloaded = cables_.overloaded(state, work);
   if (overloaded.empty()) return false;
-  const double before = cables_.stored_energy(state, work);
+  const Energy before = cable_energy(state, work);
   for (const HangerId hanger : overloaded) {
     state.mode[layout_.first_hanger + index(hanger)] = Mode{1};
     wake(state, cables_.joined_bodies(hanger));
   }
+  relax(state, work, before, Mechanism::hanger_break);
+  return true;
+}
+
+/// Where a cable broke in a chain its tension is gone at once, and what the others held; false if none did.
+bool Dynamics::part_chains(State& state, Workspace& work) const {
+  if (!cables_.chain_parted(state, work)) return false;
+  relax(state, work, cable_energy(state, work), Mechanism::cable_break);
+  return true;
+}
+
+Dynamics::Energy Dynamics::cable_energy(const State& state, const Workspace& work) const {
+  return {cables_.stored_energy(state, work), std::accumulate(state.work.begin(), state.work.end(), 0.0)};
+}
+
+/// Lets the cables take their places after a break, and books what they lose beyond what their own changes of mode do.
+void Dynamics::relax(State& state, Workspace& work, Energy before, Mechanism loss) const {
   update(state, work);
   cables_.settle(state, work);
-  state.work[static_cast<std::size_t>(Mechanism::hanger_break)] += before - cables_.stored_energy(state, work);
-  return true;
+  const Energy after = cable_energy(state, work);
+  state.work[static_cast<std::size_t>(loss)] += (before.stored - after.stored) - (after.lost - before.lost);
 }
 
 void Dynamics::memory_rates(const State& state, const Workspace& work, Rates& out) const {

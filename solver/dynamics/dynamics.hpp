@@ -70,6 +70,14 @@ class Dynamics {
   void list_awake(const State& state, Workspace& work, bool whole) const;
   void wake(State& state, const std::vector<BodyId>& bodies) const;
   bool break_hangers(State& state, Workspace& work) const;
+  bool part_chains(State& state, Workspace& work) const;
+  /// What cables hold, and what has been lost in all [F L].
+  struct Energy {
+    double stored{};
+    double lost{};
+  };
+  Energy cable_energy(const State& state, const Workspace& work) const;
+  void relax(State& state, Workspace& work, Energy before, Mechanism loss) const;
 
   Model model_;
   Layout layout_;

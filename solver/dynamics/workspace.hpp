@@ -45,6 +45,7 @@ struct Chain {
     loose,     ///< nothing: its hanger broke and no other cable ended there
   };
   Start start{Start::held};
+  bool carries{true};               ///< as it was last laid straight: false with a broken cable in it
   std::vector<std::size_t> joints;  ///< one more than cables; all but the ends are broken hangers
   std::vector<std::size_t> cables;
 };
@@ -56,7 +57,8 @@ struct Rigging {
   std::vector<Chain> chains;
 };
 
-/// Scratch of one force evaluation, kept by the caller so that a step allocates nothing and Dynamics stays pure.
+/// Scratch of one force evaluation, kept by the caller so that Dynamics stays pure and a step of a scene with neither
+/// broken hangers nor many bodies allocates nothing.
 struct Workspace {
   std::vector<Pose> poses;         ///< one for each body
   std::vector<Wrench> wrenches;    ///< one for each body
@@ -66,7 +68,7 @@ struct Workspace {
   std::vector<double> rates;       ///< their depth rates [L/T]
   Waking waking;
   Rigging rigging;
-  std::vector<std::size_t> order;  ///< of the bodies that the contact search sweeps
+  std::vector<std::size_t> order;  ///< of the bodies that the contact search sweeps: empty, or as it left them
   std::vector<char> near;          ///< one for each pair of the contact search: whether its gaps were worked out
 };
 

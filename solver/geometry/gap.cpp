@@ -100,9 +100,10 @@ Depth depth_below(const Terrain& shape, Vec2 p) {
       continue;
     }
     const std::size_t at = part == 0.0 ? i : i + 1;
+    // The mean of the normals on both sides leads out of the ground wherever the corner is the nearest point.
     const Vec2 before = points[at] - points[at - 1], after = points[at + 1] - points[at];
-    // Convex ground (the line turns right): nearest from above; concave ground: from below.
-    const double side = cross(before, after) < 0.0 ? 1.0 : -1.0;
+    const Vec2 out = (1.0 / norm(before)) * Vec2{-before.y, before.x} + (1.0 / norm(after)) * Vec2{-after.y, after.x};
+    const double side = dot(from, out) < 0.0 ? -1.0 : 1.0;
     best = {-side * distance, (side / distance) * from};
   }
   return best;

@@ -30,10 +30,12 @@ struct CentralDifference {
     state.t += h;
   }
 
-  /// Coordinates taken back by half a step with the present velocity: second order, and exact where no force acts.
-  State synchronized(const State& state, double h) const {
+  /// Coordinates, and the memory that follows them, taken back by half a step with the present velocity: second order,
+  /// and exact where no force acts.
+  template <class System>
+  State synchronized(System& system, const State& state, double h) const {
     State same_time = state;
-    drift_coordinates(same_time, -0.5 * h);
+    system.drift(same_time, -0.5 * h);
     return same_time;
   }
 

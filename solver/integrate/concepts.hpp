@@ -34,7 +34,7 @@ concept Differentiable = requires(S& system, State& state, const State& fixed, R
 ///   name, order                     its name in scenes; its order on smooth motion
 ///   start(system, state, h)         once before the first step of length h (a staggered method shifts the state here)
 ///   step(system, state, h)          advances state by h, time included
-///   synchronized(state, h)          the state with all parts at the same time, state.t; what observers see
+///   synchronized(system, state, h)  the state with all parts at the same time, state.t; what observers see
 ///   remember(memory, like)          names all that the method carries from one step to the next. After it is put back
 ///                                   into a method of the same name, step() goes on bit for bit, without start();
 ///                                   `like`, a state of the same scene, tells the sizes
@@ -44,7 +44,7 @@ concept IntegratorFor = requires(I integrator, S& system, State& state, const St
   { I::order } -> std::convertible_to<int>;
   integrator.start(system, state, h);
   integrator.step(system, state, h);
-  { integrator.synchronized(fixed, h) } -> std::convertible_to<State>;
+  { integrator.synchronized(system, fixed, h) } -> std::convertible_to<State>;
   integrator.remember(memory, fixed);
 };
 

@@ -22,7 +22,10 @@ struct EulerCromer {
     state.t += h;
   }
 
-  const State& synchronized(const State& state, double) const { return state; }
+  template <class System>
+  const State& synchronized(System&, const State& state, double) const {
+    return state;
+  }
 
   void remember(Memory&, const State&) const {}
 };

@@ -43,9 +43,10 @@ class LaggedCentralDifference {
   }
 
   /// As for the central difference.
-  State synchronized(const State& state, double h) const {
+  template <class System>
+  State synchronized(System& system, const State& state, double h) const {
     State same_time = state;
-    drift_coordinates(same_time, -0.5 * h);
+    system.drift(same_time, -0.5 * h);
     return same_time;
   }
 

@@ -90,7 +90,10 @@ class Odeint {
     stepper_->advance(derivative, accepted, x_, state.t, h);
   }
 
-  const State& synchronized(const State& state, double) const { return state; }
+  template <class System>
+  const State& synchronized(System&, const State& state, double) const {
+    return state;
+  }
 
   void remember(Memory& memory, const State& like) {
     if (memory.puts_back()) prepare(like);

@@ -46,7 +46,10 @@ class RungeKutta4 {
     system.settle(state);
   }
 
-  const State& synchronized(const State& state, double) const { return state; }
+  template <class System>
+  const State& synchronized(System&, const State& state, double) const {
+    return state;
+  }
 
   /// Nothing but room for the stages.
   void remember(Memory& memory, const State& like) {

@@ -33,7 +33,10 @@ class VelocityVerlet {
     state.t += h;
   }
 
-  const State& synchronized(const State& state, double) const { return state; }
+  template <class System>
+  const State& synchronized(System&, const State& state, double) const {
+    return state;
+  }
 
   void remember(Memory& memory, const State& like) {
     if (memory.puts_back()) rates_ = Rates{like};

@@ -114,8 +114,14 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   for (std::size_t i = 1; i + 1 < elements.size(); ++i)
     fence.rocks.push_back(read_element(elements[i], ElementType::rock));
   fence.column = read_element(elements.back(), ElementType::column);
-  for (SceneTable& changed : table.numbered_tables("changed_column"))
-    fence.changed_columns.push_back(read_changed(changed, fence));
+  for (SceneTable& changed : table.numbered_tables("changed_column")) {
+    const scenes::ChangedColumn column = read_changed(changed, fence);
+    if (std::ranges::find(fence.changed_columns, column.place, &scenes::ChangedColumn::place) !=
+        fence.changed_columns.end()) {
+      changed.fail("place", fmt::format("found {} again; each place can be changed once", column.place));
+    }
+    fence.changed_columns.push_back(column);
+  }
   for (SceneTable& stretched : table.numbered_tables("stretched_cable")) {
     scenes::StretchedCable cable{.cable = stretched.text("cable")};
     stretched.read_fields(cable);

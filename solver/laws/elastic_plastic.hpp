@@ -92,6 +92,7 @@ struct ElasticPlastic {
     if (tension < limit(memory[0])) return {taut, 0.0};
     if (strength <= yield_force(memory[0])) return broken_with(tension);
     draw_out(x, memory);
+    if (memory[0] >= rupture) return broken_with(yield_force(memory[0]));
     return {x.extent_rate > 0.0 ? yielding : taut, 0.0};
   }
 

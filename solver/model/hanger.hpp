@@ -7,9 +7,10 @@
 
 namespace talus {
 
-/// A joint that may break: the point of a body at which one or two cables end. When the sum of their pulls passes the
-/// strength the body loses them, and two cables go on as one: straight from the far end of one to that of the other,
-/// with one tension, as the massless point between them slides into balance.
+/// A joint that may break: the point of a body at which one or two cables end. When the sum of their pulls in the plane
+/// of motion passes the strength the body loses them, and two cables go on as one: straight from the far end of one to
+/// that of the other, with one tension, as the massless point between them slides into balance. (Cables that harden
+/// and were drawn out unequally before have it only as far as their elastic shares of a stretch go.)
 struct Hanger {
   std::string name{};  ///< unique in the model
   BodyId body{};

@@ -84,7 +84,28 @@ bool has_gap(const Shape& a, const Shape& b, ContactMethod method) {
 bool one_tension(const CableLaw& a, const CableLaw& b) {
   const auto tangent = [](const CableLaw& law) { return std::visit([](const auto& l) { return l.tangent(); }, law); };
   const double one = tangent(a).damping * tangent(b).stiffness, other = tangent(b).damping * tangent(a).stiffness;
-  return a.index() == b.index() && std::abs(one - other) <= 1e-12 * std::abs(one + other);
+  const auto* law_a = std::get_if<ElasticPlastic>(&a);
+  const auto* law_b = std::get_if<ElasticPlastic>(&b);
+  const bool yield_alike = !law_a || !law_b || law_a->yield == law_b->yield;
+  return a.index() == b.index() && yield_alike && std::abs(one - other) <= 1e-12 * std::abs(one + other);
+}
+
+/// The cables at a hanger: one, or two that can go on as one.
+void check_hanger(const Hanger& hanger, const Model& model) {
+  std::vector<const Cable*> cables;
+  for (const Cable& cable : model.cables) {
+    if (ends_at(cable.a, hanger) || ends_at(cable.b, hanger)) cables.push_back(&cable);
+  }
+  if (cables.empty() || cables.size() > 2) {
+    throw InputError{
+        fmt::format("hanger '{}': {} cables end at its point; it must be one or two", hanger.name, cables.size())};
+  }
+  if (!one_tension(cables.front()->law, cables.back()->law)) {
+    throw InputError{
+        fmt::format("hanger '{}': cables '{}' and '{}' must have the same law, and dashpots in proportion "
+                    "to their stiffnesses",
+                    hanger.name, cables[0]->name, cables[1]->name)};
+  }
 }
 
 }  // namespace
@@ -185,20 +206,12 @@ HangerId ModelBuilder::add(Hanger hanger) {
   if (body.mobility == Mobility::fixed) {
     throw InputError{fmt::format("hanger '{}': body '{}' is fixed; what hangs must move", hanger.name, body.name)};
   }
-  std::vector<const Cable*> cables;
-  for (const Cable& cable : model_.cables) {
-    if (ends_at(cable.a, hanger) || ends_at(cable.b, hanger)) cables.push_back(&cable);
-  }
-  if (cables.empty() || cables.size() > 2) {
+  for (const Hanger& other : model_.hangers) {
+    if (other.body != hanger.body || !(other.p == hanger.p)) continue;
     throw InputError{
-        fmt::format("hanger '{}': {} cables end at its point; it must be one or two", hanger.name, cables.size())};
+        fmt::format("hanger '{}': it is at the point of hanger '{}'; a point has one", hanger.name, other.name)};
   }
-  if (!one_tension(cables.front()->law, cables.back()->law)) {
-    throw InputError{
-        fmt::format("hanger '{}': cables '{}' and '{}' must have the same law, and dashpots in proportion "
-                    "to their stiffnesses",
-                    hanger.name, cables[0]->name, cables[1]->name)};
-  }
+  check_hanger(hanger, model_);
   model_.hangers.push_back(std::move(hanger));
   return static_cast<HangerId>(model_.hangers.size() - 1);
 }
@@ -206,6 +219,9 @@ HangerId ModelBuilder::add(Hanger hanger) {
 Model ModelBuilder::build() const {
   if (!std::isfinite(model_.gravity.x) || !std::isfinite(model_.gravity.y)) throw InputError{"gravity must be finite"};
   if (model_.bodies.empty()) throw InputError{"the scene has no body; it needs at least one"};
+  // Cables may have come since.
+  for (const Hanger& hanger : model_.hangers)
+    check_hanger(hanger, model_);
   return model_;
 }
 

@@ -27,8 +27,8 @@ class ModelBuilder {
   ContactId add(Contact contact);
 
   /// Adds a hanger; its cables must be there. Errors: as above; a body that cannot move, no or more than two cables
-  /// that end there, two cables of different laws or of a dashpot that is not in proportion to the stiffness (as one
-  /// they would have no single tension).
+  /// that end there, another hanger at the point, two cables of different laws or yield forces or of a dashpot that
+  /// is not in proportion to the stiffness (as one they would have no single tension).
   HangerId add(Hanger hanger);
 
   /// The finished model. Errors: InputError if it has no body.

@@ -19,20 +19,25 @@ FailureLog::FailureLog(const Dynamics& dynamics) {
           for (std::size_t mode = 0; mode < L::modes.size(); ++mode) {
             const std::string_view what = L::modes[mode] == "yielding" ? "yields" : "breaks";
             if (L::modes[mode] != "yielding" && L::modes[mode] != "broken") continue;
-            watches_.push_back({layout.cable_slots[c].mode, static_cast<Mode>(mode), {0.0, part, what}, false});
+            watches_.push_back({layout.cable_slots[c].mode, static_cast<Mode>(mode), {0.0, part, what}, false, {}});
+            if constexpr (std::is_same_v<L, ElasticPlastic>) {
+              // Drawn out within a step it may be taut again at its end.
+              if (what == "yields") watches_.back().stretch = layout.cable_slots[c].memory;
+            }
           }
         },
         model.cables[c].law);
   }
   for (std::size_t h = 0; h < model.hangers.size(); ++h) {
     const std::string part = fmt::format("hanger '{}'", model.hangers[h].name);
-    watches_.push_back({layout.first_hanger + h, Mode{1}, {0.0, part, "breaks"}, false});
+    watches_.push_back({layout.first_hanger + h, Mode{1}, {0.0, part, "breaks"}, false, {}});
   }
 }
 
 void FailureLog::operator()(const State& state, const StepInfo&) {
   for (Watch& watch : watches_) {
-    if (watch.seen || state.mode[watch.slot] != watch.mode) continue;
+    const bool drawn = watch.stretch && state.z[*watch.stretch] > 0.0;
+    if (watch.seen || (state.mode[watch.slot] != watch.mode && !drawn)) continue;
     watch.seen = true;
     failures_.push_back(watch.failure);
     failures_.back().time = state.t;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,7 @@ class FailureLog {
     Mode mode{};
     Failure failure;
     bool seen{};
+    std::optional<std::size_t> stretch{};  ///< memory that is > 0 once the cable has yielded
   };
   std::vector<Watch> watches_;
   std::vector<Failure> failures_;

@@ -58,7 +58,7 @@ Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const R
     if (observers.empty() && !stop) continue;
     // A copy with its own modes: a method may hold those of before its last kick, by which a slack cable would seem to
     // push.
-    seen = method.synchronized(state, plan.step);
+    seen = method.synchronized(system, state, plan.step);
     system.settle(seen);
     const bool last = n == steps;
     const bool stops = !last && stop && stop(seen);
@@ -90,8 +90,9 @@ Standing standing_at_start(const Integrator& integrator, const State& state) {
 }
 
 State synchronized(const Standing& standing, RigidBodySystem& system, const RunPlan& plan) {
-  State state = std::visit([&](const auto& method) { return State{method.synchronized(standing.state, plan.step)}; },
-                           standing.integrator);
+  State state =
+      std::visit([&](const auto& method) { return State{method.synchronized(system, standing.state, plan.step)}; },
+                 standing.integrator);
   system.settle(state);
   return state;
 }

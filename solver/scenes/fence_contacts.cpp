@@ -80,6 +80,7 @@ void FenceMaker::add_rock_pairs() {
       Contact made = contact(fmt::format("rock{}-rock{}", i + 1, j + 1), rocks_[i], rocks_[j],
                              contact_law(mass, 1.0, overlap, mass));
       made.nodes = {node_count(one), node_count(other)};
+      made.node_depth = node_depth(NodeDepth::nearest);
       builder_.add(made);
     }
   }

@@ -33,6 +33,11 @@ Model FenceMaker::balanced(Model model) const {
   Rates rates{state};
   dynamics.update(state, work);
   dynamics.settle(state, work);
+  for (std::size_t h = 0; h < model.hangers.size(); ++h) {
+    if (state.mode[dynamics.layout().first_hanger + h] == 0) continue;
+    throw InputError{fmt::format("fence: hanger '{}' breaks under the weight alone; hanger_strength must be more",
+                                 model.hangers[h].name)};
+  }
   dynamics.rates(state, work, rates, false);
   // Contacts have no place in it: a rock may touch the fence at the start.
   std::vector<Vec2> pulls(model.bodies.size());

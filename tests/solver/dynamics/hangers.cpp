@@ -16,7 +16,7 @@ namespace {
 /// Masses in a row on one cable between two anchors 2 apart in z from their neighbours, which stands in the plane of
 /// motion as the along-fence direction does: all hang at x = 0, the second one lower, so that it is pulled from the
 /// start. Each is held by a hanger of its own strength.
-Model row(const std::vector<double>& strengths, double gravity = 10.0) {
+Model row(const std::vector<double>& strengths, double of_second_cable = 1e300, double gravity = 10.0) {
   ModelBuilder builder;
   builder.gravity({0.0, -gravity});
   std::vector<CableEnd> ends{{std::nullopt, {0.0, 0.0, 0.0}}};
@@ -31,7 +31,8 @@ Model row(const std::vector<double>& strengths, double gravity = 10.0) {
                       .a = ends[i],
                       .b = ends[i + 1],
                       .rest_length = 1.9,
-                      .law = ElasticPlastic{.stiffness = 1000.0 * (1.0 + static_cast<double>(i))}});
+                      .law = ElasticPlastic{.stiffness = 1000.0 * (1.0 + static_cast<double>(i)),
+                                            .strength = i == 1 ? of_second_cable : 1e300}});
   }
   for (std::size_t i = 0; i < strengths.size(); ++i)
     builder.add(Hanger{"hanger" + std::to_string(i), *ends[i + 1].body, ends[i + 1].p, strengths[i]});
@@ -133,6 +134,30 @@ BOOST_AUTO_TEST_CASE(energy_lost_by_straightening_is_booked) {
   BOOST_TEST(std::abs(end.closure) < 1e-4 * end.scale);
 }
 
+BOOST_AUTO_TEST_CASE(energy_is_booked_once_when_a_cable_breaks_with_its_hanger) {
+  // Cables 1 and 2, stretched to sqrt(4.04) from 1.9, become one with (4 - 3.8) 1200 = 240 between masses that have not
+  // moved: more than 230. All that they held is lost.
+  const Model model = row({strong, 1.0, strong}, 230.0);
+  const Dynamics dynamics{model};
+  RigidBodySystem system{dynamics};
+  State state = rest_state(model);
+  system.settle(state);
+  const double stretch = std::sqrt(4.04) - 1.9;
+  const double lost = state.work[static_cast<std::size_t>(Mechanism::hanger_break)] +
+                      state.work[static_cast<std::size_t>(Mechanism::cable_break)];
+  BOOST_TEST(lost == 0.5 * 5000.0 * stretch * stretch, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_cable_that_breaks_in_a_chain_lets_all_of_it_go) {
+  // 240 hold at first; as the outer masses rise unequally the chain is drawn out further.
+  const Model model = row({strong, 1.0, strong}, 240.5);
+  const Run end = run(model, 1e-5, 1.0);
+  BOOST_TEST_REQUIRE(end.failures.size() == 2u);
+  BOOST_TEST(end.failures[1].part == "cable 'cable1'");
+  BOOST_TEST(end.failures[1].time > 0.0);
+  BOOST_TEST(std::abs(end.closure) < 2e-4 * end.scale);
+}
+
 BOOST_AUTO_TEST_CASE(a_single_cable_is_let_go) {
   ModelBuilder builder;
   builder.gravity({0.0, -10.0});
@@ -150,6 +175,22 @@ BOOST_AUTO_TEST_CASE(a_single_cable_is_let_go) {
   BOOST_TEST(std::abs(run_end.state.v[1] + 3.0) < 1e-12);
   BOOST_TEST(run_end.state.work[static_cast<std::size_t>(Mechanism::hanger_break)] == 0.5,
              boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_point_has_one_hanger_and_two_cables) {
+  ModelBuilder builder;
+  const BodyId body = builder.add(Body{.name = "mass", .mass = 1.0, .inertia = 0.1, .p_WB = {0.0, -1.0}});
+  const auto stay = [&](const char* name, double x) {
+    builder.add(
+        Cable{.name = name, .a = {std::nullopt, {x, 0.0, 0.0}}, .b = {body, {0.0, 0.5, 0.0}}, .law = TensionOnly{1.0}});
+  };
+  stay("one", 0.0);
+  builder.add(Hanger{"first", body, {0.0, 0.5, 0.0}, 1.0});
+  BOOST_CHECK_THROW(builder.add(Hanger{"second", body, {0.0, 0.5, 0.0}, 1.0}), InputError);
+  stay("two", 1.0);
+  BOOST_CHECK_NO_THROW(static_cast<void>(builder.build()));
+  stay("three", 2.0);
+  BOOST_CHECK_THROW(static_cast<void>(builder.build()), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_hangers_are_refused) {

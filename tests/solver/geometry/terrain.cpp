@@ -65,3 +65,15 @@ BOOST_AUTO_TEST_CASE(a_level_line_is_a_half_plane) {
     BOOST_TEST(a.normal.y == b.normal.y);
   }
 }
+
+BOOST_AUTO_TEST_CASE(points_on_a_straight_stretch_change_nothing) {
+  const Terrain one{{{-2.0, 0.0}, {4.0, 3.0}}};
+  const Terrain many{{{-2.0, 0.0}, {0.0, 1.0}, {1.0, 1.5}, {2.0, 2.0}, {4.0, 3.0}}};
+  for (const double x : {-1.0, -0.25, 0.0, 0.5, 1.0, 2.0}) {
+    for (const double y : {-2.0, 0.1, 1.0, 4.0}) {
+      // Straight over and under the points, where two pieces are equally near.
+      const Vec2 p = Vec2{x, 1.0 + 0.5 * x} + y * Vec2{-0.5, 1.0};
+      BOOST_TEST(depth_below(many, p).depth == depth_below(one, p).depth, boost::test_tools::tolerance(1e-12));
+    }
+  }
+}

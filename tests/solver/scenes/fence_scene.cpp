@@ -259,6 +259,14 @@ BOOST_AUTO_TEST_CASE(column_against_column_by_the_rule_of_1993_keeps_no_energy) 
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_is_refused) {
+  Fence weak = sample2();
+  weak.options.hanger_strength = 900.0;  // a column weighs 960 lb
+  BOOST_CHECK_THROW(static_cast<void>(fence_scene(weak)), InputError);
+  Fence even = sample2(1, 12);
+  even.options.hanger_strength = 1e5;
+  BOOST_CHECK_THROW(static_cast<void>(fence_scene(even)), InputError);
+  even.options.symmetry = FenceSymmetry::full;
+  BOOST_CHECK_NO_THROW(static_cast<void>(fence_scene(even)));
   Fence still = sample2();
   still.rocks[0].velocity = {};
   BOOST_CHECK_THROW(static_cast<void>(fence_scene(still)), InputError);
