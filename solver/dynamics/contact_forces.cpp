@@ -261,7 +261,9 @@ void ContactForces::update(const State& state, Workspace& work) const {
         work.near[c] || std::any_of(mode + static_cast<std::ptrdiff_t>(pair.first),
                                     mode + static_cast<std::ptrdiff_t>(pair.last), [](Mode m) { return m != 0; });
   }
-  for_each_array(laws_, [&](const auto& array) { update_gaps(array, &state, work); });
+  for_each_array(laws_, [&](const auto& array) {
+    if (!array.groups.empty()) update_gaps(array, &state, work);
+  });
 }
 
 void ContactForces::update_all(Workspace& work) const {
