@@ -14,7 +14,8 @@ struct Rotation {
 [[nodiscard]] Rotation rotation_by_any_angle(double angle);
 
 /// Rotation by `angle` [rad], counter-clockwise > 0. The one place where the solver takes a sine, so that all machines,
-/// compilers and build types see the same operations; error at most one unit of the last place.
+/// compilers and build types see the same operations; error at most 1.2 units of the last place, 1 up to an eighth
+/// turn.
 ///
 /// Up to an eighth of a turn, where most bodies of a scene are, the Taylor series
 ///   sin x = x - x^3/3! + ... + x^17/17!,   cos x = 1 - x^2/2 + ... + x^16/16!

@@ -14,10 +14,15 @@ namespace {
 
 /// Index of the first coordinate that is not finite, in position or velocity; the number of coordinates if all are.
 std::size_t first_not_finite(const State& state) {
-  for (std::size_t i = 0; i < state.q.size(); ++i) {
-    if (!std::isfinite(state.q[i]) || !std::isfinite(state.v[i])) return i;
-  }
-  return state.q.size();
+  // A number that is not finite has a difference from itself that is not nought: one sum tells of all at once.
+  double sum = 0.0;
+  for (std::size_t i = 0; i < state.q.size(); ++i)
+    sum += (state.q[i] - state.q[i]) + (state.v[i] - state.v[i]);
+  if (sum == 0.0) return state.q.size();
+  std::size_t first = 0;
+  while (std::isfinite(state.q[first]) && std::isfinite(state.v[first]))
+    ++first;
+  return first;
 }
 
 Outcome diverged(const RigidBodySystem& system, const State& state, std::size_t coordinate, double h) {

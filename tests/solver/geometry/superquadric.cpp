@@ -39,7 +39,7 @@ double brute_distance(const Superquadric& shape, Vec2 p) {
 
 BOOST_AUTO_TEST_CASE(rotation_is_within_a_unit_of_the_last_place) {
   std::mt19937_64 random{1};
-  std::uniform_real_distribution<double> angles{-0.8, 0.8};
+  std::uniform_real_distribution<double> angles{-0.785, 0.785};
   for (int i = 0; i < 200000; ++i) {
     const double angle = angles(random) * (i % 2 == 0 ? 1.0 : 1e-4);
     const Rotation r = rotation(angle);
@@ -50,6 +50,21 @@ BOOST_AUTO_TEST_CASE(rotation_is_within_a_unit_of_the_last_place) {
     BOOST_REQUIRE(std::abs(static_cast<double>(r.cosine - cosine)) <= 0x1p-53);
   }
   BOOST_TEST(rotation(-0.3).sine == -rotation(0.3).sine);
+  // Beyond an eighth of a turn, near multiples of a quarter turn (where the result is small), and far out.
+  std::uniform_real_distribution<double> turns{-60.0, 60.0}, far{-2e5, 2e5}, small{-1e-6, 1e-6};
+  for (int i = 0; i < 300000; ++i) {
+    const double angle = i % 3 == 0   ? turns(random)
+                         : i % 3 == 1 ? std::round(turns(random)) * 0.5 * pi + small(random)
+                                      : far(random);
+    const Rotation r = rotation(angle);
+    const long double x = angle;
+    const auto units = [](double found, long double exact) {
+      const double unit = std::nextafter(std::abs(found), 2.0) - std::abs(found);
+      return std::abs(static_cast<double>(found - exact)) / unit;
+    };
+    BOOST_REQUIRE(units(r.sine, std::sin(x)) <= 1.2);
+    BOOST_REQUIRE(units(r.cosine, std::cos(x)) <= 1.2);
+  }
   BOOST_TEST(rotation(0.0).cosine == 1.0);
 }
 
