@@ -55,17 +55,27 @@ bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B) {
 
 namespace {
 
-/// Below so many pairs a sweep costs more than it spares (measured: make bench).
+/// Up to so many pairs looking at each is cheaper than a sweep (the table of `make bench`).
 constexpr std::size_t worth_a_sweep = 64;
 
 /// Range along x, a little wider than the box.
-struct Range1 {
-  double low{};
-  double high{};
-};
-Range1 range(const Bounds& bounds, const Pose& pose) {
+Stretch stretch(const Bounds& bounds, const Pose& pose) {
   const double reach = extent(bounds, pose.R_WB).x * (1.0 + 1e-12) + 1e-12 * std::abs(pose.p_WB.x);
   return {pose.p_WB.x - reach, pose.p_WB.x + reach};
+}
+
+/// Sorts by insertion: nearly in order already. Of equal ones the first in the model comes first.
+void sort(std::vector<std::size_t>& order, const std::vector<Stretch>& stretches) {
+  const auto before = [&](std::size_t a, std::size_t b) {
+    return stretches[a].low < stretches[b].low || (stretches[a].low == stretches[b].low && a < b);
+  };
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const std::size_t moved = order[i];
+    std::size_t to = i;
+    for (; to > 0 && before(moved, order[to - 1]); --to)
+      order[to] = order[to - 1];
+    order[to] = moved;
+  }
 }
 
 }  // namespace
@@ -75,12 +85,11 @@ void ContactSearch::prepare(std::size_t bodies) { prepare(bodies, pairs_.size() 
 void ContactSearch::prepare(std::size_t bodies, bool sweep) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> place(bodies, none);
+  std::vector<std::size_t> sweepable;
   const auto swept = [&](BodyId body, const Bounds& bounds) {
-    if (place[index(body)] == none) {
-      place[index(body)] = swept_.size();
-      swept_.push_back({body, bounds, {}});
-    }
-    return place[index(body)];
+    if (place[index(body)] != none) return;
+    place[index(body)] = swept_.size();
+    swept_.push_back({body, bounds});
   };
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const Candidate& pair = pairs_[p];
@@ -88,52 +97,45 @@ void ContactSearch::prepare(std::size_t bodies, bool sweep) {
       single_.push_back(p);
       continue;
     }
-    const std::size_t a = swept(pair.a, pair.bounds_a), b = swept(pair.b, pair.bounds_b);
-    swept_[a].partners.push_back({b, p});
-    swept_[b].partners.push_back({a, p});
+    swept(pair.a, pair.bounds_a), swept(pair.b, pair.bounds_b);
+    sweepable.push_back(p);
   }
-  for (Swept& body : swept_)
-    std::stable_sort(body.partners.begin(), body.partners.end(),
-                     [](const auto& one, const auto& two) { return one.other < two.other; });
+  swept_pairs_.assign(swept_.size() * swept_.size(), pairs_.size());
+  for (const std::size_t p : sweepable) {
+    const std::size_t a = place[index(pairs_[p].a)], b = place[index(pairs_[p].b)];
+    std::size_t& entry = swept_pairs_[a * swept_.size() + b];
+    if (entry != pairs_.size()) {
+      single_.push_back(p);  // a second contact of the same two bodies
+      continue;
+    }
+    entry = swept_pairs_[b * swept_.size() + a] = p;
+  }
 }
 
-void ContactSearch::find(const std::vector<Pose>& poses, std::vector<char>& near,
-                         std::vector<std::size_t>& order) const {
-  const auto look = [&](std::size_t p) {
-    const Candidate& pair = pairs_[p];
-    near[p] = !out_of_reach(pair, poses[index(pair.a)], poses[index(pair.b)]);
-  };
+bool ContactSearch::near(std::size_t pair, const std::vector<Pose>& poses) const {
+  const Candidate& two = pairs_[pair];
+  return !out_of_reach(two, poses[index(two.a)], poses[index(two.b)]);
+}
+
+void ContactSearch::find(const std::vector<Pose>& poses, std::vector<char>& found, Sweep& sweep) const {
+  if (!swept_.empty()) std::fill(found.begin(), found.end(), char{0});
   for (const std::size_t p : single_)
-    look(p);
+    found[p] = near(p, poses);
   if (swept_.empty()) return;
-  if (order.size() != swept_.size()) {
-    order.resize(swept_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
+  if (sweep.order.empty()) {
+    sweep.order.resize(swept_.size());
+    std::iota(sweep.order.begin(), sweep.order.end(), std::size_t{0});
+    sweep.stretches.resize(swept_.size());
   }
-  std::vector<Range1> ranges;
-  for (const Swept& body : swept_) {
-    ranges.push_back(range(body.bounds, poses[index(body.body)]));
-    for (const auto& partner : body.partners)
-      near[partner.pair] = 0;
-  }
-  // By insertion: nearly in order already. Of equal ones the first in the model comes first.
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    const std::size_t moved = order[i];
-    std::size_t to = i;
-    for (; to > 0; --to) {
-      const std::size_t before = order[to - 1];
-      if (ranges[before].low < ranges[moved].low || (ranges[before].low == ranges[moved].low && before < moved)) break;
-      order[to] = before;
-    }
-    order[to] = moved;
-  }
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const Swept& body = swept_[order[i]];
-    for (std::size_t j = i + 1; j < order.size() && ranges[order[j]].low <= ranges[order[i]].high; ++j) {
-      auto partner = std::lower_bound(body.partners.begin(), body.partners.end(), order[j],
-                                      [](const auto& one, std::size_t other) { return one.other < other; });
-      for (; partner != body.partners.end() && partner->other == order[j]; ++partner)
-        look(partner->pair);
+  for (std::size_t i = 0; i < swept_.size(); ++i)
+    sweep.stretches[i] = stretch(swept_[i].bounds, poses[index(swept_[i].body)]);
+  sort(sweep.order, sweep.stretches);
+  for (std::size_t i = 0; i < sweep.order.size(); ++i) {
+    const double high = sweep.stretches[sweep.order[i]].high;
+    const std::size_t* const pairs = &swept_pairs_[sweep.order[i] * swept_.size()];
+    for (std::size_t j = i + 1; j < sweep.order.size() && sweep.stretches[sweep.order[j]].low <= high; ++j) {
+      const std::size_t p = pairs[sweep.order[j]];
+      if (p != pairs_.size()) found[p] = near(p, poses);
     }
   }
 }

@@ -36,36 +36,45 @@ struct Candidate {
 /// Never says so of bodies that touch.
 [[nodiscard]] bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B);
 
+/// Where a swept body lies along x [L].
+struct Stretch {
+  double low{};
+  double high{};
+};
+
+/// Scratch of the contact search, kept by the caller from one evaluation to the next.
+struct Sweep {
+  std::vector<std::size_t> order;  ///< of the swept bodies, by their least x
+  std::vector<Stretch> stretches;  ///< one for each swept body
+};
+
 /// Finds the pairs within reach of each other. A few are looked at one by one; among many the bodies are swept in the
 /// order of their least x (Baraff 1992), which changes little from one evaluation to the next.
 class ContactSearch {
  public:
   void add(const Candidate& pair) { pairs_.push_back(pair); }
-  /// After the last add: chooses the way of searching; `sweep` for the tests, else by the number of pairs.
+  /// After the last add: chooses the way of searching, by the number of pairs or as told.
   void prepare(std::size_t bodies);
   void prepare(std::size_t bodies, bool sweep);
 
   const std::vector<Candidate>& pairs() const { return pairs_; }
 
-  /// Sets near[p] to whether pair p is within reach. Of pairs that lie apart along x it may say so where out_of_reach
-  /// alone would not see it. `order` is scratch that the caller keeps: empty, or as this function left it.
-  void find(const std::vector<Pose>& poses, std::vector<char>& near, std::vector<std::size_t>& order) const;
+  /// Sets found[p] to whether pair p is within reach. Of pairs that lie apart along x it may deny that where
+  /// out_of_reach alone would not see it. The scratch: empty, or as this function left it.
+  void find(const std::vector<Pose>& poses, std::vector<char>& found, Sweep& sweep) const;
 
  private:
-  /// A body that is swept, and its pairs with others of them.
+  /// A body that is swept.
   struct Swept {
     BodyId body{};
     Bounds bounds;
-    struct Partner {
-      std::size_t other{};  ///< place in swept_
-      std::size_t pair{};
-    };
-    std::vector<Partner> partners;  ///< sorted by `other`
   };
+  bool near(std::size_t pair, const std::vector<Pose>& poses) const;
 
   std::vector<Candidate> pairs_;
   std::vector<std::size_t> single_;  ///< pairs looked at one by one
   std::vector<Swept> swept_;
+  std::vector<std::size_t> swept_pairs_;  ///< of each two swept bodies, row by row; the number of pairs for none
 };
 
 }  // namespace talus

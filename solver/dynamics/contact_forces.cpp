@@ -252,7 +252,7 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) {
 }
 
 void ContactForces::update(const State& state, Workspace& work) const {
-  search_.find(work.poses, work.near, work.order);
+  search_.find(work.poses, work.near, work.sweep);
   // Bodies may have parted within one step: what still acts is looked at once more, to be ended.
   for (std::size_t c = 0; c < candidates(); ++c) {
     const Candidate& pair = search_.pairs()[c];

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "solver/base/vec.hpp"
+#include "solver/dynamics/candidates.hpp"
 #include "solver/geometry/gap.hpp"
 #include "solver/geometry/path.hpp"
 #include "solver/geometry/pose.hpp"
@@ -68,8 +69,8 @@ struct Workspace {
   std::vector<double> rates;       ///< their depth rates [L/T]
   Waking waking;
   Rigging rigging;
-  std::vector<std::size_t> order;  ///< of the bodies that the contact search sweeps: empty, or as it left them
-  std::vector<char> near;          ///< one for each pair of the contact search: whether its gaps were worked out
+  Sweep sweep;             ///< of the contact search
+  std::vector<char> near;  ///< one for each pair of the contact search: whether its gaps were worked out
 };
 
 }  // namespace talus

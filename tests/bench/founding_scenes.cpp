@@ -12,6 +12,7 @@
 #include "solver/scenes/pendulum.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "solver/scenes/two_cable.hpp"
+#include "tests/bench/contact_search.hpp"
 #include "tests/bench/fences.hpp"
 #include "tests/bench/timing.hpp"
 #include "verification/reference/pendulum.hpp"
@@ -144,6 +145,7 @@ void print_work_precision(const std::string& title, const Scene& scene, double d
 int main() {
   print_step_costs();
   bench::print_fence_costs();
+  print_search_costs();
 
   // Not 90 degrees: there the leapfrog's error of second order vanishes by a coincidence of the elliptic integrals.
   const scenes::Pendulum parameters{.amplitude = 2.0};

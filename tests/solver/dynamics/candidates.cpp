@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_finds_what_looking_at_each_pair_finds) {
     }
     sweep.prepare(bodies, true), single.prepare(bodies, false);
     std::vector<char> swept(sweep.pairs().size()), each(sweep.pairs().size());
-    std::vector<std::size_t> order, unused;
+    Sweep order, unused;
     for (int move = 0; move < 5; ++move) {
       sweep.find(poses, swept, order);
       single.find(poses, each, unused);
