@@ -22,13 +22,13 @@ void add_column(Series& series, const Pose& pose, const scenes::FenceElement& co
     add(series, world_point(pose, {x * column.a, y * column.b}));
 }
 
-/// A circle with the radius that was along x at angle 0: it shows how the rock has turned.
+/// A circle, drawn from its centre and back to it along the radius that was along x at angle 0: it shows how the rock
+/// has turned.
 void add_rock(Series& series, const Pose& pose, double radius) {
   constexpr int parts = 48;
   add(series, pose.p_WB);
   for (int i = 0; i <= parts; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / parts;
-    // The last point is not quite the first: the line ends at the centre, where it began.
     add(series, world_point(pose, {radius * std::cos(angle), radius * std::sin(angle)}));
   }
   add(series, pose.p_WB);
