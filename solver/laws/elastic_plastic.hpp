@@ -62,15 +62,17 @@ struct ElasticPlastic {
     if (mode != yielding) return {};
     // What the cable is drawn out by is lost; only as far as it hardens does its stored energy grow. Less than the
     // yield force is met only when steps are so coarse that the cable is already shortening.
-    const double tension = std::clamp(stiffness * (x.extent - memory[0]), 0.0, backbone(x.extent));
-    const double slope = drawn_piece(x.extent).slope;
-    const double elastic = slope / (stiffness + slope);
+    const Piece at = drawn_piece(x.extent);
+    const double tension = std::clamp(stiffness * (x.extent - memory[0]), 0.0, backbone(at, x.extent));
+    const double elastic = at.slope / (stiffness + at.slope);
     return {elastic * tension, (1.0 - elastic) * tension};
   }
 
   constexpr double stored_energy(Kinematics x, std::span<const double> memory, Mode mode) const {
     if (mode == taut) return 0.5 * stiffness * (x.extent - memory[0]) * (x.extent - memory[0]);
-    return mode == yielding ? 0.5 * backbone(x.extent) * backbone(x.extent) / stiffness : 0.0;
+    if (mode != yielding) return 0.0;
+    const double tension = backbone(drawn_piece(x.extent), x.extent);
+    return 0.5 * tension * tension / stiffness;
   }
 
   constexpr double guard(Kinematics x, std::span<const double> memory, Mode mode) const {
@@ -140,15 +142,16 @@ struct ElasticPlastic {
     return piece([&](const YieldPoint& end) { return elongation <= end.stretch + end.force / stiffness; });
   }
   /// p of k (e - p) = Y(p).
-  constexpr double drawn(double elongation) const {
-    const Piece at = drawn_piece(elongation);
+  constexpr double drawn(Piece at, double elongation) const {
     if (at.slope == 0.0) return elongation - at.force / stiffness;
     return at.stretch + (stiffness * (elongation - at.stretch) - at.force) / (stiffness + at.slope);
   }
   /// Tension while drawn out to this elongation.
-  constexpr double backbone(double elongation) const { return yield_force(drawn(elongation)); }
+  constexpr double backbone(Piece at, double elongation) const {
+    return at.slope == 0.0 ? at.force : at.force + at.slope * (drawn(at, elongation) - at.stretch);
+  }
   constexpr void draw_out(Kinematics x, std::span<double> memory) const {
-    memory[0] = std::max(memory[0], drawn(x.extent));
+    memory[0] = std::max(memory[0], drawn(drawn_piece(x.extent), x.extent));
   }
   constexpr Reset broken_with(double tension) const { return {broken, 0.5 * tension * tension / stiffness}; }
 };
