@@ -145,7 +145,7 @@ void print_work_precision(const std::string& title, const Scene& scene, double d
 int main() {
   print_step_costs();
   bench::print_fence_costs();
-  print_search_costs();
+  bench::print_search_costs();
 
   // Not 90 degrees: there the leapfrog's error of second order vanishes by a coincidence of the elliptic integrals.
   const scenes::Pendulum parameters{.amplitude = 2.0};
