@@ -48,6 +48,90 @@ constexpr std::array equations{
     std::pair{30, "pivoted cylinder: angular velocity against angle"},
 };
 
+/// The catalogue of problems with an exact solution, by family. Each is a problem of its own, not a number of one.
+struct Problem {
+  const char* id;
+  const char* text;
+};
+
+constexpr std::array problems{
+    Problem{"A1", "free flight under gravity, with spin"},
+    Problem{"A2", "area, centroid and moment of inertia of polygons and rectangles"},
+    Problem{"A3", "area and moment of inertia of superellipses"},
+    Problem{"A4", "momentum, angular momentum and energy of colliding discs"},
+    Problem{"A5", "time reversal of undamped velocity Verlet"},
+    Problem{"A6", "translation, mirror, exchange of bodies, rotation, moving frame: the same answer"},
+    Problem{"A7", "powers of two in length, mass and time: the same bits"},
+    Problem{"A8", "round-off in double, long double and quadruple precision"},
+    Problem{"B1", "disc on a wall, undamped: restitution, contact time, overlap"},
+    Problem{"B2", "damped contact that may pull: restitution, time, pull at the end"},
+    Problem{"B3", "damped contact that ends with its force: restitution, time"},
+    Problem{"B4", "largest overlap of a damped contact"},
+    Problem{"B5", "two discs of unlike mass in a moving frame"},
+    Problem{"B6", "bounces under gravity on a spring and dashpot"},
+    Problem{"B7", "bounces as the contact grows stiff"},
+    Problem{"B8", "three discs in a row struck by the first"},
+    Problem{"B9", "column of discs at rest under its weight"},
+    Problem{"B10", "two discs pressed between walls: normal modes"},
+    Problem{"B11", "latching spring: restitution, time, residual overlap"},
+    Problem{"B12", "latching spring whose unloading stiffens with the force"},
+    Problem{"B13", "reloading within the latching spring's loop"},
+    Problem{"C1", "disc that slides until it rolls"},
+    Problem{"C2", "disc on an incline, on both sides of sliding"},
+    Problem{"C3", "block on an incline, on both sides of sliding"},
+    Problem{"C4", "oblique impact that slides all through"},
+    Problem{"C5", "oblique impact that sticks all through, k_s = k_n/3"},
+    Problem{"C6", "oblique impacts at other k_s/k_n"},
+    Problem{"C7", "grazing impacts gain no energy"},
+    Problem{"C8", "a locked pair turned as one: the friction spring turns with it"},
+    Problem{"C9", "closed path of a sticking contact: no net work"},
+    Problem{"C10", "cyclic shear: area of the loop"},
+    Problem{"C11", "small disc between large ones: time levels of friction"},
+    Problem{"C12", "order of an oblique impact: time level of the slip"},
+    Problem{"D1", "fall into a cable"},
+    Problem{"D2", "fall into a cable with a dashpot that cannot push"},
+    Problem{"D3", "cable that yields without hardening"},
+    Problem{"D4", "cable that hardens, several cycles"},
+    Problem{"D5", "mass between two straight unstretched cables"},
+    Problem{"D6", "chain of masses under tension: frequencies"},
+    Problem{"D7", "hanging chain: catenary as the links stiffen"},
+    Problem{"D8", "slack, taut, slack with onset at any phase"},
+    Problem{"D9", "cable that breaks, on both sides of its strength"},
+    Problem{"E1", "superellipse on a wall at all angles"},
+    Problem{"E2", "pairs of superellipses, against brute force"},
+    Problem{"E3", "ellipse that rocks on a plane"},
+    Problem{"E4", "disc of M corners that rolls"},
+    Problem{"E5", "curvature of superellipses at the rounded corner"},
+    Problem{"E6", "force as the slope of the stored energy"},
+    Problem{"E7", "square dropped on an edge, on a corner, and nearly so"},
+    Problem{"E8", "slide round a corner and back: work of a closed path"},
+    Problem{"E9", "block that rocks from corner to corner"},
+    Problem{"E10", "contact search against all pairs"},
+    Problem{"F1", "gas of inelastic discs that cools"},
+    Problem{"F2", "triangular lattice: step at which it grows unstable"},
+    Problem{"F3", "shear cell: serial and threaded, grid and all pairs"},
+    Problem{"F4", "shear cell: stress inside against force on the walls"},
+    Problem{"F5", "restart at half time: the same bits"},
+};
+
+/// "A: motion and bodies" for "A4".
+std::string family_of(const std::string& id) {
+  switch (id.front()) {
+    case 'A':
+      return "A: motion and bodies";
+    case 'B':
+      return "B: normal contact";
+    case 'C':
+      return "C: friction and rotation";
+    case 'D':
+      return "D: cables";
+    case 'E':
+      return "E: outlines in contact";
+    default:
+      return "F: many bodies";
+  }
+}
+
 void append(std::vector<Requirement>& all, const std::string& group, const std::vector<std::string>& names,
             const std::string& text) {
   for (const auto& name : names)
@@ -66,6 +150,8 @@ std::vector<Requirement> all_requirements() {
   for (const auto& equation : equations) {
     all.push_back({"Eq. " + std::to_string(equation.first), "equation", equation.second});
   }
+  for (const Problem& problem : problems)
+    all.push_back({problem.id, family_of(problem.id), problem.text});
   append(all, "law", ContactLaws::names(), "contact law");
   append(all, "law", CableLaws::names(), "cable law");
   append(all, "end_rule", names_of<EndRule>(), "how a contact with a dashpot ends");

@@ -249,6 +249,7 @@ Case timestep() {
                        {"Eq. 23", {"order of central_difference", "order of velocity_verlet"}},
                        {"Eq. 24", {"order of central_difference", "order of velocity_verlet"}},
                        {"Eq. 25", {"squeezed disc", "step advice"}},
+                       {"B1", {"disc on a wall, undamped"}},
                        {"law.linear_spring_dashpot", {", damped: order", ", damped: rms constant", "squeezed disc"}},
                        {"law.tension_only", {"particle on cables"}},
                        {"end_rule.attractive", {"two cables, damped", "pivoted cylinder, damped"}},
