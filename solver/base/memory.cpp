@@ -82,12 +82,12 @@ void Memory::flag(std::string_view name, bool& value) {
   value = kept == 1.0;
 }
 
-void Memory::numbers(std::string_view name, std::span<std::uint8_t> values) {
+void Memory::numbers(std::string_view name, std::span<std::uint16_t> values) {
   std::vector<double> kept(values.begin(), values.end());
   numbers(name, kept);
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    demand_whole(name, kept[i], std::numeric_limits<std::uint8_t>::max());
-    values[i] = static_cast<std::uint8_t>(kept[i]);
+    demand_whole(name, kept[i], std::numeric_limits<std::uint16_t>::max());
+    values[i] = static_cast<std::uint16_t>(kept[i]);
   }
 }
 

@@ -39,7 +39,7 @@ class Memory {
   void flag(std::string_view name, bool& value);
   /// As many numbers as there is room for: the count is the object's, not the file's.
   void numbers(std::string_view name, std::span<double> values);
-  void numbers(std::string_view name, std::span<std::uint8_t> values);
+  void numbers(std::string_view name, std::span<std::uint16_t> values);
   /// Numbers of any count.
   void list(std::string_view name, std::vector<double>& values);
   void text(std::string_view name, std::string& value);

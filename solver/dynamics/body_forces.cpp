@@ -13,6 +13,29 @@ void book(Rates& out, double copies, Vec2 p, Vec2 force, double moment) {
   out.impulse[2] += copies * (cross(p, force) + moment);
 }
 
+/// Poses of free bodies that are neighbours, in the state and in the workspace.
+void place(const BodyRun& run, const State& state, Poses& poses) {
+  const double* const q = &state.q[run.first];
+  const double* const v = &state.v[run.first];
+  const std::size_t count = run.count;
+  double *const x = &poses.x[run.body], *const pose_y = &poses.y[run.body];
+  double *const cosine = &poses.cosine[run.body], *const sine = &poses.sine[run.body];
+  double *const vx = &poses.vx[run.body], *const vy = &poses.vy[run.body], *const w = &poses.w[run.body];
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = q[3 * i + 2], y = q[3 * i + 1], turning = v[3 * i + 2], rising = v[3 * i + 1];
+    const Rotation turned = rotation_by_series(angle);
+    cosine[i] = turned.cosine, sine[i] = turned.sine;
+    x[i] = q[3 * i], pose_y[i] = y;
+    vx[i] = v[3 * i], vy[i] = rising, w[i] = turning;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (within_series(q[3 * i + 2])) continue;
+    const Rotation turned = rotation_by_any_angle(q[3 * i + 2]);
+    cosine[i] = turned.cosine, sine[i] = turned.sine;
+  }
+}
+
 }  // namespace
 
 BodyForces::BodyForces(const Model& model, const Layout& layout) : gravity_{model.gravity} {
@@ -38,6 +61,8 @@ BodyForces::BodyForces(const Model& model, const Layout& layout) : gravity_{mode
                             has_x(body.mobility)};
     array(body.mobility).push_back(compiled);
   }
+  for (std::size_t i = 0; i < free_.size(); ++i)
+    append(free_runs_, run_of(i));
 }
 
 std::vector<BodyForces::Compiled>& BodyForces::array(Mobility mobility) {
@@ -62,72 +87,63 @@ std::vector<BodyForces::Compiled>& BodyForces::array(Mobility mobility) {
 
 void BodyForces::place_fixed(Workspace& work) const {
   for (const Compiled& body : fixed_)
-    work.poses[body.body] = {body.p_WB, body.R_WB, {}, 0.0};
+    work.poses.set(body.body, {body.p_WB, body.R_WB, {}, 0.0});
 }
 
 void BodyForces::list_awake(Waking& waking) const {
   waking.bodies.clear();
   for (std::size_t i = 0; i < free_.size(); ++i) {
-    if (waking.awake[free_[i].body]) waking.bodies.push_back(i);
+    if (waking.awake[free_[i].body]) append(waking.bodies, run_of(i));
   }
 }
 
 void BodyForces::update(const State& state, Workspace& work) const {
-  const auto place = [&](const Compiled& body) {
-    const double* q = &state.q[body.first];
-    const double* v = &state.v[body.first];
-    work.poses[body.body] = {{q[0], q[1]}, rotation(q[2]), {v[0], v[1]}, v[2]};
-  };
-  if (work.waking.whole) {
-    for (const Compiled& body : free_)
-      place(body);
-  } else {
-    for (const std::size_t i : work.waking.bodies)
-      place(free_[i]);
-  }
+  for (const BodyRun& run : work.waking.whole ? free_runs_ : work.waking.bodies)
+    place(run, state, work.poses);
   for (const Compiled& body : particles_) {
     const double* q = &state.q[body.first];
     const double* v = &state.v[body.first];
-    work.poses[body.body] = {{q[0], q[1]}, body.R_WB, {v[0], v[1]}, 0.0};
+    work.poses.set(body.body, {{q[0], q[1]}, body.R_WB, {v[0], v[1]}, 0.0});
   }
   for (const Compiled& body : pinned_) {
     const Rotation R_WB = rotation(state.q[body.first]);
     const double w_WB = state.v[body.first];
     const Vec2 from_pin = R_WB * body.p_PinB;
-    work.poses[body.body] = {body.p_WPin + from_pin, R_WB, cross(w_WB, from_pin), w_WB};
+    work.poses.set(body.body, {body.p_WPin + from_pin, R_WB, cross(w_WB, from_pin), w_WB});
   }
   for (const Compiled& body : sliding_) {
     const double q = state.q[body.first], v = state.v[body.first];
-    work.poses[body.body] = {body.along_x ? Vec2{q, body.p_WB.y} : Vec2{body.p_WB.x, q}, body.R_WB,
-                             body.along_x ? Vec2{v, 0.0} : Vec2{0.0, v}, 0.0};
+    work.poses.set(body.body, {body.along_x ? Vec2{q, body.p_WB.y} : Vec2{body.p_WB.x, q}, body.R_WB,
+                               body.along_x ? Vec2{v, 0.0} : Vec2{0.0, v}, 0.0});
   }
   for (const Compiled& body : guided_) {
     const Rotation R_WB = rotation(state.q[body.first + 1]);
     const double q = state.q[body.first], v = state.v[body.first], w_WB = state.v[body.first + 1];
     const Vec2 r = R_WB * body.p_PinB;
     const Vec2 turning = cross(w_WB, r);
-    work.poses[body.body] = {body.along_x ? Vec2{q, body.p_WPin.y + r.y} : Vec2{body.p_WPin.x + r.x, q}, R_WB,
-                             body.along_x ? Vec2{v, turning.y} : Vec2{turning.x, v}, w_WB};
+    work.poses.set(body.body, {body.along_x ? Vec2{q, body.p_WPin.y + r.y} : Vec2{body.p_WPin.x + r.x, q}, R_WB,
+                               body.along_x ? Vec2{v, turning.y} : Vec2{turning.x, v}, w_WB});
   }
 }
 
 void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
-  const Waking& waking = work.waking;
-  if (waking.bodies.size() < free_.size()) std::fill(out.v.begin(), out.v.end(), 0.0);
-  for (const std::size_t i : waking.bodies) {
-    const Compiled& body = free_[i];
-    const Wrench& wrench = work.wrenches[body.body];
-    const Vec2 force = wrench.force + body.load;
-    out.v[body.first] = body.inverse_mass * force.x;
-    out.v[body.first + 1] = body.inverse_mass * force.y;
-    out.v[body.first + 2] = body.inverse_inertia * (wrench.moment + body.moment);
+  if (work.waking.any_asleep) std::fill(out.v.begin(), out.v.end(), 0.0);
+  for (const BodyRun& run : work.waking.bodies) {
+    for (std::size_t i = run.place; i < run.place + run.count; ++i) {
+      const Compiled& body = free_[i];
+      const Wrench wrench = work.wrenches[body.body];
+      const Vec2 force = wrench.force + body.load;
+      out.v[body.first] = body.inverse_mass * force.x;
+      out.v[body.first + 1] = body.inverse_mass * force.y;
+      out.v[body.first + 2] = body.inverse_inertia * (wrench.moment + body.moment);
+    }
   }
   if (ledger) {
     for (const Compiled& body : free_)
       book(out, body.copies, work.poses[body.body].p_WB, body.load, body.moment);
   }
   for (const Compiled& body : particles_) {
-    const Wrench& wrench = work.wrenches[body.body];
+    const Wrench wrench = work.wrenches[body.body];
     const Vec2 force = wrench.force + body.load;
     out.v[body.first] = body.inverse_mass * force.x;
     out.v[body.first + 1] = body.inverse_mass * force.y;
@@ -142,7 +158,7 @@ void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
     guided_rates(body, work, out, ledger);
   if (!ledger) return;
   for (const Compiled& body : fixed_) {
-    const Wrench& wrench = work.wrenches[body.body];
+    const Wrench wrench = work.wrenches[body.body];
     book(out, body.copies, body.p_WB, -wrench.force, -wrench.moment);
   }
 }
@@ -150,8 +166,8 @@ void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
 /// Moments about the pin, r from the pin to the centre of mass:  I_p alpha = M + r x F.
 /// The pin pushes the body with R = m a - F, where a = alpha x r - w^2 r is how the centre of mass must accelerate.
 void BodyForces::pinned_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const {
-  const Wrench& wrench = work.wrenches[body.body];
-  const Pose& pose = work.poses[body.body];
+  const Wrench wrench = work.wrenches[body.body];
+  const Pose pose = work.poses[body.body];
   const Vec2 r = pose.p_WB - body.p_WPin;
   const Vec2 force = wrench.force + body.load;
   const double alpha = body.inverse_inertia * (wrench.moment + body.moment + cross(r, force));
@@ -164,7 +180,7 @@ void BodyForces::pinned_rates(const Compiled& body, const Workspace& work, Rates
 
 /// Along the guide m a = F; the guide takes the rest of the force and all moments.
 void BodyForces::sliding_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const {
-  const Wrench& wrench = work.wrenches[body.body];
+  const Wrench wrench = work.wrenches[body.body];
   const Vec2 force = wrench.force + body.load;
   out.v[body.first] = body.inverse_mass * (body.along_x ? force.x : force.y);
   if (!ledger) return;
@@ -177,8 +193,8 @@ void BodyForces::sliding_rates(const Compiled& body, const Workspace& work, Rate
 ///   (I + m g^2) alpha = M + g F_n + m g c w^2.
 /// The guide pushes the pin with R = m (g alpha - c w^2) - F_n.
 void BodyForces::guided_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const {
-  const Wrench& wrench = work.wrenches[body.body];
-  const Pose& pose = work.poses[body.body];
+  const Wrench wrench = work.wrenches[body.body];
+  const Pose pose = work.poses[body.body];
   const Vec2 r = pose.R_WB * body.p_PinB;
   const Vec2 force = wrench.force + body.load;
   const double across = body.along_x ? force.y : force.x;
@@ -198,7 +214,7 @@ void BodyForces::guided_rates(const Compiled& body, const Workspace& work, Rates
 Energies BodyForces::energies(const State& state, const Workspace& work) const {
   Energies sum;
   const auto add = [&](const Compiled& body, double turned) {
-    const Pose& pose = work.poses[body.body];
+    const Pose pose = work.poses[body.body];
     sum.kinetic += 0.5 * body.copies * body.mass * dot(pose.v_WB, pose.v_WB);
     if (body.inertia > 0.0) sum.kinetic += 0.5 * body.copies * body.inertia * pose.w_WB * pose.w_WB;
     sum.gravity -= body.copies * body.mass * dot(gravity_, pose.p_WB);
@@ -221,7 +237,7 @@ Momenta BodyForces::momenta(const Workspace& work) const {
   Momenta sum;
   for (const auto* bodies : {&free_, &particles_, &pinned_, &sliding_, &guided_}) {
     for (const Compiled& body : *bodies) {
-      const Pose& pose = work.poses[body.body];
+      const Pose pose = work.poses[body.body];
       sum.linear += body.copies * body.mass * pose.v_WB;
       sum.angular += body.copies * (body.mass * cross(pose.p_WB, pose.v_WB) + body.inertia * pose.w_WB);
     }

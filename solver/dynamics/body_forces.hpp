@@ -54,9 +54,11 @@ class BodyForces {
   void guided_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const;
 
   std::vector<Compiled>& array(Mobility mobility);
+  BodyRun run_of(std::size_t free) const { return {free, free_[free].body, free_[free].first, 1}; }
 
   Vec2 gravity_;
   std::vector<Compiled> free_;
+  std::vector<BodyRun> free_runs_;
   std::vector<Compiled> particles_;
   std::vector<Compiled> pinned_;
   std::vector<Compiled> sliding_;

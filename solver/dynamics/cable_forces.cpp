@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 #include <variant>
 
@@ -26,12 +27,43 @@ void for_each_cable(const Laws& laws, Visit&& visit) {
   });
 }
 
-/// The same for the cables that are listed as awake.
-template <class Laws, class Visit>
-void for_each_awake(const Laws& laws, const Waking& waking, Visit&& visit) {
+/// Calls visit(array, run) for each run of cables that are listed as awake.
+template <class Laws, class Waking, class Visit>
+void for_each_run(const Laws& laws, Waking& waking, Visit&& visit) {
   for_each_array(laws, [&](const auto& array, std::size_t law) {
-    for (const std::size_t i : waking.cables[law])
-      visit(array.laws[i], array.slots[i], array.cable[i]);
+    for (auto& run : waking.cables[law])
+      visit(array, run);
+  });
+}
+
+/// Calls visit(law, slot, cable) for each cable of a run.
+template <class Array, class Visit>
+void for_each_of(const Array& array, const CableRun& run, Visit&& visit) {
+  const auto* const laws = &array.laws[run.place];
+  const Slot* const slots = &array.slots[run.place];
+  for (std::size_t i = 0, count = run.count, cable = run.cable; i < count; ++i)
+    visit(laws[i], slots[i], cable + i);
+}
+
+/// Whether it may have straight lines, and the one number at most that these go by.
+template <class L>
+concept HasLines = L::memory_size <= 1 && requires(const L law, std::span<const double> memory) {
+  law.linear_piece(memory, Mode{});
+};
+
+/// Works out the straight lines of a run anew if modes or memories are not those that they stand for.
+template <class L>
+void keep_lines(const CableArray<L>& array, const CableRun& run, const State& state, CableLines& lines) {
+  const Mode* const modes = &state.mode[run.slot.mode];
+  const double* const kept = state.z.data() + run.slot.memory;
+  const std::size_t numbers = L::memory_size * run.count;
+  if (std::memcmp(modes, &lines.mode[run.cable], run.count * sizeof(Mode)) == 0 &&
+      (numbers == 0 || std::memcmp(kept, &lines.memory[run.cable], numbers * sizeof(double)) == 0))
+    return;
+  std::copy_n(modes, run.count, &lines.mode[run.cable]);
+  std::copy_n(kept, numbers, &lines.memory[run.cable]);
+  for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
+    lines.set(c, law.linear_piece(memory<L>(state, slot), state.mode[slot.mode]));
   });
 }
 
@@ -54,6 +86,7 @@ std::size_t CableForces::joint(const CableEnd& end) {
   const auto found = std::find(joints_.begin(), joints_.end(), wanted);
   if (found != joints_.end()) return static_cast<std::size_t>(found - joints_.begin());
   joints_.push_back(wanted);
+  body_x_.push_back(wanted.p.x), body_y_.push_back(wanted.p.y);
   return joints_.size() - 1;
 }
 
@@ -62,8 +95,9 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
     const Cable& cable = model.cables[c];
     const std::size_t a = joint(cable.a), b = joint(cable.b);
     const double across = joints_[b].along - joints_[a].along;
-    ends_.push_back(
-        {a, b, cable.copies / body_copies(model, joints_[a]), cable.copies / body_copies(model, joints_[b])});
+    ends_.push_back({a, b});
+    share_a_.push_back(cable.copies / body_copies(model, joints_[a]));
+    share_b_.push_back(cable.copies / body_copies(model, joints_[b]));
     across_squared_.push_back(across * across);
     rest_lengths_.push_back(cable.rest_length);
     copies_.push_back(cable.copies);
@@ -92,19 +126,19 @@ void CableForces::list_awake(Waking& waking, const Rigging& rigging) const {
   std::vector<char> listed(joints_.size(), 0);
   const auto moves = [&](std::size_t j) { return joints_[j].on_body && waking.awake[index(joints_[j].body)]; };
   waking.cables.resize(std::tuple_size_v<decltype(laws_)>);
-  for_each_array(laws_, [&](const auto& array, std::size_t law) {
+  for_each_array(laws_, [&]<class L>(const CableArray<L>& array, std::size_t law) {
     waking.cables[law].clear();
     for (std::size_t i = 0; i < array.laws.size(); ++i) {
-      const auto [a, b, share_a, share_b] = ends_[array.cable[i]];
+      const auto [a, b] = ends_[array.cable[i]];
       const bool chained = !rigging.broken.empty() && (rigging.broken[a] || rigging.broken[b]);
       if (!waking.whole && !chained && !moves(a) && !moves(b)) continue;
-      waking.cables[law].push_back(i);
+      append(waking.cables[law], {i, array.cable[i], a, b, array.slots[i], L::memory_size, 1, false});
       listed[a] = listed[b] = 1;
     }
   });
   waking.joints.clear();
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    if (listed[j]) waking.joints.push_back(j);
+    if (listed[j]) append(waking.joints, {j, index(joints_[j].body), 1, joints_[j].on_body});
   }
 }
 
@@ -115,8 +149,11 @@ bool CableForces::rig(const State& state, Rigging& rigging) const {
   rigging.modes.assign(modes, last);
   rigging.broken.assign(joints_.size(), 0);
   rigging.chains.clear();
-  for (std::size_t h = 0; h < holders_.size(); ++h)
+  rigging.loose.clear();
+  for (std::size_t h = 0; h < holders_.size(); ++h) {
     rigging.broken[holders_[h].joint] = rigging.modes[h] != 0;
+    if (rigging.modes[h] != 0) rigging.loose.push_back(holders_[h].joint);
+  }
   std::vector<char> used(ends_.size(), 0);
   for (std::size_t c = 0; c < ends_.size(); ++c) {
     if (used[c] || (!rigging.broken[ends_[c].a] && !rigging.broken[ends_[c].b])) continue;
@@ -139,8 +176,8 @@ Chain CableForces::chain_from(std::size_t cable, const Rigging& rigging, std::ve
   }
   const std::size_t start = chain.joints.front();
   if (!rigging.broken[start]) return chain;
-  const Ends& first = ends_[chain.cables.front()];
-  const bool mirrored = (first.a == start ? first.share_a : first.share_b) > 1.0;
+  const std::size_t first = chain.cables.front();
+  const bool mirrored = (ends_[first].a == start ? share_a_ : share_b_)[first] > 1.0;
   chain.start = mirrored && !rigging.broken[chain.joints.back()] ? Chain::Start::mirrored : Chain::Start::loose;
   return chain;
 }
@@ -180,10 +217,11 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
     compliance += compliances.back();
   }
   chain.carries = carries;
-  const JointPoint start = work.joints[chain.joints.front()];
-  const JointPoint end = work.joints[chain.joints.back()];
-  const double across = joints_[chain.joints.back()].along - joints_[chain.joints.front()].along;
-  Path whole = chain.start == Chain::Start::held ? path(start.p_WP, start.v_WP, end.p_WP, end.v_WP, across * across)
+  const std::size_t first = chain.joints.front(), last = chain.joints.back();
+  const Vec2 p_WStart = work.joints.p_WP(first), v_WStart = work.joints.v_WP(first);
+  const Vec2 p_WEnd = work.joints.p_WP(last), v_WEnd = work.joints.v_WP(last);
+  const double across = joints_[last].along - joints_[first].along;
+  Path whole = chain.start == Chain::Start::held ? path(p_WStart, v_WStart, p_WEnd, v_WEnd, across * across)
                                                  : Path{std::abs(across), 0.0, {}};
   if (chain.start == Chain::Start::loose) whole.length = natural;
   const double tension = carries ? (whole.length - natural) / compliance : 0.0;
@@ -193,32 +231,134 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
     const double share = compliances[i] / compliance;
     const double length = lengths[i] + tension * compliances[i];
     const Vec2 pull = ends_[c].a == chain.joints[i] ? whole.pull_A : -whole.pull_A;
-    work.paths[c] = {length, share * whole.length_rate, pull};
+    work.paths.set(c, {length, share * whole.length_rate, pull});
     along += length;
     if (i + 1 == chain.cables.size()) break;
     const double part = whole.length > 0.0 ? std::clamp(along / whole.length, 0.0, 1.0) : 1.0;
-    JointPoint& point = work.joints[chain.joints[i + 1]];
-    const JointPoint& from = chain.start == Chain::Start::held ? start : end;
-    point = {from.p_WP + part * (end.p_WP - from.p_WP), {}, from.v_WP + part * (end.v_WP - from.v_WP), {}};
+    const bool held = chain.start == Chain::Start::held;
+    const Vec2 p_WFrom = held ? p_WStart : p_WEnd, v_WFrom = held ? v_WStart : v_WEnd;
+    work.joints.place(chain.joints[i + 1], p_WFrom + part * (p_WEnd - p_WFrom), v_WFrom + part * (v_WEnd - v_WFrom));
   }
-  if (chain.start != Chain::Start::held) work.joints[chain.joints.front()] = {end.p_WP, {}, end.v_WP, {}};
+  if (chain.start != Chain::Start::held) work.joints.place(first, p_WEnd, v_WEnd);
+}
+
+namespace {
+
+/// Joints on neighbouring bodies, from the bodies' poses; p_x, p_y in body coordinates.
+void place_joints(const JointRun& run, const double* p_x, const double* p_y, const Poses& poses, JointPoints& joints) {
+  const std::size_t count = run.count, body = run.body, joint = run.joint;
+  const double *const x = &poses.x[body], *const y = &poses.y[body];
+  const double *const cosine = &poses.cosine[body], *const sine = &poses.sine[body];
+  const double *const vx = &poses.vx[body], *const vy = &poses.vy[body], *const w = &poses.w[body];
+  double *const arm_x = &joints.arm_x[joint], *const arm_y = &joints.arm_y[joint];
+  double *const joint_x = &joints.x[joint], *const joint_y = &joints.y[joint];
+  double *const joint_vx = &joints.vx[joint], *const joint_vy = &joints.vy[joint];
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    const double dx = cosine[i] * p_x[i] - sine[i] * p_y[i];
+    const double dy = sine[i] * p_x[i] + cosine[i] * p_y[i];
+    arm_x[i] = dx, arm_y[i] = dy;
+    joint_x[i] = x[i] + dx, joint_y[i] = y[i] + dy;
+    joint_vx[i] = vx[i] - w[i] * dy, joint_vy[i] = vy[i] + w[i] * dx;
+  }
+}
+
+/// Cables between neighbouring joints. As path(), number by number.
+void lay_paths(const CableRun& run, const double* across_squared, const JointPoints& joints, Paths& paths) {
+  const std::size_t count = run.count;
+  const double *const x_A = &joints.x[run.a], *const y_A = &joints.y[run.a];
+  const double *const vx_A = &joints.vx[run.a], *const vy_A = &joints.vy[run.a];
+  const double *const x_B = &joints.x[run.b], *const y_B = &joints.y[run.b];
+  const double *const vx_B = &joints.vx[run.b], *const vy_B = &joints.vy[run.b];
+  double *const length = &paths.length[run.cable], *const length_rate = &paths.length_rate[run.cable];
+  double *const pull_x = &paths.pull_x[run.cable], *const pull_y = &paths.pull_y[run.cable];
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    const double dx = x_B[i] - x_A[i], dy = y_B[i] - y_A[i];
+    const double whole = std::sqrt(dx * dx + dy * dy + across_squared[i]);
+    const double inverse = 1.0 / (whole + std::numeric_limits<double>::min());
+    const double along_x = inverse * dx, along_y = inverse * dy;
+    const double rate = (vx_B[i] - vx_A[i]) * along_x + (vy_B[i] - vy_A[i]) * along_y;
+    length[i] = whole;
+    length_rate[i] = rate;
+    pull_x[i] = along_x, pull_y[i] = along_y;
+  }
+}
+
+/// Tensions of neighbouring cables on the straight lines of their modes, and whether all stay on them.
+bool pull_straight(const CableRun& run, const double* rest_length, const CableLines& lines, Paths& paths) {
+  const std::size_t count = run.count;
+  const double *const stiffness = &lines.stiffness[run.cable], *const natural = &lines.natural[run.cable];
+  const double *const low = &lines.low[run.cable], *const high = &lines.high[run.cable];
+  const double* const length = &paths.length[run.cable];
+  double* const tension = &paths.tension[run.cable];
+  double room = std::numeric_limits<double>::infinity();
+#pragma omp simd reduction(min : room)
+  for (std::size_t i = 0; i < count; ++i) {
+    const double extent = length[i] - rest_length[i];
+    tension[i] = stiffness[i] * (extent - natural[i]);
+    // Room left on the line: > 0 while the mode lasts.
+    const double before = extent - low[i], behind = high[i] - extent;
+    const double here = before < behind ? before : behind;
+    room = here < room ? here : room;
+  }
+  return room > 0.0;
+}
+
+/// Adds the tensions of neighbouring cables to the joints at both ends.
+void sum_pulls(const CableRun& run, const double* share_a, const double* share_b, const Paths& paths,
+               JointPoints& joints) {
+  const std::size_t count = run.count;
+  const double* const tension = &paths.tension[run.cable];
+  const double *const pull_x = &paths.pull_x[run.cable], *const pull_y = &paths.pull_y[run.cable];
+  double *const x_A = &joints.force_x[run.a], *const y_A = &joints.force_y[run.a];
+  Vec2 before;  // what the cable before pulls at the joint where the next begins
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2 pull = tension[i] * Vec2{pull_x[i], pull_y[i]};
+    x_A[i] += before.x + share_a[i] * pull.x;
+    y_A[i] += before.y + share_a[i] * pull.y;
+    before = -share_b[i] * pull;
+  }
+  joints.force_x[run.b + count - 1] += before.x;
+  joints.force_y[run.b + count - 1] += before.y;
+}
+
+/// Adds the pulls at joints to the wrenches of the neighbouring bodies that they are on.
+void load_bodies(const JointRun& run, const JointPoints& joints, Wrenches& wrenches) {
+  const std::size_t count = run.count;
+  const double *const force_x = &joints.force_x[run.joint], *const force_y = &joints.force_y[run.joint];
+  const double *const arm_x = &joints.arm_x[run.joint], *const arm_y = &joints.arm_y[run.joint];
+  double *const x = &wrenches.x[run.body], *const y = &wrenches.y[run.body];
+  double* const moment = &wrenches.moment[run.body];
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    x[i] += force_x[i], y[i] += force_y[i];
+    moment[i] += cross(Vec2{arm_x[i], arm_y[i]}, Vec2{force_x[i], force_y[i]});
+  }
+}
+
+}  // namespace
+
+void CableForces::place_anchors(Workspace& work) const {
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    if (!joints_[j].on_body) work.joints.place(j, joints_[j].p, {});
+  }
 }
 
 void CableForces::update(const State& state, Workspace& work) const {
-  for (const std::size_t j : work.waking.joints) {
-    const Joint& joint = joints_[j];
-    if (!joint.on_body) {
-      work.joints[j].p_WP = joint.p;
-      continue;
-    }
-    const Pose& body = work.poses[index(joint.body)];
-    const Vec2 arm = body.R_WB * joint.p;
-    work.joints[j] = {body.p_WB + arm, arm, body.v_WB + cross(body.w_WB, arm), {}};
+  for (const JointRun& run : work.waking.joints) {
+    if (run.on_body) place_joints(run, &body_x_[run.joint], &body_y_[run.joint], work.poses, work.joints);
   }
-  for_each_awake(laws_, work.waking, [&](const auto&, Slot, std::size_t c) {
-    const JointPoint& a = work.joints[ends_[c].a];
-    const JointPoint& b = work.joints[ends_[c].b];
-    work.paths[c] = path(a.p_WP, a.v_WP, b.p_WP, b.v_WP, across_squared_[c]);
+  // Chains are laid afterwards, which changes their paths: then no run is quiet.
+  const bool chains = !work.rigging.chains.empty();
+  for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, CableRun& run) {
+    lay_paths(run, &across_squared_[run.cable], work.joints, work.paths);
+    run.quiet = false;
+    if constexpr (HasLines<L>) {
+      if (chains) return;
+      keep_lines(array, run, state, work.lines);
+      run.quiet = pull_straight(run, &rest_lengths_[run.cable], work.lines, work.paths);
+    }
   });
   for (Chain& chain : work.rigging.chains)
     straighten(chain, state, work);
@@ -227,10 +367,9 @@ void CableForces::update(const State& state, Workspace& work) const {
 double CableForces::load(const Holder& holder, const State& state, const Workspace& work) const {
   Vec2 pull;
   for (const std::size_t c : holder.cables) {
-    const Ends& ends = ends_[c];
     visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
       const double tension = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]).total();
-      pull += (ends.a == holder.joint ? ends.share_a : -ends.share_b) * tension * work.paths[c].pull_A;
+      pull += (ends_[c].a == holder.joint ? share_a_[c] : -share_b_[c]) * tension * work.paths.pull(c);
     });
   }
   return norm(pull);
@@ -274,39 +413,46 @@ std::vector<BodyId> CableForces::joined_bodies(HangerId hanger) const {
 }
 
 void CableForces::settle(State& state, const Workspace& work) const {
-  for_each_awake(laws_, work.waking, [&](const auto& law, Slot slot, std::size_t c) {
-    settle_mode(law, slot, kinematics(work, c), state, copies_[c]);
+  for_each_run(laws_, work.waking, [&](const auto& array, const CableRun& run) {
+    if (run.quiet) return;
+    for_each_of(array, run, [&](const auto& law, Slot slot, std::size_t c) {
+      settle_mode(law, slot, kinematics(work, c), state, copies_[c]);
+    });
   });
 }
 
 void CableForces::add(const State& state, Workspace& work, Rates* out) const {
-  for (const std::size_t j : work.waking.joints)
-    work.joints[j].force = {};
-  for_each_awake(laws_, work.waking, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    const Mode mode = state.mode[slot.mode];
-    if (mode == 0) return;
-    const Path& path = work.paths[c];
-    const LawForce tension = law(kinematics(work, c), memory<L>(state, slot), mode);
-    const Vec2 pull = tension.total() * path.pull_A;
-    work.joints[ends_[c].a].force += ends_[c].share_a * pull;
-    work.joints[ends_[c].b].force -= ends_[c].share_b * pull;
-    if (out) out->work[static_cast<std::size_t>(L::dissipation)] += copies_[c] * tension.dissipative * path.length_rate;
+  JointPoints& joints = work.joints;
+  if (work.waking.any_asleep) {
+    for (const JointRun& run : work.waking.joints)
+      joints.clear_forces(run.joint, run.count);
+  } else {
+    joints.clear_forces(0, joints.size());
+  }
+  for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, const CableRun& run) {
+    if (!run.quiet) {
+      for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
+        const LawForce force = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);
+        work.paths.tension[c] = force.total();
+        if (out)
+          out->work[static_cast<std::size_t>(L::dissipation)] +=
+              copies_[c] * force.dissipative * work.paths.length_rate[c];
+      });
+    }
+    sum_pulls(run, &share_a_[run.cable], &share_b_[run.cable], work.paths, joints);
   });
-  for (const std::size_t j : work.waking.joints) {
-    if (!joints_[j].on_body || (!work.rigging.broken.empty() && work.rigging.broken[j])) continue;
-    const JointPoint& joint = work.joints[j];
-    Wrench& wrench = work.wrenches[index(joints_[j].body)];
-    wrench.force += joint.force;
-    wrench.moment += cross(joint.arm, joint.force);
+  for (const std::size_t j : work.rigging.loose)
+    joints.force_x[j] = joints.force_y[j] = 0.0;
+  for (const JointRun& run : work.waking.joints) {
+    if (run.on_body) load_bodies(run, joints, work.wrenches);
   }
   if (!out) return;
   // Anchors take the pull: an impulse from outside. Those of sleeping cables keep the pull of their last evaluation.
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     if (joints_[j].on_body) continue;
-    const JointPoint& joint = work.joints[j];
-    out->impulse[0] -= joint.force.x;
-    out->impulse[1] -= joint.force.y;
-    out->impulse[2] -= cross(joint.p_WP, joint.force);
+    out->impulse[0] -= joints.force_x[j];
+    out->impulse[1] -= joints.force_y[j];
+    out->impulse[2] -= cross(joints.p_WP(j), joints.force(j));
   }
 }
 
@@ -314,20 +460,22 @@ void CableForces::keep_rest(const State& state, const Workspace& work) {
   rest_pulls_.resize(size());
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
     const double tension = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]).total();
-    rest_pulls_[c] = tension * work.paths[c].pull_A;
+    rest_pulls_[c] = tension * work.paths.pull(c);
   });
 }
 
 void CableForces::list_woken(const State& state, const Workspace& work, double share,
                              std::vector<BodyId>& woken) const {
   const auto sleeps = [&](std::size_t j) { return joints_[j].on_body && !work.waking.awake[index(joints_[j].body)]; };
-  for_each_awake(laws_, work.waking, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    const bool a = sleeps(ends_[c].a), b = sleeps(ends_[c].b);
-    if (a == b) return;
-    const double tension = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]).total();
-    const Vec2 change = tension * work.paths[c].pull_A - rest_pulls_[c];
-    if (std::max(std::abs(change.x), std::abs(change.y)) > share * tension)
-      woken.push_back(joints_[a ? ends_[c].a : ends_[c].b].body);
+  for_each_run(laws_, work.waking, [&](const auto& array, const CableRun& run) {
+    for_each_of(array, run, [&]<class L>(const L& law, Slot slot, std::size_t c) {
+      const bool a = sleeps(ends_[c].a), b = sleeps(ends_[c].b);
+      if (a == b) return;
+      const double tension = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]).total();
+      const Vec2 change = tension * work.paths.pull(c) - rest_pulls_[c];
+      if (std::max(std::abs(change.x), std::abs(change.y)) > share * tension)
+        woken.push_back(joints_[a ? ends_[c].a : ends_[c].b].body);
+    });
   });
 }
 

@@ -39,13 +39,10 @@ class CableForces {
  public:
   CableForces(const Model& model, const Layout& layout);
 
-  /// Joints of a cable, and how much of its tension each takes: a cable that stands for several pulls several times
-  /// at a body that stands for itself alone.
+  /// Joints of a cable.
   struct Ends {
     std::size_t a{};
     std::size_t b{};
-    double share_a{1.0};
-    double share_b{1.0};
   };
 
   std::size_t size() const { return ends_.size(); }
@@ -54,6 +51,8 @@ class CableForces {
   /// Tangent of each law instance, in order.
   const std::vector<Tangent>& tangents() const { return tangents_; }
 
+  /// Points of the world at which cables end: once, when the workspace is made.
+  void place_anchors(Workspace& work) const;
   /// Brings the rigging up to the state's broken hangers; whether it changed.
   bool rig(const State& state, Rigging& rigging) const;
   /// Lists the joints and cables to work out: all, or those of which an end is on a body that is awake or held, and
@@ -80,7 +79,7 @@ class CableForces {
   void tensions(const State& state, const Workspace& work, std::span<double> out) const;
   /// Elongation of one cable [L]; negative while slack.
   double elongation(const Workspace& work, std::size_t cable) const {
-    return work.paths[cable].length - rest_lengths_[cable];
+    return work.paths.length[cable] - rest_lengths_[cable];
   }
 
  private:
@@ -98,12 +97,15 @@ class CableForces {
   void extend(Chain& chain, const Rigging& rigging, std::vector<char>& used) const;
   void straighten(Chain& chain, const State& state, Workspace& work) const;
   Kinematics kinematics(const Workspace& work, std::size_t cable) const {
-    return {elongation(work, cable), work.paths[cable].length_rate};
+    return {elongation(work, cable), work.paths.length_rate[cable]};
   }
 
   CableLaws::Tuple<CableArray> laws_;
   std::vector<Joint> joints_;
+  std::vector<double> body_x_, body_y_;  ///< joints on bodies: place in body coordinates [L]
   std::vector<Ends> ends_;
+  std::vector<double> share_a_, share_b_;  ///< how much of a cable's tension its ends take: one that stands for several
+                                           ///< pulls several times at a body that stands for itself alone
   std::vector<double> across_squared_;
   std::vector<double> rest_lengths_;
   std::vector<double> copies_;

@@ -112,12 +112,12 @@ void ContactSearch::prepare(std::size_t bodies, bool sweep) {
   }
 }
 
-bool ContactSearch::near(std::size_t pair, const std::vector<Pose>& poses) const {
+bool ContactSearch::near(std::size_t pair, const Poses& poses) const {
   const Candidate& two = pairs_[pair];
   return !out_of_reach(two, poses[index(two.a)], poses[index(two.b)]);
 }
 
-void ContactSearch::find(const std::vector<Pose>& poses, std::vector<char>& found, Sweep& sweep) const {
+void ContactSearch::find(const Poses& poses, std::vector<char>& found, Sweep& sweep) const {
   if (!swept_.empty()) std::fill(found.begin(), found.end(), char{0});
   for (const std::size_t p : single_)
     found[p] = near(p, poses);

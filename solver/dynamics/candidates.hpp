@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "solver/base/ids.hpp"
-#include "solver/geometry/pose.hpp"
+#include "solver/dynamics/lanes.hpp"
 #include "solver/geometry/shape.hpp"
 
 namespace talus {
@@ -61,7 +61,7 @@ class ContactSearch {
 
   /// Sets found[p] to whether pair p is within reach. Of pairs that lie apart along x it may deny that where
   /// out_of_reach alone would not see it. The scratch: empty, or as this function left it.
-  void find(const std::vector<Pose>& poses, std::vector<char>& found, Sweep& sweep) const;
+  void find(const Poses& poses, std::vector<char>& found, Sweep& sweep) const;
 
  private:
   /// A body that is swept.
@@ -69,7 +69,7 @@ class ContactSearch {
     BodyId body{};
     Bounds bounds;
   };
-  bool near(std::size_t pair, const std::vector<Pose>& poses) const;
+  bool near(std::size_t pair, const Poses& poses) const;
 
   std::vector<Candidate> pairs_;
   std::vector<std::size_t> single_;  ///< pairs looked at one by one

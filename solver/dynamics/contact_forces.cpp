@@ -69,8 +69,8 @@ Vec2 tangent(const Gap& gap) { return {-gap.n_AB.y, gap.n_AB.x}; }
 
 double slip_rate(const Workspace& work, const Slider& slider) {
   const Gap& gap = work.gaps[slider.instance];
-  const Pose& A = work.poses[index(slider.group.a)];
-  const Pose& B = work.poses[index(slider.group.b)];
+  const Pose A = work.poses[index(slider.group.a)];
+  const Pose B = work.poses[index(slider.group.b)];
   return dot(velocity_at(B, gap.p_WC) - velocity_at(A, gap.p_WC), tangent(gap));
 }
 
@@ -85,8 +85,9 @@ void begin(State& state, const Workspace& work, const Slider& slider) {
 
 /// Adds a force [F] on B, and its opposite on A, at the contact point.
 void add_pair(Workspace& work, const ContactGroup& group, const Gap& gap, Vec2 on_b) {
-  add_force(work.wrenches[index(group.b)], work.poses[index(group.b)].p_WB, gap.p_WC, group.share_b * on_b);
-  add_force(work.wrenches[index(group.a)], work.poses[index(group.a)].p_WB, gap.p_WC, -group.share_a * on_b);
+  const std::size_t a = index(group.a), b = index(group.b);
+  work.wrenches.add(b, work.poses[b].p_WB, gap.p_WC, group.share_b * on_b);
+  work.wrenches.add(a, work.poses[a].p_WB, gap.p_WC, -group.share_a * on_b);
 }
 
 /// Works out the gaps of one array's groups that are within reach. Of a ball outside its target that does not act
@@ -95,8 +96,8 @@ template <class Array>
 void update_gaps(const Array& array, const State* state, Workspace& work) {
   for (const ContactGroup& group : array.groups) {
     if (!work.near[group.candidate]) continue;
-    const Pose& A = work.poses[index(group.a)];
-    const Pose& B = work.poses[index(group.b)];
+    const Pose A = work.poses[index(group.a)];
+    const Pose B = work.poses[index(group.b)];
     [[maybe_unused]] const Placement A_in_B = placement(A, B);
     for (std::size_t i = group.first; i < group.last; ++i) {
       const std::size_t instance = array.slots[i].mode;

@@ -39,7 +39,7 @@ void Dynamics::find_rest() {
   cables_.settle(rest, work);
   cables_.keep_rest(rest, work);
   Rates accelerations{rest};
-  std::fill(work.wrenches.begin(), work.wrenches.end(), Wrench{});
+  work.wrenches.clear();
   cables_.add(rest, work, nullptr);
   bodies_.rates(work, accelerations, false);
   for (const BodyId body : layout_.sleepers) {
@@ -50,14 +50,16 @@ void Dynamics::find_rest() {
 
 Workspace Dynamics::workspace() const {
   Workspace work;
-  work.poses.resize(model_.bodies.size());
-  work.wrenches.resize(model_.bodies.size());
-  work.joints.resize(cables_.joints().size());
+  work.poses = Poses(model_.bodies.size());
+  work.wrenches = Wrenches(model_.bodies.size());
+  work.joints = JointPoints(cables_.joints().size());
   work.gaps.resize(contacts_.size());
   work.rates.resize(contacts_.size());
   work.near.resize(contacts_.candidates());
-  work.paths.resize(cables_.size());
+  work.paths = Paths(cables_.size());
+  work.lines = CableLines(cables_.size());
   bodies_.place_fixed(work);
+  cables_.place_anchors(work);
   const State rest = rest_state(model_);
   cables_.rig(rest, work.rigging);
   list_awake(rest, work, true);
@@ -168,7 +170,7 @@ void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledge
   out.work.fill(0.0);
   out.impulse.fill(0.0);
   memory_rates(state, work, out);
-  std::fill(work.wrenches.begin(), work.wrenches.end(), Wrench{});
+  work.wrenches.clear();
   Rates* const accounts = ledger ? &out : nullptr;
   // Cables first: a half model's doubled pull and a full model's two pulls are then the same sum to the last bit.
   cables_.add(state, work, accounts);

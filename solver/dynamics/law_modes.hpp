@@ -38,10 +38,4 @@ void settle_mode(const L& law, Slot slot, Kinematics x, State& state, double cop
   end_mode(law, memory, x, mode, copies, state);
 }
 
-/// Adds a force [F] that acts at world point p_WP to the wrench of a body whose centre of mass is at p_WB.
-inline void add_force(Wrench& wrench, Vec2 p_WB, Vec2 p_WP, Vec2 force) {
-  wrench.force += force;
-  wrench.moment += cross(p_WP - p_WB, force);
-}
-
 }  // namespace talus

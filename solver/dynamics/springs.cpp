@@ -50,9 +50,9 @@ std::vector<Spring> springs(const Dynamics& dynamics, const State& state) {
     const CableForces::Ends ends = cables.ends()[c];
     const Joint& a = cables.joints()[ends.a];
     const Joint& b = cables.joints()[ends.b];
-    const Vec2 pull = work.paths[c].pull_A;
-    if (a.on_body) add_gradient(dynamics, work, a.body, work.joints[ends.a].p_WP, -pull, spring.gradient);
-    if (b.on_body) add_gradient(dynamics, work, b.body, work.joints[ends.b].p_WP, pull, spring.gradient);
+    const Vec2 pull = work.paths.pull(c);
+    if (a.on_body) add_gradient(dynamics, work, a.body, work.joints.p_WP(ends.a), -pull, spring.gradient);
+    if (b.on_body) add_gradient(dynamics, work, b.body, work.joints.p_WP(ends.b), pull, spring.gradient);
     found.push_back(std::move(spring));
   }
   for (std::size_t c = 0, i = 0; c < dynamics.model().contacts.size(); ++c) {

@@ -2,28 +2,12 @@
 
 #include <vector>
 
-#include "solver/base/vec.hpp"
 #include "solver/dynamics/candidates.hpp"
+#include "solver/dynamics/lanes.hpp"
 #include "solver/geometry/gap.hpp"
-#include "solver/geometry/path.hpp"
-#include "solver/geometry/pose.hpp"
 #include "solver/state/mode.hpp"
 
 namespace talus {
-
-/// Force and moment on a body about its centre of mass, world components.
-struct Wrench {
-  Vec2 force;       ///< [F]
-  double moment{};  ///< [F L], counter-clockwise > 0
-};
-
-/// A point of a body, or of the world, at which cables end.
-struct JointPoint {
-  Vec2 p_WP;   ///< [L]
-  Vec2 arm;    ///< from the body's centre of mass [L]
-  Vec2 v_WP;   ///< [L/T]
-  Vec2 force;  ///< sum of the pulls of all cables that end here [F]
-};
 
 /// What of a scene an evaluation works out: all but sleeping bodies and the cables between them.
 struct Waking {
@@ -32,9 +16,9 @@ struct Waking {
   bool summed{false};       ///< and the pulls at all joints have been summed from them: the next may leave out sleepers
   std::vector<char> awake;  ///< one for each body
   bool any_asleep{};        ///< whether one of them is not
-  std::vector<std::size_t> bodies;               ///< places of the awake free bodies in their array
-  std::vector<std::size_t> joints;               ///< joints to work out
-  std::vector<std::vector<std::size_t>> cables;  ///< for each law, places of the cables to work out in its array
+  std::vector<BodyRun> bodies;                ///< the awake free bodies
+  std::vector<JointRun> joints;               ///< joints to work out
+  std::vector<std::vector<CableRun>> cables;  ///< for each law, cables to work out
 };
 
 /// Cables that go on as one through broken hangers: straight from the first joint to the last, with one tension.
@@ -53,20 +37,22 @@ struct Chain {
 
 /// How the cables run, by the hangers that are broken.
 struct Rigging {
-  std::vector<Mode> modes;   ///< of the hangers, for which the rest stands
-  std::vector<char> broken;  ///< one for each joint: no longer on its body
+  std::vector<Mode> modes;         ///< of the hangers, for which the rest stands
+  std::vector<char> broken;        ///< one for each joint: no longer on its body
+  std::vector<std::size_t> loose;  ///< these joints
   std::vector<Chain> chains;
 };
 
 /// Scratch of one force evaluation, kept by the caller so that Dynamics stays pure and a step of a scene with neither
 /// broken hangers nor many bodies allocates nothing.
 struct Workspace {
-  std::vector<Pose> poses;         ///< one for each body
-  std::vector<Wrench> wrenches;    ///< one for each body
-  std::vector<JointPoint> joints;  ///< one for each joint
-  std::vector<Path> paths;         ///< one for each cable
-  std::vector<Gap> gaps;           ///< one for each law instance of the contacts that is near
-  std::vector<double> rates;       ///< their depth rates [L/T]
+  Poses poses;                ///< one for each body
+  Wrenches wrenches;          ///< one for each body
+  JointPoints joints;         ///< one for each joint
+  Paths paths;                ///< one for each cable
+  CableLines lines;           ///< one for each cable
+  std::vector<Gap> gaps;      ///< one for each law instance of the contacts that is near
+  std::vector<double> rates;  ///< their depth rates [L/T]
   Waking waking;
   Rigging rigging;
   Sweep sweep;             ///< of the contact search

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "solver/base/vec.hpp"
 
 namespace talus {
@@ -17,8 +19,9 @@ struct Path {
 [[nodiscard]] inline Path path(Vec2 p_WA, Vec2 v_WA, Vec2 p_WB, Vec2 v_WB, double across_squared) {
   const Vec2 r = p_WB - p_WA;
   const double length = std::sqrt(dot(r, r) + across_squared);
-  if (length == 0.0) return {};
-  const Vec2 pull = (1.0 / length) * r;
+  // The least of all numbers changes no length but nought, where r is nought, too. A branch would keep a compiler from
+  // working out several cables at a time.
+  const Vec2 pull = (1.0 / (length + std::numeric_limits<double>::min())) * r;
   return {length, dot(v_WB - v_WA, pull), pull};
 }
 

@@ -31,9 +31,8 @@ Rotation rotation_by_any_angle(double angle) {
   const double lost = ((first - difference) - second) - k * quarter_3;
   const double rest = difference + lost;
   const double tail = (difference - rest) + lost;
-  constexpr double eighth_of_a_turn = 0.78539816339744830962;
-  if (std::abs(rest) > eighth_of_a_turn) return by_library(angle);
-  const Rotation near = rotation(rest);
+  if (!within_series(rest)) return by_library(angle);
+  const Rotation near = rotation_by_series(rest);
   const double cosine = near.cosine - tail * near.sine;
   const double sine = near.sine + tail * near.cosine;
   switch (static_cast<long>(k) & 3) {

@@ -32,12 +32,12 @@ class LaggedCentralDifference {
 
   template <Differentiable System>
   void step(System& system, State& state, double h) {
+    // Afterwards the state has the velocities of one step before, and those of this step are the old ones of the next.
     std::swap(state.v, old_velocity_);
     system.evaluate(state, rates_);
-    // The velocities of this step are the old ones of the next.
-    std::swap(state.v, old_velocity_);
-    old_velocity_ = state.v;
-    kick_velocities(state, rates_, h);
+    for (std::size_t i = 0; i < state.v.size(); ++i)
+      state.v[i] = old_velocity_[i] + h * rates_.v[i];
+    book_rates(state, rates_, h);
     system.drift(state, h);
     state.t += h;
   }

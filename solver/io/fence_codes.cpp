@@ -128,12 +128,12 @@ constexpr std::array<FenceCode, fence_code_count> codes{{
 Wrench FenceSample::load() const {
   const Model& model = dynamics.model();
   const Body& body = model.bodies[index(*member.body)];
-  const Wrench& laws = work.wrenches[index(*member.body)];
+  const Wrench laws = work.wrenches[index(*member.body)];
   return {laws.force + body.force + body.mass * model.gravity, laws.moment + body.moment};
 }
 
 double FenceSample::joint_force() const {
-  return norm(work.joints[dynamics.cables().ends()[index(*member.top)].a].force);
+  return norm(work.joints.force(dynamics.cables().ends()[index(*member.top)].a));
 }
 
 const std::array<FenceCode, fence_code_count>& fence_codes() { return codes; }

@@ -18,12 +18,12 @@ struct FenceSample {
   const scenes::FenceElement& element;
   const scenes::FenceMember& member;
 
-  const Pose& pose() const { return work.poses[index(*member.body)]; }
+  Pose pose() const { return work.poses[index(*member.body)]; }
   /// All that acts on the body: contacts, cables, applied loads and weight [F], [F L].
   Wrench load() const;
   const Cable& cable(std::optional<CableId> id) const { return dynamics.model().cables[index(*id)]; }
   const ElasticPlastic& law(std::optional<CableId> id) const { return std::get<ElasticPlastic>(cable(id).law); }
-  const Path& path(std::optional<CableId> id) const { return work.paths[index(*id)]; }
+  Path path(std::optional<CableId> id) const { return work.paths[index(*id)]; }
   double tension(std::optional<CableId> id) const { return forces.tensions[index(*id)]; }
   /// Pull of the segment on the element, in the plane of motion [F].
   Vec2 pull(std::optional<CableId> id) const { return tension(id) * path(id).pull_A; }

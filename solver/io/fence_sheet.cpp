@@ -219,7 +219,7 @@ Json Sheet::drawn(const char* name, const State& state) const {
     const CableForces::Ends ends = dynamics_.cables().ends()[index(segment.cable)];
     Json points = Json::array();
     for (const std::size_t j : {ends.a, ends.b})
-      points.push_back(place(work.joints[j].p_WP, dynamics_.cables().joints()[j].along));
+      points.push_back(place(work.joints.p_WP(j), dynamics_.cables().joints()[j].along));
     cables.push_back(
         {{"layer", segment.layer}, {"cable", segment.top ? "top" : "bottom"}, {"ends", std::move(points)}});
   }

@@ -113,7 +113,7 @@ void VtpSeries::operator()(const State& state, const StepInfo& info) {
     for (const std::size_t j : {cables.ends()[c].a, cables.ends()[c].b}) {
       const Joint& joint = cables.joints()[j];
       const bool held = joint.on_body && (work_.rigging.broken.empty() || !work_.rigging.broken[j]);
-      lines.add(work_.joints[j].p_WP, joint.along, held ? static_cast<long>(index(joint.body)) : -1);
+      lines.add(work_.joints.p_WP(j), joint.along, held ? static_cast<long>(index(joint.body)) : -1);
     }
     lines.end(-1, static_cast<long>(c), forces_.tensions[c], forces_.tensions[c] == 0.0);
   }

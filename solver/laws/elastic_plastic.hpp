@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -104,6 +105,19 @@ struct ElasticPlastic {
   }
 
   constexpr Tangent tangent() const { return {stiffness, 0.0}; }
+
+  constexpr LinearPiece linear_piece(std::span<const double> memory, Mode mode) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (mode == slack) return {.natural = memory[0], .low = -infinity, .high = memory[0]};
+    // A hair short of its end, so that no rounding says it lasts where the guard does not.
+    if (mode == taut)
+      return {.stiffness = stiffness,
+              .natural = memory[0],
+              .low = memory[0],
+              .high = memory[0] + (1.0 - 1e-12) * (limit(memory[0]) / stiffness) - 1e-12 * std::abs(memory[0])};
+    if (mode == broken) return {.low = -infinity, .high = infinity};
+    return {};
+  }
 
   /// Elongation at which a cable with this memory is just slack [L].
   constexpr double natural_elongation(std::span<const double> memory) const { return memory[0]; }

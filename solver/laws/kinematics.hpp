@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "solver/state/mode.hpp"
 
 namespace talus {
@@ -24,6 +26,18 @@ struct LawForce {
 struct Tangent {
   double stiffness{};  ///< [F/L]
   double damping{};    ///< [F T/L]
+};
+
+/// What a law is in one mode where that is a straight line and the rate has no part in it:
+///
+///   F = stiffness (extent - natural), nothing lost,   and the mode lasts while low < extent < high
+///
+/// It may last beyond: the law's own guard decides there. As it stands, an empty range: the mode has no such line.
+struct LinearPiece {
+  double stiffness{};                                     ///< [F/L]
+  double natural{};                                       ///< extent without force [L]
+  double low{std::numeric_limits<double>::infinity()};    ///< [L]
+  double high{-std::numeric_limits<double>::infinity()};  ///< [L]
 };
 
 /// What follows when a mode ends.

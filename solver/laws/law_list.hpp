@@ -26,6 +26,8 @@ namespace talus {
 ///   reset                     the mode that follows, and the memory it starts with
 ///   track (only if needed)    brings memory that follows the motion inside a mode, such as a largest stretch, up to
 ///   date
+///   linear_piece (only if it has one)  the straight line that it is in a mode, so that rows of springs at rest in
+///   their modes are worked out without asking each
 template <class L>
 concept Law = std::equality_comparable<L> &&
     requires(const L law, Kinematics x, std::span<const double> memory, std::span<double> writable, Mode mode) {

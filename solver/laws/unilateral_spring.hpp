@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string_view>
 
 #include "solver/base/fields.hpp"
@@ -52,6 +53,14 @@ struct UnilateralSpring {
     if (mode == open) return -x.extent;
     if (end_rule == EndRule::attractive) return x.extent;
     return std::min(x.extent, mode == acting ? pull(x) : -pull(x));
+  }
+
+  /// Its straight line: open, or acting without a dashpot.
+  constexpr LinearPiece linear_piece(Mode mode) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (mode == open) return {.low = -infinity, .high = 0.0};
+    if (mode == acting && damping == 0.0) return {.stiffness = stiffness, .low = 0.0, .high = infinity};
+    return {};
   }
 
   /// The mode that follows `mode` when its guard is no longer positive.

@@ -113,7 +113,7 @@ void Recorder::fill_row(const State& state) {
   row_.assign({state.t});
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     if (model.bodies[i].mobility == Mobility::fixed) continue;
-    const Pose& pose = work_.poses[i];
+    const Pose pose = work_.poses[i];
     row_.insert(row_.end(), {pose.p_WB.x, pose.p_WB.y, pose.v_WB.x, pose.v_WB.y});
     if (turns(model.bodies[i])) row_.insert(row_.end(), {state.q[dynamics_->layout().first[i + 1] - 1], pose.w_WB});
   }

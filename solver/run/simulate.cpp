@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "solver/base/error.hpp"
 #include "solver/integrate/concepts.hpp"
@@ -14,11 +16,13 @@ namespace {
 
 /// Index of the first coordinate that is not finite, in position or velocity; the number of coordinates if all are.
 std::size_t first_not_finite(const State& state) {
-  // A number that is not finite has a difference from itself that is not nought: one sum tells of all at once.
-  double sum = 0.0;
-  for (std::size_t i = 0; i < state.q.size(); ++i)
-    sum += (state.q[i] - state.q[i]) + (state.v[i] - state.v[i]);
-  if (sum == 0.0) return state.q.size();
+  // A finite number less itself is nought, without a bit set; any other is not. All at once, as whole numbers.
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < state.q.size(); ++i) {
+    bits |= std::bit_cast<std::uint64_t>(state.q[i] - state.q[i]);
+    bits |= std::bit_cast<std::uint64_t>(state.v[i] - state.v[i]);
+  }
+  if (bits == 0) return state.q.size();
   std::size_t first = 0;
   while (std::isfinite(state.q[first]) && std::isfinite(state.v[first]))
     ++first;

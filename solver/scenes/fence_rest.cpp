@@ -43,7 +43,7 @@ Model FenceMaker::balanced(Model model) const {
   std::vector<Vec2> pulls(model.bodies.size());
   for (std::size_t j = 0; j < work.joints.size(); ++j) {
     const Joint& joint = dynamics.cables().joints()[j];
-    if (joint.on_body) pulls[index(joint.body)] += work.joints[j].force;
+    if (joint.on_body) pulls[index(joint.body)] += work.joints.force(j);
   }
   for (const std::vector<Column>& layer : layers_) {
     for (const Column& column : layer) {
@@ -113,7 +113,7 @@ Model FenceMaker::hung(Model model) {
     Eigen::VectorXd sum(count);
     for (Eigen::Index i = 0; i < count; ++i) {
       const std::size_t body = bodies[static_cast<std::size_t>(i)];
-      sum[i] = work.wrenches[body].force.y + at.bodies[body].mass * at.gravity.y;
+      sum[i] = work.wrenches.y[body] + at.bodies[body].mass * at.gravity.y;
     }
     return sum;
   };

@@ -72,7 +72,7 @@ void FenceWatch::list_parts() {
     return fence_->layers == 1 ? 1 : 1 + static_cast<int>(std::lround(behind / fence_->layer_spacing));
   };
   for (std::size_t c = 0; c < model.cables.size(); ++c) {
-    const auto [a, b, share_a, share_b] = cables.ends()[c];
+    const auto [a, b] = cables.ends()[c];
     const bool top = model.cables[c].name.find("top") != std::string::npos;
     const int layer = layer_at(model.bodies[index(cables.joints()[a].body)].p_WB.x);
     summary_.segments.push_back(
@@ -121,7 +121,7 @@ double FenceWatch::kinetic(std::size_t rock, const State& state) const {
 
 double FenceWatch::height(Vec2 p) const {
   const BodyId body = *made_->members.front().body;
-  const Pose& ground = work_.poses[index(body)];
+  const Pose ground = work_.poses[index(body)];
   if (const auto* terrain = std::get_if<Terrain>(&dynamics_->model().bodies[index(body)].shape))
     return -depth_below(*terrain, p - ground.p_WB).depth;
   return dot(p - ground.p_WB, ground.R_WB * Vec2{0.0, 1.0});
@@ -164,7 +164,7 @@ void FenceWatch::operator()(const State& state, const StepInfo& info) {
 void FenceWatch::watch_rocks(const State& state) {
   for (std::size_t i = 0; i < rocks_.size(); ++i) {
     RockPassage& rock = summary_.rocks[i];
-    const Pose& now = work_.poses[index(rocks_[i])];
+    const Pose now = work_.poses[index(rocks_[i])];
     const bool touching = touches(i, state);
     if (touching && !rock.touched) {
       rock.touched = true;
@@ -191,9 +191,9 @@ void FenceWatch::watch_columns(const State& state) {
   for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
     ColumnRecord& column = summary_.columns[i];
     const bool broken = !work_.rigging.broken.empty() && work_.rigging.broken[hangers_[i]];
-    const Vec2 pull = broken ? Vec2{} : work_.joints[hangers_[i]].force;
+    const Vec2 pull = broken ? Vec2{} : work_.joints.force(hangers_[i]);
     add(column.hanger, {pull.x, pull.y, 0.0}, last_hanger_[i], state.t, h);
-    const Pose& now = work_.poses[index(column.body)];
+    const Pose now = work_.poses[index(column.body)];
     const double travel = std::abs(now.p_WB.x - dynamics_->model().bodies[index(column.body)].p_WB.x);
     if (travel > column.travel) column.travel = travel, column.travel_time = state.t;
     if (travel > summary_.travel) summary_.travel = travel, summary_.at_travel = state;
@@ -218,9 +218,9 @@ void FenceWatch::watch_anchors(const State& state) {
   for (std::size_t i = 0; i < summary_.anchors.size(); ++i) {
     Vec3 force;
     for (std::size_t c = 0; c < cables.size(); ++c) {
-      const auto [a, b, share_a, share_b] = cables.ends()[c];
+      const auto [a, b] = cables.ends()[c];
       if (a != summary_.anchors[i].joint && b != summary_.anchors[i].joint) continue;
-      const Path& path = work_.paths[c];
+      const Path path = work_.paths[c];
       const double way = a == summary_.anchors[i].joint ? 1.0 : -1.0;
       // The rest of the unit vector: through a broken hanger the cable does not run to its own joint.
       const double along = std::copysign(std::sqrt(std::max(0.0, 1.0 - dot(path.pull_A, path.pull_A))),
@@ -237,7 +237,7 @@ void FenceWatch::watch_heights(const State& state) {
     double top = std::numeric_limits<double>::infinity(), bottom = -top;
     for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
       if (summary_.columns[i].layer != static_cast<int>(layer) + 1) continue;
-      const Pose& column = work_.poses[index(summary_.columns[i].body)];
+      const Pose column = work_.poses[index(summary_.columns[i].body)];
       top = std::min(top, height(world_point(column, joints_[i][0])));
       bottom = std::max(bottom, height(world_point(column, joints_[i][1])));
     }
@@ -252,7 +252,7 @@ void FenceWatch::watch_heights(const State& state) {
 void FenceWatch::add_row(const State& state) {
   std::vector<double> row{state.t};
   for (const BodyId rock : rocks_) {
-    const Pose& now = work_.poses[index(rock)];
+    const Pose now = work_.poses[index(rock)];
     row.insert(row.end(), {now.p_WB.x, now.p_WB.y, now.v_WB.x});
   }
   double hanger = 0.0, top = 0.0, bottom = 0.0;

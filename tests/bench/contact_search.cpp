@@ -18,18 +18,18 @@ constexpr int searches = 4000;
 
 /// Discs of radius 1, each with each, strewn over a square in which they fill half of the room.
 struct Strewn {
-  std::vector<Pose> poses;
+  Poses poses;
   ContactSearch search;
   std::vector<char> found;
   Sweep sweep;
 
-  Strewn(std::size_t count, bool swept) : found(count * (count - 1) / 2) {
+  Strewn(std::size_t count, bool swept) : poses(count), found(count * (count - 1) / 2) {
     std::mt19937 random{1};
     std::uniform_real_distribution<double> place{0.0, 2.5 * std::sqrt(static_cast<double>(count))};
     const Bounds disc = bounds(Circle{1.0});
     for (std::size_t a = 0; a < count; ++a) {
       const double x = place(random), y = place(random);
-      poses.push_back({{x, y}, {}, {}, 0.0});
+      poses.set(a, {{x, y}, {}, {}, 0.0});
       for (std::size_t b = 0; b < a; ++b)
         search.add({static_cast<BodyId>(b), static_cast<BodyId>(a), disc, disc, 0, 0});
     }
@@ -48,7 +48,7 @@ void print_search_costs() {
       scenes.push_back(std::make_unique<Strewn>(count, swept));
       tasks.push_back({fmt::format("{} {}", count, swept ? "swept" : "single"), [scene = scenes.back().get()] {
                          for (int i = 0; i < searches; ++i) {
-                           scene->poses.front().p_WB.x += 1e-9;
+                           scene->poses.x.front() += 1e-9;
                            scene->search.find(scene->poses, scene->found, scene->sweep);
                          }
                          benchmark::DoNotOptimize(scene->found);

@@ -77,7 +77,7 @@ class WatchedFence {
   void watch(const State& state) {
     dynamics_.cables().tensions(state, work_, tensions_);
     const FenceSample now{.time = state.t + half_step_,
-                          .joint = norm(work_.joints[joint_].force),
+                          .joint = norm(work_.joints.force(joint_)),
                           .top = tensions_[places_.top.front()],
                           .bottom = places_.bottom.empty() ? 0.0 : tensions_[places_.bottom.front()],
                           .speed = rock_speed(state),

@@ -27,7 +27,7 @@ class Watch {
     if (slot_ == 0 || state.mode[slot_] == 0) {
       Rates rates{state};
       dynamics_->rates(state, work_, rates, false);
-      run_->largest_joint_force = std::max(run_->largest_joint_force, norm(work_.joints[joint_].force));
+      run_->largest_joint_force = std::max(run_->largest_joint_force, norm(work_.joints.force(joint_)));
     }
     if (every_ == 0 || info.step % every_ != 0) return;
     const Energies energies = dynamics_->energies(state, work_);
@@ -46,7 +46,7 @@ class Watch {
   double kinetic_of_rock() const {
     const std::size_t rock = index(*run_->made.members[1].body);
     const Body& body = dynamics_->model().bodies[rock];
-    const Pose& pose = work_.poses[rock];
+    const Pose pose = work_.poses[rock];
     return 0.5 * body.mass * dot(pose.v_WB, pose.v_WB) + 0.5 * body.inertia * pose.w_WB * pose.w_WB;
   }
 

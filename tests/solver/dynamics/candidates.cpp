@@ -66,10 +66,10 @@ BOOST_AUTO_TEST_CASE(a_sweep_finds_what_looking_at_each_pair_finds) {
   std::uniform_real_distribution<double> place{-6.0, 6.0}, turn{0.0, 6.3}, size{0.2, 1.0}, step{-0.3, 0.3};
   for (int scene = 0; scene < 100; ++scene) {
     constexpr std::size_t bodies = 30;
-    std::vector<Pose> poses;
+    Poses poses{bodies};
     std::vector<Bounds> boxes;
     for (std::size_t i = 0; i < bodies; ++i) {
-      poses.push_back({{place(random), place(random)}, rotation(turn(random)), {}, 0.0});
+      poses.set(i, {{place(random), place(random)}, rotation(turn(random)), {}, 0.0});
       boxes.push_back(i % 3 == 0 ? bounds(Circle{size(random)}) : bounds(Rectangle{size(random), size(random)}));
     }
     boxes.back() = bounds(HalfPlane{});
@@ -90,12 +90,12 @@ BOOST_AUTO_TEST_CASE(a_sweep_finds_what_looking_at_each_pair_finds) {
       for (std::size_t p = 0; p < each.size(); ++p) {
         const auto& [a, b, box_a, box_b, first, last] = sweep.pairs()[p];
         if (swept[p] == each[p]) continue;
-        const double apart = std::abs(poses[index(a)].p_WB.x - poses[index(b)].p_WB.x);
+        const double apart = std::abs(poses.x[index(a)] - poses.x[index(b)]);
         BOOST_TEST(!swept[p]);
         BOOST_TEST(apart > 0.2);
       }
-      for (Pose& pose : poses)
-        pose.p_WB += Vec2{step(random), step(random)};
+      for (std::size_t i = 0; i < bodies; ++i)
+        poses.x[i] += step(random), poses.y[i] += step(random);
     }
   }
 }

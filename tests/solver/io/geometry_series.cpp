@@ -65,8 +65,8 @@ BOOST_AUTO_TEST_CASE(what_was_written_is_read) {
       const auto& ends = dynamics.cables().ends()[cable];
       BOOST_TEST(line.tension == forces.tensions[cable]);
       BOOST_TEST(line.slack == (forces.tensions[cable] == 0.0));
-      BOOST_TEST((in_plane(line.points.front()) == work.joints[ends.a].p_WP));
-      BOOST_TEST((in_plane(line.points.back()) == work.joints[ends.b].p_WP));
+      BOOST_TEST((in_plane(line.points.front()) == work.joints.p_WP(ends.a)));
+      BOOST_TEST((in_plane(line.points.back()) == work.joints.p_WP(ends.b)));
     }
   }
 }

@@ -161,3 +161,34 @@ BOOST_AUTO_TEST_CASE(release_books_the_spring_energy_once) {
   BOOST_TEST(law.reset({0.2, 0.0}, {}, 2).released == -law.stored_energy({0.2, 0.0}, {}, 1));
   BOOST_TEST(law.reset({0.0, -1.0}, {}, 1).released == 0.0);
 }
+
+// What the rows of a fence rely on: on its straight line a law need not be asked, with the same bits.
+BOOST_AUTO_TEST_CASE(a_straight_line_is_the_law_as_long_as_it_lasts) {
+  int lines = 0;
+  over_all_laws([&lines]<class L>(const L& law) {
+    if constexpr (requires(std::span<const double> memory) { law.linear_piece(memory, Mode{0}); }) {
+      for (Mode mode = 0; mode < L::modes.size(); ++mode) {
+        for (const double kept : {0.0, 0.3, 1.7}) {
+          const std::vector<double> memory(L::memory_size, kept);
+          const LinearPiece piece = law.linear_piece(memory, mode);
+          lines += piece.low < piece.high;
+          for (int i = -400; i <= 400; ++i) {
+            for (const double end : {0.0, piece.low, piece.high}) {
+              // Spread over the range, and by single roundings around its ends.
+              const double extent = end == 0.0 ? 0.01 * i : end + i * 0x1p-52 * std::abs(end);
+              if (!(piece.low < extent && extent < piece.high)) continue;
+              const double force = piece.stiffness * (extent - piece.natural);
+              for (const double rate : {-2.0, 0.0, 2.0}) {
+                const Kinematics x{extent, rate};
+                const LawForce asked = law(x, memory, mode);
+                if (asked.total() != force || asked.dissipative != 0.0 || !(law.guard(x, memory, mode) > 0.0))
+                  BOOST_ERROR(L::name << ", mode " << mode << ": not on its line at " << extent);
+              }
+            }
+          }
+        }
+      }
+    }
+  });
+  BOOST_TEST(lines > 10);
+}

@@ -1,0 +1,181 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "solver/base/vec.hpp"
+#include "solver/geometry/path.hpp"
+#include "solver/geometry/pose.hpp"
+#include "solver/laws/kinematics.hpp"
+#include "solver/model/layout.hpp"
+#include "solver/state/mode.hpp"
+
+namespace talus {
+
+/// Numbers of many bodies, joints or cables, one array for each number, so that neighbours are worked out side by side
+/// in the lanes of a processor. Where one is asked for it is put together.
+
+/// Where the bodies are and how they move.
+struct Poses {
+  std::vector<double> x, y;          ///< centre of mass [L]
+  std::vector<double> cosine, sine;  ///< orientation
+  std::vector<double> vx, vy;        ///< velocity of the centre of mass [L/T]
+  std::vector<double> w;             ///< angular velocity [rad/T], counter-clockwise > 0
+
+  explicit Poses(std::size_t count = 0)
+      : x(count), y(count), cosine(count, 1.0), sine(count), vx(count), vy(count), w(count) {}
+
+  std::size_t size() const { return x.size(); }
+  Pose operator[](std::size_t i) const { return {{x[i], y[i]}, {cosine[i], sine[i]}, {vx[i], vy[i]}, w[i]}; }
+  void set(std::size_t i, const Pose& pose) {
+    x[i] = pose.p_WB.x, y[i] = pose.p_WB.y;
+    cosine[i] = pose.R_WB.cosine, sine[i] = pose.R_WB.sine;
+    vx[i] = pose.v_WB.x, vy[i] = pose.v_WB.y;
+    w[i] = pose.w_WB;
+  }
+};
+
+/// Force and moment on a body about its centre of mass, world components.
+struct Wrench {
+  Vec2 force;       ///< [F]
+  double moment{};  ///< [F L], counter-clockwise > 0
+};
+
+/// Wrenches of the bodies.
+struct Wrenches {
+  std::vector<double> x, y;    ///< force [F]
+  std::vector<double> moment;  ///< [F L]
+
+  explicit Wrenches(std::size_t count = 0) : x(count), y(count), moment(count) {}
+
+  Wrench operator[](std::size_t i) const { return {{x[i], y[i]}, moment[i]}; }
+  void clear() {
+    for (auto* const numbers : {&x, &y, &moment})
+      std::fill(numbers->begin(), numbers->end(), 0.0);
+  }
+  /// Adds a force [F] that acts at world point p_WP to the wrench of a body whose centre of mass is at p_WB.
+  void add(std::size_t i, Vec2 p_WB, Vec2 p_WP, Vec2 force) {
+    x[i] += force.x;
+    y[i] += force.y;
+    moment[i] += cross(p_WP - p_WB, force);
+  }
+};
+
+/// The points of bodies, or of the world, at which cables end.
+struct JointPoints {
+  std::vector<double> x, y;              ///< [L]
+  std::vector<double> arm_x, arm_y;      ///< from the body's centre of mass [L]
+  std::vector<double> vx, vy;            ///< [L/T]
+  std::vector<double> force_x, force_y;  ///< sum of the pulls of all cables that end here [F]
+
+  explicit JointPoints(std::size_t count = 0)
+      : x(count), y(count), arm_x(count), arm_y(count), vx(count), vy(count), force_x(count), force_y(count) {}
+
+  std::size_t size() const { return x.size(); }
+  Vec2 p_WP(std::size_t i) const { return {x[i], y[i]}; }
+  Vec2 v_WP(std::size_t i) const { return {vx[i], vy[i]}; }
+  Vec2 force(std::size_t i) const { return {force_x[i], force_y[i]}; }
+  void clear_forces(std::size_t first, std::size_t count) {
+    std::fill_n(force_x.begin() + static_cast<std::ptrdiff_t>(first), count, 0.0);
+    std::fill_n(force_y.begin() + static_cast<std::ptrdiff_t>(first), count, 0.0);
+  }
+  /// Moves a point that is on no body.
+  void place(std::size_t i, Vec2 p, Vec2 v) {
+    x[i] = p.x, y[i] = p.y;
+    vx[i] = v.x, vy[i] = v.y;
+    arm_x[i] = arm_y[i] = 0.0;
+  }
+};
+
+/// The straight lines of the cables, and their tensions.
+struct Paths {
+  std::vector<double> length;          ///< [L]
+  std::vector<double> length_rate;     ///< [L/T], > 0 while lengthening
+  std::vector<double> pull_x, pull_y;  ///< in-plane part of the unit vector from end A to end B
+  std::vector<double> tension;         ///< [F]; of runs that are not quiet once they were summed at the joints
+
+  explicit Paths(std::size_t count = 0)
+      : length(count), length_rate(count), pull_x(count), pull_y(count), tension(count) {}
+
+  std::size_t size() const { return length.size(); }
+  Path operator[](std::size_t i) const { return {length[i], length_rate[i], pull(i)}; }
+  Vec2 pull(std::size_t i) const { return {pull_x[i], pull_y[i]}; }
+  void set(std::size_t i, const Path& path) {
+    length[i] = path.length, length_rate[i] = path.length_rate;
+    pull_x[i] = path.pull_A.x, pull_y[i] = path.pull_A.y;
+  }
+};
+
+/// The straight lines of the cables' laws, each kept as long as the cable's mode and memory are those that it was
+/// worked out for.
+struct CableLines {
+  std::vector<Mode> mode;
+  std::vector<double> memory;
+  std::vector<double> stiffness, natural, low, high;  ///< as in LinearPiece
+
+  explicit CableLines(std::size_t count = 0)
+      : mode(count, std::numeric_limits<Mode>::max()),
+        memory(count),
+        stiffness(count),
+        natural(count),
+        low(count),
+        high(count) {}
+
+  void set(std::size_t i, const LinearPiece& piece) {
+    stiffness[i] = piece.stiffness, natural[i] = piece.natural;
+    low[i] = piece.low, high[i] = piece.high;
+  }
+};
+
+/// Neighbours in an array whose counterparts elsewhere are neighbours, too.
+struct BodyRun {
+  std::size_t place{};  ///< of the first in the array of free bodies
+  std::size_t body{};   ///< and in the model
+  std::size_t first{};  ///< its first coordinate; the next has the next three
+  std::size_t count{};
+  bool goes_on(const BodyRun& next) const {
+    return next.place == place + count && next.body == body + count && next.first == first + 3 * count;
+  }
+};
+
+/// Joints that are on bodies, each on the one after its neighbour's; or joints that are on none.
+struct JointRun {
+  std::size_t joint{};
+  std::size_t body{};
+  std::size_t count{};
+  bool on_body{};
+  bool goes_on(const JointRun& next) const {
+    return next.joint == joint + count && next.on_body == on_body && (!on_body || next.body == body + count);
+  }
+};
+
+/// Cables of one law, each from where the one before it ends to the joint after, with their modes and memories side by
+/// side in the state.
+struct CableRun {
+  std::size_t place{};    ///< of the first among the cables of its law
+  std::size_t cable{};    ///< and in the model
+  std::size_t a{};        ///< joint at its end A
+  std::size_t b{};        ///< and at its end B: if there is another cable, the joint after
+  Slot slot{};            ///< of its mode and memory
+  std::size_t numbers{};  ///< of memory that each cable has
+  std::size_t count{};
+  bool quiet{};  ///< as last laid: each stays on the straight line of its mode
+  bool goes_on(const CableRun& next) const {
+    return b == a + 1 && next.a == a + count && next.b == b + count && next.place == place + count &&
+           next.cable == cable + count && next.slot.mode == slot.mode + count &&
+           next.slot.memory == slot.memory + numbers * count;
+  }
+};
+
+/// Lengthens the last run by one, or begins another.
+template <class Run>
+void append(std::vector<Run>& runs, const Run& one) {
+  if (!runs.empty() && runs.back().goes_on(one)) {
+    ++runs.back().count;
+  } else {
+    runs.push_back(one);
+  }
+}
+
+}  // namespace talus
