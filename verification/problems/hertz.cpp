@@ -49,7 +49,9 @@ begins like $t^{1/4}$, which costs $2\xi\dot u\,h\,\zeta(-\frac14,u)$ with $\dot
 both ends when the contact pulls.
 
 **Source.** Hertz, J. reine angew. Math. 92 (1882) 156; Tsuji, Tanaka & Ishida, Powder Technol. 71 (1992) 239; Antypov
-& Elliott, EPL 94 (2011) 50004; errors derived here.
+& Elliott, EPL 94 (2011) 50004; errors derived here. Codes that write the dashpot $2\sqrt{5/6}\,\xi\sqrt{S m}$ with
+the tangent $S = \frac32 k\sqrt x$ have the same. The setting is that of the first tests of Chung & Ooi, Granular
+Matter 13 (2011) 643.
 
 | symbol | meaning | value |
 |:--|:-----|:------|
