@@ -37,7 +37,8 @@ the attractive contact ends $G(1 + e)/e$ later (in $\omega t$) and at the speed 
 at $(1 - 2\xi G)e v_0$ and the depth $2\xi e v_0/\omega$. For the height it is the same:
 $$h_1 = e^2 h_0\,\Big[1 - 4\xi\,\frac{1+e}{e}\,G + O(G^2)\Big], \qquad G \sim k^{-1/2}:$$
 the rigid limit $h_k = e^{2k}h_0$ is reached at order 1/2 in the stiffness (Bartz, arXiv 2204.10917, on $e$ with
-weight). Each bounce is slower and loses more: at $\xi = .3$ the disc stays at its third contact, or fourth when clamped.
+weight). Each bounce is slower and loses more: at $\xi = .3$ the disc stays at its third contact, or fourth when
+clamped.
 
 **Error of a step.** Velocity Verlet follows parabolas exactly. Each contact has the errors of an impact without
 weight (`restitution`): a shift of $\ln e$ by the lag of the dashpot and a random part by the jump of its force. After

@@ -78,18 +78,22 @@ std::optional<Event> next_change(const Piece& piece, const Real50& w) {
     }
     return first;
   }
-  const auto changed = [&](std::size_t c, const Real50& t) {
-    return (after(piece, w, t).overlap(c) > 0) != piece.closed[c];
-  };
-  const Real50 grid = boost::math::constants::two_pi<Real50>() / (100 * sqrt(Real50(3)) * w);
+  const auto changed = [&](const Moment& moment, std::size_t c) { return (moment.overlap(c) > 0) != piece.closed[c]; };
+  const Real50 grid = boost::math::constants::two_pi<Real50>() / (50 * sqrt(Real50(3)) * w);
   for (int i = 1; i < 10000; ++i) {
+    const Moment there = after(piece, w, grid * i);
     std::optional<Event> first;
     for (std::size_t c = 0; c < 2; ++c) {
-      if (!changed(c, grid * i)) continue;
+      if (!changed(there, c)) continue;
       Real50 low = grid * (i - 1), high = grid * i;
-      for (int j = 0; j < 160; ++j) {
+      for (int j = 0; j < 24; ++j) {
         const Real50 middle = (low + high) / 2;
-        (changed(c, middle) ? high : low) = middle;
+        (changed(after(piece, w, middle), c) ? high : low) = middle;
+      }
+      // A 10^9th of a grid step away Newton's method doubles the digits each time.
+      for (int j = 0; j < 4; ++j) {
+        const Moment near = after(piece, w, high);
+        high -= near.overlap(c) / near.rate(c);
       }
       if (!first || high < first->time) first = Event{high, c};
     }

@@ -11,8 +11,8 @@
 ///   first      (1,1,0), (0,0,1) free;      (1,-1,0) at w^2 = 2k/m        (second: the mirror image)
 ///   both       (1,1,1) free;  (1,0,-1) at w^2 = k/m;  (1,-2,1) at w^2 = 3k/m
 /// The shapes are orthogonal, so amplitudes are projections. A piece ends where d_1 or d_2 changes its sign; the change
-/// is bracketed on a grid of a hundredth of the fastest swing and bisected at 50 digits. Rigid balls would only hand
-/// the speed on: (0, 0, v). Soft ones that touch do not, for both contacts act at once.
+/// is bracketed on a grid of a fiftieth of the fastest swing, bisected, and refined by Newton's method to 50 digits.
+/// Rigid balls would only hand the speed on: (0, 0, v). Soft ones that touch do not, for both contacts act at once.
 namespace talus::verification::reference {
 
 struct StruckRow {
