@@ -146,6 +146,16 @@ double damping_ratio_of(const Scene& scene, ContactId contact) {
   return advise_step(dynamics, scene.initial).springs[first].damping_ratio;
 }
 
+/// Laws with a dashpot have an end rule; those without cannot be calibrated.
+EndRule end_rule_of(const ContactLaw& contact_law) {
+  return std::visit(
+      []<class L>(const L& law) {
+        if constexpr (requires { law.end_rule; }) return law.end_rule;
+        return EndRule{};
+      },
+      contact_law);
+}
+
 /// A contact of a scene as calibrated, in the scene's units.
 struct SceneCalibration {
   Calibration found;
@@ -195,7 +205,7 @@ int calibrate_scene(const CalibrateOptions& options) {
   const Scene damped = with_damping(scene, contact, result.found.damping);
   result.impact = simulate_impact(damped, contact);
   result.damping_ratio = damping_ratio_of(damped, contact);
-  result.end_rule = std::visit([](const auto& law) { return law.end_rule; }, scene.model.contacts[index(contact)].law);
+  result.end_rule = end_rule_of(scene.model.contacts[index(contact)].law);
   if (options.json) {
     print_json(result, scene, options.contact);
   } else {

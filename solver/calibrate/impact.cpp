@@ -30,10 +30,11 @@ class ImpactWatch {
     dynamics_->settle(state, work_);
     const std::size_t first = dynamics_->layout().contact_slots[index(contact_)].mode;
     const std::size_t last = first + dynamics_->layout().contact_instances[index(contact_)];
+    dynamics_->forces(state, work_, forces_);
     bool acts = false;
     std::size_t deepest = first;
     for (std::size_t i = first; i < last; ++i) {
-      acts = acts || state.mode[i] == UnilateralSpring::acting;
+      acts = acts || forces_.instances[i] != 0.0;
       if (work_.gaps[i].depth > work_.gaps[deepest].depth) deepest = i;
     }
     if (stage_ == Stage::before && !acts) {
@@ -44,7 +45,6 @@ class ImpactWatch {
     if (acts) {
       if (stage_ == Stage::before && approach_ == 0.0) approach_ = work_.rates[deepest];
       stage_ = Stage::during;
-      dynamics_->forces(state, work_, forces_);
       const double force = forces_.contacts[index(contact_)];
       impact_.largest_force = std::max(impact_.largest_force, force);
       impact_.least_force = std::min(impact_.least_force, force);
@@ -144,7 +144,16 @@ constexpr double kept = 0.8;
 }  // namespace
 
 Scene with_damping(Scene scene, ContactId contact, double damping) {
-  std::visit([damping](auto& law) { law.damping = damping; }, scene.model.contacts[index(contact)].law);
+  Contact& changed = scene.model.contacts[index(contact)];
+  std::visit(
+      [&]<class L>(L& law) {
+        if constexpr (requires { law.damping; }) {
+          law.damping = damping;
+        } else {
+          throw InputError{fmt::format("contact '{}': the law '{}' has no damping", changed.name, L::name)};
+        }
+      },
+      changed.law);
   return scene;
 }
 

@@ -7,7 +7,7 @@
 
 namespace talus {
 
-/// The scene with another damping of one contact [F T/L].
+/// The scene with another damping of one contact [F T/L]. Errors: InputError if its law has none.
 [[nodiscard]] Scene with_damping(Scene scene, ContactId contact, double damping);
 
 /// What one simulated impact did.

@@ -39,12 +39,14 @@ std::vector<SpringLabel> spring_labels(const Dynamics& dynamics) {
   return labels;
 }
 
-/// Time that an impact by this spring takes; for a cable half its period. A spring across which nothing can move (a
-/// cable that runs straight over its bodies' path) has no frequency and takes for ever.
+/// Time that an impact by this spring takes; for a cable, and for a law without a closed form, half the period of its
+/// stiffest piece. A spring across which nothing can move (a cable that runs straight over its bodies' path) has no
+/// frequency and takes for ever.
 double duration(const SpringLabel& label, const Spring& spring) {
   if (!std::isfinite(spring.effective_mass)) return std::numeric_limits<double>::infinity();
-  if (!label.law) return std::numbers::pi * std::sqrt(spring.effective_mass / spring.stiffness);
-  return std::visit([&](const auto& law) { return contact_time(law, spring.effective_mass); }, *label.law);
+  const auto* dashpot = label.law ? std::get_if<LinearSpringDashpot>(label.law) : nullptr;
+  if (dashpot) return contact_time(*dashpot, spring.effective_mass);
+  return std::numbers::pi * std::sqrt(spring.effective_mass / spring.stiffness);
 }
 
 /// Largest growth of rk4 on x'' + 2 xi w x' + w^2 x = 0: |R(z)| with z = h w (-xi +- sqrt(xi^2 - 1)), R the Taylor

@@ -16,7 +16,8 @@ struct SpringAdvice {
   Spring spring;
   double frequency{};      ///< sqrt(k/m_eff) [rad/T]
   double damping_ratio{};  ///< c/(2 sqrt(k m_eff))
-  double contact_time{};   ///< of an impact by this spring alone [T]; for a cable half its period
+  double contact_time{};   ///< of an impact by this spring alone [T]; for a cable, and a contact that is no linear
+                           ///< spring and dashpot, half its period
 };
 
 /// One natural mode of a scene.

@@ -1,29 +1,32 @@
 #include <fmt/format.h>
 
+#include <type_traits>
+
 #include "solver/io/scene_parts.hpp"
 
 namespace talus {
 namespace {
 
-/// Whether a law's damping can be found from a wanted restitution: formulas exist for a spring and dashpot with an end
-/// rule.
 template <class L>
-concept Restituting = requires(L law) {
-  law.stiffness;
-  law.damping;
+concept HasEndRule = requires(L law) {
   law.end_rule;
 };
+
+/// Whether a law's damping can be found from a wanted restitution.
+template <class L>
+concept Restituting = std::is_same_v<L, LinearSpringDashpot>;
 
 template <class L>
 void read_law(SceneTable& table, SceneContact& read) {
   L law;
   std::vector<std::string> keys = field_names<L>();
   keys.insert(keys.end(), {"between", "method", "nodes", "node_depth", "friction", "shear_stiffness"});
-  if constexpr (Restituting<L>) keys.insert(keys.end(), {"end_rule", "restitution", "restitution_rule"});
+  if constexpr (HasEndRule<L>) keys.push_back("end_rule");
+  if constexpr (Restituting<L>) keys.insert(keys.end(), {"restitution", "restitution_rule"});
   table.allow(keys);
   table.read_fields(law);
+  if constexpr (HasEndRule<L>) law.end_rule = table.choice_or("end_rule", law.end_rule);
   if constexpr (Restituting<L>) {
-    law.end_rule = table.choice_or("end_rule", law.end_rule);
     read.rule = table.choice_or("restitution_rule", read.rule);
     if (table.has("restitution") == table.has("damping")) {
       table.fail("damping", "give either this or restitution, one of the two");

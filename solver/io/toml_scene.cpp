@@ -56,13 +56,9 @@ void set_damping(std::vector<SceneContact>& contacts, const Model& undamped) {
     if (read.restitution) {
       const bool by_particles = read.rule == RestitutionRule::eq_21;
       const double mass = by_particles ? particle_mass(undamped, read.contact) : springs[spring].effective_mass;
-      std::visit(
-          [&](auto& law) {
-            const EndRule rule = by_particles ? EndRule::attractive : law.end_rule;
-            read.table.placed(
-                [&] { law.damping = damping(damping_ratio(*read.restitution, rule), law.stiffness, mass); });
-          },
-          read.contact.law);
+      auto& law = std::get<LinearSpringDashpot>(read.contact.law);
+      const EndRule rule = by_particles ? EndRule::attractive : law.end_rule;
+      read.table.placed([&] { law.damping = damping(damping_ratio(*read.restitution, rule), law.stiffness, mass); });
     }
     spring += dynamics.layout().contact_instances[i];
   }

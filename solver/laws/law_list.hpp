@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "solver/laws/elastic_plastic.hpp"
+#include "solver/laws/hertz.hpp"
+#include "solver/laws/latching_spring.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
 #include "solver/laws/tension_only.hpp"
 
@@ -60,7 +62,7 @@ struct LawList {
   }
 };
 
-using ContactLaws = LawList<LinearSpringDashpot>;
+using ContactLaws = LawList<LinearSpringDashpot, LatchingSpring, Hertz>;
 using ContactLaw = ContactLaws::Variant;
 using CableLaws = LawList<TensionOnly, ElasticPlastic>;
 using CableLaw = CableLaws::Variant;

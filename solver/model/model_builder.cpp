@@ -45,6 +45,12 @@ void check_table(std::string_view cable, const ElasticPlastic& law) {
   }
 }
 
+void check_latch(std::string_view contact, const LatchingSpring& law) {
+  if (law.unloading_stiffness >= law.stiffness) return;
+  throw InputError{fmt::format("contact '{}': unloading_stiffness is {}; it must be >= stiffness, which is {}", contact,
+                               law.unloading_stiffness, law.stiffness)};
+}
+
 std::string_view shape_name(const Shape& shape) {
   return std::visit([](const auto& s) { return s.name; }, shape);
 }
@@ -190,6 +196,7 @@ ContactId ModelBuilder::add(Contact contact) {
                                  contact.nodes[0], contact.nodes[1])};
   }
   std::visit([&](const auto& law) { check_fields("contact", contact.name, law); }, contact.law);
+  if (const auto* law = std::get_if<LatchingSpring>(&contact.law)) check_latch(contact.name, *law);
   if (contact.friction) {
     check_number("contact", contact.name, "friction", Range::non_negative, contact.friction->coefficient);
     check_number("contact", contact.name, "shear_stiffness", Range::positive, contact.friction->stiffness);

@@ -11,7 +11,7 @@ namespace talus {
 
 /// Ways in which mechanical energy leaves or enters the bodies and springs of a scene.
 enum class Mechanism : std::size_t {
-  contact_damping,  ///< dashpots of contacts: dissipated > 0
+  contact_damping,  ///< dashpots of contacts, and what latching springs keep: dissipated > 0
   contact_release,  ///< spring energy left in a contact that stops acting before its surfaces part: dissipated > 0
   cable_damping,    ///< dashpots of cables: dissipated > 0
   cable_release,    ///< spring energy left in a cable whose dashpot lets it go before it is slack: dissipated > 0

@@ -45,6 +45,8 @@ ImpactErrors impact_errors(const SceneAtGap& scene_at, const reference::ImpactEv
     found.restitution.add(impact.restitution() / exact.restitution - 1.0);
     found.contact_time.add(impact.end_time / exact.contact_time - 1.0);
     found.largest_depth.add(impact.largest_depth / exact.largest_depth - 1.0);
+    found.identity.add(
+        impact.restitution() / exact.restitution / std::pow(impact.largest_depth / exact.largest_depth, 2) - 1.0);
     found.pull.add(impact.least_deceleration - exact.force_at_end);
     found.mean_restitution += impact.restitution() / static_cast<double>(fewest_phases);
     found.least_deceleration = std::min(found.least_deceleration, impact.least_deceleration);

@@ -53,6 +53,7 @@ using SceneAtGap = std::function<Scene(double gap)>;
 /// Errors over 64 phases with a step of its own each, relative but for the pull.
 struct ImpactErrors {
   PhaseError restitution, contact_time, largest_depth;
+  PhaseError identity;          ///< e over the square of the largest depth, both over the exact ones
   PhaseError pull;              ///< least deceleration less the exact force at the end
   double mean_restitution{};    ///< e itself
   double least_deceleration{};  ///< of all phases; < 0: pulled

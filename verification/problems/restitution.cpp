@@ -39,7 +39,8 @@ $d = (v_0/\omega s)\,e^{-\xi\omega t}\sin s\omega t$, and
 | attractive | $d = 0$ | $\exp(-\pi\xi/s)$ | $\pi/(\omega s)$ | $-c\,e\,v_0$: it pulls |
 | clamped | $F = 0$ | $\exp(-2\xi A)$ | $2A/\omega$ | 0 |
 
-and the largest overlap is $(v_0/\omega)\exp(-\xi A)$ for both. The attractive $e$ solved for $c$ is Eq. 21,
+and the largest overlap is $(v_0/\omega)\exp(-\xi A)$ for both: clamped, $e = (\omega d_{max}/v_0)^2$. The
+attractive $e$ solved for $c$ is Eq. 21,
 $$c = \frac{2\ln(1/e)\sqrt{k m}}{\sqrt{\pi^2 + \ln^2(1/e)}}.$$
 A unit impulse along the normal gives a body's contact point the mobility $1/M + a^2/I$ (free, the line of impact at
 distance $a$ from the centre of mass) or $a^2/I_p$ (pivoted, $a$ from the pin); mobilities add to $1/m$. Nothing but
@@ -80,7 +81,7 @@ struct Ratio {
 };
 
 /// Check of e, ratios of the others and table row of one target.
-void check_bounce(double e, EndRule rule, Ratio& time, Ratio& depth, Table& table, Findings& findings,
+void check_bounce(double e, EndRule rule, Ratio& time, Ratio& depth, Ratio& identity, Table& table, Findings& findings,
                   const Setup& setup) {
   const Bounce b = bounce(e, rule, setup);
   const auto at = [&b](double gap) { return disc_at(b, gap); };
@@ -94,6 +95,8 @@ void check_bounce(double e, EndRule rule, Ratio& time, Ratio& depth, Table& tabl
   const double predicted_time = predicted.contact_time * wh + wh * wh / 24.0;
   time.add(found.contact_time.rms(), predicted_time);
   depth.add(found.largest_depth.rms(), predicted.largest_depth * wh);
+  // ln e - 2 ln d_max: shifts add up to xi w h, and of the jump, once in e and twice in d_max^2, one is left.
+  identity.add(found.identity.rms(), 2.0 / std::sqrt(3.0) * b.xi * wh);
   table.rows.push_back({word_for(rule), fmt::format("{:g}", e), fmt::format("{:.4f}", b.xi),
                         fmt::format("{:.5f}", found.mean_restitution), fmt::format("{:.2e}", found.restitution.rms()),
                         fmt::format("{:.2e}", predicted_restitution_error(b, production_steps)),
@@ -111,9 +114,9 @@ void check_targets(Findings& findings, const Setup& setup) {
                           "error of d_max", "predicted"},
               .rows = {}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
-    Ratio time, depth;
+    Ratio time, depth, identity;
     for (const double e : {0.9, 0.7, 0.5, 0.3, 0.1})
-      check_bounce(e, rule, time, depth, table, findings, setup);
+      check_bounce(e, rule, time, depth, identity, table, findings, setup);
     const std::string over = fmt::format(" over the predicted, farthest of e = 0.9 ... 0.1, {}", word_for(rule));
     findings.expect("rms error of the contact time" + over, time.farthest, 1.0,
                     Tolerance::model(next_power,
@@ -123,6 +126,9 @@ void check_targets(Findings& findings, const Setup& setup) {
                     Tolerance::model(next_power,
                                      "predicted from the half-step lag and the jump at touch; the next power of the "
                                      "step is 4 % of it"));
+    if (rule == EndRule::attractive) continue;
+    findings.expect("rms error of the identity e = (w d_max/v0)^2" + over, identity.farthest, 1.0,
+                    Tolerance::model(next_power, "as both of its sides; the next power of the step is 4 % of it"));
   }
   findings.table(table);
 }
@@ -215,13 +221,14 @@ Case restitution() {
             {"rms relative error of e =", "e of Eq. 21", "solver's damping ratio", "change of e", "mass ratios"}},
            {"Eq. 23", {"velocity_verlet", "central_difference"}},
            {"Eq. 24", {"velocity_verlet", "central_difference"}},
+           {"B1", {"undamped contact time", "undamped largest overlap", "order of e, undamped", "rms error of e = 1"}},
            {"B2",
             {"e = 0.5, attractive", "contact time over the predicted, farthest of e = 0.9 ... 0.1, attractive",
              "order of e, attractive"}},
            {"B3",
             {"e = 0.5, clamped", "contact time over the predicted, farthest of e = 0.9 ... 0.1, clamped",
              "order of e, clamped", "largest pull"}},
-           {"B4", {"largest overlap over the predicted", "solver's largest overlap"}},
+           {"B4", {"largest overlap over the predicted", "solver's largest overlap", "identity"}},
            {"B5", {"mass ratios", "common centre of mass", "moving frames"}},
            {"law.linear_spring_dashpot", {"rms relative error of", "order of e", "pull"}},
            {"end_rule.attractive", {"attractive"}},

@@ -45,9 +45,29 @@ void check_damped(EndRule rule, const std::vector<double>& steps, Figure& figure
   figure.series.push_back(predicted);
 }
 
+/// Contact time and largest overlap at 64 steps. The leapfrog's period is short by (w h)^2/24; the largest sample lies
+/// within half a step of the turn and the energy inside is that of the touch: (w h)^2/2 [s (1 - s) - u (1 - u)] with
+/// the shares u of the touch and s of half a step before the turn, of the same root mean square as the error of e.
+void check_undamped_contact(const Bounce& elastic, Findings& findings) {
+  constexpr double steps = 64.0;
+  const ImpactErrors found = impact_errors([&elastic](double gap) { return disc_at(elastic, gap); }, elastic.exact,
+                                           steps, VelocityVerlet{}, findings);
+  const double wh = reduced_step(elastic.exact, steps);
+  findings.expect("rms error of the undamped contact time, 64 steps", found.contact_time.rms(), wh * wh / 24.0,
+                  Tolerance::model(0.01,
+                                   "the leapfrog's own period; the next power is (w h)^2 = .002 of it, and the mean "
+                                   "over steps of different lengths as much")
+                      .relative());
+  findings.expect(
+      "rms error of the undamped largest overlap, 64 steps", found.largest_depth.rms(),
+      second_order_constant / std::pow(steps + 0.5, 2),
+      Tolerance::model(uneven_end, "shares of a step at touch and turn, spread over 64 uneven pairs").relative());
+}
+
 /// The curves of e = 1, and the slopes to compare with.
 void check_undamped(const std::vector<double>& steps, Figure& figure, Findings& findings, const Setup& setup) {
   const Bounce elastic = bounce(1.0, EndRule::attractive, setup);
+  check_undamped_contact(elastic, findings);
   for (const Integrator& integrator : {Integrator{VelocityVerlet{}}, Integrator{RungeKutta4{}}}) {
     const Convergence found = restitution_errors(elastic, integrator, steps, findings, setup.has("commensurate_step"));
     findings.expect_order(fmt::format("order of e, undamped, {}", talus::name(integrator)), found, 1.85, 2.15,

@@ -4,10 +4,13 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <string>
 
 #include "solver/base/error.hpp"
 #include "solver/calibrate/impact.hpp"
 #include "solver/calibrate/step_advice.hpp"
+#include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
 
 using namespace talus;
@@ -98,6 +101,28 @@ BOOST_AUTO_TEST_CASE(highest_frequency_of_the_pivoted_impact) {
              boost::test_tools::tolerance(1e-12));
   BOOST_REQUIRE(advice.springs.size() == 1);
   BOOST_TEST(advice.springs[0].frequency == advice.highest_frequency(), boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(laws_without_a_dashpot_are_told_their_stiffest_piece) {
+  const Scene scene = scenes::bouncing_disc({.gap = 1.0, .contact = LatchingSpring{100.0, 400.0, 0.0}});
+  const Dynamics dynamics{scene.model};
+  const StepAdvice advice = advise_step(dynamics, scene.initial);
+  BOOST_TEST(advice.highest_frequency() == 20.0, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(advice.shortest_contact == std::numbers::pi / 20.0, boost::test_tools::tolerance(1e-12));
+  BOOST_CHECK_EXCEPTION((void)with_damping(scene, ContactId{0}, 1.0), InputError, [](const InputError& error) {
+    return std::string{error.what()} == "contact 'impact': the law 'latching_spring' has no damping";
+  });
+}
+
+BOOST_AUTO_TEST_CASE(an_impact_of_any_law_is_followed_to_its_end) {
+  Scene scene = scenes::bouncing_disc({.radius = 8.0, .gap = 0.01, .contact = LatchingSpring{1.0, 4.0, 0.0}});
+  scene.integrator = VelocityVerlet{};
+  scene.plan = {1e-3, 4.0, 1.0, false};
+  const Impact impact = simulate_impact(scene, ContactId{0});
+  BOOST_TEST(impact.restitution == 0.5, boost::test_tools::tolerance(1e-5));
+  BOOST_TEST(impact.largest_force == 1.0, boost::test_tools::tolerance(1e-5));
+  // A quarter swing of each branch, and up to two steps.
+  BOOST_TEST(std::abs(impact.contact_time - 0.75 * std::numbers::pi) < 2.1e-3);
 }
 
 BOOST_AUTO_TEST_CASE(a_slow_mode_with_a_strong_dashpot_may_rule_the_step) {

@@ -1,4 +1,6 @@
 #define BOOST_TEST_MODULE wrong_scenes
+#include <fmt/format.h>
+
 #include <boost/test/unit_test.hpp>
 #include <string>
 #include <string_view>
@@ -168,4 +170,27 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_not_there) {
   BOOST_CHECK_EXCEPTION(
       static_cast<void>(read_scene(std::filesystem::path{"/nowhere/s.toml"})), IoError,
       [](const IoError& error) { return std::string{error.what()} == "/nowhere/s.toml: No such file or directory"; });
+}
+
+BOOST_AUTO_TEST_CASE(fields_of_other_contact_laws) {
+  constexpr std::string_view dashpot =
+      "law = \"linear_spring_dashpot\"\nstiffness = \"1e4 N/m\"\ndamping = \"2 N s/m\"\n";
+  const auto latching = [&](std::string_view more) {
+    return message(dashpot, fmt::format("law = \"latching_spring\"\nstiffness = \"1e4 N/m\"\n{}\n", more));
+  };
+  BOOST_TEST(latching("unloading_stiffness = \"2e4 N/m\"\ngrowth = \"3 1/m\"") == "no error");
+  BOOST_TEST(latching("") == "s.toml:16: contact 'bounce': unloading_stiffness: it is missing");
+  BOOST_TEST(latching("unloading_stiffness = \"1e3 N/m\"") ==
+             "s.toml:16: contact 'bounce': unloading_stiffness is 1000; it must be >= stiffness, which is 10000");
+  constexpr std::string_view known =
+      "known: name, law, stiffness, unloading_stiffness, growth, between, method, nodes, node_depth, friction, "
+      "shear_stiffness";
+  BOOST_TEST(
+      latching("unloading_stiffness = \"2e4 N/m\"\nrestitution = 0.5") ==
+      fmt::format("s.toml:22: contact 'bounce': restitution: this key is not known; nearest: friction; {}", known));
+  BOOST_TEST(latching("unloading_stiffness = \"2e4 N/m\"\nend_rule = \"clamped\"") ==
+             fmt::format("s.toml:22: contact 'bounce': end_rule: this key is not known; nearest: nodes; {}", known));
+  BOOST_TEST(
+      message(dashpot, "law = \"hertz\"\nmodulus = \"1e6 Pa\"\nradius = \"0.5 m\"\nend_rule = \"attractive\"\n") ==
+      "no error");
 }

@@ -94,6 +94,16 @@ BOOST_AUTO_TEST_CASE(wrong_contacts_are_refused) {
           "contact 'c': body 'one' against itself; name two bodies");
   refuses([&] { builder.add(Contact{.name = "c", .a = wall, .b = post, .law = law}); },
           "contact 'c': neither 'wall' nor 'post' can move");
+  refuses(
+      [&] {
+        builder.add(Contact{.name = "c", .a = one, .b = wall, .law = LatchingSpring{10.0, 9.0, 0.0}});
+      },
+      "contact 'c': unloading_stiffness is 9; it must be >= stiffness, which is 10");
+  refuses(
+      [&] {
+        builder.add(Contact{.name = "c", .a = one, .b = wall, .law = Hertz{10.0, 0.0, 0.0}});
+      },
+      "contact 'c': radius is 0; it must be > 0");
   refuses([&] { builder.add(Contact{.name = "c", .a = one, .b = two, .law = law}); },
           "contact 'c': no contact between shapes 'circle' and 'none' by method 'resultant'; known pairs: circle with "
           "circle, rectangle, superquadric, half_plane, terrain; rectangle with rectangle, half_plane; superquadric "

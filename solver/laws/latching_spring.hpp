@@ -1,0 +1,100 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "solver/base/fields.hpp"
+#include "solver/laws/kinematics.hpp"
+#include "solver/state/state.hpp"
+
+namespace talus {
+
+/// Normal contact by a spring that latches: soft while it is pressed further than before, stiff on the way back
+/// (Walton & Braun 1986). With d the overlap, m the largest since the touch, which is its memory, and
+/// K2 = unloading_stiffness + growth K1 m:
+///
+///   open       F = 0                          until d >= 0; forgets m
+///   loading    F = K1 d,          m = d       while the bodies close
+///   unloading  F = K1 m - K2 (m - d)          until d passes m again, or F falls to 0
+///   slack      F = 0, and m is kept           until d grows back to where F left off, or the bodies part
+///
+/// An impact keeps sqrt(K1/K2) of its speed: at every speed the same with growth 0, less for fast ones else.
+struct LatchingSpring {
+  static constexpr std::string_view name = "latching_spring";
+  static constexpr std::array<std::string_view, 4> modes{"open", "loading", "unloading", "slack"};
+  static constexpr std::size_t memory_size = 1;
+  static constexpr Mechanism dissipation = Mechanism::contact_damping;
+  static constexpr Mechanism release = Mechanism::contact_release;
+  enum : Mode { open, loading, unloading, slack };
+
+  double stiffness{};            ///< K1 [F/L] > 0
+  double unloading_stiffness{};  ///< K2 of a contact that was hardly pressed [F/L] >= K1
+  double growth{};               ///< of K2 with the largest force [1/L] >= 0
+
+  static constexpr std::array<Field<LatchingSpring>, 3> fields() {
+    return {{{"stiffness", dimension::stiffness, &LatchingSpring::stiffness, Range::positive,
+              "stiffness K1 while the contact is pressed further than before"},
+             {"unloading_stiffness", dimension::stiffness, &LatchingSpring::unloading_stiffness, Range::positive,
+              "stiffness K2 on the way back, not below K1"},
+             {"growth", dimension::number / dimension::length, &LatchingSpring::growth, Range::non_negative,
+              "growth of K2 for each unit of the largest force"}}};
+  }
+
+  constexpr LawForce operator()(Kinematics x, std::span<const double> memory, Mode mode) const {
+    if (mode == unloading) return {unloading_force(x.extent, memory[0]), 0.0};
+    if (mode != loading) return {};
+    // What could be had back, (K1 d)^2/(2 K2), grows by this force; the rest of K1 d is lost.
+    const double force = stiffness * x.extent, back = way_back(x.extent);
+    const double elastic = force * (stiffness / back) * (1.0 - 0.5 * growth * force / back);
+    return {elastic, force - elastic};
+  }
+
+  constexpr double stored_energy(Kinematics x, std::span<const double> memory, Mode mode) const {
+    if (mode == loading) return energy(stiffness * x.extent, way_back(x.extent));
+    if (mode == unloading) return energy(unloading_force(x.extent, memory[0]), way_back(memory[0]));
+    return 0.0;
+  }
+
+  constexpr double guard(Kinematics x, std::span<const double> memory, Mode mode) const {
+    if (mode == open) return -x.extent;
+    if (mode == loading) return std::min(x.extent, x.extent_rate);
+    const double force = unloading_force(x.extent, memory[0]);
+    if (mode == slack) return std::min(x.extent, -force);
+    return std::min(memory[0] - x.extent, force);
+  }
+
+  constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
+    if (x.extent < 0.0 || (x.extent == 0.0 && x.extent_rate < 0.0)) {
+      memory[0] = 0.0;
+      return {open, 0.0};
+    }
+    const bool further = x.extent > memory[0] || (x.extent == memory[0] && x.extent_rate > 0.0);
+    if (mode == open || further) {
+      memory[0] = x.extent;
+      return {loading, 0.0};
+    }
+    return {unloading_force(x.extent, memory[0]) > 0.0 ? unloading : slack, 0.0};
+  }
+
+  /// While the contact loads its largest overlap follows the overlap.
+  constexpr void track(Kinematics x, std::span<double> memory, Mode mode) const {
+    if (mode == loading) memory[0] = std::max(memory[0], x.extent);
+  }
+
+  /// The stiffest piece of a contact hardly pressed; with growth, one that was pressed is stiffer.
+  constexpr Tangent tangent() const { return {unloading_stiffness, 0.0}; }
+
+  friend constexpr bool operator==(const LatchingSpring&, const LatchingSpring&) = default;
+
+ private:
+  /// K2 after this largest overlap.
+  constexpr double way_back(double largest) const { return unloading_stiffness + growth * stiffness * largest; }
+  constexpr double unloading_force(double overlap, double largest) const {
+    return stiffness * largest - way_back(largest) * (largest - overlap);
+  }
+  static constexpr double energy(double force, double back) { return 0.5 * force * force / back; }
+};
+
+}  // namespace talus

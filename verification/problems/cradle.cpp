@@ -1,0 +1,230 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "solver/model/model_builder.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/scene.hpp"
+#include "verification/check/case.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/reference/struck_row.hpp"
+
+namespace talus::verification::problems {
+
+Case cradle();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** A disc strikes the first of two equal discs in a row. The rigid ball of the textbook hands its speed on
+to the last: (0, 0, v). Discs that touch do not, for a soft contact takes time: the last disc leaves while the middle
+one is still pushed by the first. How far apart must they be to behave as the textbook says?
+
+```
+      v
+     ( )-->   ( ) ( )        ( )   ( )     ( )-->
+      1        2 | 3          1<-   2->     3
+                gap
+```
+
+**Equations.** Undamped linear contacts. While one contact is closed its overlap swings at $\omega_2 = \sqrt{2k/m}$;
+while both are, shapes $(1, 0, -1)$ and $(1, -2, 1)$ swing at $\sqrt{k/m}$ and $\sqrt{3k/m}$. The reference follows
+the pieces at 50 digits, each to the overlap that changes its sign first. Momentum and energy are kept; three speeds
+have one freedom left, which the gap decides. The contact of the first two lasts $\pi/\omega_2$, in which the second
+disc moves $\pi v/(2\omega_2)$: from that gap on it meets the third with the whole speed, and the last has it all, (0,
+0, v).
+
+**Error of a step.** Forces are continuous, their slopes are not: order 2. Momentum is exact: each contact's force
+acts on both bodies with the same bits.
+
+| symbol | meaning | value |
+|:--|:-----|:------|
+| $m$, $k$, $v$ | each disc, each contact, first disc | 1, 1, 1 (no units) |
+| gap | between second and third, in $v\sqrt{m/k}$ | 0 ... 1.5 |
+| $h$ | step | $\pi\sqrt{m/k}/(N + f)$, an $f$ of its own for each of 64 phases |
+
+**Source.** Textbook mechanics; the effect in chains: Herrmann & Seitz, Am. J. Phys. 50 (1982) 977.
+
+**What would break it.** Contacts evaluated one after another with positions already moved; a contact that misses its
+opening; speeds exchanged by formula.
+)";
+
+constexpr double disc_radius = 4.0;
+
+Scene row_scene(const reference::StruckRow& row, double lead, const Setup& setup) {
+  ModelBuilder builder;
+  std::array<BodyId, 3> discs{};
+  const double farther = setup.has("third_disc_farther") ? 1e-3 : 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const double x = 2.0 * disc_radius * i - (i == 0 ? lead : 0.0) + (i == 2 ? row.gap + farther : 0.0);
+    discs[static_cast<std::size_t>(i)] =
+        builder.add(Body{.name = fmt::format("disc{}", i + 1),
+                         .mobility = Mobility::particle,
+                         .mass = i == 1 && setup.has("middle_heavier") ? 1.01 * row.mass : row.mass,
+                         .shape = Circle{disc_radius},
+                         .p_WB = {x, 0.0}});
+  }
+  const double second = setup.has("second_contact_stiffer") ? 1.02 : 1.0;
+  const LinearSpringDashpot law{row.stiffness, 0.0, EndRule::clamped};
+  builder.add(Contact{.name = "first", .a = discs[0], .b = discs[1], .law = law});
+  builder.add(Contact{.name = "second",
+                      .a = discs[1],
+                      .b = discs[2],
+                      .law = LinearSpringDashpot{second * row.stiffness, 0.0, EndRule::clamped}});
+  Scene scene{.title = "Three discs in a row", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, discs[0], {row.speed, 0.0}, 0.0);
+  return scene;
+}
+
+struct RowRun {
+  std::array<double, 3> velocity{};
+  double momentum_error{};
+  double energy_error{};  ///< relative
+};
+
+RowRun run_row(const reference::StruckRow& row, double step, double phase, double end, Findings& findings,
+               const Setup& setup, std::span<const Observer> observers = {}) {
+  const double lead = phase * step;
+  const Scene scene = row_scene(row, lead * row.speed, setup);
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, false};
+  State state = scene.initial;
+  Integrator verlet = VelocityVerlet{};
+  const Outcome outcome = simulate(system, verlet, state, {step, lead + end, step, false}, observers);
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  if (!outcome) return {{NAN, NAN, NAN}, NAN, NAN};
+  const std::array v{state.v[0], state.v[2], state.v[4]};
+  return {v, v[0] + v[1] + v[2] - row.speed, (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / (row.speed * row.speed) - 1.0};
+}
+
+/// Root mean square of the three velocities' error, over v, from 64 phases.
+PhaseError velocity_error(const reference::StruckRow& row, double steps, Findings& findings, const Setup& setup) {
+  const reference::RowRebound exact = reference::rebound(row);
+  PhaseError error;
+  for (std::size_t i = 0; i < fewest_phases; ++i) {
+    const double step = offset_step(std::numbers::pi, steps, i);
+    const RowRun found =
+        run_row(row, step, even_phases(fewest_phases)[i], exact.end_time + 4.0 * step, findings, setup);
+    for (std::size_t d = 0; d < 3; ++d)
+      error.add((found.velocity[d] - exact.velocity[d]) / row.speed);
+  }
+  return error;
+}
+
+constexpr reference::StruckRow touching{1.0, 1.0, 1.0, 0.0};
+
+void check_gaps(Findings& findings, const Setup& setup) {
+  const double limit = std::numbers::pi / (2.0 * std::sqrt(2.0));
+  Table table{.name = "speeds",
+              .caption =
+                  "Speeds after the impact, exact, and the solver's errors at 100 steps of $\\pi\\sqrt{m/k}$ (root "
+                  "mean square over 64 phases and three discs).",
+              .columns = {"gap", "v1", "v2", "v3", "error"},
+              .rows = {}};
+  for (const double gap : {0.0, 0.1, 0.4, 1.2}) {
+    if (setup.coarse && gap > 0.1) break;
+    const reference::StruckRow row{1.0, 1.0, 1.0, gap};
+    const auto exact = reference::rebound(row).velocity;
+    const PhaseError error = velocity_error(row, 100.0, findings, setup);
+    table.rows.push_back({fmt::format("{:g}", gap), fmt::format("{:.5f}", exact[0]), fmt::format("{:.5f}", exact[1]),
+                          fmt::format("{:.5f}", exact[2]), fmt::format("{:.2e}", error.rms())});
+    findings.expect(fmt::format("speeds of the three discs, gap {:g}, rms error", gap), error.rms(), 0.0,
+                    Tolerance::truncation(0.7 / (100.5 * 100.5), 1.5,
+                                          "measured over four octaves of steps at gap 0: .69 over the square of the "
+                                          "number of steps; the other gaps are a little better"));
+  }
+  findings.table(table);
+  const auto beyond = reference::rebound({1.0, 1.0, 1.0, 1.001 * limit}).velocity;
+  const auto within = reference::rebound({1.0, 1.0, 1.0, 0.9 * limit}).velocity;
+  findings.expect("exact speed of the first disc beyond the gap of pi v/(2 w)", beyond[0], 0.0,
+                  Tolerance::round_off(1e-15, "zero at 50 digits"));
+  findings.expect_true("exact speed of the first disc just within that gap is not zero", std::abs(within[0]) > 1e-6,
+                       "the second disc meets the third while the first still pushes it");
+}
+
+void check_order(Findings& findings, const Setup& setup) {
+  Convergence found;
+  for (const double n : doublings(16.0, setup.coarse ? 3 : 5))
+    found.add(1.0 / n, velocity_error(touching, n, findings, setup).rms());
+  findings.expect_order("order of the speeds, discs that touch", found, 1.9, 2.1,
+                        "the forces are continuous; their slopes jump at touch and opening, which costs h^2");
+  findings.figure({.name = "error",
+                   .title = "Error of the speeds against the step",
+                   .caption = "Three discs that touch, root mean square over 64 phases.",
+                   .x = {.label = "step / (pi sqrt(m/k))", .log = true},
+                   .y = {.label = "error / v", .log = true},
+                   .series = {{"solver", found.steps(), found.errors(), Style::points}},
+                   .slopes = {{2.0, 1.0 / 64.0, 1e-4, "h^2"}}});
+}
+
+void check_accounts(Findings& findings, const Setup& setup) {
+  const RowRun found = run_row(touching, std::numbers::pi / 100.4, 0.3, 8.0, findings, setup);
+  findings.expect("momentum of the three discs", found.momentum_error, 0.0,
+                  Tolerance::round_off(8e-15,
+                                       "700 kicks of two contacts, which round speeds below 1 to 1.1e-16: sqrt(1400) x "
+                                       "1.1e-16 = 4e-15, twice that for the worst"));
+}
+
+void show_speeds(Findings& findings, const Setup& setup) {
+  std::array<Series, 3> lines{Series{"1", {}, {}, Style::lines}, Series{"2", {}, {}, Style::lines},
+                              Series{"3", {}, {}, Style::lines}};
+  Series points{"solver", {}, {}, Style::points};
+  for (double gap = 0.0; gap < 1.41; gap += 0.05) {
+    const auto exact = reference::rebound({1.0, 1.0, 1.0, gap}).velocity;
+    for (std::size_t d = 0; d < 3; ++d) {
+      lines[d].x.push_back(gap);
+      lines[d].y.push_back(exact[d]);
+    }
+  }
+  for (double gap = 0.0; gap < 1.41; gap += 0.2) {
+    const RowRun found = run_row({1.0, 1.0, 1.0, gap}, 0.02, 0.3, 8.0, findings, setup);
+    for (const double v : found.velocity) {
+      points.x.push_back(gap);
+      points.y.push_back(v);
+    }
+  }
+  findings.figure({.name = "gaps",
+                   .title = "Soft discs hand their speed on only when they are apart",
+                   .caption = "Speeds after the impact against the gap between second and third disc.",
+                   .x = {.label = "gap / (v sqrt(m/k))"},
+                   .y = {.label = "speed / v"},
+                   .series = {lines[0], lines[1], lines[2], points},
+                   .lines = {{'x', std::numbers::pi / (2.0 * std::sqrt(2.0)), "as rigid balls"}}});
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_gaps(findings, setup);
+  check_order(findings, setup);
+  check_accounts(findings, setup);
+  if (!setup.coarse) show_speeds(findings, setup);
+}
+
+}  // namespace
+
+Case cradle() {
+  return {
+      .id = "cradle",
+      .title = "Three discs in a row",
+      .requirements = {{"B8", {"speeds of the three discs", "order of the speeds", "momentum"}},
+                       {"law.linear_spring_dashpot", {"speeds of the three discs"}},
+                       {"shape.circle", {"speeds of the three discs"}},
+                       {"integrator.velocity_verlet", {"order of the speeds"}}},
+      .main_checks = {"speeds of the three discs, gap 0, rms error", "order of the speeds, discs that touch"},
+      .source = "Herrmann & Seitz, Am. J. Phys. 50 (1982) 977",
+      .page = page,
+      .faults = {{"middle_heavier", "the middle disc 1 % heavier", "speeds of the three discs, gap 0, rms error"},
+                 {"second_contact_stiffer", "the second contact 2 % stiffer", "order of the speeds, discs that touch"},
+                 {"third_disc_farther", "the third disc .001 farther off",
+                  "speeds of the three discs, gap 0.1, rms error"}},
+      .tier = Tier::quick,
+      .time_limit = 60.0,
+      .run = run};
+}
+
+}  // namespace talus::verification::problems
