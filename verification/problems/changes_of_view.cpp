@@ -243,7 +243,8 @@ void run(Findings& findings, const Setup& setup) {
 Case changes_of_view() {
   return {.id = "changes_of_view",
           .title = "A motion does not depend on who looks at it",
-          .requirements = {{"law.linear_spring_dashpot", {"group", "yard"}},
+          .requirements = {{"A6", {"numbers that differ", "difference of the end"}},
+                           {"law.linear_spring_dashpot", {"group", "yard"}},
                            {"law.tension_only", {"group", "yard"}},
                            {"law.elastic_plastic", {"yard"}},
                            {"Eq. 18", {"group", "yard"}},

@@ -252,7 +252,8 @@ void run(Findings& findings, const Setup& setup) {
 Case unit_scaling() {
   return {.id = "unit_scaling",
           .title = "The same scene in other units",
-          .requirements = {{"law.linear_spring_dashpot", {"yard", "fence"}},
+          .requirements = {{"A7", {"numbers that differ"}},
+                           {"law.linear_spring_dashpot", {"yard", "fence"}},
                            {"law.tension_only", {"yard"}},
                            {"law.elastic_plastic", {"yard", "fence"}},
                            {"Eq. 18", {"yard", "fence"}},
