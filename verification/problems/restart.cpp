@@ -38,7 +38,7 @@ method, the present internal step of a controlled one. If all of it is kept the 
 
 | scene | what is in it | $T$ |
 |:--|:--------------|:--|
-| yard | bodies of every shape, friction, cables, rails, pin, hanger | 1.2 s |
+| yard | bodies of every shape, friction, cables, rails, pin, hanger | .8 s |
 | fence | rock, columns, friction, cables that yield, hangers that break | .06 s |
 
 **What would break it.** A method that begins anew; numbers with too few digits; a law that keeps something outside of the
@@ -166,7 +166,7 @@ void run(Findings& findings, const Setup& setup) {
               .rows = {}};
   const Scene yard = crowded_yard();
   const double step = 1e-3;
-  const long steps = std::lround(1.2 / step);
+  const long steps = std::lround(0.8 / step);
 
   for (const Named& method : methods()) {
     if (setup.coarse && method.name != "velocity_verlet") continue;

@@ -23,24 +23,22 @@ class Potential {
  public:
   explicit Potential(const Model& model) : dynamics_{model}, work_{dynamics_.workspace()} {}
 
-  /// Modes are settled here and kept for the neighbourhood. Accelerations are forces: masses are one.
-  State settled(State state) {
+  /// Puts the bodies where the state has them and settles its modes; what follows is asked of this state.
+  void stand(State& state) {
     dynamics_.update(state, work_);
     dynamics_.settle(state, work_);
-    return state;
   }
-  double energy(const State& state) {
-    dynamics_.update(state, work_);
+  /// Stored in contact and cable [F L].
+  double energy(const State& state) const {
     const Energies energies = dynamics_.energies(state, work_);
     return energies.contacts + energies.cables;
   }
+  /// Along the coordinates: accelerations, as masses and inertias are one.
   std::vector<double> forces(const State& state) {
     Rates rates{state};
-    dynamics_.update(state, work_);
     dynamics_.rates(state, work_, rates, false);
     return rates.v;
   }
-  bool same_modes(const State& state) { return settled(state).mode == state.mode; }
 
  private:
   Dynamics dynamics_;
