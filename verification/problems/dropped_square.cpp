@@ -18,8 +18,8 @@ namespace {
 
 constexpr const char* page = R"(
 **Problem.** A square falls on its edge, on a corner, and nearly so, on a plane and on another square. Left and right must
-be alike to the last bit; a square that falls flat must not begin to turn; and the impulse of a fall a hair off must be that
-of the even fall.
+be alike; a square that falls flat must not begin to turn; and a fall a hair off the even one should end almost as that
+does, which depends on the kind of contact.
 
 ```
       ____        /\          /\  tilt 1e-9
