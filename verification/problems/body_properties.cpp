@@ -18,8 +18,8 @@ Case body_properties();
 namespace {
 
 constexpr const char* page = R"(
-**Problem.** Mass and moment of inertia of the solids that a fence is made of, area, centroid and moment of a rectangle's
-outline, and the inertia that a body has about a pin: closed forms of the solver against integration.
+**Problem.** Mass and moment of inertia of the solids that a fence is made of, area, centroid and moment of a
+rectangle's outline, and the inertia that a body has about a pin: closed forms of the solver against integration.
 
 ```
       ____            b |  _.-._          ___
@@ -45,7 +45,8 @@ centroid and moment. About a pin at $r$ from the centre of mass $I_p = I + m r^2
 |:--|:-----------|:--|
 | $a$, $b$ | half-lengths | four pairs, 3:1 to 1:40 |
 
-**What would break it.** A half for a whole length; the inertia about another axis; a sphere's formula for an ellipsoid.
+**What would break it.** A half for a whole length; the inertia about another axis; a sphere's formula for an
+ellipsoid.
 )";
 
 constexpr std::array sizes{std::array{0.953951, 0.953951}, std::array{1.25, 4.0}, std::array{3.1, 1.03},

@@ -35,10 +35,10 @@ stretch of friction change sign.
 No operation of a mirror image rounds otherwise, nor do those of a list in another order as long as each body's forces
 are summed in the same one, nor those of round bodies that do not spin when turned by 90 degrees: the ends must be
 **equal to the last bit**. Everything else rounds otherwise, and what was rounded grows as the motion makes any
-difference grow. That growth $G$ is measured: the largest change of the end over that of the start, of four small changes
-of all coordinates and velocities. Each of $n$ steps rounds a coordinate by up to $u = 2^{-53}$ of the largest, in flight
-every time by the same (the same increment goes to numbers of the same binade), so that the ends differ by up to
-$n\,u\,G$.
+difference grow. That growth $G$ is measured: the largest change of the end over that of the start, of four small
+changes of all coordinates and velocities. Each of $n$ steps rounds a coordinate by up to $u = 2^{-53}$ of the
+largest, in flight every time by the same (the same increment goes to numbers of the same binade), so that the ends
+differ by up to $n\,u\,G$.
 
 **Source.** Galilei 1638; metamorphic testing: Chen, Cheung & Yiu 1998.
 
@@ -48,9 +48,9 @@ $n\,u\,G$.
 | yard | bodies of every shape, terrain, wall, rails, pin, cables, hanger | .5 s |
 | level yard | the same on level ground, without contacts by nodes | 1.5 s |
 
-**What would break it.** A rule that prefers a side (the first of two equal corners, a node list that begins somewhere),
-an axis taken for another, friction that remembers its direction in the world's frame, a contact that treats its two
-bodies unlike, a sum over bodies where a sum over contacts belongs.
+**What would break it.** A rule that prefers a side (the first of two equal corners, a node list that begins
+somewhere), an axis taken for another, friction that remembers its direction in the world's frame, a contact that
+treats its two bodies unlike, a sum over bodies where a sum over contacts belongs.
 )";
 
 constexpr double step = 2.5e-4;

@@ -17,9 +17,9 @@ Case dropped_square();
 namespace {
 
 constexpr const char* page = R"(
-**Problem.** A square falls on its edge, on a corner, and nearly so, on a plane and on another square. Left and right must
-be alike; a square that falls flat must not begin to turn; and a fall a hair off the even one should end almost as that
-does, which depends on the kind of contact.
+**Problem.** A square falls on its edge, on a corner, and nearly so, on a plane and on another square. Left and
+right must be alike; a square that falls flat must not begin to turn; and a fall a hair off the even one should end
+almost as that does, which depends on the kind of contact.
 
 ```
       ____        /\          /\  tilt 1e-9
@@ -29,14 +29,14 @@ does, which depends on the kind of contact.
 ```
 
 **Equations.** Mirrored at the vertical the tilt changes sign and with it the path's $x$, the angle and the spin; on a
-plane no rounding differs. On its corner the square is in balance: a tilt $\epsilon$ grows while the contact lasts by a
-bounded factor, so spin over tilt tends to a constant as $\epsilon\to0$. On its edge it depends on the contact. Nodes at
-both corners share the force as long as both are in: spin over tilt is constant, too. One resultant acts at the lower
-corner, turns the square until the other is lower, and so changes side every few steps: the corner is a point where its
-force jumps, though its energy does not. In the limit of small steps the two sides share the force as nodes do, but the
-kicks of either side, $k d s h/I$ each, do not cancel quite: **a fall an atom off the level spins, whatever its tilt, by an
-amount that falls about as the step does** (measured: order .77), and only the even fall, where the force stands in the
-middle, does not.
+plane no rounding differs. On its corner the square is in balance: a tilt $\epsilon$ grows while the contact lasts
+by a bounded factor, so spin over tilt tends to a constant as $\epsilon\to0$. On its edge it depends on the contact.
+Nodes at both corners share the force as long as both are in: spin over tilt is constant, too. One resultant acts at
+the lower corner, turns the square until the other is lower, and so changes side every few steps: the corner is a
+point where its force jumps, though its energy does not. In the limit of small steps the two sides share the force
+as nodes do, but the kicks of either side, $k d s h/I$ each, do not cancel quite: **a fall an atom off the level
+spins, whatever its tilt, by an amount that falls about as the step does** (measured: order .77), and only the even
+fall, where the force stands in the middle, does not.
 
 **Source.** Symmetry; Housner 1963 for falls on edges.
 
@@ -47,8 +47,8 @@ middle, does not.
 | $k$, $v$ | stiffness, speed of the fall | $10^4$, 1 |
 | $\epsilon$ | tilt | $10^{-12}$ to $10^{-3}$ |
 
-**What would break it.** A rule that takes the first of two equal corners; a normal chosen by the sign of nought; corners
-listed in one sense that round one way.
+**What would break it.** A rule that takes the first of two equal corners; a normal chosen by the sign of nought;
+corners listed in one sense that round one way.
 )";
 
 constexpr double half_side = 0.5, stiffness = 1e4, speed = 1.0, step = 1.0371e-4;

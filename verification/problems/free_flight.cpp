@@ -28,9 +28,9 @@ follows a parabola exactly; the one that does not, semi-implicit Euler, is off b
 **Equations.** $q'' = a$ for each of $x$, $y$ and the angle, $a = g_x + F_x/m$, $g_y + F_y/m$, $M/I$, so that
 $q = q_0 + v_0 t + a t^2/2$. Semi-implicit Euler moves with the speed of each step's end, $v_0 + i h a$ in step $i$:
 $$q_n = q_0 + v_0 t + h^2 a\,\tfrac{n(n+1)}2 = q(t) + \tfrac12 a h t .$$
-Leapfrog moves with the speed of each step's middle, which is exact; the methods of higher order integrate $t^2$ exactly.
-What is left is one rounding a step, at most $u = 2^{-53}$ of the largest coordinate (a step of Runge-Kutta rounds once
-for each of its $s$ stages).
+Leapfrog moves with the speed of each step's middle, which is exact; the methods of higher order integrate $t^2$
+exactly. What is left is one rounding a step, at most $u = 2^{-53}$ of the largest coordinate (a step of Runge-Kutta
+rounds once for each of its $s$ stages).
 
 **Source.** Galilei 1638; Hairer, Lubich & Wanner 2006, section I.1.
 
@@ -41,8 +41,8 @@ for each of its $s$ stages).
 | $F$, $M$ | force, moment | (1.7, .9), .37 |
 | $h$, $n$ | step, steps | .00137, 1000 |
 
-**What would break it.** Half a step of gravity left out at the start of a staggered method, or read at the wrong time; a
-moment divided by the mass; a time that is summed up.
+**What would break it.** Half a step of gravity left out at the start of a staggered method, or read at the wrong
+time; a moment divided by the mass; a time that is summed up.
 )";
 
 constexpr double mass = 2.3, inertia = 0.71, moment = 0.37;

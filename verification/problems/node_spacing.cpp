@@ -16,9 +16,9 @@ Case node_spacing();
 namespace {
 
 constexpr const char* page = R"(
-**Problem.** The program of 1993 lets bodies touch by nodes on their outlines. A disc of $M$ nodes rolls over a plane like
-a polygon: how much does its overlap ripple? And how sharp is the corner of a superellipse, on which nodes must stand
-close enough to feel it?
+**Problem.** The program of 1993 lets bodies touch by nodes on their outlines. A disc of $M$ nodes rolls over a
+plane like a polygon: how much does its overlap ripple? And how sharp is the corner of a superellipse, on which
+nodes must stand close enough to feel it?
 
 ```
        . - .                 ___
@@ -31,8 +31,8 @@ close enough to feel it?
 $r\cos\varphi - r + d$ deep. As the disc turns the deepest has $|\varphi| \le \pi/M$, so its overlap ripples by
 $$r\left(1 - \cos\frac\pi M\right) \approx \frac{\pi^2 r}{2M^2},$$
 and the force, a sum over all nodes that are in, by as much times $k$ or more. A single resultant of the disc does not
-ripple. The outline $x^n + y^n = 1$ has at 45 degrees the curvature $(n-1)\,2^{1/n-1/2}$ (derived in the reference); nodes
-at a spacing $s$ there miss $s^2/8$ times that of the corner.
+ripple. The outline $x^n + y^n = 1$ has at 45 degrees the curvature $(n-1)\,2^{1/n-1/2}$ (derived in the reference);
+nodes at a spacing $s$ there miss $s^2/8$ times that of the corner.
 
 **Source.** Mustoe & Huttelmaier 1993, section 3.5; the formulas are derived here.
 
@@ -42,8 +42,8 @@ at a spacing $s$ there miss $s^2/8$ times that of the corner.
 | $M$ | nodes | 8 to 256 |
 | $n$ | exponent | 2 to 50 |
 
-**What would break it.** Nodes that are not evenly spaced or not on the circle; a depth that is not that below the plane;
-a curvature along the wrong diagonal.
+**What would break it.** Nodes that are not evenly spaced or not on the circle; a depth that is not that below the
+plane; a curvature along the wrong diagonal.
 )";
 
 constexpr double radius = 0.7, stiffness = 1000.0;

@@ -41,8 +41,8 @@ method, the present internal step of a controlled one. If all of it is kept the 
 | yard | bodies of every shape, friction, cables, rails, pin, hanger | .8 s |
 | fence | rock, columns, friction, cables that yield, hangers that break | .06 s |
 
-**What would break it.** A method that begins anew; numbers with too few digits; a law that keeps something outside of the
-state; a time that is summed up instead of counted.
+**What would break it.** A method that begins anew; numbers with too few digits; a law that keeps something outside
+of the state; a time that is summed up instead of counted.
 )";
 
 struct Half {

@@ -17,9 +17,9 @@ Case unit_scaling();
 namespace {
 
 constexpr const char* page = R"(
-**Problem.** The solver knows no units: a scene told in other units of mass, length and time must give the same motion.
-Units that are powers of two move no digit of any number, so the answer must be the same to the last bit. Two scenes in
-which much goes on are run in several systems of units.
+**Problem.** The solver knows no units: a scene told in other units of mass, length and time must give the same
+motion. Units that are powers of two move no digit of any number, so the answer must be the same to the last bit.
+Two scenes in which much goes on are run in several systems of units.
 
 ```
    yard: disc, plates, superellipse, bar,      fence: rock, columns, friction,
@@ -29,10 +29,10 @@ which much goes on are run in several systems of units.
 ```
 
 **Equations.** With new units every quantity is multiplied by $2^{ai+bj+ck}$, $i, j, k$ its powers of mass, length and
-time. Sums, products, quotients and comparisons of such numbers scale exactly, and so does $\sqrt x$, as roots are taken
-of squares of lengths alone; powers and sines are taken of pure numbers. What breaks the rule is a number with a unit
-hidden in the code (a smallest length, a tolerance, a count of bits), a field with a wrong dimension in the solver's own
-tables, by which the scenes are converted here, or a number too large or too small for the format.
+time. Sums, products, quotients and comparisons of such numbers scale exactly, and so does $\sqrt x$, as roots are
+taken of squares of lengths alone; powers and sines are taken of pure numbers. What breaks the rule is a number with
+a unit hidden in the code (a smallest length, a tolerance, a count of bits), a field with a wrong dimension in the
+solver's own tables, by which the scenes are converted here, or a number too large or too small for the format.
 
 **Source.** Metamorphic testing: Chen, Cheung & Yiu 1998. Exact scaling: IEEE 754, section 3.
 
@@ -42,8 +42,8 @@ tables, by which the scenes are converted here, or a number too large or too sma
 | $2^b$ | unit of length | $2^{-31}$ |
 | $2^c$ | unit of time | $2^{-17}$ |
 
-**What would break it.** An absolute tolerance anywhere: odeint's steppers with step control have one, and are the only
-method that notices its units (table).
+**What would break it.** An absolute tolerance anywhere: odeint's steppers with step control have one, and are the
+only method that notices its units (table).
 )";
 
 constexpr UnitScale all_units{0x1p43, 0x1p-31, 0x1p-17};
