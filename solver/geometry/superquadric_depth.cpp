@@ -1,6 +1,7 @@
 /// The nearest point of a superquadric's outline, and how it stands to a half-plane.
 
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
@@ -19,14 +20,22 @@ struct Arc {
   double b;
   double n;
 
-  Vec2 point(double eta) const { return {a * power(1.0 - power(eta, n), 1.0 / n), b * eta}; }
+  /// A place on the arc: x/a, y/b, and the term eta^n.
+  struct Place {
+    double xi;
+    double eta;
+    double term;
+  };
+  Place at(double eta) const { return at(eta, power(eta, n)); }
+  Place at(double eta, double term) const { return {power(1.0 - term, 1.0 / n), eta, term}; }
+
+  Vec2 point(const Place& place) const { return {a * place.xi, b * place.eta}; }
   /// Outward normal there, not of unit length: the gradient, divided by n.
-  Vec2 normal(double eta) const {
-    const double u = power(1.0 - power(eta, n), 1.0 / n);
-    return {power(u, n - 1.0) / a, power(eta, n - 1.0) / b};
+  Vec2 normal(const Place& place) const {
+    return {(1.0 - place.term) / (place.xi * a), place.eta == 0.0 ? 0.0 : place.term / (place.eta * b)};
   }
   /// Half the derivative of |X - p|^2 along the arc, scaled by a positive factor: cross product of normal and X - p.
-  double slope(double eta, Vec2 p) const { return cross(normal(eta), point(eta) - p); }
+  double slope(const Place& place, Vec2 p) const { return cross(normal(place), point(place) - p); }
 };
 
 struct Nearest {
@@ -34,45 +43,70 @@ struct Nearest {
   Vec2 normal;
 };
 
-void consider(const Arc& arc, double eta, Vec2 p, bool swapped, Nearest& best) {
-  const double distance = norm(arc.point(eta) - p);
+void consider(const Arc& arc, const Arc::Place& place, Vec2 p, bool swapped, Nearest& best) {
+  const double distance = norm(arc.point(place) - p);
   if (distance >= best.distance) return;
-  const Vec2 n = arc.normal(eta);
+  const Vec2 n = arc.normal(place);
   const Vec2 unit = (1.0 / norm(n)) * n;
   best = {distance, swapped ? Vec2{unit.y, unit.x} : unit};
 }
 
 /// The point of the arc nearest to p: a point deep inside may have several that are locally nearest, so the arc is
-/// searched piece by piece.
-void search(const Arc& arc, Vec2 p, bool swapped, Nearest& best) {
-  constexpr int pieces = 16;
-  const double end = power(0.5, 1.0 / arc.n);
-  double left = 0.0;
-  double slope_left = arc.slope(left, p);
-  consider(arc, left, p, swapped, best);
-  for (int i = 1; i <= pieces; ++i) {
-    const double right = end * i / pieces;
-    const double slope_right = arc.slope(right, p);
-    if (slope_left < 0.0 && slope_right > 0.0) {
-      std::uintmax_t evaluations = 100;
-      const auto [low, high] =
-          boost::math::tools::toms748_solve([&](double eta) { return arc.slope(eta, p); }, left, right, slope_left,
-                                            slope_right, boost::math::tools::eps_tolerance<double>(52), evaluations);
-      consider(arc, 0.5 * (low + high), p, swapped, best);
-    }
-    left = right;
-    slope_left = slope_right;
+/// searched piece by piece. Of a high exponent all turning is near the corner, where the terms are not small: half of
+/// the pieces divide the flat side evenly, the others go to the corner with the term growing by sqrt(2).
+class Search {
+ public:
+  Search(const Arc& arc, Vec2 p, bool swapped, Nearest& best) : arc_{arc}, p_{p}, swapped_{swapped}, best_{best} {}
+
+  void run() {
+    constexpr int even = 8, graded = 16;
+    const double ratio = power(0.5, 0.5 / arc_.n);
+    std::array<double, graded + 1> towards_corner{};  // eta with the terms 1/2, 1/2/sqrt(2), ...
+    towards_corner[0] = ratio * ratio;
+    for (std::size_t i = 0; i < graded; ++i)
+      towards_corner[i + 1] = towards_corner[i] * ratio;
+    left_ = arc_.at(0.0, 0.0);
+    slope_left_ = arc_.slope(left_, p_);
+    consider(arc_, left_, p_, swapped_, best_);
+    for (int i = 1; i <= even; ++i)
+      look_up_to(arc_.at(towards_corner.back() * i / even));
+    for (std::size_t i = graded; i-- > 0;)
+      look_up_to(arc_.at(towards_corner[i]));
+    consider(arc_, left_, p_, swapped_, best_);
   }
-  consider(arc, end, p, swapped, best);
-}
+
+ private:
+  /// The piece from where the last one ended.
+  void look_up_to(const Arc::Place& right) {
+    const double slope_right = arc_.slope(right, p_);
+    if (slope_left_ < 0.0 && slope_right > 0.0) {
+      std::uintmax_t evaluations = 100;
+      const auto [low, high] = boost::math::tools::toms748_solve(
+          [this](double eta) { return arc_.slope(arc_.at(eta), p_); }, left_.eta, right.eta, slope_left_, slope_right,
+          boost::math::tools::eps_tolerance<double>(52), evaluations);
+      consider(arc_, arc_.at(0.5 * (low + high)), p_, swapped_, best_);
+    }
+    left_ = right;
+    slope_left_ = slope_right;
+  }
+
+  const Arc& arc_;
+  Vec2 p_;
+  bool swapped_;
+  Nearest& best_;
+  Arc::Place left_{};
+  double slope_left_{};
+};
 
 }  // namespace
 
 Depth depth_below(const Superquadric& shape, Vec2 p) {
   const Vec2 folded{std::abs(p.x), std::abs(p.y)};
   Nearest best;
-  search({shape.half_width, shape.half_height, shape.exponent}, folded, false, best);
-  search({shape.half_height, shape.half_width, shape.exponent}, {folded.y, folded.x}, true, best);
+  const Arc beside{shape.half_width, shape.half_height, shape.exponent};
+  const Arc above{shape.half_height, shape.half_width, shape.exponent};
+  Search{beside, folded, false, best}.run();
+  Search{above, {folded.y, folded.x}, true, best}.run();
   const Vec2 normal{std::copysign(best.normal.x, p.x), std::copysign(best.normal.y, p.y)};
   return {is_inside(shape, p) ? best.distance : -best.distance, normal};
 }

@@ -117,7 +117,7 @@ Model FenceMaker::hung(Model model) {
     }
     return sum;
   };
-  constexpr double nudge = 1e-7;
+  const double nudge = 1e-8 * fence_.sag;
   for (int pass = 0; pass < 100; ++pass) {
     const Eigen::VectorXd residual = forces(model);
     if (residual.cwiseAbs().maxCoeff() < 1e-9 * column_weight()) break;

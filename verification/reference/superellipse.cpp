@@ -127,6 +127,11 @@ double support(const Superellipse& shape, double c, double s) {
   return nearest(pow(Real50(pow(u, q) + pow(v, q)), Real50(1 / q)));
 }
 
+double corner_curvature(double half_axis, double n) {
+  const Real50 power{n};
+  return nearest((power - 1) * pow(Real50{2}, 1 / power - Real50{1} / 2) / half_axis);
+}
+
 double excess(const Superellipse& shape, Point p) {
   const Real50 u = abs(Real50(p.x) / shape.a), v = abs(Real50(p.y) / shape.b);
   return nearest(pow(u, Real50(shape.n)) + pow(v, Real50(shape.n)) - 1);

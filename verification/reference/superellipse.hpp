@@ -38,6 +38,11 @@ struct Point {
 /// > 1.
 [[nodiscard]] double support(const Superellipse& shape, double c, double s);
 
+/// Curvature at the rounded corner, where both terms are 1/2, for a = b: (n - 1) 2^(1/n - 1/2)/a [1/L], at 50 digits.
+/// With F = (x^n + y^n)/n, x = y = 2^(-1/n): F_x = F_y = x^(n-1), F_xx = F_yy = (n - 1) x^(n-2), and the curvature
+/// (F_xx F_y^2 + F_yy F_x^2)/|grad F|^3 = 2 (n - 1) x^(3n-4)/(2^(3/2) x^(3n-3)) = (n - 1)/(sqrt(2) x).
+[[nodiscard]] double corner_curvature(double half_axis, double n);
+
 /// |x/a|^n + |y/b|^n at 50 digits, less 1: negative inside.
 [[nodiscard]] double excess(const Superellipse& shape, Point p);
 

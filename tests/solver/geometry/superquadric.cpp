@@ -174,3 +174,26 @@ BOOST_AUTO_TEST_CASE(the_smoother_outline_gives_the_normal) {
   const Depth sharp = ball_depth(node, placement(column, rock), Smoother{circle, {-1.0, 0.0}, 50.0});
   BOOST_TEST(sharp.normal.y == radial.normal.y);
 }
+
+BOOST_AUTO_TEST_CASE(nearest_point_beside_a_sharp_corner) {
+  // A point inside a corner, about as far from either side, may have two places of the outline that are locally
+  // nearest, close to each other: no point of the outline may be nearer than the one found.
+  std::mt19937_64 random{5};
+  std::uniform_real_distribution<double> share{0.0, 1.0};
+  for (const double n : {20.0, 50.0, 200.0}) {
+    const Superquadric shape{1.0, 0.7, n};
+    std::vector<Vec2> outline;
+    for (int i = 0; i <= 2000; ++i)
+      outline.push_back(boundary_point(shape, 0.5 * std::numbers::pi * i / 2000));
+    int farther = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const double in = 0.01 + 0.09 * share(random);  // about as far from either side
+      const Vec2 p{1.0 - in * (0.9 + 0.2 * share(random)), 0.7 - in};
+      double least = 1.0;
+      for (const Vec2 q : outline)
+        least = std::min(least, norm(q - p));
+      if (depth_below(shape, p).depth > least + 1e-14) ++farther;
+    }
+    BOOST_TEST(farther == 0, "n = " << n << ": " << farther);
+  }
+}

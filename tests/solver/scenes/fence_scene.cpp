@@ -298,3 +298,26 @@ BOOST_AUTO_TEST_CASE(a_second_rock_meets_the_cables_of_the_first) {
   fence.stretched_cables.push_back({"tip1", 0.1});
   BOOST_CHECK_THROW(static_cast<void>(fence_scene(fence)), InputError);
 }
+
+BOOST_AUTO_TEST_CASE(stretched_on_one_side_it_hangs_alike_in_any_unit_of_length) {
+  Fence fence = sample2(1);
+  fence.options.symmetry = FenceSymmetry::full;
+  fence.stretched_cables = {{"top1", 0.03}};
+  Fence other = fence;
+  const double unit = 0x1p-30;
+  const auto tell = [unit](auto& owner) {
+    using T = std::decay_t<decltype(owner)>;
+    for (const auto& field : T::fields())
+      owner.*field.member *= std::pow(unit, field.dimension.length);
+    if constexpr (requires { T::vectors(); }) {
+      for (const auto& field : T::vectors())
+        owner.*field.member = std::pow(unit, field.dimension.length) * (owner.*field.member);
+    }
+  };
+  tell(other);
+  tell(other.ground), tell(other.rocks[0]), tell(other.column), tell(other.stretched_cables[0]);
+  const FenceScene one = fence_scene(fence), two = fence_scene(other);
+  BOOST_TEST(one.members[3].position.y != one.members[2].position.y);
+  for (std::size_t i = 2; i < one.members.size(); ++i)
+    BOOST_TEST(two.members[i].position.y == unit * one.members[i].position.y);
+}

@@ -78,6 +78,20 @@ BOOST_AUTO_TEST_CASE(support_is_the_largest_reach) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(curvature_of_the_corner_by_the_circle_through_three_points) {
+  for (const double n : {2.0, 3.0, 8.0, 20.0}) {
+    // 4 area/(product of the sides), the points a little beside the corner on either side of it.
+    const double d = 1e-3 / n;
+    const ref::Point p = on_outline({1.5, 1.5, n}, pi / 4 - d), q = on_outline({1.5, 1.5, n}, pi / 4),
+                     r = on_outline({1.5, 1.5, n}, pi / 4 + d);
+    const double twice = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    const double sides =
+        std::hypot(q.x - p.x, q.y - p.y) * std::hypot(r.x - q.x, r.y - q.y) * std::hypot(r.x - p.x, r.y - p.y);
+    BOOST_TEST(2.0 * twice / sides == ref::corner_curvature(1.5, n), boost::test_tools::tolerance(1e-4));
+  }
+  BOOST_TEST(ref::corner_curvature(1.0, 20.0) == 13.91, boost::test_tools::tolerance(1e-3));
+}
+
 BOOST_AUTO_TEST_CASE(excess_is_nought_on_the_outline) {
   for (const double n : {2.0, 8.0, 50.0}) {
     const ref::Superellipse s{1.25, 4.0, n};

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "solver/dynamics/dynamics.hpp"
+#include "solver/geometry/mass_properties.hpp"
+#include "solver/model/model_builder.hpp"
+#include "verification/check/case.hpp"
+#include "verification/reference/solid_moments.hpp"
+
+namespace talus::verification::problems {
+
+Case body_properties();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Mass and moment of inertia of the solids that a fence is made of, area, centroid and moment of a
+rectangle's outline, and the inertia that a body has about a pin: closed forms of the solver against integration.
+
+```
+      ____            b |  _.-._          ___
+     |    | b           | /     \        (___)
+     |____|             | \_   _/        |   | 2b
+       a                    ---          (___) a
+```
+
+**Equations.** With half-lengths $a$, $b$ in the plane and density $\rho$
+
+| solid | $m$ | $I$ |
+|:--|:-----|:-----|
+| ellipsoid, $c = \min(a, b)$ | $\frac43\pi a b c\rho$ | $m(a^2+b^2)/5$ |
+| block, $a$ across | $8a^2b\rho$ | $m(a^2+b^2)/3$ |
+| upright cylinder | $2\pi a^2 b\rho$ | $m(3a^2+4b^2)/12$ |
+
+They are integrated in slices, at 50 digits. A polygon has the area $\frac12\sum p_i\times p_{i+1}$ and like sums for
+centroid and moment. About a pin at $r$ from the centre of mass $I_p = I + m r^2$ (Steiner).
+
+**Source.** Mustoe & Huttelmaier 1993, section 2.2; textbook mechanics.
+
+| symbol | meaning | value |
+|:--|:-----------|:--|
+| $a$, $b$ | half-lengths | four pairs, 3:1 to 1:40 |
+
+**What would break it.** A half for a whole length; the inertia about another axis; a sphere's formula for an
+ellipsoid.
+)";
+
+constexpr std::array sizes{std::array{0.953951, 0.953951}, std::array{1.25, 4.0}, std::array{3.1, 1.03},
+                           std::array{0.05, 2.0}};
+constexpr double density = 5.127408;
+
+/// A handful of products and sums.
+Tolerance few_roundings() {
+  return Tolerance::round_off(8.0 * 0x1p-53, "eight operations, each half a unit of the last place").relative();
+}
+
+void check_solid(Findings& findings, const Setup& setup, const char* name, reference::Solid solid,
+                 MassProperties (*properties)(double, double, double)) {
+  for (const auto& [a, b] : sizes) {
+    const double told = setup.has("full_length") ? 2.0 * b : b;
+    MassProperties found = properties(a, told, density);
+    if (setup.has("sphere_for_ellipsoid")) found.inertia = 0.4 * found.mass * a * a;
+    const reference::SolidMoments exact = reference::integrated_moments(solid, a, b);
+    const std::string which = fmt::format("{} of half-lengths {:g} and {:g}", name, a, b);
+    findings.expect("mass, " + which, found.mass, density * exact.volume, few_roundings(), "kg");
+    findings.expect("moment of inertia, " + which, found.inertia, density * exact.polar, few_roundings(), "kg m^2");
+  }
+}
+
+void check_rectangle(Findings& findings) {
+  for (const auto& [a, b] : sizes) {
+    std::vector<reference::Point> corners;
+    for (const Vec2 p : boundary_nodes(Shape{Rectangle{a, b}}, 4))
+      corners.push_back({p.x, p.y});
+    const std::string which = fmt::format("rectangle of half-lengths {:g} and {:g}", a, b);
+    const double area = reference::polygon_area(corners);
+    const reference::Point centroid = reference::polygon_centroid(corners);
+    findings.expect("area, " + which, area, 4.0 * a * b, few_roundings(), "m^2");
+    findings.expect("distance of the centroid, " + which, std::max(std::abs(centroid.x), std::abs(centroid.y)), 0.0,
+                    Tolerance::exact("corners come in pairs of opposite sign"), "m");
+    findings.expect("polar moment over area, " + which, reference::polygon_polar_moment(corners) / area,
+                    (a * a + b * b) / 3.0, few_roundings(), "m^2");
+  }
+}
+
+/// The inertia that the dynamics gives a pinned body, by its answer to a moment, at any angle of the pin's arm.
+void check_pin(Findings& findings, const Setup& setup) {
+  const double mass = 2.3, inertia = 0.71, moment = 1.7;
+  double farthest = 0.0;
+  for (int i = 0; i < 24; ++i) {
+    const double angle = 0.27 * i, arm = 0.1 * (i + 1);
+    ModelBuilder builder{si};
+    builder.add(Body{.name = "body",
+                     .mobility = Mobility::pinned,
+                     .mass = mass,
+                     .inertia = inertia,
+                     .angle = 0.4 * i,
+                     .p_BPin = arm * Vec2{std::cos(angle), std::sin(angle)},
+                     .moment = moment});
+    const Model model = builder.build();
+    const Dynamics dynamics{model};
+    Workspace work = dynamics.workspace();
+    const State state = rest_state(model);
+    Rates rates{state};
+    dynamics.update(state, work);
+    dynamics.rates(state, work, rates);
+    const double expected = inertia + (setup.has("without_steiner") ? 0.0 : mass * arm * arm);
+    farthest = std::max(farthest, std::abs(moment / rates.v[0] / expected - 1.0));
+  }
+  findings.expect("inertia about a pin by the answer to a moment, farthest of 24", farthest, 0.0,
+                  Tolerance::round_off(8.0 * 0x1p-53, "eight operations, each half a unit of the last place"));
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_solid(findings, setup, "ellipsoid", reference::Solid::ellipsoid, ellipsoid);
+  check_solid(findings, setup, "block", reference::Solid::block, block);
+  check_solid(findings, setup, "cylinder", reference::Solid::cylinder, cylinder);
+  check_rectangle(findings);
+  check_pin(findings, setup);
+}
+
+}  // namespace
+
+Case body_properties() {
+  return {.id = "body_properties",
+          .title = "Area, mass and moment of inertia",
+          .requirements = {{"A2", {"area", "centroid", "polar moment", "moment of inertia", "mass", "about a pin"}},
+                           {"shape.rectangle", {"rectangle"}}},
+          .main_checks = {"moment of inertia, cylinder of half-lengths 1.25 and 4",
+                          "moment of inertia, ellipsoid of half-lengths 3.1 and 1.03",
+                          "inertia about a pin by the answer to a moment, farthest of 24"},
+          .source = "Mustoe & Huttelmaier 1993, section 2.2",
+          .page = page,
+          .faults = {{"full_length", "a length for a half-length", "mass, block of half-lengths 1.25 and 4"},
+                     {"sphere_for_ellipsoid", "a sphere's inertia for all",
+                      "moment of inertia, ellipsoid of half-lengths 3.1 and 1.03"},
+                     {"without_steiner", "expects no part of the arm",
+                      "inertia about a pin by the answer to a moment, farthest of 24"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,293 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "solver/model/model_builder.hpp"
+#include "solver/run/energy_ledger.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/scene.hpp"
+#include "verification/check/case.hpp"
+#include "verification/reference/restitution.hpp"
+
+namespace talus::verification::problems {
+
+Case colliding_discs();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Discs collide in a plane where nothing else acts: two head on, and twenty that fly towards their centre.
+Momentum and moment of momentum must stay, and the ledger of energy must close as the step shrinks, at the order and
+with the constant of the method.
+
+```
+     o -->    <-- O            o  \ | /  o
+                             --> o  .  o <--
+                               o  / | \  o
+```
+
+**Equations.** Forces between two discs are opposite and act at one point, so $P = \sum m v$ and
+$L = \sum (m\,p\times v + I\omega)$ change by rounding only. Energy left over by velocity Verlet, over the energy
+$E_0$ of approach, $\omega = \sqrt{k/m}$, $m$ the effective mass:
+
+- *Undamped.* The first step in contact ends $\sigma h$ after the touch, at the depth $x_1 = \sigma h v$, and its
+  half kick takes $\tfrac h2 k x_1 v$ for the $\tfrac12 k x_1^2$ that the spring stores: $-(\omega
+  h)^2\sigma(1-\sigma)$ of $E_0$ is gained, and $(\omega h)^2\sigma'(1-\sigma')$ given back at the release. With
+  both phases even in $(0, 1)$ the root mean square of the difference is $(\omega h)^2/\sqrt{90}$. (Inside the
+  contact the energy swings by $(\omega h)^2/4$.)
+- *Damped.* A kick from $v$ to $v'$ makes the dashpot take $\frac12 h c v (v + v')$; booked is $h c v^2$, its power at
+  the velocity of before. Over a contact this leaves $-\frac h2\int c v \dot v\,dt = \frac14 h c (v_0^2 - v_1^2)$. The
+  spring takes $\frac12 k x_n(x_{n+1} - x_{n-1})$ in step $n$, in all $\frac12 k x_N x_{N+1}$ up to its last step $N$;
+  what it still stores when the contact lets it go is $\frac12 k x_{N+1}^2$, less by $\frac12 h k x v_1 = \frac12 h
+  c v_1^2$, as $k x = c v_1$ there. With $v_1 = e v_0$, together
+  $$\frac{\Delta E}{E_0} = \xi\,\omega h\,(1 - 3 e^2) + O(h^2),$$
+  of either sign, and nought near $\xi = .2$.
+
+**Source.** Hairer, Lubich & Wanner 2006, chapter IX; the constants are derived above. Clamped $e(\xi)$: Schwager &
+Poeschel 2007.
+
+| symbol | meaning | value |
+|:--|:-----------|:--|
+| $m_1, m_2$ | two discs | 1.3, .7 |
+| $k$, $\xi$ | spring, damping ratio | 1000; 0, .1, .4 |
+| | twenty discs: radius, mass | .2 to .35, $\propto r^2$ |
+| $\mu$, $k_s/k$ | friction of the twenty | .4, .6 |
+
+**What would break it.** A contact whose two forces act at different points; friction that turns one disc only; a
+dashpot whose work is booked once for two bodies moving alike, or at another velocity; energy let go by the spring
+of a contact that ends under pressure and not booked.
+)";
+
+constexpr double stiffness = 1000.0, friction = 0.4, shear_ratio = 0.6;
+constexpr double masses[] = {1.3, 0.7}, radii[] = {0.31, 0.24}, approach = 1.7;
+
+double damping(double xi, double effective_mass) { return 2.0 * xi * std::sqrt(stiffness * effective_mass); }
+
+/// What a run leaves over.
+struct Ledger {
+  double left_over{};  ///< energy at the end, over that at the start
+  double largest{};    ///< at any step
+  double momentum{}, moment{};
+};
+
+Ledger run_ledger(const Scene& scene, double step, double end, const Setup& setup, Findings& findings) {
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics};
+  State state = scene.initial;
+  system.settle(state);
+  EnergyLedger ledger{dynamics, state};
+  const Accounts start = ledger.accounts(state);
+  Ledger found;
+  const auto account = [&](State seen) {
+    if (setup.has("dashpot_not_booked")) seen.work[static_cast<std::size_t>(Mechanism::contact_damping)] = 0.0;
+    const Accounts now = ledger.accounts(seen);
+    const Vec2 drift = now.momenta.linear - start.momenta.linear;
+    found.left_over = now.energy_closure / start.energies.kinetic;
+    found.largest = std::max(found.largest, std::abs(found.left_over));
+    found.momentum = std::max({found.momentum, std::abs(drift.x), std::abs(drift.y)});
+    found.moment = std::max(found.moment, std::abs(now.momenta.angular - start.momenta.angular));
+  };
+  const Observer observers[] = {[&](const State& seen, const StepInfo&) { account(seen); }};
+  Integrator method = VelocityVerlet{};
+  if (!simulate(system, method, state, {step, end, end, true}, observers)) found.largest = std::nan("");
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  return found;
+}
+
+Contact touch(std::string name, BodyId a, BodyId b, double dashpot) {
+  return {.name = std::move(name), .a = a, .b = b, .law = LinearSpringDashpot{stiffness, dashpot, EndRule::clamped}};
+}
+
+/// Two discs head on, the touch `gap` of travel away.
+Scene two_discs(double xi, double gap) {
+  ModelBuilder builder{si};
+  const auto disc = [&](int i, double x) {
+    return builder.add(Body{.name = fmt::format("disc{}", i),
+                            .mass = masses[i],
+                            .inertia = 0.5 * masses[i] * radii[i] * radii[i],
+                            .shape = Circle{radii[i]},
+                            .p_WB = {x, 0.0}});
+  };
+  const BodyId a = disc(0, 0.0), b = disc(1, radii[0] + radii[1] + gap);
+  const double effective = masses[0] * masses[1] / (masses[0] + masses[1]);
+  builder.add(touch("touch", a, b, damping(xi, effective)));
+  Scene scene{.title = "Two discs", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  // Centre of mass at rest: the kinetic energy is that of approach.
+  set_velocity(scene.model, scene.initial, a, {approach * masses[1] / (masses[0] + masses[1]), 0.0}, 0.0);
+  set_velocity(scene.model, scene.initial, b, {-approach * masses[0] / (masses[0] + masses[1]), 0.0}, 0.0);
+  return scene;
+}
+
+/// Twenty discs on two rings that fly inwards.
+Scene twenty_discs(double xi, double mu, const Setup& setup) {
+  ModelBuilder builder{si};
+  if (setup.has("a_little_weight")) builder.gravity({1e-12, 0.0});
+  std::mt19937_64 random{20};
+  std::uniform_real_distribution<double> share{0.0, 1.0};
+  std::vector<BodyId> ids;
+  std::vector<Vec2> speeds;
+  for (int i = 0; i < 20; ++i) {
+    const double radius = 0.2 + 0.15 * share(random), mass = 12.0 * radius * radius;
+    const double angle = 2.0 * std::numbers::pi * (i % 10 + 0.3 * share(random) + (i < 10 ? 0.0 : 0.4)) / 10.0;
+    const double far = i < 10 ? 1.5 : 2.6;
+    const Vec2 out{std::cos(angle), std::sin(angle)};
+    ids.push_back(builder.add(Body{.name = fmt::format("disc{}", i),
+                                   .mass = mass,
+                                   .inertia = 0.5 * mass * radius * radius,
+                                   .shape = Circle{radius},
+                                   .p_WB = far * out}));
+    speeds.push_back(-(1.0 + share(random)) * out + Vec2{0.3 * share(random), -0.2});
+  }
+  for (std::size_t i = 0; i < 20; ++i) {
+    for (std::size_t j = i + 1; j < 20; ++j) {
+      Contact contact = touch(fmt::format("{}-{}", i, j), ids[i], ids[j], damping(xi, 0.45));
+      if (mu > 0.0) contact.friction = CoulombFriction{mu, shear_ratio * stiffness};
+      builder.add(std::move(contact));
+    }
+  }
+  Scene scene{.title = "Twenty discs", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  for (std::size_t i = 0; i < 20; ++i)
+    set_velocity(scene.model, scene.initial, ids[i], speeds[i], 2.0 * share(random) - 1.0);
+  return scene;
+}
+
+/// Energy left over by two discs, rms and mean over the phases of touch and release.
+void check_two(Findings& findings, const Setup& setup, double xi, Figure& figure) {
+  const double effective = masses[0] * masses[1] / (masses[0] + masses[1]);
+  const double omega = std::sqrt(stiffness / effective);
+  const reference::ImpactEvents events =
+      reference::impact_events({stiffness, damping(xi, effective), effective, approach}, reference::EndRule::clamped);
+  const double e = events.restitution;
+  const std::string what = xi > 0.0 ? fmt::format("damped, xi = {:g}", xi) : "undamped";
+  Convergence errors;
+  double ratio = 0.0;
+  Series points{what + ", two discs", {}, {}, Style::points}, line{what + ", predicted", {}, {}, Style::lines};
+  for (const double count : doublings(setup.coarse ? 64.0 : 32.0, setup.coarse ? 3 : 5)) {
+    PhaseError error;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < fewest_phases; ++i) {
+      const double step =
+          setup.has("commensurate_step") ? events.contact_time / count : offset_step(events.contact_time, count, i);
+      const double touch_after = (2.0 + even_phases(fewest_phases)[i * 27 % fewest_phases]) * step;
+      const Ledger found = run_ledger(two_discs(xi, approach * touch_after), step,
+                                      touch_after + events.contact_time + 3.0 * step, setup, findings);
+      error.add(found.left_over);
+      sum += found.left_over / (xi * omega * step * (1.0 - 3.0 * e * e)) / static_cast<double>(fewest_phases);
+    }
+    const double step = events.contact_time / (count + 0.5), wh = omega * step;
+    errors.add(1.0 / (count + 0.5), error.rms());
+    points.x.push_back(wh);
+    points.y.push_back(error.rms());
+    line.x.push_back(wh);
+    line.y.push_back(xi > 0.0 ? xi * wh * std::abs(1.0 - 3.0 * e * e) : wh * wh / std::sqrt(90.0));
+    ratio = xi > 0.0 ? sum : error.rms() / line.y.back();
+  }
+  figure.series.push_back(points);
+  figure.series.push_back(line);
+  if (xi > 0.0) {
+    findings.expect_order("order of the energy left over, two discs, " + what, errors.last(3), 0.93, 1.06,
+                          "the dashpot's power is booked with the velocity of before the kick");
+    findings.expect_between("energy left over, two discs, " + what + ", over its prediction", ratio, 0.95, 1.05,
+                            "xi w h (1 - 3 e^2), up to its own second order, w h times a number of order one");
+  } else {
+    findings.expect_order("order of the energy left over, two discs, undamped", errors.last(3), 1.98, 2.02,
+                          "touch and release within a step");
+    findings.expect_between("energy left over, two discs, undamped, over its prediction", ratio, 0.9, 1.1,
+                            "(w h)^2/sqrt(90) for even phases; 64 of touch and release are even to a few per cent");
+  }
+}
+
+/// Momentum, moment and order of the ledger of twenty discs.
+void check_twenty(Findings& findings, const Setup& setup, double xi, double mu, Figure& figure) {
+  const Scene scene = twenty_discs(xi, mu, setup);
+  const std::string what = mu > 0.0 ? "damped, with friction" : xi > 0.0 ? "damped" : "undamped";
+  const double end = 1.0, coarsest = 0.004;
+  Convergence errors;
+  Ledger last;
+  double step = coarsest;
+  for (int i = 0; i < (setup.coarse ? 1 : 4); ++i, step *= 0.5) {
+    last = run_ledger(scene, step / 1.0123, end, setup, findings);
+    errors.add(step, last.largest);
+  }
+  double momentum = 0.0, moment = 0.0;
+  for (std::size_t i = 0; i < 20; ++i) {
+    const double speed = norm(Vec2{scene.initial.v[3 * i], scene.initial.v[3 * i + 1]});
+    momentum += scene.model.bodies[i].mass * speed;
+    moment += scene.model.bodies[i].mass * speed * 2.6;
+  }
+  const double rounding = 4.0 * std::sqrt(end / step) * 0x1p-53;
+  const std::string words =
+      "each step rounds each momentum by u of it at random: sqrt(n) u, four times for the worst step of all, sums and "
+      "moments";
+  findings.expect("momentum, twenty discs, " + what, last.momentum, 0.0,
+                  Tolerance::round_off(rounding * momentum, words), "kg m/s");
+  findings.expect("moment of momentum, twenty discs, " + what, last.moment, 0.0,
+                  Tolerance::round_off(rounding * moment, words), "kg m^2/s");
+  if (setup.coarse) return;
+  Series points{what + ", twenty discs", {}, {}, Style::linespoints};
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    points.x.push_back(std::sqrt(stiffness / 0.45) * errors.steps()[i]);
+    points.y.push_back(errors.errors()[i]);
+  }
+  figure.series.push_back(points);
+  const bool second = xi == 0.0;
+  findings.expect_order("order of the largest energy left over, twenty discs, " + what, errors, second ? 1.7 : 0.8,
+                        second ? 2.3 : 1.2, "one run, not a mean over phases: the largest of some forty contacts");
+}
+
+void run(Findings& findings, const Setup& setup) {
+  Figure figure{.name = "left_over",
+                .title = "Energy left over by velocity Verlet",
+                .caption =
+                    "Over the energy of approach. Two discs: root mean square over 64 phases (points) and the "
+                    "constants derived above (lines); twenty discs: the largest of one run.",
+                .x = {.label = "w h", .log = true},
+                .y = {.label = "energy left over", .log = true},
+                .series = {}};
+  check_two(findings, setup, 0.0, figure);
+  check_two(findings, setup, 0.1, figure);
+  if (!setup.coarse) check_two(findings, setup, 0.4, figure);
+  check_twenty(findings, setup, 0.0, 0.0, figure);
+  if (setup.coarse) return;
+  check_twenty(findings, setup, 0.2, 0.0, figure);
+  check_twenty(findings, setup, 0.2, friction, figure);
+  findings.figure(figure);
+}
+
+}  // namespace
+
+Case colliding_discs() {
+  return {.id = "colliding_discs",
+          .title = "Momentum and energy of colliding discs",
+          .requirements = {{"A4", {"momentum", "moment of momentum", "energy left over"}},
+                           {"law.linear_spring_dashpot", {"energy left over"}},
+                           {"end_rule.clamped", {"two discs, damped"}},
+                           {"Eq. 18", {"with friction"}},
+                           {"mechanism.contact_damping", {"two discs, damped"}},
+                           {"mechanism.friction", {"with friction"}},
+                           {"shape.circle", {"twenty discs"}},
+                           {"method.resultant", {"twenty discs"}},
+                           {"integrator.velocity_verlet", {"energy left over"}}},
+          .main_checks = {"energy left over, two discs, undamped, over its prediction",
+                          "energy left over, two discs, damped, xi = 0.1, over its prediction",
+                          "momentum, twenty discs, damped, with friction",
+                          "moment of momentum, twenty discs, damped, with friction"},
+          .source = "Hairer, Lubich & Wanner 2006, chapter IX; Schwager & Poeschel 2007",
+          .page = page,
+          .faults = {{"dashpot_not_booked", "the dashpot's work is left out of the ledger",
+                      "energy left over, two discs, damped, xi = 0.1, over its prediction"},
+                     {"commensurate_step", "the step divides the contact time",
+                      "energy left over, two discs, undamped, over its prediction"},
+                     {"a_little_weight", "a weight of 1e-12 of the discs' acceleration",
+                      "momentum, twenty discs, undamped"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

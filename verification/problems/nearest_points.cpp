@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "solver/geometry/gap.hpp"
+#include "verification/check/case.hpp"
+#include "verification/reference/superellipse.hpp"
+
+namespace talus::verification::problems {
+
+Case nearest_points();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Every contact of a superellipse with a node or a disc asks for the nearest point of its outline. For
+large exponents Newton's method on the condition that the normal passes through the point fails often. Does the
+solver's search ever? It is tried over exponents, slenderness and places of the point.
+
+```
+     ________
+    |      . )   inside a corner, about as far from two sides,
+    |     .  |   there are two nearest places, close together
+    |________|
+```
+
+**Equations.** On the arc from an axis to the corner, $y = b\eta$, $x = a(1-\eta^n)^{1/n}$, the distance is least
+where $g(\eta) = n\times(X - p)$ passes from below to above nought. The solver divides the arc into pieces, and in
+each that has such a change of sign encloses it until the bracket is a last place wide (Alefeld, Potra & Shi
+1995). **A bracket cannot be lost**, and the ends of the arcs are always looked at, so no search ends without an
+answer and there is no fallback to count; the answer is the nearest as long as no piece holds two. All turning of
+the outline is near the corner, where pieces shrink with $\eta^n$.
+
+Until this map was drawn the pieces were even. Of the points about as far from two sides, 2 % ($n = 20$), 9 % (50)
+and 19 % (200) were then measured to the farther of their two nearest places.
+
+Newton's method, for comparison, starts at the middle of the nearer side, at the corner, or below the point, and
+fails if in 60 steps it does not come to the nearest place.
+
+**Source.** Barr 1981; Alefeld, Potra & Shi 1995 (TOMS 748). The reference runs through the outline by brute force,
+in 64 bits of mantissa.
+
+| symbol | meaning | value |
+|:--|:-----------|:--|
+| $n$ | exponent | 1.2 to 1000 |
+| $a$, $b$ | half axes | 1; 1, .7, .3, .1 |
+
+**What would break it.** A piece that holds two nearest places; powers that fall below the format's range; a start
+that Newton's method leaves for another quadrant.
+)";
+
+constexpr std::array exponents{1.2, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 50.0, 200.0, 1000.0};
+constexpr std::array heights{1.0, 0.7, 0.3, 0.1};
+constexpr std::array kinds{"inside a corner", "anywhere inside", "outside"};
+
+/// A point of a kind, by three random shares.
+Vec2 placed(std::size_t kind, const Superquadric& shape, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> share{0.0, 1.0};
+  if (kind == 0) {
+    const double in = (0.005 + 0.1 * share(random)) * shape.half_height;
+    return {shape.half_width - in * (0.9 + 0.2 * share(random)), shape.half_height - in};
+  }
+  const Vec2 on = boundary_point(shape, 2.0 * std::numbers::pi * share(random));
+  return (kind == 1 ? share(random) : 1.0 + 2.0 * share(random)) * on;
+}
+
+/// Distance by Newton's method in the parametric angle; NaN if it does not end in 60 steps.
+double newton_distance(const Superquadric& shape, Vec2 p, double start) {
+  constexpr double d = 1e-4;
+  const auto square = [&](double t) {
+    const Vec2 from = boundary_point(shape, t) - p;
+    return dot(from, from);
+  };
+  double t = start;
+  for (int i = 0; i < 60; ++i) {
+    const double up = square(t + d), here = square(t), down = square(t - d);
+    const double step = -0.5 * d * (up - down) / (up - 2.0 * here + down);
+    if (!std::isfinite(step)) return step;
+    if (std::abs(step) < 1e-7) return std::sqrt(here);
+    t += step;
+  }
+  return std::nan("");
+}
+
+struct Tried {
+  int points{}, wrong{};
+  double farthest{};  ///< error over the size
+  std::array<int, 3> newton_failed{};
+};
+
+Tried try_points(double n, double height, std::size_t kind, const Setup& setup) {
+  const Superquadric shape{1.0, height, n};
+  std::mt19937_64 random{static_cast<std::uint64_t>(31.0 * n + 7.0 * height) + kind};
+  Tried tried;
+  const int count = setup.coarse ? 12 : kind == 0 ? 40 : 10;
+  for (int i = 0; i < count; ++i) {
+    const Vec2 p = placed(kind, shape, random);
+    const double exact = reference::nearest_point({1.0, height, n}, {p.x, p.y}, 400).distance;
+    const double below = std::atan2(std::abs(p.y) / height, std::abs(p.x));
+    const std::array starts{p.x > p.y ? 0.05 : 0.5 * std::numbers::pi - 0.05, 0.25 * std::numbers::pi, below};
+    const Vec2 folded{std::abs(p.x), std::abs(p.y)};
+    for (std::size_t s = 0; s < starts.size() && !setup.coarse; ++s)
+      tried.newton_failed[s] += std::abs(newton_distance(shape, folded, starts[s]) - exact) < 1e-3 * exact ? 0 : 1;
+    const double found = setup.has("newton_for_brackets") ? newton_distance(shape, folded, starts[0])
+                         : setup.has("exponent_off")      ? depth_below(Superquadric{1.0, height, 1.001 * n}, p).depth
+                                                          : depth_below(shape, p).depth;
+    const double error = std::abs(std::abs(found) - exact);
+    ++tried.points;
+    if (!(error < 1e-12)) ++tried.wrong;
+    tried.farthest = std::max(tried.farthest, std::isfinite(error) ? error : 1.0);
+  }
+  return tried;
+}
+
+void run(Findings& findings, const Setup& setup) {
+  Table table{.name = "map",
+              .caption =
+                  "Points tried (of all four b), those for which the solver's nearest point is not the nearest, and "
+                  "the share for which Newton's method fails from the middle of the side, the corner, and below.",
+              .columns = {"n", "points", "wrong", "Newton: side", "corner", "below"},
+              .rows = {}};
+  std::array<Series, 3> lines{Series{"Newton from the side", {}, {}, Style::linespoints},
+                              Series{"from the corner", {}, {}, Style::linespoints},
+                              Series{"from below the point", {}, {}, Style::linespoints}};
+  Series solver{"solver", {}, {}, Style::points};
+  std::array<double, 3> farthest{};
+  std::array<int, 3> wrong{};
+  for (const double n : exponents) {
+    if (setup.coarse && n != 50.0) continue;
+    Tried sum;
+    for (const double height : heights) {
+      for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+        const Tried tried = try_points(n, height, kind, setup);
+        sum.points += tried.points;
+        sum.wrong += tried.wrong;
+        wrong[kind] += tried.wrong;
+        farthest[kind] = std::max(farthest[kind], tried.farthest);
+        for (std::size_t s = 0; s < 3; ++s)
+          sum.newton_failed[s] += tried.newton_failed[s];
+      }
+    }
+    std::vector<std::string> row{fmt::format("{:g}", n), fmt::format("{}", sum.points), fmt::format("{}", sum.wrong)};
+    for (std::size_t s = 0; s < 3; ++s) {
+      const double share = static_cast<double>(sum.newton_failed[s]) / sum.points;
+      row.push_back(fmt::format("{:.0f} %", 100.0 * share));
+      lines[s].x.push_back(n);
+      lines[s].y.push_back(share);
+    }
+    solver.x.push_back(n);
+    solver.y.push_back(static_cast<double>(sum.wrong) / sum.points);
+    table.rows.push_back(row);
+  }
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    findings.expect(fmt::format("points whose nearest point is not the nearest, {}", kinds[kind]), wrong[kind], 0.0,
+                    Tolerance::exact("brackets are not lost, and no piece holds two"));
+    findings.expect(fmt::format("distance from the nearest point, farthest from brute force, {}", kinds[kind]),
+                    farthest[kind], 0.0,
+                    Tolerance::round_off(1e-14,
+                                         "a dozen roundings of lengths up to 3: sqrt(12) x 3 x 1.1e-16, three times "
+                                         "that for the worst of 1600, and as much for n < 2, where a place beside "
+                                         "an axis is the power 1/n of a small number"));
+  }
+  if (setup.coarse) return;
+  findings.table(table);
+  findings.figure({.name = "failures",
+                   .title = "Searches that fail",
+                   .caption = "Share of points for which the place found is not the nearest.",
+                   .x = {.label = "exponent n", .log = true},
+                   .y = {.label = "share", .min = 0.0, .max = 1.0},
+                   .series = {lines[0], lines[1], lines[2], solver}});
+}
+
+}  // namespace
+
+Case nearest_points() {
+  return {.id = "nearest_points",
+          .title = "Nearest points: a map of the search",
+          .requirements = {{"E2", {"nearest point"}},
+                           {"shape.superquadric", {"nearest point"}},
+                           {"method.nodes", {"inside a corner"}}},
+          .main_checks = {"points whose nearest point is not the nearest, inside a corner",
+                          "distance from the nearest point, farthest from brute force, inside a corner"},
+          .source = "Barr 1981; Alefeld, Potra & Shi 1995, ACM Trans. Math. Softw. 21:327",
+          .page = page,
+          .faults = {{"newton_for_brackets", "Newton's method from the middle of a side",
+                      "points whose nearest point is not the nearest, inside a corner"},
+                     {"exponent_off", "an exponent .1 % too large",
+                      "distance from the nearest point, farthest from brute force, inside a corner"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/dynamics/dynamics.hpp"
+#include "solver/model/model_builder.hpp"
+#include "verification/check/case.hpp"
+#include "verification/reference/superellipse.hpp"
+
+namespace talus::verification::problems {
+
+Case node_spacing();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** The program of 1993 lets bodies touch by nodes on their outlines. A disc of $M$ nodes rolls over a
+plane like a polygon: how much does its overlap ripple? And how sharp is the corner of a superellipse, on which
+nodes must stand close enough to feel it?
+
+```
+       . - .                 ___
+     .   +   .   M nodes    |   ).  curvature at 45 degrees
+      '._.'._               |    |
+   ======v=======
+```
+
+**Equations.** With the centre at the height $r - d$, the node at the angle $\varphi$ from the lowest point lies
+$r\cos\varphi - r + d$ deep. As the disc turns the deepest has $|\varphi| \le \pi/M$, so its overlap ripples by
+$$r\left(1 - \cos\frac\pi M\right) \approx \frac{\pi^2 r}{2M^2},$$
+and the force, a sum over all nodes that are in, by as much times $k$ or more. A single resultant of the disc does not
+ripple. The outline $x^n + y^n = 1$ has at 45 degrees the curvature $(n-1)\,2^{1/n-1/2}$ (derived in the reference);
+nodes at a spacing $s$ there miss $s^2/8$ times that of the corner.
+
+**Source.** Mustoe & Huttelmaier 1993, section 3.5; the formulas are derived here.
+
+| symbol | meaning | value |
+|:--|:-----------|:--|
+| $r$, $d$ | radius, overlap of the circle | .7, three times the ripple |
+| $M$ | nodes | 8 to 256 |
+| $n$ | exponent | 2 to 50 |
+
+**What would break it.** Nodes that are not evenly spaced or not on the circle; a depth that is not that below the
+plane; a curvature along the wrong diagonal.
+)";
+
+constexpr double radius = 0.7, stiffness = 1000.0;
+
+Model disc_of_nodes(int nodes, ContactMethod method, const Setup& setup) {
+  ModelBuilder builder{si};
+  const BodyId disc = builder.add(Body{
+      .name = "disc", .mass = 1.0, .inertia = 1.0, .shape = Circle{setup.has("radius_off") ? 1.001 * radius : radius}});
+  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  builder.add(Contact{.name = "touch",
+                      .a = disc,
+                      .b = plane,
+                      .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped},
+                      .method = method,
+                      .nodes = {setup.has("a_node_left_out") ? nodes - 1 : nodes, 3}});
+  return builder.build();
+}
+
+/// Overlap and force of a disc led along the plane as it rolls.
+struct Rolled {
+  double deepest{}, shallowest{1e9};  ///< overlap of the deepest node [L]
+  double force_error{};               ///< largest difference to the sum over the nodes [F]
+  std::vector<double> turned, force;
+};
+
+Rolled roll(int nodes, double overlap, ContactMethod method, const Setup& setup) {
+  const Model model = disc_of_nodes(nodes, method, setup);
+  const Dynamics dynamics{model};
+  Workspace work = dynamics.workspace();
+  Rolled rolled;
+  const int steps = 2 * 96;  // over two nodes; every 48th place is exactly at or between nodes
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = 4.0 * std::numbers::pi / nodes * i / steps;
+    State state = rest_state(model);
+    state.q = {-radius * angle, radius - overlap, angle};
+    dynamics.update_all(state, work);
+    dynamics.settle(state, work);
+    const double depth = dynamics.contact_depth(work, ContactId{0});
+    rolled.deepest = std::max(rolled.deepest, depth);
+    rolled.shallowest = std::min(rolled.shallowest, depth);
+    LawForces forces;
+    dynamics.forces(state, work, forces);
+    double sum = 0.0;
+    for (int j = 0; j < nodes; ++j)
+      sum += stiffness * std::max(0.0, overlap - radius * (1.0 + std::sin(angle + 2.0 * std::numbers::pi * j / nodes)));
+    if (method == ContactMethod::resultant) sum = stiffness * overlap;
+    rolled.force_error = std::max(rolled.force_error, std::abs(forces.contacts[0] - sum));
+    rolled.turned.push_back(angle * nodes / (2.0 * std::numbers::pi));
+    rolled.force.push_back(forces.contacts[0] / (stiffness * overlap));
+  }
+  return rolled;
+}
+
+void check_rolling(Findings& findings, const Setup& setup) {
+  Convergence ripples;
+  Figure figure{.name = "force",
+                .title = "Force on a rolling disc of nodes",
+                .caption =
+                    "Over that of the circle, as the disc turns from node to node; held at an overlap of three times "
+                    "the ripple, or of a fiftieth of the radius.",
+                .x = {.label = "turned by, in nodes"},
+                .y = {.label = "force over k d"},
+                .series = {}};
+  double farthest = 0.0, ratio = 0.0;
+  for (const double count : doublings(8.0, 6)) {
+    const int nodes = static_cast<int>(count);
+    const double exact = radius * (1.0 - std::cos(std::numbers::pi / count));
+    const Rolled rolled = roll(nodes, 3.0 * exact, ContactMethod::nodes, setup);
+    const double ripple = rolled.deepest - rolled.shallowest;
+    ripples.add(1.0 / count, ripple);
+    ratio = std::max(ratio, std::abs(ripple - exact) / radius);
+    farthest = std::max(farthest, rolled.force_error);
+    if (nodes == 16) figure.series.push_back({"16 nodes", rolled.turned, rolled.force, Style::lines});
+    if (nodes != 64 || setup.coarse) continue;
+    const Rolled deep = roll(nodes, 0.02 * radius, ContactMethod::nodes, setup);
+    figure.series.push_back({"64 nodes, d = r/50", deep.turned, deep.force, Style::lines});
+  }
+  const std::string rounding = "a dozen roundings of lengths up to r";
+  findings.expect("ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes", ratio, 0.0,
+                  Tolerance::round_off(12.0 * 0x1p-53, rounding));
+  findings.expect("force less the sum over the nodes, farthest", farthest, 0.0,
+                  Tolerance::round_off(36.0 * 0x1p-53 * radius * stiffness, rounding + ", of three nodes"), "N");
+  findings.expect_order("order of the ripple in 1/nodes", ripples.last(4), 1.999, 2.0005,
+                        "the square; the next order is pi^2/(12 M^2) of it, 1e-3 at 32 nodes");
+  const Rolled whole = roll(16, 0.01, ContactMethod::resultant, setup);
+  findings.expect("ripple of one resultant", whole.deepest - whole.shallowest, 0.0,
+                  Tolerance::exact("nothing of the disc's angle enters"), "m");
+  if (!setup.coarse) findings.figure(figure);
+}
+
+void check_curvature(Findings& findings, const Setup& setup) {
+  Table table{.name = "corners",
+              .caption =
+                  "Curvature at 45 degrees for a = b = 1, and how many nodes of 1993's kind (even in the parametric "
+                  "angle) it takes for the chord beside the corner to miss less than a hundredth of its radius.",
+              .columns = {"n", "curvature", "radius", "nodes"},
+              .rows = {}};
+  double farthest = 0.0;
+  for (const double n : {2.0, 3.0, 4.0, 8.0, 12.0, 20.0, 50.0}) {
+    const Superquadric shape{1.0, 1.0, setup.has("exponent_off") ? 1.0001 * n : n};
+    const double x = std::pow(2.0, -1.0 / n);
+    const double found = curvature(shape, {x, -x}), exact = reference::corner_curvature(1.0, n);
+    farthest = std::max(farthest, std::abs(found / exact - 1.0) / n);
+    int nodes = 4;
+    for (; nodes < 100000; nodes += 4) {
+      const std::vector<Vec2> points = boundary_nodes(Shape{shape}, nodes);
+      // Of an even count of nodes in a quadrant the corner lies in the middle of a chord.
+      const std::size_t before = static_cast<std::size_t>(nodes) / 8;
+      if (nodes % 8 != 0) continue;
+      const Vec2 chord = points[before] - points[before - 1];
+      if (dot(chord, chord) * exact * exact / 8.0 < 0.01) break;
+    }
+    table.rows.push_back({fmt::format("{:g}", n), fmt::format("{:.4f}", exact), fmt::format("{:.4f}", 1.0 / exact),
+                          fmt::format("{}", nodes)});
+  }
+  findings.expect("curvature at the corner over its formula, farthest of n = 2 to 50, over n", farthest, 0.0,
+                  Tolerance::round_off(4.0 * 0x1p-53, "powers enlarge the rounding of x by n; a few of them"));
+  if (!setup.coarse) findings.table(table);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_rolling(findings, setup);
+  check_curvature(findings, setup);
+}
+
+}  // namespace
+
+Case node_spacing() {
+  return {.id = "node_spacing",
+          .title = "Nodes on a disc, and on a sharp corner",
+          .requirements = {{"E4", {"ripple", "sum over the nodes"}},
+                           {"E5", {"curvature"}},
+                           {"method.nodes", {"ripple of the overlap", "sum over the nodes"}},
+                           {"method.resultant", {"one resultant"}},
+                           {"shape.circle", {"ripple"}},
+                           {"shape.superquadric", {"curvature"}}},
+          .main_checks = {"ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes",
+                          "order of the ripple in 1/nodes",
+                          "curvature at the corner over its formula, farthest of n = 2 to 50, over n"},
+          .source = "Mustoe & Huttelmaier 1993, section 3.5",
+          .page = page,
+          .faults = {{"a_node_left_out", "one node too few", "force less the sum over the nodes, farthest"},
+                     {"radius_off", "a radius .1 % too large",
+                      "ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes"},
+                     {"exponent_off", "an exponent .01 % too large",
+                      "curvature at the corner over its formula, farthest of n = 2 to 50, over n"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems
