@@ -75,8 +75,8 @@ double slip_rate(const Workspace& work, const Slider& slider) {
 }
 
 /// Starts the spring of a contact that has just begun to push: its bodies have been closing since they touched, for
-/// depth/rate. Bodies that do not close, such as those a scene starts with in touch, keep the stretch they have.
-void begin(State& state, const Workspace& work, const Slider& slider) {
+/// depth/rate. Bodies that do not close keep the stretch they have.
+void start_spring(State& state, const Workspace& work, const Slider& slider) {
   const double rate = work.rates[slider.instance];
   if (!(rate > 0.0)) return;
   const double slip = slip_rate(work, slider) * work.gaps[slider.instance].depth / rate;
@@ -271,6 +271,18 @@ void ContactForces::update_all(Workspace& work) const {
   for_each_array(laws_, [&](const auto& array) { update_gaps(array, nullptr, work); });
 }
 
+void ContactForces::begin(State& state, const Workspace& work) const {
+  if (!rough_) return;
+  for_each_array(laws_, [&](const auto& array) {
+    for (const ContactGroup& group : array.groups) {
+      if (!group.friction || !work.near[group.candidate]) continue;
+      const auto first = state.mode.begin() + static_cast<std::ptrdiff_t>(group.first_friction.mode);
+      std::replace(first, first + static_cast<std::ptrdiff_t>(group.last - group.first), Mode{CoulombFriction::open},
+                   Mode{CoulombFriction::sticking});
+    }
+  });
+}
+
 void ContactForces::settle(State& state, const Workspace& work) const {
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup& group) {
     // The gap declares onset: what does not act and does not touch stays so.
@@ -278,7 +290,7 @@ void ContactForces::settle(State& state, const Workspace& work) const {
     settle_mode(law, slot, kinematics(work, slot.mode), state, group.copies);
   });
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
-    if (state.mode[slider.slot.mode] == CoulombFriction::open && slider.normal > 0.0) begin(state, work, slider);
+    if (state.mode[slider.slot.mode] == CoulombFriction::open && slider.normal > 0.0) start_spring(state, work, slider);
     double& stretch = state.z[slider.slot.memory];
     const auto settled = slider.law.settle(stretch, slider.normal);
     stretch = settled.stretch;

@@ -65,6 +65,8 @@ class ContactForces {
   void update(const State& state, Workspace& work) const;
   /// Gaps of all pairs.
   void update_all(Workspace& work) const;
+  /// Before the first settle() of a run: friction within reach sticks, so that what pushes keeps the stretch it has.
+  void begin(State& state, const Workspace& work) const;
   void settle(State& state, const Workspace& work) const;
   /// Lists the sleeping bodies that have another within reach.
   void list_woken(const Workspace& work, std::vector<BodyId>& woken) const;

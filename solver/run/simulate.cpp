@@ -46,7 +46,7 @@ Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const R
   State& state = standing.state;
   State seen = state;
   if (standing.step == 0) {
-    system.settle(state);
+    system.begin(state);
     for (const Observer& observe : observers)
       observe(state, {0, before + system.evaluations(), true, false, &state});
     method.start(system, state, plan.step);

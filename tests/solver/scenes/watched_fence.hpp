@@ -27,7 +27,7 @@ struct Watched {
         system{dynamics, true},
         watch{fence, made, dynamics} {
     state = made.scene.initial;
-    system.settle(state);
+    system.begin(state);
   }
 
   Outcome run(double end) {
