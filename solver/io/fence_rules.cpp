@@ -57,6 +57,28 @@ Fault along_fault(const FenceElement& element, std::size_t number, const Fence& 
                                 amount(reach, fence, dimension::length))};
 }
 
+/// How the cables yield.
+Fault yield_fault(const scenes::FenceOptions& options) {
+  if (options.hardening >= 1.0) return FenceFault{0, "options", "hardening: found 1; it must be < 1"};
+  if (options.hardening != 0.0 && !options.table.empty()) {
+    return FenceFault{
+        0, "options",
+        fmt::format("found hardening = {} and table; a cable yields by one of the two, hardening or table",
+                    options.hardening)};
+  }
+  scenes::YieldMultiple before{0.0, 1.0};
+  for (const scenes::YieldMultiple& point : options.table) {
+    if (!(point.strain > before.strain && point.multiple >= before.multiple)) {
+      return FenceFault{0, "options",
+                        fmt::format("table: found ({:.6g}, {:.6g}) after ({:.6g}, {:.6g}); plastic strains must grow "
+                                    "and multiples of the yield force not fall, from (0, 1) on",
+                                    point.strain, point.multiple, before.strain, before.multiple)};
+    }
+    before = point;
+  }
+  return {};
+}
+
 Fault layer_fault(const Fence& fence) {
   if (fence.gravity_sign == 0) return FenceFault{0, "gravity_sign", "found 0; it must be 1 or -1"};
   const double width = (fence.columns - 1) * fence.spacing;
@@ -128,7 +150,7 @@ std::optional<FenceFault> fault(const Fence& fence) {
   }
   if (Fault found = along_fault(fence.ground, 1, fence, false)) return found;
   if (Fault found = along_fault(fence.column, fence.rocks.size() + 2, fence, false)) return found;
-  if (fence.options.hardening >= 1.0) return FenceFault{0, "options", "hardening: found 1; it must be < 1"};
+  if (Fault found = yield_fault(fence.options)) return found;
   if (Fault found = layer_fault(fence)) return found;
   return history_fault(fence);
 }
