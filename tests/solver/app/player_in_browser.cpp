@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(playing_goes_on_to_the_end) {
   const int first = std::stoi(after(begun, "data-frame=\""));
   BOOST_TEST(first > 2);
   BOOST_TEST(first < 25);
-  BOOST_TEST(after(ended, "data-frame=\"") == "25");
+  BOOST_TEST(after(ended, "data-frame=\"") == "26");
   BOOST_TEST(holds(begun, ">Pause</button>"));
   BOOST_TEST(holds(ended, ">Play</button>"));
 }
@@ -116,5 +116,5 @@ BOOST_AUTO_TEST_CASE(keys_slider_and_charts_lead_through_time) {
   const Folder folder;
   std::ofstream{folder.path / "pressed.html"} << text;
   const std::string seen = document(folder.path / "pressed.html", "theme=light");
-  BOOST_TEST(after(seen, "data-noted=\"") == "1 11 10 25 0 7 25 Pause 2 dark");
+  BOOST_TEST(after(seen, "data-noted=\"") == "1 11 10 26 0 7 26 Pause 2 dark");
 }

@@ -228,5 +228,6 @@ BOOST_AUTO_TEST_CASE(a_signal_leaves_the_run_to_be_taken_on) {
     runs({"run", two, "--end", "2000 s", "--until", later, "--out", straight});
     same_files(out, straight);
     fs::remove_all(out);
+    fs::remove_all(straight);
   }
 }
