@@ -1,4 +1,5 @@
 #define BOOST_TEST_MODULE drawing_commands
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <fstream>
@@ -254,6 +255,42 @@ BOOST_AUTO_TEST_CASE(snapshots_show_what_the_histories_say) {
   for (const auto& end : first.at("taut"))
     sum -= 0.5 * end[5];  // each cable has two ends
   BOOST_TEST(std::abs(sum) < 1e-5 * 14 * 22e3);
+}
+
+// The half model seen along the fence, its image included, is the full model: the same outlines and cables, at the
+// start and when the wave has reached half of the columns.
+BOOST_AUTO_TEST_CASE(a_half_model_is_drawn_whole) {
+  const Folder folder;
+  const std::string text = talus::read_text(scene("fence/sample2.toml"));
+  const auto drawn = [&](const std::string& symmetry) {
+    const std::string name = (folder.path / symmetry).string();
+    std::ofstream{name + ".toml"} << text << "\n[fence.options]\nsymmetry = \"" << symmetry << "\"\n";
+    BOOST_REQUIRE(talus_ran({"run", name + ".toml", "--end", "10 ms", "--out", name}).code == 0);
+    return Asked{{"snapshot", name, "--times", "0 s,10 ms", "--view", "along"}};
+  };
+  const Asked half = drawn("half"), full = drawn("full");
+  for (const char* const file : {"frame0.csv", "frame1.csv"}) {
+    const auto some = rows(half.file(file)), all = rows(full.file(file));
+    for (const char* const kind : {"column", "hanger", "taut", "slack"}) {
+      // z and v of each end and corner, and the tension.
+      const auto points = [&](const auto& of, std::initializer_list<std::string> series) {
+        std::vector<std::vector<double>> found;
+        for (const std::string& name : series) {
+          for (const auto& row : of.at(name))
+            found.push_back({row[3], row[4], row[5]});
+        }
+        std::sort(found.begin(), found.end());
+        return found;
+      };
+      const std::string name{kind};
+      BOOST_TEST((points(some, {name, name + "_image"}) == points(all, {name})), file << ": " << kind);
+      BOOST_TEST(!all.contains(name + "_image"));
+    }
+  }
+  const auto& panel = half.page().at("panels").at(0);
+  BOOST_TEST(panel.at("x").at("label") == "z, below 0 the mirror image");
+  BOOST_TEST(panel.at("x").at("min").get<double>() == -panel.at("x").at("max").get<double>());
+  BOOST_TEST(full.page().at("panels").at(0).at("x").at("label") == "z");
 }
 
 // Hangers of 20,000 lbf: those of the two central columns break, at 11 and 23 ms by the summary, and no other by 30 ms.
