@@ -121,22 +121,6 @@ Fault history_fault(const Fence& fence) {
   return {};
 }
 
-/// Length of the UTF-8 sequence at the start of `text`; 0 if there is none.
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return 1;
-  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-  if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  }
-  const bool overlong = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xf0 && byte(1) < 0x90);
-  const bool surrogate = lead == 0xed && byte(1) >= 0xa0;
-  const bool beyond = lead == 0xf4 && byte(1) >= 0x90;
-  return overlong || surrogate || beyond ? 0 : length;
-}
-
 }  // namespace
 
 std::optional<FenceFault> fault(const Fence& fence) {
@@ -156,14 +140,13 @@ std::optional<FenceFault> fault(const Fence& fence) {
 }
 
 std::string objection_to_title(std::string_view title) {
-  while (!title.empty()) {
-    const auto lead = static_cast<unsigned char>(title.front());
-    const std::size_t length = utf8_length(title);
-    if (length == 0) return fmt::format("found the byte 0x{:02x}; a title is ASCII or UTF-8 text", lead);
-    if ((lead < 0x20 && lead != '\t') || lead == 0x7f) {
-      return fmt::format("found the control character 0x{:02x}; a title is one line of text", lead);
-    }
-    title.remove_prefix(length);
+  for (std::size_t i = 0; i < title.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(title[i]);
+    // U+0080 .. U+009F: letters in the code pages of DOS.
+    const bool upper = byte == 0xc2 && static_cast<unsigned char>(title[i + 1]) < 0xa0;
+    if (!upper && (byte >= 0x20 || byte == '\t') && byte != 0x7f) continue;
+    return fmt::format("found the control character 0x{:02x}; a title is one line of UTF-8 or Latin-1 text",
+                       static_cast<unsigned char>(title[upper ? i + 1 : i]));
   }
   return "";
 }

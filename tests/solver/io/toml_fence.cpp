@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(wrong_fences) {
   BOOST_TEST(message("[fence]", "[run]\nend = \"1 s\"\n[fence]").substr(0, 60) ==
              "s.toml:4: run: this key is not known; nearest: units; known:");
   BOOST_TEST(message("DOUBLE", "two\\nlines") ==
-             "s.toml:1: title: found the control character 0x0a; a title is one line of text");
+             "s.toml:1: title: found the control character 0x0a; a title is one line of UTF-8 or Latin-1 text");
 }
 
 BOOST_AUTO_TEST_CASE(files_by_extension) {
