@@ -186,7 +186,10 @@ std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const 
   body += fmt::format("plot {}, {}\n", ground.curve("lc rgb '#666666' lw 1.4"), side.curves);
   body +=
       "set lmargin at screen 0.37\nset rmargin at screen 0.98\nset xtics autofreq\n"
-      "set title 'along the fence, first layer'\nset xlabel 'z, m'\n"
+      "set title '" +
+      std::string{record.half_model ? "along the fence, first layer; below z = 0 the half model mirrored"
+                                    : "along the fence, first layer"} +
+      "'\nset xlabel 'z, m'\n"
       "set key on at screen 0.98, screen 0.98 right top vertical maxrows 3 Right noreverse samplen 1.5\n" +
       range('x', front.x) + range('y', front.y);
   body += fmt::format("plot {:.6g} with lines lc rgb '#666666' lw 1.4 notitle, {}\n", level, front.curves);

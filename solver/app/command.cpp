@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/base/error.hpp"
+#include "solver/io/utf8.hpp"
 
 namespace talus::app {
 namespace {
@@ -110,6 +111,12 @@ double option_quantity(const std::string& option, const std::string& text, Dimen
 }
 
 int run_command_line(int count, const char* const* arguments) {
+  for (int i = 1; i < count; ++i) {
+    if (is_utf8(arguments[i])) continue;
+    return report(bad_input, fmt::format("found \"{}\", which is not UTF-8; what names files and titles must be, since "
+                                         "it is written to JSON and XML",
+                                         as_utf8(arguments[i])));
+  }
   CLI::App talus{"", "talus"};
   describe(talus);
   const std::vector<Command> commands{add_run(talus),  add_check(talus),    add_calibrate(talus), add_convert(talus),

@@ -115,6 +115,15 @@ std::vector<HangerBar> hangers(const GeometryFrame& frame) {
   return bars;
 }
 
+std::optional<GeometryLine> mirror_image(const DrawnGeometry& geometry, const GeometryLine& line) {
+  const auto off_plane = [](const Vec3& p) { return p.z != 0.0; };
+  if (!geometry.run.files.mirrored || std::none_of(line.points.begin(), line.points.end(), off_plane)) return {};
+  GeometryLine image = line;
+  for (Vec3& p : image.points)
+    p.z = -p.z;
+  return image;
+}
+
 Window window_of(const DrawnGeometry& geometry, View view) {
   const double none = std::numeric_limits<double>::infinity();
   Window window{none, none, -none, -none};
@@ -125,7 +134,9 @@ Window window_of(const DrawnGeometry& geometry, View view) {
       const double wide = view == View::along && line.body >= 0 && body_of(geometry, line).kind != "body"
                               ? half_width(geometry, line.body)
                               : 0.0;
-      const auto [left, right] = extent(line, [view](const Vec3& p) { return view == View::side ? p.x : p.z; });
+      auto [left, right] = extent(line, [view](const Vec3& p) { return view == View::side ? p.x : p.z; });
+      if (view == View::along && geometry.run.files.mirrored)
+        left = std::min(left, -right), right = std::max(right, -left);
       window = {std::min(window.left, left - wide), std::min(window.bottom, low), std::max(window.right, right + wide),
                 std::max(window.top, high)};
     }

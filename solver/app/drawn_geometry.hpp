@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,7 +13,7 @@ namespace talus::app {
 /// From where a scene is looked at.
 enum class View {
   side,   ///< x to the right, y up: the plane of motion
-  along,  ///< z to the right, y up: the fence as who stands before it sees it
+  along,  ///< z to the right, y up: the fence as who stands before it sees it, with its mirror image if it is half
 };
 
 /// What a picture shows of the scene; ends in the scene's unit of length.
@@ -45,6 +46,9 @@ struct HangerBar {
 
 /// Those of a frame: where a joint stands outside the outline of its body.
 [[nodiscard]] std::vector<HangerBar> hangers(const GeometryFrame& frame);
+
+/// A line's image behind z = 0, where the geometry is mirrored and the line is not there already; else none.
+[[nodiscard]] std::optional<GeometryLine> mirror_image(const DrawnGeometry& geometry, const GeometryLine& line);
 
 /// The smallest window that holds all bodies but half-planes and all cables in all frames, and a margin.
 [[nodiscard]] Window window_of(const DrawnGeometry& geometry, View view);

@@ -46,12 +46,17 @@ std::vector<Vec2> seen_along(const GeometryLine& line, const std::string& kind, 
   return points;
 }
 
+/// Ends the series of mirror images, which the view along the fence alone shows.
+constexpr std::string_view of_images = "_image";
+
 /// Rows "series,line,x,y,z,v,tension": x, y of the side view, z, v of the view along the fence.
 class Rows {
  public:
+  std::string_view suffix{};  ///< of the series' names
+
   void add(const char* series, const Vec2& side, const Vec2& along, double tension) {
-    fmt::format_to(std::back_inserter(text_), "{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", series, line_, side.x,
-                   side.y, along.x, along.y, tension);
+    fmt::format_to(std::back_inserter(text_), "{}{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", series, suffix, line_,
+                   side.x, side.y, along.x, along.y, tension);
   }
   void next_line() { ++line_; }
   const std::string& text() const { return text_; }
@@ -77,6 +82,17 @@ void add_outline(Rows& rows, const DrawnGeometry& geometry, const GeometryLine& 
 void add_cable(Rows& rows, const GeometryLine& line) {
   for (const Vec3& p : line.points)
     rows.add(line.slack ? "slack" : "taut", {p.x, p.y}, {p.z, p.y}, line.tension);
+  rows.next_line();
+}
+
+void add_line(Rows& rows, const DrawnGeometry& geometry, const GeometryLine& line) {
+  if (line.body >= 0) return add_outline(rows, geometry, line);
+  add_cable(rows, line);
+}
+
+void add_hanger(Rows& rows, const HangerBar& bar, double z) {
+  rows.add("hanger", in_plane(bar.joint), {z, bar.joint.y}, 0.0);
+  rows.add("hanger", in_plane(bar.end), {z, bar.end.y}, 0.0);
   rows.next_line();
 }
 
@@ -126,16 +142,19 @@ std::string frame_csv(const DrawnGeometry& geometry, std::size_t frame) {
     return std::abs(a->points.front().z) > std::abs(b->points.front().z);
   });
   for (const GeometryLine* line : lines) {
-    if (line->body >= 0) {
-      add_outline(rows, geometry, *line);
-    } else {
-      add_cable(rows, *line);
-    }
+    add_line(rows, geometry, *line);
+    const auto image = mirror_image(geometry, *line);
+    if (!image) continue;
+    rows.suffix = of_images;
+    add_line(rows, geometry, *image);
+    rows.suffix = {};
   }
   for (const HangerBar& bar : hangers(geometry.frames[frame])) {
-    rows.add("hanger", in_plane(bar.joint), {bar.joint.z, bar.joint.y}, 0.0);
-    rows.add("hanger", in_plane(bar.end), {bar.joint.z, bar.end.y}, 0.0);
-    rows.next_line();
+    rows.suffix = {};
+    add_hanger(rows, bar, bar.joint.z);
+    if (!geometry.run.files.mirrored || bar.joint.z == 0.0) continue;
+    rows.suffix = of_images;
+    add_hanger(rows, bar, -bar.joint.z);
   }
   return rows.text();
 }
@@ -146,19 +165,25 @@ Json frame_figure(const DrawnGeometry& geometry, std::size_t frame, const FrameS
   const bool side = style.view == View::side;
   const std::string csv = frame_csv(geometry, frame);
   Json series = Json::array();
-  for (const Kind& kind : kinds) {
-    if (csv.find(fmt::format("\n{},", kind.name)) == std::string::npos) continue;
+  const auto add = [&](const Kind& kind, std::string_view suffix) {
+    const std::string where = fmt::format("{}{}", kind.name, suffix);
+    if (csv.find(fmt::format("\n{},", where)) == std::string::npos) return;
     const bool taut = std::string_view{kind.name} == "taut";
-    series.push_back({{"label", taut && geometry.largest_tension > 0.0 ? "" : kind.words},
+    const bool named = suffix.empty() && !(taut && geometry.largest_tension > 0.0);
+    series.push_back({{"label", named ? kind.words : ""},
                       {"x", side ? "x" : "z"},
                       {"y", side ? "y" : "v"},
                       {"style", "shapes"},
-                      {"where", kind.name},
+                      {"where", where},
                       {"colour", kind.colour},
                       {"fill", kind.fill},
                       {"width", kind.width},
                       {"dashed", kind.dashed},
                       {"value", taut ? "tension" : ""}});
+  };
+  for (const Kind& kind : kinds) {
+    if (!side) add(kind, of_images);  // behind the middle of the fence
+    add(kind, {});
   }
   const std::string length = symbol(geometry.run.units, dimension::length);
   const Window& window = style.window;
@@ -167,7 +192,9 @@ Json frame_figure(const DrawnGeometry& geometry, std::size_t frame, const FrameS
       {"name", fmt::format("{}{}", side ? "side" : "along", frame)},
       {"title", fmt::format("t = {:.4g} {}", shown.time, symbol(geometry.run.units, dimension::time))},
       {"x",
-       {{"label", side ? "x" : "z"},
+       {{"label", side                          ? "x"
+                  : geometry.run.files.mirrored ? "z, below 0 the mirror image"
+                                                : "z"},
         {"unit", length},
         {"min", window.left},
         {"max", window.right},

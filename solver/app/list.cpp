@@ -104,16 +104,23 @@ void list_units() {
 void list_fence_fields() {
   fmt::print(
       "[fence]    in place of bodies, contacts, cables and run: history_elements  history_codes  ground  rock  column\n"
-      "           options, and (a name before a colon is that of the deck of 1993)\n");
+      "           ground_profile  changed_column  stretched_cable  options, and (a name before a colon is that of the "
+      "deck of 1993)\n");
   print_counts<scenes::Fence>();
   print_fields<scenes::Fence>();
-  fmt::print("[fence.ground]  [[fence.rock]]  [fence.column]  solid  held, and\n");
+  fmt::print("[fence.ground]  [[fence.rock]]  [fence.column]  solid  held  along, and\n");
   print_counts<scenes::FenceElement>();
   print_fields<scenes::FenceElement>();
   for (const auto& field : scenes::FenceElement::vectors())
     print_field(field.name, field.meaning, Range::any, field.dimension);
   print_names<scenes::ElementSolid>("solid");
-  fmt::print("[fence.options] integrator, and\n");
+  fmt::print("[[fence.changed_column]]\n");
+  print_counts<scenes::ChangedColumn>();
+  print_fields<scenes::ChangedColumn>();
+  fmt::print("[[fence.stretched_cable]]  cable, and\n");
+  print_fields<scenes::StretchedCable>();
+  fmt::print("[fence.options] integrator  table, and\n");
+  print_fields<scenes::FenceOptions>();
   for_each_choice(scenes::FenceOptions{},
                   [](std::string_view name, auto choice) { print_names<decltype(choice)>(name); });
 }

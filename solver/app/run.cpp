@@ -108,11 +108,12 @@ void write_files(const RunOrder& order, SceneRun& run, const RunRecord& record, 
 
 void print_result(const RunOptions& options, const RunOrder& order, const SceneRun& run, const RunRecord& record,
                   bool left) {
-  fmt::print("{}", options.json ? summary_json(record) : run_summary(record));
+  const std::string resume = left ? fmt::format("talus run --resume {}", order.folder.string()) : "";
+  fmt::print("{}", options.json ? summary_json(record, resume) : run_summary(record));
   if (options.json || order.folder.empty()) return;
   fmt::print("files: {}: {}{}\n", order.folder.string(), fmt::join(run.file_names(), ", "),
              left ? fmt::format(", {}", checkpoint_name) : "");
-  if (left) fmt::print("go on: talus run --resume {}\n", order.folder.string());
+  if (left) fmt::print("go on: {}\n", resume);
 }
 
 int run(const RunOptions& options) {

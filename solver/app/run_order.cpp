@@ -12,6 +12,7 @@
 #include "solver/io/checkpoint.hpp"
 #include "solver/io/toml_document.hpp"
 #include "solver/io/toml_scene.hpp"
+#include "solver/io/utf8.hpp"
 #include "solver/run/simulate.hpp"
 
 namespace talus::app {
@@ -42,6 +43,9 @@ RunOrder new_order(const RunOptions& options) {
     throw InputError{"--until: it goes with --out, the folder in which the run is left to be taken on"};
   }
   const fs::path file{options.scene};
+  if (const std::string whole = fs::absolute(file).string(); !options.folder.empty() && !is_utf8(whole))
+    throw InputError{
+        fmt::format("{}: the folder of the scene is not UTF-8; a run to be taken on names it", as_utf8(whole))};
   RunOrder order{.scene = file,
                  .text = read_text(file),
                  .file = read_scene_file(file),

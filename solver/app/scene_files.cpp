@@ -69,6 +69,7 @@ RunFiles SceneFiles::drawn_from() const {
   files.bodies = drawn_bodies();
   for (const Cable& cable : file_->scene.model.cables)
     files.cables.push_back(cable.name);
+  files.mirrored = of_fence_ && file_->fence->fence.options.symmetry == scenes::FenceSymmetry::half;
   return files;
 }
 

@@ -28,7 +28,7 @@ class SceneFiles {
   /// Names what the files carry from one step to the next; those of the same run go on from it.
   void remember(Memory& memory);
   /// After they were put back: brings what was written to the folder in which the run stood. Errors: IoError.
-  void bring_files(const std::filesystem::path& from) const { geometry_.bring_files(from); }
+  void bring_files(const std::filesystem::path& from) { geometry_.bring_files(from); }
 
   /// Names of the files, for the summary.
   std::vector<std::string> names() const;

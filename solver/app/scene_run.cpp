@@ -52,7 +52,7 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       folder_{folder},
       dynamics_{file.scene.model},
       system_{dynamics_, file.scene.plan.ledger},
-      standing_{standing_at_start(file.scene.integrator, settled(file.scene.initial))},
+      standing_{standing_at_start(file.scene.integrator, begun(file.scene.initial))},
       seen_{standing_.state},
       recorder_{dynamics_, standing_.state, file.scene.plan.ledger},
       failures_{dynamics_} {
@@ -60,8 +60,8 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
   if (sheet) watch_.emplace(file.fence->fence, file.fence->made, dynamics_);
 }
 
-State SceneRun::settled(State state) {
-  system_.settle(state);
+State SceneRun::begun(State state) {
+  system_.begin(state);
   return state;
 }
 
@@ -74,7 +74,7 @@ void SceneRun::remember(Memory& memory) {
   if (watch_) memory.part("sheet", [&] { watch_->remember(memory); });
 }
 
-void SceneRun::bring_files(const std::filesystem::path& from) const {
+void SceneRun::bring_files(const std::filesystem::path& from) {
   if (files_) files_->bring_files(from);
 }
 

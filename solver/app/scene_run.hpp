@@ -23,7 +23,7 @@ class SceneRun {
   /// Names all that the run carries from one step to the next; a run of the same scene goes on from it.
   void remember(Memory& memory);
   /// After it was put back: brings what was written to the folder in which the run stood. Errors: IoError.
-  void bring_files(const std::filesystem::path& from) const;
+  void bring_files(const std::filesystem::path& from);
 
   /// Takes the run on to its plan's end or until `stop`. Errors: IoError.
   Outcome go_on(const StopCondition& stop);
@@ -38,7 +38,7 @@ class SceneRun {
   std::vector<std::string> file_names() const;
 
  private:
-  State settled(State state);
+  State begun(State state);
 
   const SceneFile* file_;
   const Scene* scene_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -44,6 +45,18 @@ void Memory::numbers(std::string_view name, std::span<double> values) {
         fmt::format("{}: found {} numbers; it must have {}", full_name(name), found.size(), values.size())};
   }
   std::copy(found.begin(), found.end(), values.begin());
+}
+
+void Memory::vector(std::string_view name, Vec2& value) {
+  std::array kept{value.x, value.y};
+  numbers(name, kept);
+  value = {kept[0], kept[1]};
+}
+
+void Memory::vector(std::string_view name, Vec3& value) {
+  std::array kept{value.x, value.y, value.z};
+  numbers(name, kept);
+  value = {kept[0], kept[1], kept[2]};
 }
 
 void Memory::list(std::string_view name, std::vector<double>& values) {

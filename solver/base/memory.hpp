@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "solver/base/vec.hpp"
+
 namespace talus {
 
 /// Numbers and texts by name: what a checkpoint holds.
@@ -42,6 +44,9 @@ class Memory {
   void numbers(std::string_view name, std::span<std::uint16_t> values);
   /// Numbers of any count.
   void list(std::string_view name, std::vector<double>& values);
+  /// The components of a vector.
+  void vector(std::string_view name, Vec2& value);
+  void vector(std::string_view name, Vec3& value);
   void text(std::string_view name, std::string& value);
 
   /// The parts of a part: `visit` names them, and "name." goes in front.

@@ -12,10 +12,13 @@
 namespace talus {
 namespace {
 
-/// Calls visit(array) for each array of each law in the tuple: the one dispatch an evaluation makes.
+/// Calls visit(array) for each array of each law that the scene uses: the one dispatch an evaluation makes.
 template <class Laws, class Visit>
 void for_each_array(Laws& laws, Visit&& visit) {
-  std::apply([&](auto&... law) { (std::apply([&](auto&... array) { (visit(array), ...); }, law.arrays), ...); }, laws);
+  const auto visit_law = [&visit](auto& law) {
+    if (law.used) std::apply([&visit](auto&... array) { (visit(array), ...); }, law.arrays);
+  };
+  std::apply([&visit_law](auto&... law) { (visit_law(law), ...); }, laws);
 }
 
 Kinematics kinematics(const Workspace& work, std::size_t instance) {
@@ -75,8 +78,8 @@ double slip_rate(const Workspace& work, const Slider& slider) {
 }
 
 /// Starts the spring of a contact that has just begun to push: its bodies have been closing since they touched, for
-/// depth/rate. Bodies that do not close, such as those a scene starts with in touch, keep the stretch they have.
-void begin(State& state, const Workspace& work, const Slider& slider) {
+/// depth/rate. Bodies that do not close keep the stretch they have.
+void start_spring(State& state, const Workspace& work, const Slider& slider) {
   const double rate = work.rates[slider.instance];
   if (!(rate > 0.0)) return;
   const double slip = slip_rate(work, slider) * work.gaps[slider.instance].depth / rate;
@@ -243,8 +246,9 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) {
                  bounds(model.bodies[index(contact.b)].shape), slot.mode, slot.mode + instances});
     std::visit(
         [&]<class L>(const L& law) {
-          Compiler<L>{model, std::get<ContactArrays<L>>(laws_), pairs_}.add(c, contact, law, slot,
-                                                                            layout.friction_slots[c]);
+          auto& arrays = std::get<ContactArrays<L>>(laws_);
+          arrays.used = true;
+          Compiler<L>{model, arrays, pairs_}.add(c, contact, law, slot, layout.friction_slots[c]);
           std::fill_n(tangents_.begin() + static_cast<std::ptrdiff_t>(slot.mode), instances, law.tangent());
         },
         contact.law);
@@ -272,6 +276,18 @@ void ContactForces::update_all(Workspace& work) const {
   for_each_array(laws_, [&](const auto& array) { update_gaps(array, nullptr, work); });
 }
 
+void ContactForces::begin(State& state, const Workspace& work) const {
+  if (!rough_) return;
+  for_each_array(laws_, [&](const auto& array) {
+    for (const ContactGroup& group : array.groups) {
+      if (!group.friction || !work.near[group.candidate]) continue;
+      const auto first = state.mode.begin() + static_cast<std::ptrdiff_t>(group.first_friction.mode);
+      std::replace(first, first + static_cast<std::ptrdiff_t>(group.last - group.first), Mode{CoulombFriction::open},
+                   Mode{CoulombFriction::sticking});
+    }
+  });
+}
+
 void ContactForces::settle(State& state, const Workspace& work) const {
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup& group) {
     // The gap declares onset: what does not act and does not touch stays so.
@@ -279,7 +295,7 @@ void ContactForces::settle(State& state, const Workspace& work) const {
     settle_mode(law, slot, kinematics(work, slot.mode), state, group.copies);
   });
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
-    if (state.mode[slider.slot.mode] == CoulombFriction::open && slider.normal > 0.0) begin(state, work, slider);
+    if (state.mode[slider.slot.mode] == CoulombFriction::open && slider.normal > 0.0) start_spring(state, work, slider);
     double& stretch = state.z[slider.slot.memory];
     const auto settled = slider.law.settle(stretch, slider.normal);
     stretch = settled.stretch;

@@ -48,6 +48,7 @@ struct ContactArrays {
              Array<Ball, CentroidRays>, Array<Ball, Smoother>, Array<Ball, HalfPlane>, Array<Ball, Terrain>,
              Array<Rectangle, HalfPlane>, Array<Superquadric, HalfPlane>, Array<Rectangle, Rectangle>>
       arrays;
+  bool used{};  ///< some array has an instance
 };
 
 /// The contacts of a model, compiled: gaps, forces, modes and energies of all law instances. Of a contact whose bodies
@@ -65,6 +66,8 @@ class ContactForces {
   void update(const State& state, Workspace& work) const;
   /// Gaps of all pairs.
   void update_all(Workspace& work) const;
+  /// Before the first settle() of a run: friction within reach sticks, so that what pushes keeps the stretch it has.
+  void begin(State& state, const Workspace& work) const;
   void settle(State& state, const Workspace& work) const;
   /// Lists the sleeping bodies that have another within reach.
   void list_woken(const Workspace& work, std::vector<BodyId>& woken) const;

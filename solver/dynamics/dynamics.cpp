@@ -104,6 +104,11 @@ void Dynamics::update_all(const State& state, Workspace& work) const {
   contacts_.update_all(work);
 }
 
+void Dynamics::begin(State& state, Workspace& work) const {
+  contacts_.begin(state, work);
+  settle(state, work);
+}
+
 void Dynamics::settle(State& state, Workspace& work) const {
   contacts_.settle(state, work);
   cables_.settle(state, work);

@@ -47,6 +47,9 @@ class Dynamics {
   bool follows_motion() const { return follows_motion_; }
   /// Rates of that memory alone, to out.z.
   void memory_rates(const State& state, const Workspace& work, Rates& out) const;
+  /// Brings the modes of a state with no motion behind it up to date: as settle(), but for friction where bodies
+  /// overlap, whose springs have the stretch that the state says, and have not slipped since some touch before it.
+  void begin(State& state, Workspace& work) const;
   /// Brings each law's mode up to date, breaks hangers, books the energy released by those changes, and wakes bodies on
   /// which something acts otherwise than at rest.
   void settle(State& state, Workspace& work) const;

@@ -26,6 +26,11 @@ void RigidBodySystem::kick(State& state, double h) {
   kick_velocities(state, rates_, h);
 }
 
+void RigidBodySystem::begin(State& state) {
+  dynamics_->update(state, work_);
+  dynamics_->begin(state, work_);
+}
+
 void RigidBodySystem::settle(State& state) {
   dynamics_->update(state, work_);
   dynamics_->settle(state, work_);

@@ -13,6 +13,8 @@ class RigidBodySystem {
 
   void drift(State& state, double h);
   void kick(State& state, double h);
+  /// Modes of a run's first state; after it settle() alone.
+  void begin(State& state);
   void settle(State& state);
   void derivative(const State& state, Rates& out);
   void evaluate(State& state, Rates& out);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 
 #include "solver/geometry/gap.hpp"
 
@@ -29,12 +30,8 @@ struct Names<NodeDepth> {
 struct SideFaces {
   Superquadric outline;
 };
-/// The same for a point in the box around the outline.
+/// For a point in the box around the outline.
 [[nodiscard]] Depth depth_in_box(const SideFaces& shape, Vec2 p);
-[[nodiscard]] inline Depth depth_below(const SideFaces& shape, Vec2 p) {
-  const double depth = box_depth(shape.outline, p);
-  return depth <= 0.0 ? Depth{depth, {std::copysign(1.0, p.x), 0.0}} : depth_in_box(shape, p);
-}
 
 /// The outline as seen by the rule `smoother` from one node of another outline.
 struct Smoother {
@@ -51,7 +48,11 @@ struct CentroidRays {
   Superquadric outline;
 };
 [[nodiscard]] Depth depth_in_box(const CentroidRays& shape, Vec2 p);
-[[nodiscard]] inline Depth depth_below(const CentroidRays& shape, Vec2 p) {
+
+/// By the rule of 1993 by which the outline is seen, wherever the point is.
+template <class Rule>
+requires std::same_as<Rule, SideFaces> || std::same_as<Rule, CentroidRays>
+[[nodiscard]] Depth depth_below(const Rule& shape, Vec2 p) {
   const double depth = box_depth(shape.outline, p);
   return depth <= 0.0 ? Depth{depth, {std::copysign(1.0, p.x), 0.0}} : depth_in_box(shape, p);
 }

@@ -225,16 +225,20 @@ void append(OdeintStepper::Vector& x, const auto& numbers, double scale) {
     x.push_back(scale * number);
 }
 
+/// A state behind its coordinates, or rates behind dq/dt.
+template <class Part>
+void pack(const std::vector<double>& first, const Part& part, OdeintStepper::Vector& x) {
+  x.clear();
+  append(x, first, 1.0);
+  append(x, part.v, 1.0);
+  append(x, part.z, 1.0);
+  append(x, part.work, riding_scale);
+  append(x, part.impulse, riding_scale);
+}
+
 }  // namespace
 
-void pack(const State& state, OdeintStepper::Vector& x) {
-  x.clear();
-  append(x, state.q, 1.0);
-  append(x, state.v, 1.0);
-  append(x, state.z, 1.0);
-  append(x, state.work, riding_scale);
-  append(x, state.impulse, riding_scale);
-}
+void pack(const State& state, OdeintStepper::Vector& x) { pack(state.q, state, x); }
 
 void unpack(const OdeintStepper::Vector& x, State& state) {
   auto from = x.begin();
@@ -249,13 +253,6 @@ void unpack(const OdeintStepper::Vector& x, State& state) {
   take(state.impulse, 1.0 / riding_scale);
 }
 
-void pack(const State& state, const Rates& rates, OdeintStepper::Vector& dxdt) {
-  dxdt.clear();
-  append(dxdt, state.v, 1.0);
-  append(dxdt, rates.v, 1.0);
-  append(dxdt, rates.z, 1.0);
-  append(dxdt, rates.work, riding_scale);
-  append(dxdt, rates.impulse, riding_scale);
-}
+void pack(const State& state, const Rates& rates, OdeintStepper::Vector& dxdt) { pack(state.v, rates, dxdt); }
 
 }  // namespace talus

@@ -12,6 +12,7 @@
 #include "solver/io/list_directed.hpp"
 #include "solver/io/quantity_text.hpp"
 #include "solver/io/toml_document.hpp"
+#include "solver/io/utf8.hpp"
 
 namespace talus {
 namespace {
@@ -75,7 +76,7 @@ class DeckReader {
 
   std::string title() {
     place_.line = 1;
-    const std::string title{placed("title", [&] { return input_.whole_line(); })};
+    const std::string title = as_utf8(placed("title", [&] { return input_.whole_line(); }));
     if (const std::string why = objection_to_title(title); !why.empty()) fail(place_, "title", why);
     return title;
   }

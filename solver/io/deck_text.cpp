@@ -84,7 +84,7 @@ class DeckWriter {
   std::vector<std::string> values_;
 };
 
-/// `name = "choice"` of each option.
+/// `name = "choice"` of each option, and whether the cables have a table.
 std::vector<std::string> choices(const scenes::FenceOptions& options) {
   std::vector<std::string> result;
   for_each_choice(options, [&](std::string_view name, auto choice) {
@@ -93,6 +93,7 @@ std::vector<std::string> choices(const scenes::FenceOptions& options) {
   result.push_back(fmt::format("integrator = \"{}\"", options.integrator));
   for (const auto& field : scenes::FenceOptions::fields())
     result.push_back(fmt::format("{} = {}", field.name, options.*field.member));
+  result.push_back(options.table.empty() ? "no table" : "table");
   return result;
 }
 

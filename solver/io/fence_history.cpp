@@ -80,7 +80,9 @@ const scenes::FenceElement& FenceHistory::element(int number) const {
 }
 
 void FenceHistory::operator()(const State& state, const StepInfo& info) {
-  if (info.step % fence_->history_every != 0) return;
+  history_.go_on();
+  const bool due = info.step % fence_->history_every == 0;
+  if (!due && !info.last) return;
   // All of it: at a sleeping column beside an awake one only the awake side's pulls would be summed.
   dynamics_->update_all(state, work_);
   dynamics_->forces(state, work_, forces_);
@@ -91,7 +93,7 @@ void FenceHistory::operator()(const State& state, const StepInfo& info) {
                                       made_->members[static_cast<std::size_t>(series.element - 1)]}));
   }
   const bool finite = std::all_of(row.begin(), row.end(), [](double value) { return std::isfinite(value); });
-  if (finite) history_.rows.push_back(std::move(row));
+  if (finite) history_.add(std::move(row), due || !info.stop);
 }
 
 std::string FenceHistory::csv_text() const {

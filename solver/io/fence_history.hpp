@@ -9,15 +9,16 @@
 
 namespace talus {
 
-/// The histories that a deck asks for: its elements times its codes, every `history_every` steps from the start, each
-/// from a state whose parts are all at the same time. Pairs that do not fit (the tension at a rock) are left out, never
-/// written as zeros.
+/// The histories that a deck asks for: its elements times its codes, every `history_every` steps from the start and at
+/// the last step, each from a state whose parts are all at the same time. Pairs that do not fit (the tension at a rock)
+/// are left out, never written as zeros.
 class FenceHistory {
  public:
   /// All arguments must outlive it. Errors: InputError naming the codes that no element has a history of, and why.
   FenceHistory(const scenes::Fence& fence, const scenes::FenceScene& made, const Dynamics& dynamics);
 
-  /// Adds a row if one is due and all its numbers are finite.
+  /// Adds a row if one is due and all its numbers are finite. That of a step with which the run stops gives way when
+  /// it is taken on.
   void operator()(const State& state, const StepInfo& info);
 
   /// Names what it carries from one step to the next; one of the same run goes on from it.

@@ -57,6 +57,28 @@ Fault along_fault(const FenceElement& element, std::size_t number, const Fence& 
                                 amount(reach, fence, dimension::length))};
 }
 
+/// How the cables yield.
+Fault yield_fault(const scenes::FenceOptions& options) {
+  if (options.hardening >= 1.0) return FenceFault{0, "options", "hardening: found 1; it must be < 1"};
+  if (options.hardening != 0.0 && !options.table.empty()) {
+    return FenceFault{
+        0, "options",
+        fmt::format("found hardening = {} and table; a cable yields by one of the two, hardening or table",
+                    options.hardening)};
+  }
+  scenes::YieldMultiple before{0.0, 1.0};
+  for (const scenes::YieldMultiple& point : options.table) {
+    if (!(point.strain > before.strain && point.multiple >= before.multiple)) {
+      return FenceFault{0, "options",
+                        fmt::format("table: found ({:.6g}, {:.6g}) after ({:.6g}, {:.6g}); plastic strains must grow "
+                                    "and multiples of the yield force not fall, from (0, 1) on",
+                                    point.strain, point.multiple, before.strain, before.multiple)};
+    }
+    before = point;
+  }
+  return {};
+}
+
 Fault layer_fault(const Fence& fence) {
   if (fence.gravity_sign == 0) return FenceFault{0, "gravity_sign", "found 0; it must be 1 or -1"};
   const double width = (fence.columns - 1) * fence.spacing;
@@ -99,22 +121,6 @@ Fault history_fault(const Fence& fence) {
   return {};
 }
 
-/// Length of the UTF-8 sequence at the start of `text`; 0 if there is none.
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return 1;
-  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-  if (lead < 0xc2 || lead > 0xf4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  }
-  const bool overlong = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xf0 && byte(1) < 0x90);
-  const bool surrogate = lead == 0xed && byte(1) >= 0xa0;
-  const bool beyond = lead == 0xf4 && byte(1) >= 0x90;
-  return overlong || surrogate || beyond ? 0 : length;
-}
-
 }  // namespace
 
 std::optional<FenceFault> fault(const Fence& fence) {
@@ -128,20 +134,19 @@ std::optional<FenceFault> fault(const Fence& fence) {
   }
   if (Fault found = along_fault(fence.ground, 1, fence, false)) return found;
   if (Fault found = along_fault(fence.column, fence.rocks.size() + 2, fence, false)) return found;
-  if (fence.options.hardening >= 1.0) return FenceFault{0, "options", "hardening: found 1; it must be < 1"};
+  if (Fault found = yield_fault(fence.options)) return found;
   if (Fault found = layer_fault(fence)) return found;
   return history_fault(fence);
 }
 
 std::string objection_to_title(std::string_view title) {
-  while (!title.empty()) {
-    const auto lead = static_cast<unsigned char>(title.front());
-    const std::size_t length = utf8_length(title);
-    if (length == 0) return fmt::format("found the byte 0x{:02x}; a title is ASCII or UTF-8 text", lead);
-    if ((lead < 0x20 && lead != '\t') || lead == 0x7f) {
-      return fmt::format("found the control character 0x{:02x}; a title is one line of text", lead);
-    }
-    title.remove_prefix(length);
+  for (std::size_t i = 0; i < title.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(title[i]);
+    // U+0080 .. U+009F: letters in the code pages of DOS.
+    const bool upper = byte == 0xc2 && static_cast<unsigned char>(title[i + 1]) < 0xa0;
+    if (!upper && (byte >= 0x20 || byte == '\t') && byte != 0x7f) continue;
+    return fmt::format("found the control character 0x{:02x}; a title is one line of UTF-8 or Latin-1 text",
+                       static_cast<unsigned char>(title[upper ? i + 1 : i]));
   }
   return "";
 }

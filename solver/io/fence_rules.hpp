@@ -20,7 +20,7 @@ struct FenceFault {
 /// built. Rules for one number alone are its field's.
 [[nodiscard]] std::optional<FenceFault> fault(const scenes::Fence& fence);
 
-/// Why a text cannot be a title; empty if it can.
+/// Why a text in UTF-8 cannot be a title; empty if it can.
 [[nodiscard]] std::string objection_to_title(std::string_view title);
 
 /// Number of codes that the 1993 program could store.

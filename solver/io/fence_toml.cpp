@@ -67,7 +67,13 @@ std::string option_lines(const scenes::FenceOptions& options, const UnitSystem& 
   for_each_choice(options, [&](std::string_view name, auto choice) {
     text += fmt::format("{} = \"{}\"\n", name, choice_name(choice));
   });
-  return text + fmt::format("integrator = \"{}\"\n", options.integrator) + number_lines(options, units);
+  text += fmt::format("integrator = \"{}\"\n", options.integrator) + number_lines(options, units);
+  if (options.table.empty()) return text;
+  std::vector<std::string> points;
+  for (const scenes::YieldMultiple& point : options.table)
+    points.push_back(fmt::format("[{}, {}]", quantity(point.strain, dimension::number, units),
+                                 quantity(point.multiple, dimension::number, units)));
+  return text + fmt::format("table = [{}]\n", fmt::join(points, ", "));
 }
 
 }  // namespace

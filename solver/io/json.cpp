@@ -100,29 +100,30 @@ Json bodies(const RunRecord& record) {
 
 }  // namespace
 
-std::string summary_json(const RunRecord& record) {
-  const Json json{{"schema", 1},
-                  {"title", record.title},
-                  {"units", units(record.units)},
-                  {"outcome", outcome(record.outcome)},
-                  {"integrator", record.integrator},
-                  {"step", number(record.plan.step)},
-                  {"end", number(record.plan.end)},
-                  {"steps", record.steps},
-                  {"evaluations", record.evaluations},
-                  {"carried",
-                   {{"bodies", record.bodies.size()},
-                    {"degrees_of_freedom", record.coordinates},
-                    {"contacts", record.contacts},
-                    {"cables", record.cables},
-                    {"law_instances", record.laws}}},
-                  {"history_rows", record.history.rows.size()},
-                  {"history_rows_cut", record.rows_cut},
-                  {"ledger", ledger(record)},
-                  {"extremes", extremes(record)},
-                  {"failures", failures(record)},
-                  {"bodies", bodies(record)},
-                  {"notes", record.notes}};
+std::string summary_json(const RunRecord& record, const std::string& resume) {
+  Json json{{"schema", 1},
+            {"title", record.title},
+            {"units", units(record.units)},
+            {"outcome", outcome(record.outcome)},
+            {"integrator", record.integrator},
+            {"step", number(record.plan.step)},
+            {"end", number(record.plan.end)},
+            {"steps", record.steps},
+            {"evaluations", record.evaluations},
+            {"carried",
+             {{"bodies", record.bodies.size()},
+              {"degrees_of_freedom", record.coordinates},
+              {"contacts", record.contacts},
+              {"cables", record.cables},
+              {"law_instances", record.laws}}},
+            {"history_rows", record.history.rows.size()},
+            {"history_rows_cut", record.rows_cut},
+            {"ledger", ledger(record)},
+            {"extremes", extremes(record)},
+            {"failures", failures(record)},
+            {"bodies", bodies(record)},
+            {"notes", record.notes}};
+  if (!resume.empty()) json["resume"] = resume;
   return json.dump(2) + "\n";
 }
 

@@ -228,8 +228,11 @@ OutListing::OutListing(const Fence& fence, const FenceScene& made, const RunPlan
     : fence_{&fence}, made_{&made}, text_{Head{fence, made, plan}.text()} {}
 
 void OutListing::operator()(const State& state, const StepInfo& info) {
-  if (info.step == 0 || info.step % fence_->print_every != 0) return;
-  const auto out = std::back_inserter(text_);
+  of_stop_.clear();
+  const bool due = info.step % fence_->print_every == 0;
+  if (info.step == 0 || (!due && !info.stop)) return;
+  std::string& text = due ? text_ : of_stop_;
+  const auto out = std::back_inserter(text);
   const double feet = si_size(fence_->units, dimension::length) / si_size(us, dimension::length);
   fmt::format_to(out, "time = {} secs\n\n", fortran_e(state.t, 3));
   fmt::format_to(out, "{:>4}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "el.", "x", "y", "theta", "vx", "vy", "ang-v");
@@ -238,9 +241,9 @@ void OutListing::operator()(const State& state, const StepInfo& info) {
     fmt::format_to(out, "{:>4}", i + 1);
     for (const double value : {feet * k.p.x, feet * k.p.y, k.angle, feet * k.v.x, feet * k.v.y, k.spin})
       fmt::format_to(out, "{:>11}", fortran_e(value, 3));
-    text_ += '\n';
+    text += '\n';
   }
-  text_ += '\n';
+  text += '\n';
 }
 
 }  // namespace talus

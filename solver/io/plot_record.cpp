@@ -61,7 +61,7 @@ Json geometry(const RunFiles& files) {
   Json bodies = Json::array();
   for (const DrawnBody& body : files.bodies)
     bodies.push_back({{"name", body.name}, {"number", body.number}, {"kind", body.kind}});
-  return {{"index", files.geometry}, {"bodies", bodies}, {"cables", files.cables}};
+  return {{"index", files.geometry}, {"bodies", bodies}, {"cables", files.cables}, {"mirrored", files.mirrored}};
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ RunFolder read_run_folder(const std::filesystem::path& folder) {
       run.files.bodies.push_back({body.at("name").get<std::string>(), body.at("number").get<int>(), kind});
     }
     run.files.cables = geometry.at("cables").get<std::vector<std::string>>();
+    run.files.mirrored = geometry.at("mirrored").get<bool>();
   } catch (const nlohmann::json::exception& error) {
     throw InputError{fmt::format("{}: it is not what `talus run --out` leaves: {}", file.string(), error.what())};
   }

@@ -25,6 +25,7 @@ struct RunFiles {
   std::string geometry;                ///< index of the VTP series
   std::vector<DrawnBody> bodies;       ///< in the order of the model
   std::vector<std::string> cables;     ///< names, in the order of the model
+  bool mirrored{};  ///< all off z = 0 stands for its mirror image too, as in the half model of a fence
 };
 
 /// What a run left in its folder for those who draw it.

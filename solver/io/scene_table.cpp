@@ -60,6 +60,7 @@ void SceneTable::fail(std::string_view key, std::string_view words) const {
 }
 
 double SceneTable::quantity_of(std::string_view key, const TomlValue& value, Dimension dimension, Range range) const {
+  if (dimension == dimension::number) return number_of(key, value, range);
   const auto* text = std::get_if<std::string>(&value.data);
   if (text == nullptr) {
     const bool bare = std::holds_alternative<double>(value.data) || std::holds_alternative<std::int64_t>(value.data);
@@ -118,8 +119,9 @@ Vec2 SceneTable::vector_or(std::string_view key, Dimension dimension, Vec2 absen
   return has(key) ? vector(key, dimension) : absent;
 }
 
-double SceneTable::number(std::string_view key, Range range) {
-  const TomlValue& value = demand(key);
+double SceneTable::number(std::string_view key, Range range) { return number_of(key, demand(key), range); }
+
+double SceneTable::number_of(std::string_view key, const TomlValue& value, Range range) const {
   double number = 0.0;
   if (const auto* real = std::get_if<double>(&value.data)) {
     number = *real;
@@ -150,8 +152,10 @@ std::vector<int> SceneTable::wholes_or_one(std::string_view key) {
 
 std::vector<std::array<double, 2>> SceneTable::pairs(std::string_view key, Dimension first, Dimension second) {
   const TomlValue& value = demand(key);
-  const std::string example =
-      fmt::format("[\"1 {}\", \"1 {}\"]", symbol(source_->units, first), symbol(source_->units, second));
+  const auto one = [&](Dimension dimension) {
+    return dimension == dimension::number ? "1.0" : fmt::format("\"1 {}\"", symbol(source_->units, dimension));
+  };
+  const std::string example = fmt::format("[{}, {}]", one(first), one(second));
   const auto* points = std::get_if<TomlArray>(&value.data);
   if (points == nullptr) fail_at(value.line, key, fmt::format("found {}; it must be [{}, ...]", found(value), example));
   std::vector<std::array<double, 2>> result;

@@ -33,7 +33,7 @@ class SceneTable {
   const UnitSystem& units() const { return source_->units; }
   bool has(std::string_view key);
 
-  /// A quantity with its unit, in consistent units of the scene.
+  /// A quantity with its unit, in consistent units of the scene; one without dimension is a pure number.
   [[nodiscard]] double quantity(std::string_view key, Dimension dimension, Range range = Range::any);
   [[nodiscard]] double quantity_or(std::string_view key, Dimension dimension, double absent, Range range = Range::any);
   /// An array of `least` to `most` quantities of one dimension.
@@ -83,8 +83,7 @@ class SceneTable {
   template <class T>
   void read_field(T& value, const Field<T>& field) {
     if (contains(field.range, value.*field.member) && !has(field.name)) return;
-    value.*field.member = field.dimension == dimension::number ? number(field.name, field.range)
-                                                               : quantity(field.name, field.dimension, field.range);
+    value.*field.member = quantity(field.name, field.dimension, field.range);
   }
   /// A whole number in the range of its field.
   template <class T>
@@ -114,6 +113,7 @@ class SceneTable {
  private:
   const TomlValue* find(std::string_view key) const;
   const TomlValue& demand(std::string_view key);
+  double number_of(std::string_view key, const TomlValue& value, Range range) const;
   double quantity_of(std::string_view key, const TomlValue& value, Dimension dimension, Range range) const;
   int whole_of(std::string_view key, const TomlValue& value) const;
   [[noreturn]] void fail_range(std::string_view key, long found, long least, long most) const;

@@ -53,6 +53,10 @@ scenes::FenceOptions read_options(SceneTable table) {
   for_each_choice(options, [&](std::string_view name, auto& choice) { choice = table.choice_or(name, choice); });
   if (table.has("integrator")) options.integrator = table.choice("integrator", integrator_names());
   table.read_fields(options);
+  if (table.has("table")) {
+    for (const auto& [strain, multiple] : table.pairs("table", dimension::number, dimension::number))
+      options.table.push_back({strain, multiple});
+  }
   table.allow(field_names<scenes::FenceOptions>());
   return options;
 }

@@ -98,7 +98,9 @@ VtpSeries::VtpSeries(const Dynamics& dynamics, std::filesystem::path folder, std
 }
 
 void VtpSeries::operator()(const State& state, const StepInfo& info) {
-  if (info.step % every_ != 0) return;
+  remove_stop();
+  const bool due = info.step % every_ == 0;
+  if (!due && !info.last) return;
   dynamics_->update(state, work_);
   dynamics_->forces(state, work_, forces_);
   PolyLines lines;
@@ -118,8 +120,17 @@ void VtpSeries::operator()(const State& state, const StepInfo& info) {
     lines.end(-1, static_cast<long>(c), forces_.tensions[c], forces_.tensions[c] == 0.0);
   }
   if (!lines.finite()) return;
-  files_.push_back({state.t, info.step});
-  write_whole(folder_ / path(files_.back()), lines.xml());
+  const File file{state.t, info.step};
+  write_whole(folder_ / path(file), lines.xml());
+  if (due || !info.stop) return files_.push_back(file);
+  of_stop_ = file;
+}
+
+void VtpSeries::remove_stop() {
+  if (!of_stop_) return;
+  std::error_code none;
+  std::filesystem::remove(folder_ / path(*of_stop_), none);
+  of_stop_.reset();
 }
 
 std::string VtpSeries::path(const File& file) const {
@@ -137,20 +148,27 @@ void VtpSeries::remember(Memory& memory) {
     files_[i].time = times[i];
     memory.count(fmt::format("step_{}", i), files_[i].step);
   }
+  // At step 0 one is always due.
+  long step = of_stop_ ? of_stop_->step : 0;
+  memory.count("step_of_stop", step);
+  if (memory.puts_back() && step > 0) of_stop_ = File{0.0, step};
 }
 
-void VtpSeries::bring_files(const std::filesystem::path& from) const {
+void VtpSeries::bring_files(const std::filesystem::path& from) {
   for (const File& file : files_) {
     const std::string text = read_text(from / path(file));
     if (!std::filesystem::equivalent(from, folder_)) write_whole(folder_ / path(file), text);
   }
+  remove_stop();
 }
 
 void VtpSeries::write_index() const {
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
       "<Collection>\n";
-  for (const File& file : files_)
+  std::vector<File> files = files_;
+  if (of_stop_) files.push_back(*of_stop_);
+  for (const File& file : files)
     text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", file.time, escaped(path(file)));
   write_whole(folder_ / (name_ + ".pvd"), text + "</Collection>\n</VTKFile>\n");
 }

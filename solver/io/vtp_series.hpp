@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,20 +19,21 @@ namespace talus {
 /// broke). States are synchronised: positions at the time that the index gives.
 class VtpSeries {
  public:
-  /// Every `every` steps from the start on. The Dynamics must outlive it. An index of before is removed. Errors:
-  /// IoError.
+  /// Every `every` steps from the start on, and the last state. The Dynamics must outlive it. An index of before is
+  /// removed. Errors: IoError.
   VtpSeries(const Dynamics& dynamics, std::filesystem::path folder, std::string name, long every);
 
-  /// Writes a file if one is due and all its numbers are finite. Errors: IoError.
+  /// Writes a file if one is due and all its numbers are finite. That of a step with which the run stops gives way when
+  /// it is taken on. Errors: IoError.
   void operator()(const State& state, const StepInfo& info);
   /// Writes the index of the files written so far. Errors: IoError.
   void write_index() const;
 
   /// Names what it carries from one step to the next; one of the same run goes on from it.
   void remember(Memory& memory);
-  /// After it was put back: copies the files written so far from the folder in which they were, if that is another.
-  /// Errors: IoError for one that is missing.
-  void bring_files(const std::filesystem::path& from) const;
+  /// After it was put back: copies the files written so far from the folder in which they were, if that is another, but
+  /// for that of the stop. Errors: IoError for one that is missing.
+  void bring_files(const std::filesystem::path& from);
 
  private:
   struct File {
@@ -40,6 +42,7 @@ class VtpSeries {
   };
   /// From the index's folder.
   std::string path(const File& file) const;
+  void remove_stop();
 
   const Dynamics* dynamics_;
   std::filesystem::path folder_;
@@ -50,6 +53,7 @@ class VtpSeries {
   std::vector<double> along_;                ///< place of each body along the fence [L]
   std::vector<std::vector<Vec2>> outlines_;  ///< of each body, in its own axes; closed but for a half-plane's
   std::vector<File> files_;
+  std::optional<File> of_stop_;  ///< of the step with which the run stopped, if none was due
 };
 
 }  // namespace talus

@@ -20,7 +20,8 @@ namespace talus {
 ///
 /// Between two force evaluations the stretch follows the slip; each evaluation takes it back to the limit of the normal
 /// force of that moment (`settle`). The first evaluation of a contact comes after the touch: it starts with the slip of
-/// the time since (`begin`), without which a contact that sticks would be a method of first order.
+/// the time since (`begin`), without which a contact that sticks would be a method of first order. A contact that is
+/// there when a run begins starts unstretched.
 struct CoulombFriction {
   static constexpr std::array<std::string_view, 4> modes{"open", "sticking", "slipping_forward", "slipping_backward"};
   enum : Mode { open, sticking, slipping_forward, slipping_backward };

@@ -122,6 +122,26 @@ struct ElasticPlastic {
   /// Elongation at which a cable with this memory is just slack [L].
   constexpr double natural_elongation(std::span<const double> memory) const { return memory[0]; }
 
+  /// The same cable after it was drawn out by so much [L]: its memory counts from there, its slack length is longer by
+  /// as much. Drawn out to the rupture or further, its own rupture is no longer > 0.
+  ElasticPlastic drawn_before(double stretch) const {
+    ElasticPlastic rest = *this;
+    rest.yield = yield_force(stretch);
+    std::erase_if(rest.table, [stretch](const YieldPoint& point) { return point.stretch <= stretch; });
+    for (YieldPoint& point : rest.table)
+      point.stretch -= stretch;
+    // A share of a piece may round to above its end.
+    if (!rest.table.empty()) rest.yield = std::min(rest.yield, rest.table.front().force);
+    rest.rupture -= stretch;
+    return rest;
+  }
+
+  /// The largest yield force [F]; infinite while the cable goes on hardening.
+  constexpr double largest_yield() const {
+    if (hardening > 0.0) return std::numeric_limits<double>::infinity();
+    return table.empty() ? yield : table.back().force;
+  }
+
   friend bool operator==(const ElasticPlastic&, const ElasticPlastic&) = default;
 
  private:

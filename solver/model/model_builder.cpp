@@ -92,7 +92,8 @@ bool one_tension(const CableLaw& a, const CableLaw& b) {
   const double one = tangent(a).damping * tangent(b).stiffness, other = tangent(b).damping * tangent(a).stiffness;
   const auto* law_a = std::get_if<ElasticPlastic>(&a);
   const auto* law_b = std::get_if<ElasticPlastic>(&b);
-  const bool yield_alike = !law_a || !law_b || law_a->yield == law_b->yield || law_a->hardening > 0.0;
+  // Drawn out by different amounts both still come to the same force in the end.
+  const bool yield_alike = !law_a || !law_b || law_a->largest_yield() == law_b->largest_yield();
   return a.index() == b.index() && yield_alike && std::abs(one - other) <= 1e-12 * std::abs(one + other);
 }
 
@@ -107,10 +108,10 @@ void check_hanger(const Hanger& hanger, const Model& model) {
         fmt::format("hanger '{}': {} cables end at its point; it must be one or two", hanger.name, cables.size())};
   }
   if (!one_tension(cables.front()->law, cables.back()->law)) {
-    throw InputError{fmt::format(
-        "hanger '{}': cables '{}' and '{}' must have the same law and yield force, and dashpots in proportion "
-        "to their stiffnesses",
-        hanger.name, cables[0]->name, cables[1]->name)};
+    throw InputError{
+        fmt::format("hanger '{}': cables '{}' and '{}' must have the same law and largest yield force, and dashpots in "
+                    "proportion to their stiffnesses",
+                    hanger.name, cables[0]->name, cables[1]->name)};
   }
 }
 

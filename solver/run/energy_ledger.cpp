@@ -41,22 +41,16 @@ Accounts EnergyLedger::accounts(const State& state) {
 }
 
 void Accounts::remember(Memory& memory) {
-  const auto vector = [&memory](std::string_view name, Vec2& value) {
-    memory.part(name, [&] {
-      memory.number("x", value.x);
-      memory.number("y", value.y);
-    });
-  };
   memory.number("kinetic", energies.kinetic);
   memory.number("gravity", energies.gravity);
   memory.number("applied", energies.applied);
   memory.number("contacts", energies.contacts);
   memory.number("cables", energies.cables);
   memory.numbers("lost", lost);
-  vector("momentum", momenta.linear);
+  memory.vector("momentum", momenta.linear);
   memory.number("angular_momentum", momenta.angular);
   memory.number("energy_closure", energy_closure);
-  vector("momentum_closure", momentum_closure);
+  memory.vector("momentum_closure", momentum_closure);
   memory.number("angular_momentum_closure", angular_momentum_closure);
 }
 

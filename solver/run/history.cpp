@@ -47,7 +47,18 @@ void add_account_columns(std::vector<Column>& found) {
 
 }  // namespace
 
+void History::go_on() {
+  if (row_of_stop) rows.pop_back();
+  row_of_stop = false;
+}
+
+void History::add(std::vector<double> row, bool due) {
+  rows.push_back(std::move(row));
+  row_of_stop = !due;
+}
+
 void History::remember(Memory& memory) {
+  memory.flag("row_of_stop", row_of_stop);
   std::vector<double> numbers;
   for (const std::vector<double>& row : rows)
     numbers.insert(numbers.end(), row.begin(), row.end());
@@ -85,14 +96,12 @@ void Recorder::operator()(const State& state, const StepInfo& info) {
     if (row_[i] < extreme.least) extreme.least = row_[i], extreme.least_time = state.t;
     if (row_[i] > extreme.largest) extreme.largest = row_[i], extreme.largest_time = state.t;
   }
-  if (row_of_stop_) history_.rows.pop_back();
-  row_of_stop_ = info.stop && !info.due;
-  if (info.due || info.stop) history_.rows.push_back(row_);
+  history_.go_on();
+  if (info.due || info.stop) history_.add(row_, info.due);
 }
 
 void Recorder::remember(Memory& memory) {
   memory.part("history", [&] { history_.remember(memory); });
-  memory.flag("row_of_stop", row_of_stop_);
   std::vector<double> numbers;
   for (const Extreme& e : extremes_)
     numbers.insert(numbers.end(), {e.least, e.least_time, e.largest, e.largest_time});

@@ -20,6 +20,12 @@ struct Column {
 struct History {
   std::vector<Column> columns;
   std::vector<std::vector<double>> rows;
+  bool row_of_stop{false};  ///< the last row is there only because the run stopped
+
+  /// Before what a step adds: a row of a stop gives way, now that the run was taken on.
+  void go_on();
+  /// Adds the row of a step at which one is due, or with which the run stops.
+  void add(std::vector<double> row, bool due);
 
   /// Names the rows; the columns are the scene's.
   void remember(Memory& memory);
@@ -67,7 +73,6 @@ class Recorder {
   History history_;
   LawForces forces_;
   std::vector<double> row_;
-  bool row_of_stop_{false};  ///< the history's last row is there only because the run stopped
   std::vector<Extreme> extremes_;
 };
 

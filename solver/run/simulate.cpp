@@ -50,9 +50,9 @@ Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const R
   State& state = standing.state;
   State seen = state;
   if (standing.step == 0) {
-    system.settle(state);
+    system.begin(state);
     for (const Observer& observe : observers)
-      observe(state, {0, before + system.evaluations(), true, false, &state});
+      observe(state, {0, before + system.evaluations(), true, false, false, &state});
     method.start(system, state, plan.step);
   }
   while (standing.step < steps) {
@@ -69,10 +69,10 @@ Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const R
     // push.
     seen = method.synchronized(system, state, plan.step);
     system.settle(seen);
-    const bool last = n == steps;
-    const bool stops = !last && stop && stop(seen);
+    const bool ends = n == steps;
+    const bool stops = !ends && stop && stop(seen);
     for (const Observer& observe : observers)
-      observe(seen, {n, standing.evaluations, last || n % every == 0, stops, &state});
+      observe(seen, {n, standing.evaluations, ends || n % every == 0, ends || stops, stops, &state});
     if (stops) return {Outcome::Kind::stopped, state.t, {}};
   }
   return {Outcome::Kind::finished, state.t, {}};

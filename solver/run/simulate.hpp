@@ -15,6 +15,7 @@ struct StepInfo {
   long step{};          ///< steps done; 0 for the initial state
   long evaluations{};   ///< force evaluations done
   bool due{};           ///< a record of the history falls on this step, as it does on the plan's first and last
+  bool last{};          ///< no step follows: the plan ends with this one, or the run stops
   bool stop{};          ///< the run stops with this step, before its plan's end
   const State* held{};  ///< the state as the integrator holds it: of a staggered method, velocities at t and
                         ///< coordinates half a step on, as the listings of 1993 print them

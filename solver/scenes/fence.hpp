@@ -154,6 +154,14 @@ enum class FenceEnd {
   rest,   ///< all rocks are slower than a thousandth of the fastest one's speed at the start
 };
 
+/// A point of how the cables' yield force grows.
+struct YieldMultiple {
+  double strain{};    ///< plastic stretch over the slack length > 0
+  double multiple{};  ///< of the yield force, `limit_top` or `limit_bottom`, >= 1
+
+  friend bool operator==(const YieldMultiple&, const YieldMultiple&) = default;
+};
+
 /// Choices that no record of the 1993 deck makes. The defaults are the historical program.
 struct FenceOptions {
   FenceSymmetry symmetry{FenceSymmetry::half};
@@ -175,6 +183,9 @@ struct FenceOptions {
   double hardening{};  ///< tangent modulus of a yielding cable over Young's modulus, in [0, 1); 0: perfectly plastic
                        ///< (1993)
   double rupture{};    ///< plastic strain at which a cable breaks >= 0; 0: never (1993)
+  /// Yield force of both cables behind (0, 1), straight between the points and level behind the last; in place of
+  /// `hardening`.
+  std::vector<YieldMultiple> table{};
 
   double exit_x{};  ///< where a run ends with `exit` [L]
 

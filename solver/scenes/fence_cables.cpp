@@ -12,15 +12,16 @@ CableId FenceMaker::add_cable(const std::string& name, CableEnd a, CableEnd b, d
   ElasticPlastic law{.stiffness = stiffness, .yield = top ? fence_.limit_top : fence_.limit_bottom};
   // The tangent stiffness k H/(k + H) is the given share of k.
   law.hardening = options.hardening / (1.0 - options.hardening) * stiffness;
+  for (const YieldMultiple& point : options.table)
+    law.table.push_back({point.strain * rest_length, point.multiple * law.yield});
   if (const double strength = top ? options.strength_top : options.strength_bottom; strength > 0.0)
     law.strength = strength;
   if (options.rupture > 0.0) law.rupture = options.rupture * rest_length;
   for (const StretchedCable& stretched : fence_.stretched_cables) {
     if (stretched.cable != name) continue;
-    // Its memory starts at nought: what it was drawn out by before is part of its length, yield force and rupture.
+    // Its memory starts at nought: what it was drawn out by before is part of its length and law.
     rest_length += stretched.stretch;
-    law.yield += law.hardening * stretched.stretch;
-    if (options.rupture > 0.0) law.rupture -= stretched.stretch;
+    law = law.drawn_before(stretched.stretch);
     if (!(law.rupture > 0.0))
       throw InputError{
           fmt::format("fence: cable '{}' is stretched by {:.6g}, at which it breaks", name, stretched.stretch)};

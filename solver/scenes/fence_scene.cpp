@@ -96,7 +96,7 @@ void FenceMaker::kick_half_a_step() {
   Workspace work = dynamics.workspace();
   State touching = state;
   dynamics.update(touching, work);
-  dynamics.settle(touching, work);
+  dynamics.begin(touching, work);
   State apart = touching;
   std::fill_n(apart.mode.begin(), dynamics.contacts().size(), Mode{0});
   Rates with{state}, without{state};

@@ -156,7 +156,8 @@ void FenceWatch::operator()(const State& state, const StepInfo& info) {
   watch_cables(state);
   watch_anchors(state);
   watch_heights(state);
-  if (info.due) add_row(state);
+  history_.go_on();
+  if (info.due || info.stop) history_.add(row(state), info.due);
   time_ = state.t;
   summary_.end = state;
 }
@@ -249,7 +250,7 @@ void FenceWatch::watch_heights(const State& state) {
   }
 }
 
-void FenceWatch::add_row(const State& state) {
+std::vector<double> FenceWatch::row(const State& state) const {
   std::vector<double> row{state.t};
   for (const BodyId rock : rocks_) {
     const Pose now = work_.poses[index(rock)];
@@ -263,7 +264,7 @@ void FenceWatch::add_row(const State& state) {
     largest = std::max(largest, last_tension_[i]);
   }
   row.insert(row.end(), {hanger, top, bottom});
-  history_.rows.push_back(std::move(row));
+  return row;
 }
 
 }  // namespace talus::scenes

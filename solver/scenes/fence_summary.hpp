@@ -109,8 +109,8 @@ class FenceWatch {
   void remember(Memory& memory);
 
   const FenceSummary& summary() const { return summary_; }
-  /// When a row is due: time, each rock's x, y and velocity along x, largest hanger force, largest tension of top and
-  /// bottom segments.
+  /// When a row is due, and at the last step: time, each rock's x, y and velocity along x, largest hanger force,
+  /// largest tension of top and bottom segments.
   const History& history() const { return history_; }
 
  private:
@@ -123,7 +123,7 @@ class FenceWatch {
   void watch_cables(const State& state);
   void watch_anchors(const State& state);
   void watch_heights(const State& state);
-  void add_row(const State& state);
+  std::vector<double> row(const State& state) const;
   bool touches(std::size_t rock, const State& state) const;
   double kinetic(std::size_t rock, const State& state) const;
   double height(Vec2 p) const;

@@ -8,33 +8,22 @@
 namespace talus::scenes {
 namespace {
 
-void remember(Memory& memory, Vec3& value) {
-  memory.number("x", value.x);
-  memory.number("y", value.y);
-  memory.number("z", value.z);
-}
-
 void remember(Memory& memory, ForceRecord& record) {
   memory.number("peak", record.peak);
   memory.number("peak_time", record.peak_time);
-  memory.part("at_peak", [&] { remember(memory, record.at_peak); });
-  memory.part("impulse", [&] { remember(memory, record.impulse); });
-}
-
-void remember(Memory& memory, Vec2& value) {
-  memory.number("x", value.x);
-  memory.number("y", value.y);
+  memory.vector("at_peak", record.at_peak);
+  memory.vector("impulse", record.impulse);
 }
 
 void remember(Memory& memory, RockPassage& rock) {
   memory.flag("touched", rock.touched);
   memory.number("touch_time", rock.touch_time);
-  memory.part("approach_velocity", [&] { remember(memory, rock.approach_velocity); });
+  memory.vector("approach_velocity", rock.approach_velocity);
   memory.number("approach_spin", rock.approach_spin);
   memory.number("approach_energy", rock.approach_energy);
   memory.flag("left", rock.left);
   memory.number("exit_time", rock.exit_time);
-  memory.part("exit_velocity", [&] { remember(memory, rock.exit_velocity); });
+  memory.vector("exit_velocity", rock.exit_velocity);
   memory.number("exit_spin", rock.exit_spin);
   memory.number("exit_energy", rock.exit_energy);
   memory.flag("turned", rock.turned);
@@ -60,13 +49,13 @@ void each(Memory& memory, std::string_view name, List& list, Visit&& visit) {
 
 void FenceWatch::remember(Memory& memory) {
   FenceSummary& s = summary_;
-  const auto vector = [&memory](Vec3& value) { scenes::remember(memory, value); };
+  const auto force = [&memory](Vec3& value) { memory.vector("force", value); };
   memory.flag("begun", begun_);
   memory.number("time", time_);
   memory.numbers("touch_x", touch_x_);
   memory.numbers("last_tension", last_tension_);
-  each(memory, "last_hanger", last_hanger_, vector);
-  each(memory, "last_anchor", last_anchor_, vector);
+  each(memory, "last_hanger", last_hanger_, force);
+  each(memory, "last_anchor", last_anchor_, force);
   each(memory, "rock", s.rocks, [&](RockPassage& rock) { scenes::remember(memory, rock); });
   each(memory, "column", s.columns, [&](ColumnRecord& column) {
     scenes::remember(memory, column.hanger);

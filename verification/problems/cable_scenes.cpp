@@ -76,7 +76,7 @@ CableRun run_cables(const Scene& scene, const State& start, const Integrator& me
   LawForces forces;
   CableRun run;
   run.end = start;
-  system.settle(run.end);
+  system.begin(run.end);
   EnergyLedger ledger{dynamics, run.end};
   bool pulled = false;
   const Observer observers[] = {[&](const State& state, const StepInfo&) {

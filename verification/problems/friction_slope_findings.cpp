@@ -35,7 +35,7 @@ SlopeRun run_slope(const Slope& slope, const Setup& setup, double step, double e
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics};
   SlopeRun run{.end = scene.initial, .time = {}, .speed = {}, .rim = {}, .largest_closure = 0.0};
-  system.settle(run.end);
+  system.begin(run.end);
   EnergyLedger ledger{dynamics, run.end};
   const Observer observers[] = {[&](const State& state, const StepInfo&) {
     run.time.push_back(state.t);

@@ -79,7 +79,7 @@ WeakFenceRun run_weak_fence(const scenes::Fence& fence, double step, double end,
   RigidBodySystem system{dynamics};
   Integrator integrator = run.made.scene.integrator;
   State state = run.made.scene.initial;
-  system.settle(state);
+  system.begin(state);
   EnergyLedger ledger{dynamics, state};
   FailureLog failures{dynamics};
   Watch watch{run, dynamics, state, every};

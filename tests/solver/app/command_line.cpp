@@ -196,6 +196,36 @@ BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
   BOOST_TEST(summary.at("outcome").at("kind").get<std::string>() == "finished");
 }
 
+// Files of a run are JSON, XML and HTML, which are UTF-8: so is a deck's title once it is read, and names must be.
+BOOST_AUTO_TEST_CASE(titles_and_names_in_other_encodings) {
+  const Folder folder;
+  std::string deck = talus::read_text(scene("fence/sample2.DAT"));
+  const fs::path file = folder.file("latin.DAT", deck.replace(0, 6, "B\xf6schung <&\"\\"));
+  const std::string out = (folder.path / "out").string();
+  BOOST_TEST(talus_ran({"run", file.string(), "--end", "1 ms", "--sheet", "--out", out}).code == 0);
+  for (const char* name : {"summary.json", "final_state.json", "plot.json", "sheet.json", "latin.history.json"}) {
+    const auto json = nlohmann::json::parse(talus::read_text(out + "/" + name));
+    BOOST_TEST(json.at("title").get<std::string>().substr(0, 14) == "B\xc3\xb6schung <&\"\\", name);
+  }
+  BOOST_TEST(holds(talus::read_text(out + "/latin.OUT"), "B\xc3\xb6schung <&\"\\"));
+  // To a scene and back: the title as it was read, all else as it was.
+  const fs::path toml = folder.path / "latin.toml", back = folder.path / "back.DAT", same = folder.path / "same.DAT";
+  BOOST_TEST(talus_ran({"convert", file.string(), toml.string()}).code == 0);
+  BOOST_TEST(talus_ran({"convert", toml.string(), back.string()}).code == 0);
+  BOOST_TEST(talus_ran({"convert", scene("fence/sample2.DAT"), same.string()}).code == 0);
+  const std::string text = talus::read_text(back), wanted = talus::read_text(same);
+  BOOST_TEST(text.substr(0, 14) == "B\xc3\xb6schung <&\"\\");
+  BOOST_TEST(text.substr(14) == wanted.substr(6));
+
+  fs::copy_file(file, folder.path / "\xe9.DAT");
+  const std::string words = ", which is not UTF-8; what names files and titles must be, since it is written to JSON";
+  for (const char* const command : {"run", "check"}) {
+    const Ended ended = talus_ran({command, (folder.path / "\xe9.DAT").string()});
+    BOOST_TEST(ended.code == 2);
+    BOOST_TEST(holds(ended.err, "/\xc3\xa9.DAT\"" + words));
+  }
+}
+
 // Without a ledger the same rows end before the first column of the accounts, and no file speaks of them.
 BOOST_AUTO_TEST_CASE(a_run_without_a_ledger_keeps_no_accounts) {
   const Folder folder;

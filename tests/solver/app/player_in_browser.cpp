@@ -82,13 +82,30 @@ BOOST_AUTO_TEST_CASE(the_time_in_the_address_is_shown) {
   BOOST_TEST(after(start, "class=\"cursor\"").empty() == after(later, "class=\"cursor\"").empty());
 }
 
+// The half model's 7 columns and 6 bottom and 7 top segments of a layer, all but the central column with their images.
+BOOST_AUTO_TEST_CASE(a_half_model_is_seen_whole_along_the_fence) {
+  const std::string page = document(player(), "t=.02");
+  const std::size_t begin = page.find("<svg id=\"along\"");
+  const std::string along = page.substr(begin, page.find("</svg>", begin) - begin);
+  const auto count = [&along](const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = along.find(part); at != std::string::npos; at = along.find(part, at + 1))
+      ++found;
+    return found;
+  };
+  BOOST_TEST(count("class=\"column\"") == 2U * 13U);
+  BOOST_TEST(count("class=\"rock\"") == 1U);
+  BOOST_TEST(count("class=\"cable\"") + count("class=\"cable slack\"") == 2U * 26U);
+  BOOST_TEST(holds(page, "below z = 0 the half model's mirror image"));
+}
+
 BOOST_AUTO_TEST_CASE(playing_goes_on_to_the_end) {
   const std::string begun = document(player(), "play&speed=8&loop=0", 500);
   const std::string ended = document(player(), "play&speed=8&loop=0", 5000);
   const int first = std::stoi(after(begun, "data-frame=\""));
   BOOST_TEST(first > 2);
   BOOST_TEST(first < 25);
-  BOOST_TEST(after(ended, "data-frame=\"") == "25");
+  BOOST_TEST(after(ended, "data-frame=\"") == "26");
   BOOST_TEST(holds(begun, ">Pause</button>"));
   BOOST_TEST(holds(ended, ">Play</button>"));
 }
@@ -116,5 +133,5 @@ BOOST_AUTO_TEST_CASE(keys_slider_and_charts_lead_through_time) {
   const Folder folder;
   std::ofstream{folder.path / "pressed.html"} << text;
   const std::string seen = document(folder.path / "pressed.html", "theme=light");
-  BOOST_TEST(after(seen, "data-noted=\"") == "1 11 10 25 0 7 25 Pause 2 dark");
+  BOOST_TEST(after(seen, "data-noted=\"") == "1 11 10 26 0 7 26 Pause 2 dark");
 }

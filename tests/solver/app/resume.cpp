@@ -99,6 +99,18 @@ BOOST_AUTO_TEST_CASE(sheets_that_cannot_be) {
              "talus: --sheet: a run that is taken on (--resume) keeps what it began with\n");
 }
 
+BOOST_AUTO_TEST_CASE(json_says_how_to_go_on) {
+  const Folder folder;
+  const std::string out = (folder.path / "out").string();
+  const std::vector<std::string> command{"run", scene("two_cable.toml"), "--end", "20 ms", "--out", out, "--json"};
+  std::vector<std::string> left = command;
+  left.insert(left.end(), {"--until", "10 ms"});
+  const auto summary = nlohmann::json::parse(talus_ran(left).out);
+  BOOST_TEST(summary.at("resume").get<std::string>() == "talus run --resume " + out);
+  BOOST_TEST(!nlohmann::json::parse(talus_ran({"run", "--resume", out, "--json"}).out).contains("resume"));
+  BOOST_TEST(!nlohmann::json::parse(talus_ran(command).out).contains("resume"));
+}
+
 BOOST_AUTO_TEST_CASE(a_scene_that_was_moved_is_named_again) {
   const Folder folder;
   const fs::path here = folder.path / "here.toml", there = folder.path / "there.toml";
@@ -228,5 +240,6 @@ BOOST_AUTO_TEST_CASE(a_signal_leaves_the_run_to_be_taken_on) {
     runs({"run", two, "--end", "2000 s", "--until", later, "--out", straight});
     same_files(out, straight);
     fs::remove_all(out);
+    fs::remove_all(straight);
   }
 }

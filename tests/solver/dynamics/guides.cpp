@@ -36,7 +36,7 @@ struct Run {
 Run run(const Model& model, State state, const char* integrator, double step, double end) {
   const Dynamics dynamics{model};
   RigidBodySystem system{dynamics};
-  system.settle(state);
+  system.begin(state);
   EnergyLedger ledger{dynamics, state};
   Integrator method = make_integrator(integrator);
   BOOST_TEST(static_cast<bool>(simulate(system, method, state, {step, end, end, true})));

@@ -50,7 +50,7 @@ Run run(const Model& model, double step, double end, const char* integrator = "v
   const Dynamics dynamics{model};
   RigidBodySystem system{dynamics};
   State state = rest_state(model);
-  system.settle(state);
+  system.begin(state);
   EnergyLedger ledger{dynamics, state};
   FailureLog failures{dynamics};
   Integrator method = make_integrator(integrator);
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(energy_is_booked_once_when_a_cable_breaks_with_its_hanger) 
   const Dynamics dynamics{model};
   RigidBodySystem system{dynamics};
   State state = rest_state(model);
-  system.settle(state);
+  system.begin(state);
   const double stretch = std::sqrt(4.04) - 1.9;
   const double lost = state.work[static_cast<std::size_t>(Mechanism::hanger_break)] +
                       state.work[static_cast<std::size_t>(Mechanism::cable_break)];

@@ -96,10 +96,40 @@ BOOST_AUTO_TEST_CASE(what_no_deck_has_is_kept_by_scene_files_and_refused_by_deck
   Fence one = sound;
   one.options.hanger_strength = 1.0;
   refused(one);
+  one = sound, one.options.table = {{0.01, 1.2}};
+  refused(one);
   one = sound, one.rocks[0].along = 1.0, refused(one);
   one = sound, one.ground_profile = fence.ground_profile, refused(one);
   one = sound, one.changed_columns = fence.changed_columns, refused(one);
   one = sound, one.stretched_cables = fence.stretched_cables, refused(one);
+}
+
+BOOST_AUTO_TEST_CASE(cables_yield_by_a_table) {
+  Fence fence = read_deck(folder() / "sample2.DAT");
+  const std::string options = read_text(folder() / "sample2.toml") + "[fence.options]\n";
+  fence.options.table = {{0.01, 1.25}, {0.1, 1.5}};
+  BOOST_TEST((read(options + "table = [[0.01, 1.25], [0.1, 1.5]]\n") == fence));
+  BOOST_TEST((read(fence_toml(fence)) == fence));
+  const auto says = [&](std::string_view lines, std::string_view words) {
+    std::string found = "no error";
+    try {
+      static_cast<void>(read(options + std::string{lines}));
+    } catch (const InputError& error) {
+      found = error.what();
+    }
+    BOOST_TEST(found.find(words) != std::string::npos, found);
+  };
+  says("hardening = 0.02\ntable = [[0.01, 1.25]]\n", "found hardening = 0.02 and table");
+  says("table = [[0.01, 1.25], [0.005, 1.5]]\n", "table: found (0.005, 1.5) after (0.01, 1.25)");
+  says("table = [[0.01, 0.5]]\n", "table: found (0.01, 0.5) after (0, 1)");
+  says("table = [[\"1 ft\", \"2 lbf\"]]\n", "table: found \"1 ft\"; it must be a pure number");
+  says("table = [0.1]\n", "each point must be a pair, e.g. [1.0, 1.0]");
+  try {
+    static_cast<void>(deck_text(fence));
+    BOOST_TEST(false, "a deck took a table");
+  } catch (const InputError& error) {
+    BOOST_TEST(std::string_view{error.what()}.find("found table; it must be") != std::string_view::npos, error.what());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(wrong_parts_beyond_the_deck) {
@@ -158,7 +188,7 @@ BOOST_AUTO_TEST_CASE(wrong_fences) {
   BOOST_TEST(message("[fence]", "[run]\nend = \"1 s\"\n[fence]").substr(0, 60) ==
              "s.toml:4: run: this key is not known; nearest: units; known:");
   BOOST_TEST(message("DOUBLE", "two\\nlines") ==
-             "s.toml:1: title: found the control character 0x0a; a title is one line of text");
+             "s.toml:1: title: found the control character 0x0a; a title is one line of UTF-8 or Latin-1 text");
 }
 
 BOOST_AUTO_TEST_CASE(files_by_extension) {

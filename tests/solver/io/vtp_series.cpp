@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(the_index_names_every_file_with_its_time) {
     BOOST_TEST(fs::exists(folder.path / set.get<std::string>("<xmlattr>.file")));
   }
   const double h = input.made.scene.plan.step;
-  BOOST_TEST(times == (std::vector<double>{0.0, 20 * h, 40 * h}), boost::test_tools::per_element());
+  BOOST_TEST(times == (std::vector<double>{0.0, 20 * h, 40 * h, 50 * h}), boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_file_holds_outlines_and_cables) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <utility>
 
 using namespace talus;
 
@@ -119,6 +120,30 @@ BOOST_AUTO_TEST_CASE(hardens_along_a_line_and_along_a_table) {
   const double stretch = 1.25 + (8.0 * 0.75 - 2.5) / 12.0;
   BOOST_TEST(table.memory[0] == stretch, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(table.tension(1.0) == 8.0 * (2.0 - stretch), boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(drawn_out_before_is_drawn_out_at_once) {
+  // Drawn to 1 and let go, a cable is the cable that was drawn out before: longer by its stretch, it pulls the same.
+  // On the table's first piece, on its second, behind it, and on a line.
+  ElasticPlastic table{.stiffness = 8.0, .yield = 2.0, .rupture = 3.0};
+  table.table = {{0.25, 2.5}, {1.25, 4.5}};
+  const ElasticPlastic line{.stiffness = 8.0, .yield = 2.0, .hardening = 2.0, .rupture = 3.0};
+  for (const auto& [law, first] :
+       std::vector<std::pair<ElasticPlastic, double>>{{table, 0.4}, {table, 1.0}, {table, 2.0}, {line, 1.0}}) {
+    DrawnCable old{.law = law};
+    old.draw(first, 4096);
+    const double stretch = old.memory[0];
+    old.draw(0.0, 64);
+    DrawnCable after{.law = law.drawn_before(stretch)};
+    BOOST_TEST(after.law.rupture == 3.0 - stretch);
+    BOOST_TEST(after.law.largest_yield() == law.largest_yield());
+    for (const double to : {0.9 * first, first + 0.1, first + 0.5}) {
+      old.draw(to, 4096);
+      after.draw(to - stretch, 4096);
+      BOOST_TEST(after.tension(1.0) == old.tension(1.0), boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(after.memory[0] + stretch == old.memory[0], boost::test_tools::tolerance(1e-12));
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(hardening_books_what_is_not_given_back) {

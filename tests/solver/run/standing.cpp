@@ -36,7 +36,7 @@ class Leg {
       : plan_{scene.plan},
         dynamics_{scene.model},
         system_{dynamics_, plan_.ledger},
-        standing_{standing_at_start(scene.integrator, settled(scene.initial))},
+        standing_{standing_at_start(scene.integrator, begun(scene.initial))},
         recorder_{dynamics_, standing_.state, plan_.ledger},
         failures_{dynamics_} {}
 
@@ -81,8 +81,8 @@ class Leg {
   }
 
  private:
-  State settled(State state) {
-    system_.settle(state);
+  State begun(State state) {
+    system_.begin(state);
     return state;
   }
 

@@ -27,7 +27,7 @@ End run(const FenceScene& made, double end) {
   RigidBodySystem system{dynamics};
   Integrator integrator = made.scene.integrator;
   State state = made.scene.initial;
-  system.settle(state);
+  system.begin(state);
   EnergyLedger ledger{dynamics, state};
   RunPlan plan = made.scene.plan;
   plan.end = end;

@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(peaks_and_passage) {
   double deepest = 0.0;
   State exit;
   run.also = [&](const State& seen) {
-    recorder(seen, {0, 0, true, false, &seen});
+    recorder(seen, {0, 0, true, false, false, &seen});
     deepest = std::max(deepest, run.made.scene.initial.q[rock] - seen.q[rock]);
     if (run.summary().rocks.front().exit_time == seen.t) exit = seen;
   };
@@ -263,14 +263,14 @@ BOOST_AUTO_TEST_CASE(a_watch_goes_on) {
   Watched first{fence}, second{fence};
   const std::size_t half = seen.size() / 2;
   for (std::size_t i = 0; i < half; ++i)
-    first.watch(seen[i], {static_cast<long>(i), 0, false, false, &seen[i]});
+    first.watch(seen[i], {static_cast<long>(i), 0, false, false, false, &seen[i]});
   Memory saving;
   first.watch.remember(saving);
   Memory putting_back{saving.items()};
   second.watch.remember(putting_back);
   BOOST_TEST(putting_back.left_over().empty());
   for (std::size_t i = half; i < seen.size(); ++i)
-    second.watch(seen[i], {static_cast<long>(i), 0, false, false, &seen[i]});
+    second.watch(seen[i], {static_cast<long>(i), 0, false, false, false, &seen[i]});
   Memory one, other;
   whole.watch.remember(one);
   second.watch.remember(other);

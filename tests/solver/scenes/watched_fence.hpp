@@ -27,7 +27,7 @@ struct Watched {
         system{dynamics, true},
         watch{fence, made, dynamics} {
     state = made.scene.initial;
-    system.settle(state);
+    system.begin(state);
   }
 
   Outcome run(double end) {
@@ -43,7 +43,7 @@ struct Watched {
   /// Shows a state made by hand.
   void show(State seen, double time) {
     seen.t = time;
-    watch(seen, {shown++, 0, true, false, &seen});
+    watch(seen, {shown++, 0, true, false, false, &seen});
   }
   const FenceSummary& summary() const { return watch.summary(); }
   std::size_t first(const char* body) const {
