@@ -36,7 +36,7 @@ class Scaler {
       for (const auto& field : T::vectors())
         (*this)(owner.*field.member, field.dimension);
     }
-    if constexpr (requires { owner.table; }) {
+    if constexpr (requires { owner.table.front().stretch; }) {
       for (auto& point : owner.table) {
         (*this)(point.stretch, dimension::length);
         (*this)(point.force, dimension::force);
