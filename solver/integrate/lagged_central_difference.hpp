@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/integrate/advance.hpp"
+#include "solver/integrate/central_difference.hpp"
 #include "solver/integrate/concepts.hpp"
 
 namespace talus {
@@ -45,9 +46,7 @@ class LaggedCentralDifference {
   /// As for the central difference.
   template <class System>
   State synchronized(System& system, const State& state, double h) const {
-    State same_time = state;
-    system.drift(same_time, -0.5 * h);
-    return same_time;
+    return CentralDifference{}.synchronized(system, state, h);
   }
 
   void remember(Memory& memory, const State& like) {

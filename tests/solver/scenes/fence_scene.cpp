@@ -9,32 +9,13 @@
 #include "solver/base/error.hpp"
 #include "solver/run/energy_ledger.hpp"
 #include "solver/run/simulate.hpp"
+#include "tests/solver/scenes/fence_end.hpp"
 #include "tests/solver/scenes/sample_fence.hpp"
 
 using namespace talus;
 using namespace talus::scenes;
 
 namespace {
-
-struct End {
-  State state;
-  double closure{};
-  double scale{};
-};
-
-End run(const FenceScene& made, double end) {
-  const Dynamics dynamics{made.scene.model};
-  RigidBodySystem system{dynamics};
-  Integrator integrator = made.scene.integrator;
-  State state = made.scene.initial;
-  system.begin(state);
-  EnergyLedger ledger{dynamics, state};
-  RunPlan plan = made.scene.plan;
-  plan.end = end;
-  BOOST_TEST(static_cast<bool>(simulate(system, integrator, state, plan)));
-  const double closure = ledger.accounts(state).energy_closure;
-  return {state, closure, ledger.energy_scale()};
-}
 
 Pose pose_of(const FenceScene& made, const State& state, const char* body) {
   return pose(made.scene.model, state, *find_body(made.scene.model, body));

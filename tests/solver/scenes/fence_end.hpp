@@ -1,0 +1,32 @@
+#pragma once
+
+#include <boost/test/unit_test.hpp>
+
+#include "solver/run/energy_ledger.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/fence_scene.hpp"
+
+namespace talus::scenes {
+
+/// A fence's state at the end of a run, and how its energies close.
+struct End {
+  State state;
+  double closure{};  ///< of the energy [F L]
+  double scale{};    ///< the largest energy [F L]
+};
+
+/// Runs a fence from its start to time `end` [T]; it must finish.
+inline End run(const FenceScene& made, double end) {
+  const Dynamics dynamics{made.scene.model};
+  RigidBodySystem system{dynamics};
+  Integrator integrator = made.scene.integrator;
+  State state = made.scene.initial;
+  system.begin(state);
+  EnergyLedger ledger{dynamics, state};
+  RunPlan plan = made.scene.plan;
+  plan.end = end;
+  BOOST_TEST_REQUIRE(static_cast<bool>(simulate(system, integrator, state, plan)));
+  return {state, ledger.accounts(state).energy_closure, ledger.energy_scale()};
+}
+
+}  // namespace talus::scenes
