@@ -12,11 +12,14 @@
 namespace talus {
 namespace {
 
-/// Calls visit(array) for each array of each law that the scene uses: the one dispatch an evaluation makes.
+/// Calls visit(array) for each array that the scene uses: the one dispatch an evaluation makes.
 template <class Laws, class Visit>
 void for_each_array(Laws& laws, Visit&& visit) {
-  const auto visit_law = [&visit](auto& law) {
-    if (law.used) std::apply([&visit](auto&... array) { (visit(array), ...); }, law.arrays);
+  const auto visit_array = [&visit](auto& array) {
+    if (!array.groups.empty()) visit(array);
+  };
+  const auto visit_law = [&visit_array](auto& law) {
+    if (law.used) std::apply([&visit_array](auto&... array) { (visit_array(array), ...); }, law.arrays);
   };
   std::apply([&visit_law](auto&... law) { (visit_law(law), ...); }, laws);
 }
@@ -266,9 +269,7 @@ void ContactForces::update(const State& state, Workspace& work) const {
         work.near[c] || std::any_of(mode + static_cast<std::ptrdiff_t>(pair.first),
                                     mode + static_cast<std::ptrdiff_t>(pair.last), [](Mode m) { return m != 0; });
   }
-  for_each_array(laws_, [&](const auto& array) {
-    if (!array.groups.empty()) update_gaps(array, &state, work);
-  });
+  for_each_array(laws_, [&](const auto& array) { update_gaps(array, &state, work); });
 }
 
 void ContactForces::update_all(Workspace& work) const {
@@ -288,7 +289,8 @@ void ContactForces::begin(State& state, const Workspace& work) const {
   });
 }
 
-void ContactForces::settle(State& state, const Workspace& work) const {
+// All laws' visits in line: a call for each array would cost more than most arrays do.
+[[gnu::flatten]] void ContactForces::settle(State& state, const Workspace& work) const {
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup& group) {
     // The gap declares onset: what does not act and does not touch stays so.
     if (state.mode[slot.mode] == 0 && work.gaps[slot.mode].depth < 0.0) return;
@@ -327,7 +329,7 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
   }
 }
 
-void ContactForces::add(const State& state, Workspace& work, Rates* out) const {
+[[gnu::flatten]] void ContactForces::add(const State& state, Workspace& work, Rates* out) const {
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup& group) {
     const Mode mode = state.mode[slot.mode];
     if (mode == 0) return;
