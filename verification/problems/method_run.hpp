@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cmath>
+#include <variant>
+
+#include "solver/integrate/integrator_list.hpp"
+#include "solver/state/state.hpp"
+
+namespace talus::verification::problems {
+
+/// Runs any system that the integrators take for so many equal steps from t = 0, and returns its state at the end, all
+/// parts at the same time.
+template <class System>
+State run_method(System& system, Integrator integrator, State state, double step, long steps) {
+  return std::visit(
+      [&](auto& method) -> State {
+        system.begin(state);
+        method.start(system, state, step);
+        for (long n = 0; n < steps; ++n)
+          method.step(system, state, step);
+        return method.synchronized(system, state, step);
+      },
+      integrator);
+}
+
+}  // namespace talus::verification::problems
