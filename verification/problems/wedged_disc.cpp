@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -9,6 +8,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/late_slip.hpp"
 #include "verification/problems/method_run.hpp"
+#include "verification/problems/predicted_error.hpp"
 #include "verification/reference/held_body.hpp"
 
 namespace talus::verification::problems {
@@ -170,18 +170,6 @@ class Wedge {
   Miss exact_;
 };
 
-/// Holds the last two errors against the prediction: what the ratio lacks of 1 must fall with `power` of the step.
-void expect_constant(const std::string& name, const Convergence& found, double constant, int order, int power,
-                     Findings& findings) {
-  const auto off = [&](std::size_t i) { return found.errors()[i] / (constant * std::pow(found.steps()[i], order)); };
-  const std::size_t last = found.size() - 1;
-  findings.expect("error over its prediction, " + name, off(last), 1.0,
-                  Tolerance::truncation(
-                      std::max(std::abs(off(last - 1) - 1.0) / std::pow(2.0, power), 3e-6), power == 1 ? 1.5 : 2.0,
-                      "what is left at twice the step falls by 2 to the next power of the error: a "
-                      "constant that is another stays. At least 3e-6, what the prediction itself is integrated to"));
-}
-
 struct Method {
   const char* name;
   reference::Leapfrog kind;
@@ -196,7 +184,7 @@ void check_leapfrogs(const Wedge& wedge, Figure& figure, Findings& findings, con
     const Convergence found =
         wedge.errors(make_integrator(method.name), setup.coarse ? 512.0 : 2048.0, 3, false, findings);
     const double constant = wedge.constant(method.kind);
-    expect_constant(name, found, constant, 2, 2, findings);
+    expect_constant(findings, name, found, constant, 2, 2, 3e-6);
     if (method.kind != reference::Leapfrog::velocity_verlet) continue;
     const double admitted = setup.coarse ? 0.03 : 0.002;
     findings.expect_order(
@@ -220,7 +208,7 @@ void check_late(const Wedge& wedge, Figure& figure, Table& table, Findings& find
       {wedge.name(), fmt::format("{:.3g}", right), fmt::format("{:.3g}", late), fmt::format("{:.2g}", late / right)});
   if (wedge.name() != "R/r = 1") return;
   const Convergence found = wedge.errors(VelocityVerlet{}, 4096.0, 4, true, findings);
-  expect_constant("slip along late directions, " + wedge.name(), found, late, 1, 1, findings);
+  expect_constant(findings, "slip along late directions, " + wedge.name(), found, late, 1, 1, 3e-6);
   figure.series.push_back({"late directions, " + wedge.name(), found.steps(), found.errors(), Style::crosses});
   Series line{"late, predicted", {}, {}, Style::lines};
   for (const double h : found.steps()) {

@@ -1,7 +1,6 @@
 #include "verification/reference/held_body.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace talus::verification::reference {
@@ -71,9 +70,12 @@ SmoothSystem pressed_disc(const PressedDisc& disc) {
 Real Wave::derivative(int n, Real t) const {
   Real sum = n == 0 ? start + speed * t : n == 1 ? static_cast<Real>(speed) : 0.0L;
   for (const Swing& swing : swings) {
-    const Real frequency = swing.frequency;
-    sum += swing.amplitude * std::pow(frequency, n) *
-           std::sin(frequency * t + swing.phase + 0.5L * static_cast<Real>(n) * std::numbers::pi_v<Real>);
+    Real part = swing.amplitude;
+    for (int i = 0; i < n; ++i)
+      part *= swing.frequency;
+    const Real angle = static_cast<Real>(swing.frequency) * t + swing.phase;
+    const Real turned = n % 2 == 0 ? std::sin(angle) : std::cos(angle);
+    sum += n % 4 < 2 ? part * turned : -part * turned;
   }
   return sum;
 }
