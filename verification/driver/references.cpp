@@ -42,6 +42,9 @@ std::vector<Reference> all_references() {
        "CDOT-CSM-R-93-20, Colorado School of Mines for the Colorado Department of Transportation, April 1993, 79 "
        "pages; "
        "here \"the 1993 report\"."},
+      {"roache2002",
+       "P. J. Roache: Code verification by the method of manufactured solutions. Journal of Fluids Engineering 124 "
+       "(2002) 4-10."},
       {"schwager2007",
        "T. Schwager, T. Poschel: Coefficient of restitution and linear-dashpot model revisited. Granular Matter 9 "
        "(2007) "
@@ -54,6 +57,9 @@ std::vector<Reference> all_references() {
       {"verlet1967",
        "L. Verlet: Computer \"experiments\" on classical fluids. I. Thermodynamical properties of Lennard-Jones "
        "molecules. Physical Review 159 (1967) 98-103."},
+      {"vyas2025",
+       "D. R. Vyas, J. M. Ottino, R. M. Lueptow, P. B. Umbanhowar: Improved velocity-Verlet algorithm for the discrete "
+       "element method. Computer Physics Communications 310 (2025) 109524."},
   };
 }
 
