@@ -175,7 +175,7 @@ Case friction() {
            {"C1", {"disc rolls"}},
            {"C2", {"of the threshold, disc", "disc on slopes"}},
            {"C3", {"of the threshold, block"}},
-           {"C4", {"sliding all through", "slid"}},
+           {"C4", {"sliding all through", "by sliding", "sliding impact"}},
            {"C5", {"sticks all through"}},
            {"C6", {"4 stiffnesses x 6 obliquities"}},
            {"C7", {"grazing"}},
