@@ -51,6 +51,7 @@ struct Case {
   std::vector<Fault> faults;  ///< At least one: a case that cannot turn red shows nothing.
   Tier tier = Tier::quick;    ///< The lowest tier that runs this case.
   double time_limit = 60.0;   ///< Wall-clock limit [s] for the whole case, its faulty setups included.
+  double memory_limit = 2.0;  ///< Most memory [GiB] that the case may hold at any time.
   void (*run)(Findings&, const Setup&) = nullptr;  ///< Measures and compares; throws what it cannot handle.
 };
 

@@ -68,6 +68,8 @@ std::string flaw_of(const Case& verification_case, const std::vector<Case>& all)
   if (c.run == nullptr) return "it has nothing to run";
   if (!(std::isfinite(c.time_limit) && c.time_limit > 0.0))
     return "its time limit must be finite and greater than zero";
+  if (!(std::isfinite(c.memory_limit) && c.memory_limit > 0.0))
+    return "its memory limit must be finite and greater than zero";
   for (const std::string& flaw : {flaw_of_requirements(c), flaw_of_main_checks(c), flaw_of_faults(c)}) {
     if (!flaw.empty()) return flaw;
   }
