@@ -44,6 +44,7 @@ struct Claim {
 struct Case {
   std::string id;                          ///< snake_case; file, function and folder carry the same name.
   std::string title;                       ///< One line.
+  std::string family{};                    ///< Place in the report's summary; empty: that of its catalogue problems.
   std::vector<Claim> requirements;         ///< What the case shows, and by which checks.
   std::vector<std::string> main_checks{};  ///< Names of the checks on the first page; each must be made.
   std::string source;                      ///< Full citation with page or equation.

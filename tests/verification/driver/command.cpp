@@ -262,6 +262,8 @@ BOOST_AUTO_TEST_CASE(a_case_that_is_not_well_formed_fails_without_being_run) {
   refuse([](Case& c) { c.run = nullptr; }, "nothing to run");
   refuse([](Case& c) { c.time_limit = 0.0; }, "time limit");
   refuse([](Case& c) { c.memory_limit = 0.0; }, "memory limit");
+  refuse([](Case& c) { c.family.clear(); }, "names no family");
+  refuse([](Case& c) { c.family = "fences"; }, "family 'fences' is not known");
   refuse([](Case& c) { c.faults.push_back(c.faults[0]); }, "listed twice");
   const Run twice({synthetic("same", sound), synthetic("same", sound)});
   BOOST_TEST(twice.status == 1);
