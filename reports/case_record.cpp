@@ -30,6 +30,7 @@ Check check_of(const Node& node) {
   check.pass = node.at("pass").flag();
   check.slack = node.flag_or_false("slack");
   check.main = node.flag_or_false("main");
+  check.order = node.flag_or_false("order");
   check.text_measured = node.text_or_empty("text_measured");
   if (check.pass && !(check.margin <= 1.0)) node.complain("passes although error/bound is above 1 or not a number");
   return check;
@@ -52,7 +53,7 @@ Control control_of(const Node& node) {
 }
 
 Table table_of(const Node& node) {
-  Table table{node.text_or_empty("caption"), node.at("columns").texts(), {}};
+  Table table{node.text_or_empty("name"), node.text_or_empty("caption"), node.at("columns").texts(), {}};
   if (table.columns.empty()) node.at("columns").complain("must hold at least one column");
   for (const Node& row : node.at("rows").list()) {
     table.rows.push_back(row.texts());
@@ -72,6 +73,7 @@ CaseRecord case_of(const Node& node) {
   const bool ran = record.status == "pass" || record.status == "fail";
   record.title = ran ? node.at("title").words() : node.text_or_empty("title");
   record.page = ran ? node.at("page").words() : node.text_or_empty("page");
+  record.family = node.text_or_empty("family");
   record.source = node.text_or_empty("source");
   record.message = record.status == "pass" ? node.text_or_empty("message") : node.at("message").text();
   record.tier = node.text_or_empty("tier");

@@ -30,6 +30,24 @@ std::string case_link(const CaseRecord& record) {
   return fmt::format("[{}](#{})", markdown::words(record.id), markdown::heading_id(case_heading(record)));
 }
 
+std::string link_of(const Results& results, const std::string& id) {
+  for (const CaseRecord& record : results.cases) {
+    if (record.id == id) return case_link(record);
+  }
+  return cell(id);
+}
+
+std::string joined_links(const Results& results, const std::vector<std::string>& ids) {
+  std::string text;
+  for (const std::string& id : ids)
+    text += (text.empty() ? "" : ", ") + link_of(results, id);
+  return text;
+}
+
+std::string status_word(const CaseRecord& record) {
+  return record.status == "pass" ? "pass" : "**" + record.status + "**";
+}
+
 std::string margin_text(const Check& check) {
   if (!check.pass) return "**" + markdown::number(check.margin, 3) + "**";
   return markdown::number(check.margin, 2) + (check.slack ? " (slack)" : "");

@@ -19,6 +19,15 @@ namespace talus::reports {
 /// The case's id, linked to its page.
 [[nodiscard]] std::string case_link(const CaseRecord& record);
 
+/// The case of that id, linked to its page; the bare id if it has no record.
+[[nodiscard]] std::string link_of(const Results& results, const std::string& id);
+
+/// Such links, with commas between them.
+[[nodiscard]] std::string joined_links(const Results& results, const std::vector<std::string>& ids);
+
+/// The case's status, bold unless it passed.
+[[nodiscard]] std::string status_word(const CaseRecord& record);
+
 // Cells of a check's row. Digits: as many as tell measured and reference apart, up to a limit (the error is beside).
 [[nodiscard]] std::string name_with_unit(const Check& check);
 [[nodiscard]] std::string measured_text(const Check& check, int most_digits = 8);

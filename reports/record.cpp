@@ -75,18 +75,29 @@ Results read_results(const std::filesystem::path& file) {
   results.tier = root.text_or_empty("tier");
   results.verdict = root.at("verdict").one_of({"pass", "fail"});
   for (const Node& item : root.at("requirements").list()) {
-    Requirement requirement{item.at("id").words(),    item.at("group").words(),    item.text_or_empty("text"),
-                            item.at("cases").texts(), item.at("checks").integer(), {}};
+    Requirement requirement{item.at("id").words(),
+                            item.at("group").words(),
+                            item.text_or_empty("text"),
+                            item.at("cases").texts(),
+                            item.at("checks").integer(),
+                            {},
+                            item.has("order") ? item.at("order").integer() : 0};
     for (const Node& shown : item.list_or_empty("shown_by"))
       requirement.shown_by.push_back({shown.at("case").words(), shown.at("checks").texts()});
     results.requirements.push_back(std::move(requirement));
   }
+  if (root.has("families")) results.families = root.at("families").texts();
   for (const Node& item : root.at("cases").list())
     results.cases.push_back(case_of(item));
   if (!root.at("counts").has("exempt")) results.counts.exempt = counted(results.cases).exempt;
   for (const Node& item : root.list_or_empty("errata")) {
     results.errata.push_back({item.at("id").words(), item.text_or_empty("where"), item.at("printed").text(),
                               item.at("corrected").text(), item.text_or_empty("evidence"), item.text_or_empty("case")});
+  }
+  for (const Node& item : root.list_or_empty("peers")) {
+    results.peers.push_back({item.at("suite").words(), item.at("id").words(), item.at("what").words(),
+                             item.at("form").words(), item.text_or_empty("remark"), item.at("problems").texts(),
+                             item.at("cases").texts()});
   }
   for (const Node& item : root.list_or_empty("references")) {
     results.references.push_back({item.at("key").words(), item.at("text").words()});

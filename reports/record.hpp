@@ -25,7 +25,8 @@ struct Check {
   bool relative{};  ///< error and bound are relative
   bool pass{};
   bool slack{};      ///< error/bound below 1/50: the bound may be too wide
-  bool main{};       ///< belongs to the table on the first pages
+  bool main{};       ///< belongs to the table of main checks
+  bool order{};      ///< measured is an order of convergence
   std::string kind;  ///< exact, round_off, truncation, model or interval
   std::string why;
   std::string text_measured;  ///< shown in place of the number when not empty
@@ -147,6 +148,7 @@ struct Player {
 };
 
 struct Table {
+  std::string name;
   std::string caption;
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  ///< as many cells as columns
@@ -156,6 +158,7 @@ struct Table {
 struct CaseRecord {
   std::string id;
   std::string title;
+  std::string family;  ///< one of Results::families, or empty
   std::vector<std::string> requirements;
   std::string source;
   std::string page;
@@ -195,6 +198,14 @@ struct Requirement {
   std::vector<std::string> cases;
   int checks{};
   std::vector<ShownBy> shown_by;
+  int order{};  ///< that an integrator declares; 0 for all else
+};
+
+/// A check that another code or benchmark set makes, and the cases that show the same.
+struct Peer {
+  std::string suite, id, what, form, remark;
+  std::vector<std::string> problems;  ///< ids of requirements
+  std::vector<std::string> cases;
 };
 
 struct Erratum {
@@ -214,8 +225,10 @@ struct Results {
   std::string tier;  ///< of the run: quick or full; may be empty
   std::string verdict;
   std::vector<Requirement> requirements;
+  std::vector<std::string> families;  ///< of cases, in the order of the summary
   std::vector<CaseRecord> cases;
   std::vector<Erratum> errata;
+  std::vector<Peer> peers;
   std::vector<Reference> references;
 };
 

@@ -45,6 +45,12 @@ void demand_consistency(const Node& root, const Results& results) {
   for (const std::string& id : present) {
     if (selected.count(id) == 0) root.at("cases").complain(fmt::format("'{}' was not registered and selected", id));
   }
+  const std::set<std::string> families(results.families.begin(), results.families.end());
+  for (const CaseRecord& record : results.cases) {
+    if (record.family.empty() || families.count(record.family) > 0) continue;
+    root.at("cases").complain(
+        fmt::format("case '{}' is of family '{}', which is not listed", record.id, record.family));
+  }
   const Counts mine = counted(results.cases);
   const auto agree = [&](const char* name, int told, int found) {
     if (told != found) root.at("counts").at(name).complain(fmt::format("says {}, the records hold {}", told, found));

@@ -9,13 +9,14 @@ function Image(image)
   return image
 end
 
--- The first chapter is the front page and its title; the last ones share a page.
+-- The first chapter is the front page and its title; some share a page with the one before.
 local chapters = 0
 function Header(header)
   if header.level > 1 then return { latex_block('\\TalusRoom'), header } end
   chapters = chapters + 1
   local title = pandoc.utils.stringify(header)
-  if chapters == 1 or title == 'References' or title == 'Colophon' then return nil end
+  local shares = { Errata = true, ['Appendix: provenance'] = true, References = true, Colophon = true }
+  if chapters == 1 or shares[title] then return nil end
   if chapters == 2 then  -- the contents share its page
     return { latex_block('\\clearpage\\setcounter{tocdepth}{1}\\begingroup\\small\\tableofcontents\\endgroup\\bigskip'), header }
   end

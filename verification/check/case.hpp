@@ -44,6 +44,7 @@ struct Claim {
 struct Case {
   std::string id;                          ///< snake_case; file, function and folder carry the same name.
   std::string title;                       ///< One line.
+  std::string family{};                    ///< Place in the report's summary; empty: that of its catalogue problems.
   std::vector<Claim> requirements;         ///< What the case shows, and by which checks.
   std::vector<std::string> main_checks{};  ///< Names of the checks on the first page; each must be made.
   std::string source;                      ///< Full citation with page or equation.
@@ -51,6 +52,7 @@ struct Case {
   std::vector<Fault> faults;  ///< At least one: a case that cannot turn red shows nothing.
   Tier tier = Tier::quick;    ///< The lowest tier that runs this case.
   double time_limit = 60.0;   ///< Wall-clock limit [s] for the whole case, its faulty setups included.
+  double memory_limit = 2.0;  ///< Most memory [GiB] that the case may hold at any time.
   void (*run)(Findings&, const Setup&) = nullptr;  ///< Measures and compares; throws what it cannot handle.
 };
 

@@ -20,6 +20,7 @@ struct Check {
   std::string why;            ///< The argument in words.
   bool pass = false;          ///< error <= bound, all numbers finite.
   bool slack = false;         ///< margin below 1/50 where the bound was chosen (truncation, model, interval).
+  bool order = false;         ///< Measured is an order of convergence.
   std::string text_measured;  ///< Measured in words ("true", "false"); empty: print the number.
   std::string message;        ///< Why the check failed when the numbers alone do not say; empty otherwise.
 };

@@ -41,7 +41,9 @@ bool Findings::expect_true(std::string name, bool holds, std::string why) {
 
 bool Findings::expect_order(std::string name, const Convergence& convergence, double low, double high,
                             std::string why) {
-  return expect_between(std::move(name), convergence.fit().order, low, high, std::move(why));
+  Check check = compare_between(std::move(name), convergence.fit().order, low, high, std::move(why), "1");
+  check.order = true;
+  return add(std::move(check));
 }
 
 void Findings::figure(Figure figure) {

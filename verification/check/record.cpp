@@ -73,6 +73,7 @@ Record record_of(const Case& verification_case) {
   Record record;
   record.id = verification_case.id;
   record.title = verification_case.title;
+  record.family = verification_case.family;
   record.requirements = traced(verification_case.requirements, {});
   record.main_checks = verification_case.main_checks;
   record.source = verification_case.source;

@@ -66,6 +66,7 @@ struct Trace {
 struct Record {
   std::string id;
   std::string title;
+  std::string family{};                  ///< Case::family.
   std::vector<Trace> requirements;       ///< With the checks made so far.
   std::vector<std::string> main_checks;  ///< Case::main_checks.
   std::string source;

@@ -63,6 +63,7 @@ Check check_from(const Json& json) {
   check.why = json.at("why").get<std::string>();
   check.pass = json.at("pass").get<bool>();
   check.slack = json.at("slack").get<bool>();
+  check.order = json.value("order", false);
   check.text_measured = json.value("text_measured", "");
   check.message = json.value("message", "");
   demand_consistent(check);
@@ -149,6 +150,7 @@ Record record_from(const Json& json, const std::filesystem::path& folder) {
   Record record;
   record.id = json.at("id").get<std::string>();
   record.title = json.at("title").get<std::string>();
+  record.family = json.at("family").get<std::string>();
   for (const auto& trace : json.at("traces")) {
     record.requirements.push_back({trace.at("id").get<std::string>(),
                                    trace.at("checks").get<std::vector<std::string>>(),

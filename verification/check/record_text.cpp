@@ -40,6 +40,7 @@ Json to_json(const Check& check) {
             {"why", check.why},
             {"pass", check.pass},
             {"slack", check.slack}};
+  if (check.order) json["order"] = true;
   if (!check.text_measured.empty()) json["text_measured"] = check.text_measured;
   if (!check.message.empty()) json["message"] = check.message;
   return json;
@@ -124,6 +125,7 @@ std::string text_of(const Record& record) {
   const Json json{{"schema", schema},
                   {"id", record.id},
                   {"title", record.title},
+                  {"family", record.family},
                   {"requirements", requirements},
                   {"traces", array_of(record.requirements)},
                   {"main_checks", record.main_checks},

@@ -32,6 +32,19 @@ std::string flaw_of_requirements(const Case& verification_case) {
   return "";
 }
 
+std::string flaw_of_family(const Case& verification_case) {
+  std::vector<std::string> ids;
+  for (const auto& claim : verification_case.requirements)
+    ids.push_back(claim.requirement);
+  const std::string family = family_of(verification_case.family, ids);
+  if (family.empty()) return "it names no family and claims no problem of the catalogue";
+  const auto known = all_families();
+  if (std::find(known.begin(), known.end(), family) == known.end()) {
+    return fmt::format("its family '{}' is not known; known: {}", family, fmt::join(known, ", "));
+  }
+  return "";
+}
+
 std::string flaw_of_main_checks(const Case& verification_case) {
   const auto& names = verification_case.main_checks;
   if (names.empty()) return "it names no main check";
@@ -68,7 +81,10 @@ std::string flaw_of(const Case& verification_case, const std::vector<Case>& all)
   if (c.run == nullptr) return "it has nothing to run";
   if (!(std::isfinite(c.time_limit) && c.time_limit > 0.0))
     return "its time limit must be finite and greater than zero";
-  for (const std::string& flaw : {flaw_of_requirements(c), flaw_of_main_checks(c), flaw_of_faults(c)}) {
+  if (!(std::isfinite(c.memory_limit) && c.memory_limit > 0.0))
+    return "its memory limit must be finite and greater than zero";
+  for (const std::string& flaw :
+       {flaw_of_requirements(c), flaw_of_family(c), flaw_of_main_checks(c), flaw_of_faults(c)}) {
     if (!flaw.empty()) return flaw;
   }
   return "";

@@ -17,6 +17,10 @@ std::vector<Reference> all_references() {
       {"cash1990",
        "J. R. Cash, A. H. Karp: A variable order Runge-Kutta method for initial value problems with rapidly varying "
        "right-hand sides. ACM Transactions on Mathematical Software 16 (1990) 201-222."},
+      {"chung2011",
+       "Y. C. Chung, J. Y. Ooi: Benchmark tests for verifying discrete element modelling codes at particle impact "
+       "level. Granular Matter 13 (2011) 643-656. The paper itself was not at hand: its eight tests are given here as "
+       "those who rebuilt them tell them (LAMMPS, unittest/granular; Yade; PySPH; Kratos, Basic DEM Benchmarking)."},
       {"cundall1979",
        "P. A. Cundall, O. D. L. Strack: A discrete numerical model for granular assemblies. Geotechnique 29 (1979) "
        "47-65."},
@@ -37,6 +41,13 @@ std::vector<Reference> all_references() {
       {"hairer2006",
        "E. Hairer, C. Lubich, G. Wanner: Geometric Numerical Integration: Structure-Preserving Algorithms for Ordinary "
        "Differential Equations. 2nd edition, Springer, 2006."},
+      {"lammps",
+       "LAMMPS, unittest/granular/README.md and test_analytic_models.cpp, https://github.com/lammps/lammps, "
+       "revisions 0e2cc2a and 10e220f. Only the definitions were read."},
+      {"mfix",
+       "MFiX Verification and Validation Manual, chapter 4 (DEM01 to DEM06), "
+       "https://mfix.netl.doe.gov/doc/vvuq-manual/main/html/dem/; R. Garg, J. Galvin, T. Li, S. Pannala: Open-source "
+       "MFIX-DEM software for gas-solids flows: Part I - Verification studies. Powder Technology 220 (2012) 122-137."},
       {"mustoe1993",
        "G. G. W. Mustoe, H. P. Huttelmaier: Analytical Simulation of Rockfall Prevention Fence Structures. Report "
        "CDOT-CSM-R-93-20, Colorado School of Mines for the Colorado Department of Transportation, April 1993, 79 "

@@ -1,10 +1,13 @@
 #include "verification/driver/requirements.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <utility>
 
 #include "solver/geometry/shape.hpp"
 #include "solver/integrate/integrator_list.hpp"
+#include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/law_list.hpp"
 #include "solver/laws/unilateral_spring.hpp"
 #include "solver/model/contact.hpp"
@@ -114,28 +117,50 @@ constexpr std::array problems{
     Problem{"F5", "restart at half time: the same bits"},
 };
 
-/// "A: motion and bodies" for "A4".
-std::string family_of(const std::string& id) {
-  switch (id.front()) {
-    case 'A':
-      return "A: motion and bodies";
-    case 'B':
-      return "B: normal contact";
-    case 'C':
-      return "C: friction and rotation";
-    case 'D':
-      return "D: cables";
-    case 'E':
-      return "E: outlines in contact";
-    default:
-      return "F: many bodies";
-  }
+constexpr std::array families{"A: motion and bodies",   "B: normal contact", "C: friction and rotation", "D: cables",
+                              "E: outlines in contact", "F: many bodies",    "founding problems",        "the fence"};
+
+/// Is it the id of a problem of the catalogue: a letter and a number?
+bool is_problem(const std::string& id) {
+  return id.size() > 1 && id[0] >= 'A' && id[0] <= 'F' && std::isdigit(static_cast<unsigned char>(id[1])) != 0;
 }
+
+/// "A: motion and bodies" for "A4".
+std::string family_of_problem(const std::string& id) { return families[static_cast<std::size_t>(id.front() - 'A')]; }
 
 void append(std::vector<Requirement>& all, const std::string& group, const std::vector<std::string>& names,
             const std::string& text) {
   for (const auto& name : names)
     all.push_back({group + "." + name, group, text});
+}
+
+/// The regimes of a law: its modes. That a contact is open is no regime, that a cable is slack is one.
+template <class Law>
+void append_regimes(std::vector<Requirement>& all, const std::string& name, const std::string& what) {
+  for (const auto mode : Law::modes) {
+    if (mode != "open") append(all, "regime", {name + "." + std::string{mode}}, "mode of a " + what);
+  }
+}
+
+/// The pairs of outlines that can touch: ground does not touch ground, and what has no outline touches nothing.
+void append_pairs(std::vector<Requirement>& all) {
+  const std::vector<std::string> names = shape_names();
+  const auto ground = [](const std::string& name) { return name == HalfPlane::name || name == Terrain::name; };
+  for (std::size_t a = 0; a < names.size(); ++a) {
+    for (std::size_t b = a; b < names.size(); ++b) {
+      if (names[a] == NoShape::name || (ground(names[a]) && ground(names[b]))) continue;
+      append(all, "pair", {names[a] + "." + names[b]}, "outlines in contact");
+    }
+  }
+}
+
+void append_integrators(std::vector<Requirement>& all) {
+  for (const std::string& name : integrator_names()) {
+    append(all, "integrator", {name}, "time integration");
+    // Bulirsch and Stoer's method has no order without its step control; the tolerance changes no order.
+    const double tolerance = name == "odeint_bulirsch_stoer" ? 1e-9 : 0.0;
+    all.back().order = order(make_integrator(name, tolerance));
+  }
 }
 
 template <class Enum>
@@ -151,15 +176,31 @@ std::vector<Requirement> all_requirements() {
     all.push_back({"Eq. " + std::to_string(equation.first), "equation", equation.second});
   }
   for (const Problem& problem : problems)
-    all.push_back({problem.id, family_of(problem.id), problem.text});
+    all.push_back({problem.id, family_of_problem(problem.id), problem.text});
   append(all, "law", ContactLaws::names(), "contact law");
   append(all, "law", CableLaws::names(), "cable law");
   append(all, "end_rule", names_of<EndRule>(), "how a contact with a dashpot ends");
   append(all, "method", names_of<ContactMethod>(), "how the overlap of two outlines becomes forces");
   append(all, "mechanism", {mechanism_names.begin(), mechanism_names.end()}, "how energy leaves bodies and springs");
-  append(all, "integrator", integrator_names(), "time integration");
+  append_integrators(all);
   append(all, "shape", shape_names(), "outline of a body");
+  append_pairs(all);
+  ContactLaws::for_each([&](auto law) { append_regimes<decltype(law)>(all, std::string{law.name}, "contact law"); });
+  append_regimes<CoulombFriction>(all, "friction", "friction law");
+  CableLaws::for_each([&](auto law) { append_regimes<decltype(law)>(all, std::string{law.name}, "cable law"); });
   return all;
+}
+
+std::vector<std::string> all_families() { return {families.begin(), families.end()}; }
+
+std::string family_of(const std::string& named, const std::vector<std::string>& requirements) {
+  if (!named.empty()) return named;
+  std::array<int, families.size()> problems_of{};
+  for (const std::string& id : requirements) {
+    if (is_problem(id)) ++problems_of[static_cast<std::size_t>(id.front() - 'A')];
+  }
+  const auto most = std::max_element(problems_of.begin(), problems_of.end());
+  return *most == 0 ? "" : families[static_cast<std::size_t>(most - problems_of.begin())];
 }
 
 }  // namespace talus::verification

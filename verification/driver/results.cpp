@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "verification/driver/errata.hpp"
+#include "verification/driver/peers.hpp"
 #include "verification/driver/references.hpp"
 #include "verification/driver/requirements.hpp"
 
@@ -59,8 +60,36 @@ Json traceability(const std::vector<Record>& records) {
                     {"cases", cases},
                     {"checks", checks},
                     {"shown_by", shown_by}});
+    if (requirement.order > 0) list.back()["order"] = requirement.order;
   }
   return list;
+}
+
+/// What peers check, and the cases that show the same.
+Json checks_of_peers(const std::vector<Record>& records) {
+  Json list = Json::array();
+  for (const auto& peer : all_peer_checks()) {
+    Json cases = Json::array();
+    for (const auto& record : records) {
+      const auto same = [&](const Trace& trace) { return trace.shown() && contains(peer.problems, trace.requirement); };
+      if (std::any_of(record.requirements.begin(), record.requirements.end(), same)) cases.push_back(record.id);
+    }
+    list.push_back({{"suite", peer.suite},
+                    {"id", peer.id},
+                    {"what", peer.what},
+                    {"form", peer.form},
+                    {"problems", peer.problems},
+                    {"remark", peer.remark},
+                    {"cases", cases}});
+  }
+  return list;
+}
+
+/// A record with the family that its case names or that follows from its problems.
+Json in_its_family(const Record& record) {
+  Json json = Json::parse(text_of(record));
+  json["family"] = family_of(record.family, json.at("requirements").get<std::vector<std::string>>());
+  return json;
 }
 
 /// Only what a registered case proves is printed.
@@ -116,11 +145,13 @@ std::string text_of(const Results& results) {
             {"counts", to_json(counts_of(results))},
             {"verdict", holds(results) ? "pass" : "fail"},
             {"requirements", traceability(results.records)},
+            {"families", all_families()},
             {"cases", Json::array()},
             {"errata", proved_errata(results.registered)},
+            {"peers", checks_of_peers(results.records)},
             {"references", Json::array()}};
   for (const auto& record : results.records)
-    json["cases"].push_back(Json::parse(text_of(record)));
+    json["cases"].push_back(in_its_family(record));
   for (const auto& reference : all_references()) {
     json["references"].push_back({{"key", reference.key}, {"text", reference.text}});
   }

@@ -33,7 +33,8 @@ struct Child {
   std::size_t index = 0;  ///< Place in the list of cases.
   pid_t pid = 0;
   Clock::time_point start;
-  bool killed = false;  ///< At its time limit.
+  bool late = false;  ///< Killed at its time limit.
+  bool fat = false;   ///< Killed at its memory limit.
 };
 
 /// The child's side: does not return. What the case prints goes to output.txt, not between the driver's lines.
@@ -111,8 +112,12 @@ Record outcome_of(const Child& child, int status, const Case& verification_case,
     write_record(record, folder);  // The folder says the same as results.json.
     return record;
   };
-  if (child.killed) {
+  if (child.late) {
     return failed(Status::timeout, fmt::format("stopped at its time limit of {:g} s", verification_case.time_limit));
+  }
+  if (child.fat) {
+    return failed(Status::error,
+                  fmt::format("stopped at its memory limit of {:g} GiB", verification_case.memory_limit));
   }
   if (WIFSIGNALED(status)) {
     return failed(Status::error,
@@ -131,14 +136,22 @@ Record outcome_of(const Child& child, int status, const Case& verification_case,
   }
 }
 
-/// True if the child has ended; kills its process group at the time limit.
-bool has_ended(Child& child, double time_limit, int& status) {
+/// Memory that a process holds [GiB]; 0 once it has ended. What is reserved but was never touched does not count.
+double memory_of(pid_t pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/statm");
+  double all = 0.0, resident = 0.0;
+  if (!(file >> all >> resident)) return 0.0;
+  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0 * 1024.0);
+}
+
+/// True if the child has ended; kills its process group at the case's limits of time and memory.
+bool has_ended(Child& child, const Case& verification_case, int& status) {
   const pid_t ended = ::waitpid(child.pid, &status, WNOHANG);
   if (ended == child.pid) return true;
-  if (!child.killed && seconds_since(child.start) > time_limit) {
-    ::kill(-child.pid, SIGKILL);
-    child.killed = true;
-  }
+  if (child.late || child.fat) return false;
+  child.late = seconds_since(child.start) > verification_case.time_limit;
+  child.fat = !child.late && memory_of(child.pid) > verification_case.memory_limit;
+  if (child.late || child.fat) ::kill(-child.pid, SIGKILL);
   return false;
 }
 
@@ -164,7 +177,7 @@ std::vector<Record> run_all(const std::vector<Case>& cases, const RunPlan& plan,
     for (std::size_t i = 0; i < running.size();) {
       Child& child = running[i];
       int status = 0;
-      if (!has_ended(child, cases[child.index].time_limit, status)) {
+      if (!has_ended(child, cases[child.index], status)) {
         ++i;
         continue;
       }

@@ -19,9 +19,10 @@ struct RunPlan {
 /// Told when a case ends (its record) and which cases are still running.
 using Progress = std::function<void(const Record& ended, const std::vector<std::string>& running)>;
 
-/// Runs each case in a child process and reads back what it left, strictly. A crash, an exit status other than zero, a
-/// time-out, and a record that is missing, empty, truncated or inconsistent become failed records; the others go on.
-/// Returns one record for each case, in the order of `cases`. std::runtime_error if a folder cannot be made.
+/// Runs each case in a child process and reads back what it left, strictly. A crash, an exit status other than zero,
+/// more time or memory than the case may take, and a record that is missing, empty, truncated or inconsistent become
+/// failed records; the others go on. Returns one record for each case, in the order of `cases`. std::runtime_error if a
+/// folder cannot be made.
 [[nodiscard]] std::vector<Record> run_all(const std::vector<Case>& cases, const RunPlan& plan,
                                           const Progress& progress);
 

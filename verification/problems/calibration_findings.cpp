@@ -9,6 +9,7 @@
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "verification/check/convergence.hpp"
+#include "verification/problems/common_formula.hpp"
 #include "verification/problems/followed_impact.hpp"
 #include "verification/problems/leapfrog_impact_error.hpp"
 #include "verification/reference/pivoted_cylinder.hpp"
@@ -104,6 +105,12 @@ void find_clamped_eq_21(Findings& findings) {
                            {"clamped, solver", {}, {}, Style::points},
                            {"clamped, closed form", {}, {}, Style::lines},
                            {"as wanted", {0.0, 1.0}, {0.0, 1.0}, Style::lines}}};
+  Table common = common_formula(
+      "clamped_restitution",
+      "**Restitution by Eq. 21 where the contact may not pull.** The damping of Eq. 21 is meant to give $e$, and does "
+      "when the contact may pull at its end. When it is clamped the exact $e$ is $\\exp(-2\\xi A)$, $A = "
+      "\\arccos(\\xi)/"
+      "\\sqrt{1 - \\xi^2}$, with the damping ratio $\\xi$ of Eq. 21. Solver: mean of 64 phases, 3200 steps a contact.");
   const struct {
     double wanted;
     double given;
@@ -116,10 +123,13 @@ void find_clamped_eq_21(Findings& findings) {
     const double solved = measured_restitution(dashpot_of(own, 1.0, 1.0, EndRule::clamped), 3200.0, findings);
     findings.expect(fmt::format("e of Eq. 21 for {:g} when clamped, three digits", row.wanted), clamped, row.given,
                     Tolerance::model(5e-4, "half a unit of the third digit of the value known"));
+    const double exact = reference::restitution(xi, reference::EndRule::clamped);
+    common.rows.push_back({fmt::format("$e$ = {:g} wanted", row.wanted), fmt::format("{:g}", row.wanted),
+                           fmt::format("{:.4f}", exact), fmt::format("{:+.1f} %", 100.0 * (row.wanted / exact - 1.0)),
+                           fmt::format("{:.4f}", clamped)});
     table.rows.push_back({fmt::format("{:g}", row.wanted), fmt::format("{:.4f}", xi), fmt::format("{:.4f}", attractive),
-                          fmt::format("{:.4f}", clamped),
-                          fmt::format("{:.4f}", reference::restitution(xi, reference::EndRule::clamped)),
-                          fmt::format("{:.4f}", own), fmt::format("{:.4f}", solved)});
+                          fmt::format("{:.4f}", clamped), fmt::format("{:.4f}", exact), fmt::format("{:.4f}", own),
+                          fmt::format("{:.4f}", solved)});
     figure.series[0].x.push_back(row.wanted);
     figure.series[0].y.push_back(attractive);
     figure.series[1].x.push_back(row.wanted);
@@ -131,6 +141,7 @@ void find_clamped_eq_21(Findings& findings) {
                                                         reference::EndRule::clamped));
   }
   findings.table(table);
+  findings.table(common);
   findings.figure(figure);
 }
 

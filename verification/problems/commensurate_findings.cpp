@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "verification/problems/common_formula.hpp"
 #include "verification/problems/struck_scenes.hpp"
 
 namespace talus::verification::problems {
@@ -32,6 +33,11 @@ double leapfrog_exit(double eta, double phase) {
 
 void check_commensurate(Findings& findings) {
   const PhasedImpact elastic = struck_disc({});
+  Table common = common_formula(
+      "order",
+      "**Order of a method, from steps that divide the contact time.** The orders fitted to $t_c/h = N$ = 16, 32, ... "
+      "are not those of any other step: the errors of onset and release cancel. Exact: 2 for a force with a kink, "
+      "whatever the method. Solver: the same fit with $t_c/h = N + .382$.");
   Figure figure{.name = "commensurate",
                 .title = "How a commensurate step hides the order",
                 .caption =
@@ -50,6 +56,9 @@ void check_commensurate(Findings& findings) {
                           seen + 0.1,
                           "onset and release errors of second order are equal and opposite for every phase; "
                           "what is left is of the next order");
+    const double fitted = hidden.rms.fit().order;
+    common.rows.push_back({fmt::format("`{}`, undamped disc on a wall", method), fmt::format("{:.3f}", fitted), "2",
+                           fmt::format("{:+.3f}", fitted - 2.0), fmt::format("{:.3f}", honest.rms.fit().order)});
     figure.series.push_back({fmt::format("{}, t_c/h = N", method), hidden.rms.steps(), hidden.rms.errors()});
     figure.series.push_back({fmt::format("{}, t_c/h = N + 0.382", method), honest.rms.steps(), honest.rms.errors()});
     figure.slopes.push_back(
@@ -64,7 +73,40 @@ void check_commensurate(Findings& findings) {
                         .relative());
     figure.slopes.push_back({2.0, honest.rms.steps()[3], 2.0 * honest.rms.errors()[3], "h^2"});
   }
+  findings.table(common);
   findings.figure(figure);
+}
+
+void check_gain(Findings& findings) {
+  Table table = common_formula(
+      "gain",
+      "**Stable below $h = 2/\\omega$.** That is the limit of a spring that always acts. A contact acts on one side "
+      "only: each impact begins and ends within a step, and an undamped disc leaves the wall faster or slower than it "
+      "came, far below the limit. $|v'/v|$, the largest of 64 phases; exact: the leapfrog's map.");
+  table.columns.insert(table.columns.begin() + 3, "least exact");
+  const PhasedImpact elastic = struck_disc({});
+  double worst = 0.0;
+  for (const double eta : {0.3, 0.7, 1.2, 1.6, 1.9}) {
+    const std::vector<double> counts{pi / eta - common_offset};
+    const Sweep swept = sweep(elastic, make_integrator("velocity_verlet"), counts, Offset::common);
+    const std::vector<double> phases = even_phases(fewest_phases);
+    double largest = 0.0, least = 1.0, seen = 0.0;
+    for (std::size_t i = 0; i < phases.size(); ++i) {
+      const double exact = leapfrog_exit(eta, phases[i]), solver = 1.0 + swept.by_phase.front()[i];
+      largest = std::max(largest, exact);
+      least = std::min(least, exact);
+      seen = std::max(seen, solver);
+      worst = std::max(worst, std::abs(solver - exact));
+    }
+    table.rows.push_back({fmt::format("$\\omega h$ = {:g}", eta), "1", fmt::format("{:.3f}", largest),
+                          fmt::format("{:.3f}", least), fmt::format("{:+.1f} %", 100.0 * (1.0 / largest - 1.0)),
+                          fmt::format("{:.3f}", seen)});
+  }
+  findings.expect("exit speed of each of 64 phases at w h = .3 ... 1.9 from the exact map", worst, 0.0,
+                  Tolerance::round_off(64.0 * 2.2e-16,
+                                       "the map is exact: at most 20 steps, each with three roundings of numbers up to "
+                                       "2.6; the depth is a difference of lengths a few times larger"));
+  findings.table(table);
 }
 
 void check_phases(Findings& findings) {

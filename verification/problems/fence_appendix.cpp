@@ -263,6 +263,7 @@ void run(Findings& findings, const Setup& setup) {
 Case fence_appendix() {
   return {.id = "fence_appendix",
           .title = "Appendix I: fences of one and two layers",
+          .family = "the fence",
           .requirements = {{"Eq. 3", {"energy left", "joint force"}},
                            {"Eq. 9", {"exit speed"}},
                            {"Eq. 10", {"exit speed"}},

@@ -179,6 +179,7 @@ void run(Findings& findings, const Setup& setup) {
 Case fence_break() {
   return {.id = "fence_break",
           .title = "A fence whose hangers break",
+          .family = "the fence",
           .requirements = {{"law.elastic_plastic", {"closure of the energy ledger"}},
                            {"integrator.velocity_verlet", {"order of the ledger's closure"}}},
           .main_checks = {"closure of the energy ledger at the smallest step, of the largest energy",

@@ -47,6 +47,7 @@ void run(Findings& findings, const Setup& setup) {
 Case fence_equations() {
   return {.id = "fence_equations",
           .title = "Equations of the fence, as printed and as corrected",
+          .family = "the fence",
           .requirements = {{"Eq. 2", {"contact forces on column and rock"}},
                            {"Eq. 5", {"contact forces on column and rock"}},
                            {"Eq. 6", {"contact forces on column and rock"}},

@@ -209,6 +209,7 @@ void run(Findings& findings, const Setup& setup) {
 Case fence_listing() {
   return {.id = "fence_listing",
           .title = "The listing of sample2, digit by digit",
+          .family = "the fence",
           .requirements = {{"Eq. 1", {"elements 11 to 13"}},
                            {"Eq. 2", {"element 3", "columns 4 to"}},
                            {"Eq. 3", {"element 3", "columns 4 to"}},

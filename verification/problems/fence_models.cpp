@@ -271,6 +271,7 @@ void run(Findings& findings, const Setup& setup) {
 Case fence_models() {
   return {.id = "fence_models",
           .title = "Models of one fence: halves, nodes, dashpots",
+          .family = "the fence",
           .requirements = {{"Eq. 21", {"restitution"}},
                            {"method.nodes", {"192 nodes"}},
                            {"method.resultant", {"one resultant"}},

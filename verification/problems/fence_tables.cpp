@@ -209,6 +209,7 @@ Case fence_tables() {
   return {
       .id = "fence_tables",
       .title = "Rock impact studies: Tables 2 and 3",
+      .family = "the fence",
       .requirements = {{"Eq. 12", {"joint = 2 T sin"}},
                        {"Eq. 14", {"joint = 2 T sin", "elastic-plastic rows"}},
                        {"Eq. 16", {"joint = 2 T sin"}},

@@ -192,6 +192,7 @@ Case pendulum() {
   return {
       .id = "pendulum",
       .title = "Rigid pendulum: every integrator on a smooth motion",
+      .family = "founding problems",
       .requirements = {{"law.tension_only", {"cable"}},
                        {"integrator.central_difference", {"central_difference"}},
                        {"integrator.velocity_verlet", {"period at", "velocity_verlet", "velocity Verlet's"}},

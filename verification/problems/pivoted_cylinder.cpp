@@ -192,6 +192,7 @@ void run(Findings& findings, const Setup& setup) {
 Case pivoted_cylinder() {
   return {.id = "pivoted_cylinder",
           .title = "Pivoted cylinder hit by a rock",
+          .family = "founding problems",
           .requirements = {{"Eq. 4", {"swing"}},
                            {"Eq. 17", {"production run", "soft reference", "overlap"}},
                            {"Eq. 19", {"attractive", "clamped"}},
@@ -215,7 +216,8 @@ Case pivoted_cylinder() {
                            {"shape.rectangle", {"production run", "effective e"}},
                            {"integrator.central_difference", {"order of v1", "steps per contact"}},
                            {"integrator.velocity_verlet", {"order of the swing", "angular momentum about the pin"}},
-                           {"integrator.odeint_dopri5", {"to the rigid limit", "effective e"}}},
+                           {"integrator.odeint_dopri5", {"to the rigid limit", "effective e"}},
+                           {"pair.circle.rectangle", {"production run", "effective e"}}},
           .main_checks = {"v1, rigid limit (Eq. 28 corrected)", "V1, rigid limit",
                           "largest angle of the swing, production run", "effective e, Eq. 21 with the pivoted mass",
                           "effective e, Eq. 21 with the two masses"},

@@ -5,6 +5,7 @@
 
 #include "verification/check/case.hpp"
 #include "verification/problems/commensurate_findings.hpp"
+#include "verification/problems/lagged_limit_findings.hpp"
 #include "verification/problems/leapfrog_impact_error.hpp"
 #include "verification/problems/linear_limit_findings.hpp"
 #include "verification/problems/smooth_motion_findings.hpp"
@@ -236,6 +237,8 @@ void run(Findings& findings, const Setup& setup) {
   check_linear_limit(findings, setup);
   if (setup.coarse) return;
   check_commensurate(findings);
+  check_gain(findings);
+  check_lagged_limits(findings);
   check_phases(findings);
 }
 
@@ -245,10 +248,11 @@ Case timestep() {
   return {
       .id = "timestep",
       .title = "Error against time step: contacts, smooth motion, stability",
+      .family = "founding problems",
       .requirements = {{"Eq. 17", {", damped: order", "undamped: order"}},
                        {"Eq. 23", {"order of central_difference", "order of velocity_verlet"}},
                        {"Eq. 24", {"order of central_difference", "order of velocity_verlet"}},
-                       {"Eq. 25", {"squeezed disc", "step advice"}},
+                       {"Eq. 25", {"squeezed disc", "step advice", "limit of the step"}},
                        {"B1", {"disc on a wall, undamped"}},
                        {"law.linear_spring_dashpot", {", damped: order", ", damped: rms constant", "squeezed disc"}},
                        {"law.tension_only", {"particle on cables"}},
@@ -257,11 +261,15 @@ Case timestep() {
                        {"method.resultant", {", damped: order"}},
                        {"integrator.central_difference", {"central_difference"}},
                        {"integrator.velocity_verlet", {"velocity_verlet"}},
+                       {"integrator.lagged_central_difference", {"limit of the step of lagged_central_difference"}},
                        {"integrator.euler_cromer", {"euler_cromer"}},
                        {"integrator.rk4", {"rk4"}},
                        {"shape.circle", {"disc on a wall", "squeezed disc"}},
                        {"shape.rectangle", {"pivoted cylinder"}},
-                       {"shape.half_plane", {"disc on a wall", "squeezed disc"}}},
+                       {"shape.half_plane", {"disc on a wall", "squeezed disc"}},
+                       {"pair.circle.half_plane", {"disc on a wall", "squeezed disc"}},
+                       {"pair.circle.rectangle", {"pivoted cylinder"}},
+                       {"pair.circle.circle", {"two cables"}}},
       .main_checks = {"disc on a wall, undamped: order of velocity_verlet", "disc on a wall, undamped: order of rk4",
                       "disc on a wall, damped: order of velocity_verlet",
                       "commensurate steps: false order of velocity_verlet", "commensurate steps: false order of rk4"},

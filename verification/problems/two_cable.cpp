@@ -245,6 +245,7 @@ Case two_cable() {
   return {
       .id = "two_cable",
       .title = "Two-cable particle impact",
+      .family = "founding problems",
       .requirements = {{"Eq. 13", {"distance, cables alone"}},
                        {"Eq. 14", {"cables alone", "distance, "}},
                        {"Eq. 15", {"cables alone", "curve v^2(theta)"}},
@@ -263,7 +264,8 @@ Case two_cable() {
                        {"shape.circle", {"speed after the impact"}},
                        {"integrator.central_difference", {"order of the speed", "speed after the impact"}},
                        {"integrator.velocity_verlet", {"cables alone"}},
-                       {"integrator.odeint_dopri5", {"to the rigid limit"}}},
+                       {"integrator.odeint_dopri5", {"to the rigid limit"}},
+                       {"pair.circle.circle", {"speed after the impact"}}},
       .main_checks = {"speed after the impact, attractive", "distance, attractive", "angle, as the report prints it",
                       "time to the turn, attractive", "order of the time of travel, cables alone"},
       .source = "Mustoe & Huttelmaier 1993, section 5, validation problem 1, Eqs. 26-27",

@@ -13,7 +13,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "tests/verification/driver/synthetic_cases.hpp"
 
@@ -124,6 +126,26 @@ BOOST_AUTO_TEST_CASE(a_case_that_hangs_is_stopped) {
       synthetic("hanging", [](Findings&, const Setup&) { std::this_thread::sleep_for(std::chrono::seconds(600)); });
   hanging.time_limit = 1.0;
   demand_failure(hanging, "timeout", "time limit of 1 s");
+}
+
+BOOST_AUTO_TEST_CASE(a_case_that_takes_too_much_memory_is_stopped) {
+  Case hoarding = synthetic("hoarding", [](Findings&, const Setup&) {
+    std::vector<std::string> hoard;
+    for (int i = 0; i < 4096; ++i)
+      hoard.emplace_back(std::size_t{1} << 20U, 'x');
+    std::this_thread::sleep_for(std::chrono::seconds(600));
+  });
+  hoarding.memory_limit = 0.125;
+  demand_failure(hoarding, "error", "memory limit of 0.125 GiB");
+}
+
+BOOST_AUTO_TEST_CASE(memory_that_is_refused_fails) {
+  demand_failure(synthetic("greedy",
+                           [](Findings&, const Setup&) {
+                             const std::vector<char> all(std::numeric_limits<std::ptrdiff_t>::max());
+                             static_cast<void>(all);
+                           }),
+                 "error", "exception: std::bad_alloc");
 }
 
 BOOST_AUTO_TEST_CASE(an_exit_without_record_fails) {
@@ -239,6 +261,9 @@ BOOST_AUTO_TEST_CASE(a_case_that_is_not_well_formed_fails_without_being_run) {
   refuse([](Case& c) { c.page.clear(); }, "page is empty");
   refuse([](Case& c) { c.run = nullptr; }, "nothing to run");
   refuse([](Case& c) { c.time_limit = 0.0; }, "time limit");
+  refuse([](Case& c) { c.memory_limit = 0.0; }, "memory limit");
+  refuse([](Case& c) { c.family.clear(); }, "names no family");
+  refuse([](Case& c) { c.family = "fences"; }, "family 'fences' is not known");
   refuse([](Case& c) { c.faults.push_back(c.faults[0]); }, "listed twice");
   const Run twice({synthetic("same", sound), synthetic("same", sound)});
   BOOST_TEST(twice.status == 1);

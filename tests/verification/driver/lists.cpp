@@ -5,6 +5,7 @@
 #include <set>
 
 #include "verification/driver/errata.hpp"
+#include "verification/driver/peers.hpp"
 #include "verification/driver/references.hpp"
 #include "verification/driver/requirements.hpp"
 
@@ -24,6 +25,49 @@ BOOST_AUTO_TEST_CASE(requirements_are_unique_and_hold_all_equations) {
   BOOST_TEST(ids.count("end_rule.attractive") == 1u);
   BOOST_TEST(ids.count("method.nodes") == 1u);
   BOOST_TEST(ids.count("mechanism.friction") == 1u);
+  BOOST_TEST(ids.count("regime.elastic_plastic.yielding") == 1u);
+  BOOST_TEST(ids.count("regime.tension_only.slack") == 1u);
+  BOOST_TEST(ids.count("regime.friction.sticking") == 1u);
+  BOOST_TEST(ids.count("regime.hertz.open") == 0u);
+  BOOST_TEST(ids.count("pair.circle.half_plane") == 1u);
+  BOOST_TEST(ids.count("pair.half_plane.circle") == 0u);
+  BOOST_TEST(ids.count("pair.half_plane.terrain") == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(integrators_and_nothing_else_declare_an_order) {
+  for (const auto& requirement : all_requirements()) {
+    BOOST_TEST((requirement.order > 0) == (requirement.group == "integrator"), requirement.id);
+    if (requirement.id == "integrator.rk4") BOOST_TEST(requirement.order == 4);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_case_has_the_family_of_most_of_its_problems) {
+  BOOST_TEST(family_of("", {"A3", "E1", "E2", "Eq. 1"}) == "E: outlines in contact");
+  BOOST_TEST(family_of("", {"B1", "A1"}) == "A: motion and bodies");  // of equally many the first
+  BOOST_TEST(family_of("the fence", {"B1"}) == "the fence");
+  BOOST_TEST(family_of("", {"Eq. 1", "end_rule.clamped"}) == "");
+  const auto families = all_families();
+  for (const auto& requirement : all_requirements()) {
+    const bool problem = requirement.id.size() < 4 && requirement.id[0] != 'E' && requirement.group[1] == ':';
+    if (problem) BOOST_TEST((std::find(families.begin(), families.end(), requirement.group) != families.end()));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(checks_of_peers_name_requirements_and_sources_that_exist) {
+  std::set<std::string> known, sources, ids;
+  for (const auto& requirement : all_requirements())
+    known.insert(requirement.id);
+  for (const auto& reference : all_references())
+    sources.insert(reference.key);
+  for (const auto& peer : all_peer_checks()) {
+    BOOST_TEST(sources.count(peer.suite) == 1u, peer.suite);
+    BOOST_TEST(ids.insert(peer.suite + peer.id).second, peer.id);
+    for (const auto& text : {peer.what, peer.form})
+      BOOST_TEST(!text.empty(), peer.id);
+    for (const auto& problem : peer.problems)
+      BOOST_TEST(known.count(problem) == 1u, problem);
+    BOOST_TEST((!peer.problems.empty() || !peer.remark.empty()), peer.id);  // none has its reason
+  }
 }
 
 BOOST_AUTO_TEST_CASE(errata_and_references_are_whole) {

@@ -80,6 +80,23 @@ BOOST_AUTO_TEST_CASE(only_errata_of_registered_cases_are_printed) {
     BOOST_TEST(erratum.at("case") == "pivoted_cylinder");
 }
 
+BOOST_AUTO_TEST_CASE(families_orders_and_peers_are_told) {
+  Results results = one_case();
+  const auto json = nlohmann::json::parse(text_of(results));
+  BOOST_TEST(json.at("cases").at(0).at("family") == "founding problems");
+  BOOST_TEST(json.at("families").back() == "the fence");
+  for (const auto& requirement : json.at("requirements"))
+    if (requirement.at("id") == "integrator.velocity_verlet") BOOST_TEST(requirement.at("order") == 2);
+  for (const auto& peer : json.at("peers"))
+    BOOST_TEST(peer.at("cases").empty());
+  results.records[0].requirements.push_back({"C1", {"value"}});
+  const auto shown = nlohmann::json::parse(text_of(results));
+  std::size_t found = 0;
+  for (const auto& peer : shown.at("peers"))
+    found += peer.at("cases").size();
+  BOOST_TEST(found == 2u);  // MFiX's DEM04 and LAMMPS's sphere that slides until it rolls
+}
+
 BOOST_AUTO_TEST_CASE(xml_is_escaped) {
   BOOST_TEST(escaped("a<b & \"c\">\x01\n") == "a&lt;b &amp; &quot;c&quot;&gt;?&#10;");
 }

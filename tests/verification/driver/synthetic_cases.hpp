@@ -11,6 +11,7 @@ namespace talus::verification {
 inline Case synthetic(const std::string& id, void (*run)(Findings&, const Setup&)) {
   return {.id = id,
           .title = "Synthetic case " + id,
+          .family = "founding problems",
           .requirements = {{"Eq. 14", {"value"}}},
           .main_checks = {"value"},
           .source = "none",

@@ -1,0 +1,111 @@
+#include "reports/appendix.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/markdown.hpp"
+#include "reports/page_cells.hpp"
+
+namespace talus::reports {
+namespace {
+
+using markdown::cell;
+using Rows = std::vector<std::vector<std::string>>;
+
+/// The checks that stand for a case on the first pages: those the case marks, else the failed ones and the first few.
+std::vector<Check> main_checks(const CaseRecord& record) {
+  std::vector<Check> chosen;
+  const auto marked = [](const Check& check) { return check.main; };
+  const bool any = std::any_of(record.checks.begin(), record.checks.end(), marked);
+  for (std::size_t i = 0; i < record.checks.size(); ++i) {
+    const Check& check = record.checks[i];
+    if (!check.pass || (any ? check.main : i < 5)) chosen.push_back(check);
+  }
+  return chosen;
+}
+
+/// `end_rule` reads "end rule".
+std::string group_title(std::string group) {
+  std::replace(group.begin(), group.end(), '_', ' ');
+  return markdown::words(group);
+}
+
+/// The checks that touch a requirement: of each case the first few by name, and how many more.
+std::string shown_by(const Results& results, const Requirement& requirement) {
+  if (requirement.shown_by.empty()) return joined_links(results, requirement.cases);
+  constexpr std::size_t named = 2;
+  std::string text;
+  for (const ShownBy& shown : requirement.shown_by) {
+    const std::size_t count = std::min(named, shown.checks.size());
+    std::string names;
+    for (std::size_t i = 0; i < count; ++i)
+      names += (i == 0 ? "" : "; ") + cell(shown.checks[i]);
+    if (shown.checks.size() > count) names += fmt::format("; {} more", shown.checks.size() - count);
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ". ", link_of(results, shown.case_id),
+                        names.empty() ? "none ran" : names);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string provenance(const Results& results) {
+  const Provenance& p = results.provenance;
+  std::string libraries;
+  for (const auto& [name, version] : p.libraries)
+    libraries += (libraries.empty() ? "" : ", ") + name + " " + version;
+  const Rows rows{{"date, tier", cell(p.date + (results.tier.empty() ? "" : ", tier " + results.tier))},
+                  {"revision", cell(p.revision) + (p.dirty ? " (**with uncommitted changes**)" : "")},
+                  {"compiler", cell(p.compiler + (p.build_type.empty() ? "" : ", " + p.build_type))},
+                  {"flags", p.flags.empty() ? "" : markdown::code(p.flags)},
+                  {"machine", cell(p.cpu + (p.cores > 0 ? fmt::format(", {} cores", p.cores) : "") +
+                                   (p.os.empty() ? "" : ", " + p.os))},
+                  {"libraries", cell(libraries)}};
+  return markdown::table({{"what"}, {"value"}}, rows, "");
+}
+
+std::string main_check_table(const Results& results) {
+  Rows rows;
+  for (const CaseRecord& record : results.cases) {
+    std::string name = case_link(record);
+    for (const Check& check : main_checks(record)) {
+      rows.push_back({name, name_with_unit(check), measured_text(check, 7), reference_text(check, 7),
+                      margin_text(check), check.pass ? "pass" : "**fail**"});
+      name = std::string(" ");
+    }
+    if (record.checks.empty()) rows.push_back({name, "none ran", "", "", "", status_word(record)});
+  }
+  return markdown::table(
+      {{"case"}, {"check"}, {"measured", true}, {"reference", true}, {"error/bound", true}, {"result"}}, rows, "");
+}
+
+std::string traceability(const Results& results) {
+  std::vector<std::string> groups;
+  for (const Requirement& requirement : results.requirements) {
+    if (std::find(groups.begin(), groups.end(), requirement.group) == groups.end()) groups.push_back(requirement.group);
+  }
+  std::string text;
+  for (const std::string& group : groups) {
+    Rows rows;
+    std::string bare;
+    std::size_t all = 0;
+    for (const Requirement& requirement : results.requirements) {
+      if (requirement.group != group) continue;
+      ++all;
+      if (requirement.cases.empty()) {
+        bare += (bare.empty() ? "" : "; ") + markdown::words(requirement.id);
+      } else {
+        rows.push_back({cell(requirement.id), cell(requirement.text), shown_by(results, requirement),
+                        fmt::format("{}", requirement.checks)});
+      }
+    }
+    text += fmt::format("## Requirements: {}\n\n{} of {} have a case.\n\n", group_title(group), rows.size(), all);
+    if (!rows.empty())
+      text += markdown::table({{"requirement"}, {"what"}, {"shown by"}, {"checks", true}}, rows, "") + "\n";
+    if (!bare.empty()) text += "**Without a case:** " + bare + ".\n\n";
+  }
+  return text;
+}
+
+}  // namespace talus::reports

@@ -1,0 +1,205 @@
+#include "reports/coverage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "reports/markdown.hpp"
+#include "reports/page_cells.hpp"
+
+namespace talus::reports {
+namespace {
+
+using markdown::cell;
+using Rows = std::vector<std::vector<std::string>>;
+/// Checks as case and name.
+using Checks = std::set<std::pair<std::string, std::string>>;
+
+Checks checks_of(const Requirement& requirement) {
+  Checks checks;
+  for (const ShownBy& shown : requirement.shown_by) {
+    for (const std::string& name : shown.checks)
+      checks.emplace(shown.case_id, name);
+  }
+  return checks;
+}
+
+std::vector<const Requirement*> group(const Results& results, const std::string& name) {
+  std::vector<const Requirement*> members;
+  for (const Requirement& requirement : results.requirements) {
+    if (requirement.group == name) members.push_back(&requirement);
+  }
+  return members;
+}
+
+/// "law.hertz" -> {"law", "hertz"}.
+std::vector<std::string> parts_of(const std::string& id) {
+  std::vector<std::string> parts{""};
+  for (const char letter : id) {
+    if (letter == '.') {
+      parts.emplace_back();
+    } else {
+      parts.back() += letter;
+    }
+  }
+  return parts;
+}
+
+std::string last_part(const Requirement& requirement) { return parts_of(requirement.id).back(); }
+
+std::string spaced(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return cell(name);
+}
+
+std::string count_text(std::size_t count) { return count == 0 ? "**none**" : fmt::format("{}", count); }
+
+/// A row a law, all its regimes with the number of their checks.
+std::string regimes(const Results& results) {
+  std::vector<std::pair<std::string, std::string>> laws;
+  for (const Requirement* regime : group(results, "regime")) {
+    const std::vector<std::string> parts = parts_of(regime->id);
+    if (parts.size() != 3) continue;
+    if (laws.empty() || laws.back().first != parts[1]) laws.emplace_back(parts[1], "");
+    std::string& text = laws.back().second;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", spaced(parts[2]), count_text(checks_of(*regime).size()));
+  }
+  Rows rows;
+  for (const auto& [law, text] : laws)
+    rows.push_back({spaced(law), text});
+  return markdown::table({{"law"}, {"regimes, and how many checks run in each"}}, rows, "");
+}
+
+/// How many checks touch both of two requirements.
+std::size_t common(const Requirement& a, const Requirement& b) {
+  const Checks of_a = checks_of(a), of_b = checks_of(b);
+  return static_cast<std::size_t>(
+      std::count_if(of_a.begin(), of_a.end(), [&](const auto& check) { return of_b.count(check) > 0; }));
+}
+
+/// Laws of contacts against end rules and methods.
+std::string contact_laws(const Results& results) {
+  std::vector<const Requirement*> across = group(results, "end_rule");
+  for (const Requirement* method : group(results, "method"))
+    across.push_back(method);
+  std::vector<markdown::Column> columns{{"law of contacts"}};
+  for (const Requirement* rule : across)
+    columns.push_back({spaced(last_part(*rule)), true});
+  Rows rows;
+  for (const Requirement* law : group(results, "law")) {
+    if (law->text != "contact law") continue;
+    rows.push_back({spaced(last_part(*law))});
+    for (const Requirement* rule : across)
+      rows.back().push_back(count_text(common(*law, *rule)));
+  }
+  return markdown::table(columns, rows, "");
+}
+
+const Check* find(const Results& results, const std::string& case_id, const std::string& name) {
+  for (const CaseRecord& record : results.cases) {
+    if (record.id != case_id) continue;
+    for (const Check& check : record.checks) {
+      if (check.name == name) return &check;
+    }
+  }
+  return nullptr;
+}
+
+/// The orders measured of an integrator, by the whole number next to them. A check counts that names the method: one
+/// that its case merely runs with it measures another order, that of a stiffness say; nor does one that shows a false
+/// order on purpose.
+std::map<int, std::vector<double>> measured_orders(const Results& results, const Requirement& integrator) {
+  std::string name = last_part(integrator);
+  if (name.rfind("odeint_", 0) == 0) name.erase(0, 7);
+  std::map<int, std::vector<double>> orders;
+  for (const auto& [case_id, check_name] : checks_of(integrator)) {
+    const Check* check = find(results, case_id, check_name);
+    if (check == nullptr || !check->order || !check->pass) continue;
+    if (check_name.find("false order") != std::string::npos) continue;
+    const std::size_t place = check_name.find(name);
+    // "central_difference" is also the end of "lagged_central_difference".
+    if (place == std::string::npos || (place > 0 && check_name[place - 1] == '_')) continue;
+    orders[static_cast<int>(std::lround(check->measured))].push_back(check->measured);
+  }
+  return orders;
+}
+
+std::string range_text(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const std::string text =
+      values.size() == 1 ? fmt::format("{:.2f}", *low) : fmt::format("{:.2f} to {:.2f}", *low, *high);
+  return fmt::format("{} ({})", text, values.size());
+}
+
+std::string integrators(const Results& results) {
+  Rows rows;
+  for (const Requirement* integrator : group(results, "integrator")) {
+    const auto orders = measured_orders(results, *integrator);
+    std::string others;
+    for (const auto& [order, values] : orders) {
+      if (order != integrator->order) others += (others.empty() ? "" : "; ") + range_text(values);
+    }
+    const auto declared = orders.find(integrator->order);
+    rows.push_back({spaced(last_part(*integrator)), integrator->order > 0 ? fmt::format("{}", integrator->order) : "",
+                    declared == orders.end() ? "**none**" : range_text(declared->second), others,
+                    count_text(checks_of(*integrator).size())});
+  }
+  return markdown::table({{"integrator"},
+                          {"declared", true},
+                          {"measured as declared"},
+                          {"other orders measured"},
+                          {"checks in all", true}},
+                         rows, "");
+}
+
+/// Pairs of shapes: above the diagonal, since a pair has no first.
+std::string pairs(const Results& results) {
+  std::vector<std::string> names;
+  std::map<std::pair<std::string, std::string>, std::size_t> counts;
+  const auto note = [&](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const Requirement* pair : group(results, "pair")) {
+    const std::vector<std::string> parts = parts_of(pair->id);
+    if (parts.size() != 3) continue;
+    note(parts[1]);
+    note(parts[2]);
+    counts[{parts[1], parts[2]}] = checks_of(*pair).size();
+  }
+  std::vector<markdown::Column> columns{{"with"}};
+  Rows rows;
+  for (const std::string& name : names) {
+    columns.push_back({spaced(name), true});
+    const auto first = [&](const auto& pair) { return pair.first.first == name; };
+    if (std::none_of(counts.begin(), counts.end(), first)) continue;
+    rows.push_back({spaced(name)});
+    for (const std::string& other : names) {
+      const auto found = counts.find({name, other});
+      rows.back().push_back(found == counts.end() ? " " : count_text(found->second));
+    }
+  }
+  return markdown::table(columns, rows, "");
+}
+
+}  // namespace
+
+std::string coverage(const Results& results) {
+  return "Each number counts checks of this run that a case claims for a requirement, or for both of two; what no "
+         "check "
+         "touches says **none**. The lists of laws, modes, rules, integrators and shapes are the solver's own.\n\n"
+         "## Laws and regimes\n\n" +
+         regimes(results) + "\n" + contact_laws(results) + "\n## Integrators and orders\n\n" + integrators(results) +
+         "\nIn parentheses: how many fits. Other orders: a contact begins and ends within a step, which costs every "
+         "method its "
+         "order (2 without a dashpot, 1 with one); accounts of energy; the order in the tolerance, of methods under "
+         "step "
+         "control; rounding. False orders, which steps that divide the contact time show, are left out.\n\n## Shapes "
+         "in contact\n\n" +
+         pairs(results) + "\nAn empty cell stands elsewhere in the table, or ground would meet ground.\n";
+}
+
+}  // namespace talus::reports

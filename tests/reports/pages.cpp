@@ -1,0 +1,127 @@
+/// The report's text from records made by hand: what is counted, and what is said of what is missing.
+#define BOOST_TEST_MODULE reports_pages
+#include <boost/test/unit_test.hpp>
+
+#include "reports/comparisons.hpp"
+#include "reports/coverage.hpp"
+#include "reports/summary.hpp"
+
+using namespace talus::reports;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+Check check(const std::string& name, bool pass = true) {
+  Check made;
+  made.name = name;
+  made.pass = pass;
+  made.margin = pass ? 0.5 : 3.0;
+  made.kind = "model";
+  return made;
+}
+
+Check order(const std::string& name, double measured) {
+  Check made = check(name);
+  made.order = true;
+  made.measured = measured;
+  return made;
+}
+
+CaseRecord record(const std::string& id, const std::string& family, std::vector<Check> checks) {
+  CaseRecord made;
+  made.id = id;
+  made.title = "Title of " + id;
+  made.family = family;
+  made.checks = std::move(checks);
+  made.seconds = 0.25;
+  made.status = "pass";
+  for (const Check& one : made.checks) {
+    if (!one.pass) made.status = "fail";
+  }
+  return made;
+}
+
+Requirement requirement(const std::string& id, const std::string& group, std::vector<ShownBy> shown = {},
+                        int order = 0) {
+  Requirement made;
+  made.id = id;
+  made.group = group;
+  made.text = group == "law" ? "contact law" : "text";
+  made.shown_by = std::move(shown);
+  made.order = order;
+  return made;
+}
+
+Results results() {
+  Results all;
+  all.families = {"A: motion", "B: contact", "C: friction"};
+  all.cases = {record("bounce", "B: contact",
+                      {order("order of rk4", 1.98), order("order of rk4, damped", 1.02), check("depth, clamped"),
+                       order("order of the stiffness", 0.5), order("false order of rk4", 4.01)}),
+               record("flight", "A: motion", {check("height"), check("speed", false)})};
+  all.requirements = {
+      requirement("law.spring", "law", {{"bounce", {"depth, clamped", "order of rk4"}}}),
+      requirement("end_rule.clamped", "end_rule", {{"bounce", {"depth, clamped"}}}),
+      requirement("end_rule.attractive", "end_rule"),
+      requirement("regime.spring.touching", "regime", {{"bounce", {"depth, clamped", "order of rk4"}}}),
+      requirement("regime.spring.released", "regime"),
+      requirement(
+          "integrator.rk4", "integrator",
+          {{"bounce", {"order of rk4", "order of rk4, damped", "order of the stiffness", "false order of rk4"}}}, 4),
+      requirement("pair.circle.circle", "pair"),
+      requirement("pair.circle.half_plane", "pair", {{"bounce", {"depth, clamped"}}}),
+  };
+  return all;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_summary_goes_by_families_and_adds_them_up) {
+  const std::string text = summary_by_family(results());
+  BOOST_TEST(contains(text, "| **A: motion** | *0 of 1 case* |"), text);
+  BOOST_TEST(contains(text, "| **B: contact** | *1 case* |"), text);
+  BOOST_TEST(contains(text, "**1 of 2**"), text);
+  BOOST_TEST(contains(text, "**fail**"), text);
+  BOOST_TEST(!contains(text, "C: friction"), text);
+  BOOST_TEST(text.find("A: motion") < text.find("[flight]"));
+  BOOST_TEST(text.find("[flight]") < text.find("B: contact"));
+  BOOST_TEST(text.find("B: contact") < text.find("[bounce]"));
+}
+
+BOOST_AUTO_TEST_CASE(a_case_without_a_family_is_not_lost) {
+  Results all = results();
+  all.cases.push_back(record("stray", "", {check("value")}));
+  BOOST_TEST(contains(summary_by_family(all), "| **others** | *1 case* |"));
+}
+
+BOOST_AUTO_TEST_CASE(coverage_counts_checks_and_names_empty_cells) {
+  const std::string text = coverage(results());
+  BOOST_TEST(contains(text, "| spring | touching 2, released **none** |"), text);
+  // Of the law's two checks one is of the clamped end, none of the attractive one.
+  BOOST_TEST(contains(text, "| spring | 1 | **none** |"), text);
+  // A declared order 4 that nothing shows, 2 and 1 that contacts leave; that in the stiffness is not the method's, nor
+  // a false one.
+  BOOST_TEST(contains(text, "| rk4 | 4 | **none** | 1.02 (1); 1.98 (1) | 4 |"), text);
+  BOOST_TEST(contains(text, "| circle | **none** | 1 |"), text);
+}
+
+BOOST_AUTO_TEST_CASE(common_formulas_are_gathered_from_the_cases) {
+  Results all = results();
+  BOOST_TEST(common_formulas(all) == "None so far.\n");
+  all.cases[0].tables = {{"speeds", "Not this one.", {"a"}, {{"1"}}},
+                         {"common_formula_e", "**Restitution.**", {"where", "exact"}, {{"$e$ = .5", "0.550"}}}};
+  const std::string text = common_formulas(all);
+  BOOST_TEST(contains(text, "**Restitution.** Case [bounce]"), text);
+  BOOST_TEST(contains(text, "| $e$ = .5 | 0.550 |"), text);
+  BOOST_TEST(!contains(text, "Not this one"));
+}
+
+BOOST_AUTO_TEST_CASE(what_peers_check_and_we_do_not_says_none) {
+  Results all = results();
+  all.peers = {{"code", "test 1", "falls", "$gt$", "", {"A1"}, {"flight"}},
+               {"code", "test 2", "sticks", "glue", "no glue", {}, {}}};
+  const std::string text = checks_of_peers(all);
+  BOOST_TEST(contains(text, "| code | test 1 | falls | $gt$ | [flight](#flight-title-of-flight) (A1) |"), text);
+  BOOST_TEST(contains(text, "**none**: no glue"), text);
+}
