@@ -13,18 +13,6 @@ namespace {
 using markdown::cell;
 using Rows = std::vector<std::vector<std::string>>;
 
-/// The checks that stand for a case on the first pages: those the case marks, else the failed ones and the first few.
-std::vector<Check> main_checks(const CaseRecord& record) {
-  std::vector<Check> chosen;
-  const auto marked = [](const Check& check) { return check.main; };
-  const bool any = std::any_of(record.checks.begin(), record.checks.end(), marked);
-  for (std::size_t i = 0; i < record.checks.size(); ++i) {
-    const Check& check = record.checks[i];
-    if (!check.pass || (any ? check.main : i < 5)) chosen.push_back(check);
-  }
-  return chosen;
-}
-
 /// `end_rule` reads "end rule".
 std::string group_title(std::string group) {
   std::replace(group.begin(), group.end(), '_', ' ');
@@ -63,21 +51,6 @@ std::string provenance(const Results& results) {
                                    (p.os.empty() ? "" : ", " + p.os))},
                   {"libraries", cell(libraries)}};
   return markdown::table({{"what"}, {"value"}}, rows, "");
-}
-
-std::string main_check_table(const Results& results) {
-  Rows rows;
-  for (const CaseRecord& record : results.cases) {
-    std::string name = case_link(record);
-    for (const Check& check : main_checks(record)) {
-      rows.push_back({name, name_with_unit(check), measured_text(check, 7), reference_text(check, 7),
-                      margin_text(check), check.pass ? "pass" : "**fail**"});
-      name = std::string(" ");
-    }
-    if (record.checks.empty()) rows.push_back({name, "none ran", "", "", "", status_word(record)});
-  }
-  return markdown::table(
-      {{"case"}, {"check"}, {"measured", true}, {"reference", true}, {"error/bound", true}, {"result"}}, rows, "");
 }
 
 std::string traceability(const Results& results) {

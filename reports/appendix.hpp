@@ -7,9 +7,6 @@
 
 namespace talus::reports {
 
-/// The main checks of each case; of a case that marks none the failed ones and the first few.
-[[nodiscard]] std::string main_check_table(const Results& results);
-
 /// Each requirement and the checks that touch it, group by group; those without a case are named.
 [[nodiscard]] std::string traceability(const Results& results);
 

@@ -15,6 +15,27 @@ using markdown::cell;
 using markdown::Column;
 using Rows = std::vector<std::vector<std::string>>;
 
+/// The checks that stand for a case on the first pages: those the case marks, else the failed ones and the first few.
+std::vector<Check> main_checks(const CaseRecord& record) {
+  std::vector<Check> chosen;
+  const auto marked = [](const Check& check) { return check.main; };
+  const bool any = std::any_of(record.checks.begin(), record.checks.end(), marked);
+  for (std::size_t i = 0; i < record.checks.size(); ++i) {
+    const Check& check = record.checks[i];
+    if (!check.pass || (any ? check.main : i < 5)) chosen.push_back(check);
+  }
+  return chosen;
+}
+
+std::string main_check_table(const CaseRecord& record) {
+  Rows rows;
+  for (const Check& check : main_checks(record))
+    rows.push_back({name_with_unit(check), measured_text(check, 7), reference_text(check, 7), margin_text(check),
+                    check.pass ? "pass" : "**fail**"});
+  return markdown::table({{"main check"}, {"measured", true}, {"reference", true}, {"error/bound", true}, {"result"}},
+                         rows, "");
+}
+
 /// The checks of a case, and below them the arguments of their bounds, each once: alike checks share one.
 std::string check_table(const CaseRecord& record) {
   Rows rows;
@@ -76,9 +97,11 @@ std::string alternative_text(const Figure& figure) {
   return text;
 }
 
-std::string figures(const CaseRecord& record, std::size_t chapter, const Drawn& drawn) {
+/// Figures from `first` on, before `last`, of a width in percent of the text's.
+std::string figures(const CaseRecord& record, std::size_t chapter, const Drawn& drawn, std::size_t first,
+                    std::size_t last, int width) {
   std::string text;
-  for (std::size_t i = 0; i < record.figures.size(); ++i) {
+  for (std::size_t i = first; i < std::min(last, record.figures.size()); ++i) {
     const Figure& figure = record.figures[i];
     const std::string key = record.id + "/" + figure.name;
     if (const auto why = drawn.undrawn.find(key); why != drawn.undrawn.end()) {
@@ -91,8 +114,8 @@ std::string figures(const CaseRecord& record, std::size_t chapter, const Drawn& 
     if (const auto hidden = drawn.hidden.find(key); hidden != drawn.hidden.end() && hidden->second > 0) {
       caption += fmt::format(" ({} points at or below zero have no place on a log axis.)", hidden->second);
     }
-    text += fmt::format("![{}](figures/{}.svg){{alt=\"{}\"}}\n\n", caption, picture_stem(record, figure),
-                        alternative_text(figure));
+    text += fmt::format("![{}](figures/{}.svg){{alt=\"{}\" width={}%}}\n\n", caption, picture_stem(record, figure),
+                        alternative_text(figure), width);
   }
   return text;
 }
@@ -115,6 +138,9 @@ std::string tables(const CaseRecord& record, std::size_t chapter) {
   return text;
 }
 
+/// Of the case's section in the appendix.
+std::string details_heading(const CaseRecord& record) { return "Details of " + record.id; }
+
 }  // namespace
 
 std::string picture_stem(const CaseRecord& record, const Figure& figure) { return record.id + "-" + figure.name; }
@@ -123,25 +149,39 @@ std::string case_page(const CaseRecord& record, std::size_t chapter, const Drawn
                       const std::filesystem::path& templates) {
   mustache::data values;
   values.set("heading", case_heading(record));
-  values.set("status", record.status == "pass" ? "pass" : "**" + record.status + "**");
+  values.set("status", status_word(record));
   values.set("message", record.message);
   values.set("seconds", fmt::format("{:.2f}", record.seconds));
   values.set("tier", record.tier);
   values.set("source", record.source);
   values.set("requirements", fmt::format("{}", fmt::join(record.requirements, "; ")));
   values.set("page", markdown::with_headings_below(record.page, 2));
+  values.set("main_checks", record.checks.empty() ? "No check ran.\n" : main_check_table(record));
+  values.set("figure", figures(record, chapter, drawn, 0, 1, 60));
+  values.set("rest", fmt::format("All {} checks and {} controls, {} tables, {} further figures: [details](#{}).",
+                                 record.checks.size(), record.controls.size(), record.tables.size(),
+                                 record.figures.empty() ? 0 : record.figures.size() - 1,
+                                 markdown::heading_id(details_heading(record))));
+  for (const char* part : {"message", "tier", "source", "requirements"})
+    values.set(std::string("has_") + part, !values.get(part)->string_value().empty());
+  return filled(templates / "case.mustache", values);
+}
+
+std::string case_details(const CaseRecord& record, std::size_t chapter, const Drawn& drawn,
+                         const std::filesystem::path& templates) {
+  mustache::data values;
+  values.set("heading", details_heading(record));
   values.set("checks", record.checks.empty() ? "No check ran.\n" : check_table(record));
   values.set("controls", record.controls.empty() ? "" : control_table(record));
-  values.set("figures", figures(record, chapter, drawn));
+  values.set("figures", figures(record, chapter, drawn, 1, record.figures.size(), 100));
   values.set("tables", tables(record, chapter));
   std::string notes;
   for (const std::string& note : record.notes)
-    notes += markdown::with_headings_below(note, 3) + "\n";
+    notes += markdown::with_headings_below(note, 4) + "\n";
   values.set("notes", notes);
-  for (const char* part : {"message", "tier", "source", "requirements", "controls", "figures", "tables", "notes"}) {
+  for (const char* part : {"controls", "figures", "tables", "notes"})
     values.set(std::string("has_") + part, !values.get(part)->string_value().empty());
-  }
-  return filled(templates / "case.mustache", values);
+  return filled(templates / "details.mustache", values);
 }
 
 }  // namespace talus::reports

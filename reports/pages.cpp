@@ -50,14 +50,18 @@ std::string front(const Results& results, const std::filesystem::path& templates
   return filled(templates / "front.mustache", values);
 }
 
-std::string back(const Results& results, const std::filesystem::path& templates, const std::string& tools) {
+std::string back(const Results& results, const Drawn& drawn, const std::filesystem::path& templates,
+                 const std::string& tools) {
   std::string references;
   for (const Reference& r : results.references) {
     references += fmt::format("- **{}**: {}\n", markdown::words(r.key), markdown::words(r.text));
   }
   mustache::data values;
   values.set("provenance", provenance(results));
-  values.set("checks", main_check_table(results));
+  std::string details;
+  for (std::size_t i = 0; i < results.cases.size(); ++i)
+    details += fmt::format("{}\n", case_details(results.cases[i], i + 1, drawn, templates));
+  values.set("details", details);
   values.set("traceability", traceability(results));
   values.set("references", references.empty() ? "None.\n" : references);
   values.set("tools", tools);
@@ -73,7 +77,7 @@ std::string report_markdown(const Results& results, const Drawn& drawn, const st
   for (std::size_t i = 0; i < results.cases.size(); ++i) {
     text += fmt::format("\n{}", case_page(results.cases[i], i + 1, drawn, templates));
   }
-  return fmt::format("{}\n{}", text, back(results, templates, tools));
+  return fmt::format("{}\n{}", text, back(results, drawn, templates, tools));
 }
 
 }  // namespace talus::reports

@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(the_summary_comes_first_and_the_long_tables_last) {
   std::size_t before = 0;
   for (const char* heading :
        {"\n## Cases", "\n# Coverage", "\n# Common formulas", "\n# Checks of other codes", "\n# Errata",
-        "\n# two\\_cable", "\n# pendulum", "\n# Appendix: main checks", "\n# Appendix: margins",
+        "\n# two\\_cable", "\n# pendulum", "\n# Appendix: details", "\n# Appendix: margins",
         "\n# Appendix: traceability", "\n# Appendix: provenance", "\n# References", "\n# Colophon"}) {
     const std::size_t place = text.find(heading);
     BOOST_TEST_REQUIRE(place != std::string::npos, heading);
