@@ -85,8 +85,8 @@ void append_lammps(std::vector<PeerCheck>& all) {
                  "`spin_no_friction`",
                  "head-on, spins such that nothing slips",
                  "spin stays, no tangential speed",
-                 {},
-                 "no case of its own; it follows from mirror and exchange (A6)"});
+                 {"C6"},
+                 "`spinning_discs`"});
   all.push_back({suite,
                  "`momentum_conservation`",
                  "two particles collide off centre",
@@ -153,14 +153,9 @@ void append_chung_ooi(std::vector<PeerCheck>& all) {
                  "test 7",
                  "two identical spheres head-on, opposite spins",
                  "no tangential force: spins stay",
-                 {},
-                 "no case of its own; it follows from mirror and exchange (A6)"});
-  all.push_back({suite,
-                 "test 8",
-                 "two spheres of unlike size, one spins",
-                 "as test 6",
-                 {},
-                 "unlike discs: momentum, angular momentum and energy only (A4)"});
+                 {"C6"},
+                 "`spinning_discs`"});
+  all.push_back({suite, "test 8", "two spheres of unlike size, one spins", "as test 6", {"C6"}, "`spinning_discs`"});
 }
 
 }  // namespace
