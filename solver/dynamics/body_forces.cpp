@@ -13,10 +13,10 @@ void book(Rates& out, double copies, Vec2 p, Vec2 force, double moment) {
   out.impulse[2] += copies * (cross(p, force) + moment);
 }
 
-/// Poses of free bodies that are neighbours, in the state and in the workspace.
-void place(const BodyRun& run, const State& state, Poses& poses) {
-  const double* const q = &state.q[run.first];
-  const double* const v = &state.v[run.first];
+/// Poses of free bodies that are neighbours, in the state from coordinate `first` on and in the workspace.
+void place(const BodyRun& run, std::size_t first, const State& state, Poses& poses) {
+  const double* const q = &state.q[first];
+  const double* const v = &state.v[first];
   const std::size_t count = run.count;
   double *const x = &poses.x[run.body], *const pose_y = &poses.y[run.body];
   double *const cosine = &poses.cosine[run.body], *const sine = &poses.sine[run.body];
@@ -99,7 +99,7 @@ void BodyForces::list_awake(Waking& waking) const {
 
 void BodyForces::update(const State& state, Workspace& work) const {
   for (const BodyRun& run : work.waking.whole ? free_runs_ : work.waking.bodies)
-    place(run, state, work.poses);
+    place(run, free_[run.place].first, state, work.poses);
   for (const Compiled& body : particles_) {
     const double* q = &state.q[body.first];
     const double* v = &state.v[body.first];

@@ -54,7 +54,7 @@ class BodyForces {
   void guided_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const;
 
   std::vector<Compiled>& array(Mobility mobility);
-  BodyRun run_of(std::size_t free) const { return {free, free_[free].body, free_[free].first, 1}; }
+  BodyRun run_of(std::size_t free) const { return {free, free_[free].body, 1}; }
 
   Vec2 gravity_;
   std::vector<Compiled> free_;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "solver/dynamics/cable_runs.hpp"
 #include "solver/dynamics/law_modes.hpp"
 
 namespace talus {
@@ -54,8 +55,9 @@ concept HasLines = L::memory_size <= 1 && requires(const L law, std::span<const 
 /// Works out the straight lines of a run anew if modes or memories are not those that they stand for.
 template <class L>
 void keep_lines(const CableArray<L>& array, const CableRun& run, const State& state, CableLines& lines) {
-  const Mode* const modes = &state.mode[run.slot.mode];
-  const double* const kept = state.z.data() + run.slot.memory;
+  const Slot first = array.slots[run.place];
+  const Mode* const modes = &state.mode[first.mode];
+  const double* const kept = state.z.data() + first.memory;
   const std::size_t numbers = L::memory_size * run.count;
   if (std::memcmp(modes, &lines.mode[run.cable], run.count * sizeof(Mode)) == 0 &&
       (numbers == 0 || std::memcmp(kept, &lines.memory[run.cable], numbers * sizeof(double)) == 0))
@@ -126,13 +128,13 @@ void CableForces::list_awake(Waking& waking, const Rigging& rigging) const {
   std::vector<char> listed(joints_.size(), 0);
   const auto moves = [&](std::size_t j) { return joints_[j].on_body && waking.awake[index(joints_[j].body)]; };
   waking.cables.resize(std::tuple_size_v<decltype(laws_)>);
-  for_each_array(laws_, [&]<class L>(const CableArray<L>& array, std::size_t law) {
+  for_each_array(laws_, [&](const auto& array, std::size_t law) {
     waking.cables[law].clear();
     for (std::size_t i = 0; i < array.laws.size(); ++i) {
       const auto [a, b] = ends_[array.cable[i]];
       const bool chained = !rigging.broken.empty() && (rigging.broken[a] || rigging.broken[b]);
       if (!waking.whole && !chained && !moves(a) && !moves(b)) continue;
-      append(waking.cables[law], {i, array.cable[i], a, b, array.slots[i], L::memory_size, 1, false});
+      append(waking.cables[law], {i, array.cable[i], a, b, 1, false});
       listed[a] = listed[b] = 1;
     }
   });
@@ -241,103 +243,6 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
   }
   if (chain.start != Chain::Start::held) work.joints.place(first, p_WEnd, v_WEnd);
 }
-
-namespace {
-
-/// Joints on neighbouring bodies, from the bodies' poses; p_x, p_y in body coordinates.
-void place_joints(const JointRun& run, const double* p_x, const double* p_y, const Poses& poses, JointPoints& joints) {
-  const std::size_t count = run.count, body = run.body, joint = run.joint;
-  const double *const x = &poses.x[body], *const y = &poses.y[body];
-  const double *const cosine = &poses.cosine[body], *const sine = &poses.sine[body];
-  const double *const vx = &poses.vx[body], *const vy = &poses.vy[body], *const w = &poses.w[body];
-  double *const arm_x = &joints.arm_x[joint], *const arm_y = &joints.arm_y[joint];
-  double *const joint_x = &joints.x[joint], *const joint_y = &joints.y[joint];
-  double *const joint_vx = &joints.vx[joint], *const joint_vy = &joints.vy[joint];
-#pragma omp simd
-  for (std::size_t i = 0; i < count; ++i) {
-    const double dx = cosine[i] * p_x[i] - sine[i] * p_y[i];
-    const double dy = sine[i] * p_x[i] + cosine[i] * p_y[i];
-    arm_x[i] = dx, arm_y[i] = dy;
-    joint_x[i] = x[i] + dx, joint_y[i] = y[i] + dy;
-    joint_vx[i] = vx[i] - w[i] * dy, joint_vy[i] = vy[i] + w[i] * dx;
-  }
-}
-
-/// Cables between neighbouring joints. As path(), number by number.
-void lay_paths(const CableRun& run, const double* across_squared, const JointPoints& joints, Paths& paths) {
-  const std::size_t count = run.count;
-  const double *const x_A = &joints.x[run.a], *const y_A = &joints.y[run.a];
-  const double *const vx_A = &joints.vx[run.a], *const vy_A = &joints.vy[run.a];
-  const double *const x_B = &joints.x[run.b], *const y_B = &joints.y[run.b];
-  const double *const vx_B = &joints.vx[run.b], *const vy_B = &joints.vy[run.b];
-  double *const length = &paths.length[run.cable], *const length_rate = &paths.length_rate[run.cable];
-  double *const pull_x = &paths.pull_x[run.cable], *const pull_y = &paths.pull_y[run.cable];
-#pragma omp simd
-  for (std::size_t i = 0; i < count; ++i) {
-    const double dx = x_B[i] - x_A[i], dy = y_B[i] - y_A[i];
-    const double whole = std::sqrt(dx * dx + dy * dy + across_squared[i]);
-    const double inverse = 1.0 / (whole + std::numeric_limits<double>::min());
-    const double along_x = inverse * dx, along_y = inverse * dy;
-    const double rate = (vx_B[i] - vx_A[i]) * along_x + (vy_B[i] - vy_A[i]) * along_y;
-    length[i] = whole;
-    length_rate[i] = rate;
-    pull_x[i] = along_x, pull_y[i] = along_y;
-  }
-}
-
-/// Tensions of neighbouring cables on the straight lines of their modes, and whether all stay on them.
-bool pull_straight(const CableRun& run, const double* rest_length, const CableLines& lines, Paths& paths) {
-  const std::size_t count = run.count;
-  const double *const stiffness = &lines.stiffness[run.cable], *const natural = &lines.natural[run.cable];
-  const double *const low = &lines.low[run.cable], *const high = &lines.high[run.cable];
-  const double* const length = &paths.length[run.cable];
-  double* const tension = &paths.tension[run.cable];
-  double room = std::numeric_limits<double>::infinity();
-#pragma omp simd reduction(min : room)
-  for (std::size_t i = 0; i < count; ++i) {
-    const double extent = length[i] - rest_length[i];
-    tension[i] = stiffness[i] * (extent - natural[i]);
-    // Room left on the line: > 0 while the mode lasts.
-    const double before = extent - low[i], behind = high[i] - extent;
-    const double here = before < behind ? before : behind;
-    room = here < room ? here : room;
-  }
-  return room > 0.0;
-}
-
-/// Adds the tensions of neighbouring cables to the joints at both ends.
-void sum_pulls(const CableRun& run, const double* share_a, const double* share_b, const Paths& paths,
-               JointPoints& joints) {
-  const std::size_t count = run.count;
-  const double* const tension = &paths.tension[run.cable];
-  const double *const pull_x = &paths.pull_x[run.cable], *const pull_y = &paths.pull_y[run.cable];
-  double *const x_A = &joints.force_x[run.a], *const y_A = &joints.force_y[run.a];
-  Vec2 before;  // what the cable before pulls at the joint where the next begins
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec2 pull = tension[i] * Vec2{pull_x[i], pull_y[i]};
-    x_A[i] += before.x + share_a[i] * pull.x;
-    y_A[i] += before.y + share_a[i] * pull.y;
-    before = -share_b[i] * pull;
-  }
-  joints.force_x[run.b + count - 1] += before.x;
-  joints.force_y[run.b + count - 1] += before.y;
-}
-
-/// Adds the pulls at joints to the wrenches of the neighbouring bodies that they are on.
-void load_bodies(const JointRun& run, const JointPoints& joints, Wrenches& wrenches) {
-  const std::size_t count = run.count;
-  const double *const force_x = &joints.force_x[run.joint], *const force_y = &joints.force_y[run.joint];
-  const double *const arm_x = &joints.arm_x[run.joint], *const arm_y = &joints.arm_y[run.joint];
-  double *const x = &wrenches.x[run.body], *const y = &wrenches.y[run.body];
-  double* const moment = &wrenches.moment[run.body];
-#pragma omp simd
-  for (std::size_t i = 0; i < count; ++i) {
-    x[i] += force_x[i], y[i] += force_y[i];
-    moment[i] += cross(Vec2{arm_x[i], arm_y[i]}, Vec2{force_x[i], force_y[i]});
-  }
-}
-
-}  // namespace
 
 void CableForces::place_anchors(Workspace& work) const {
   for (std::size_t j = 0; j < joints_.size(); ++j) {

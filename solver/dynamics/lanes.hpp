@@ -8,7 +8,6 @@
 #include "solver/geometry/path.hpp"
 #include "solver/geometry/pose.hpp"
 #include "solver/laws/kinematics.hpp"
-#include "solver/model/layout.hpp"
 #include "solver/state/mode.hpp"
 
 namespace talus {
@@ -131,12 +130,9 @@ struct CableLines {
 /// Neighbours in an array whose counterparts elsewhere are neighbours, too.
 struct BodyRun {
   std::size_t place{};  ///< of the first in the array of free bodies
-  std::size_t body{};   ///< and in the model
-  std::size_t first{};  ///< its first coordinate; the next has the next three
+  std::size_t body{};   ///< and in the model, whose coordinates follow one another
   std::size_t count{};
-  bool goes_on(const BodyRun& next) const {
-    return next.place == place + count && next.body == body + count && next.first == first + 3 * count;
-  }
+  bool goes_on(const BodyRun& next) const { return next.place == place + count && next.body == body + count; }
 };
 
 /// Joints that are on bodies, each on the one after its neighbour's; or joints that are on none.
@@ -150,21 +146,18 @@ struct JointRun {
   }
 };
 
-/// Cables of one law, each from where the one before it ends to the joint after, with their modes and memories side by
-/// side in the state.
+/// Cables of one law, each from where the one before it ends to the joint after. Neighbours in the model, they have
+/// their modes and memories side by side in the state.
 struct CableRun {
-  std::size_t place{};    ///< of the first among the cables of its law
-  std::size_t cable{};    ///< and in the model
-  std::size_t a{};        ///< joint at its end A
-  std::size_t b{};        ///< and at its end B: if there is another cable, the joint after
-  Slot slot{};            ///< of its mode and memory
-  std::size_t numbers{};  ///< of memory that each cable has
+  std::size_t place{};  ///< of the first among the cables of its law
+  std::size_t cable{};  ///< and in the model
+  std::size_t a{};      ///< joint at its end A
+  std::size_t b{};      ///< and at its end B: if there is another cable, the joint after
   std::size_t count{};
   bool quiet{};  ///< as last laid: each stays on the straight line of its mode
   bool goes_on(const CableRun& next) const {
     return b == a + 1 && next.a == a + count && next.b == b + count && next.place == place + count &&
-           next.cable == cable + count && next.slot.mode == slot.mode + count &&
-           next.slot.memory == slot.memory + numbers * count;
+           next.cable == cable + count;
   }
 };
 

@@ -1,0 +1,25 @@
+/// What is worked out for neighbouring joints and cables several at a time: the arithmetic of CableForces. A bare
+/// pointer is to the number of the run's first joint or cable, those of the others behind it.
+#pragma once
+
+#include "solver/dynamics/lanes.hpp"
+
+namespace talus {
+
+/// Joints on neighbouring bodies, from the bodies' poses; p_x, p_y in body coordinates [L].
+void place_joints(const JointRun& run, const double* p_x, const double* p_y, const Poses& poses, JointPoints& joints);
+
+/// Cables between neighbouring joints; across_squared: of the distance along the fence [L^2].
+void lay_paths(const CableRun& run, const double* across_squared, const JointPoints& joints, Paths& paths);
+
+/// Tensions of neighbouring cables on the straight lines of their modes, and whether all stay on them.
+bool pull_straight(const CableRun& run, const double* rest_length, const CableLines& lines, Paths& paths);
+
+/// Adds the tensions of neighbouring cables, times the share of each end, to the joints at both ends.
+void sum_pulls(const CableRun& run, const double* share_a, const double* share_b, const Paths& paths,
+               JointPoints& joints);
+
+/// Adds the pulls at joints to the wrenches of the neighbouring bodies that they are on.
+void load_bodies(const JointRun& run, const JointPoints& joints, Wrenches& wrenches);
+
+}  // namespace talus
