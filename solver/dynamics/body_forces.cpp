@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/dynamics/runs.hpp"
+
 namespace talus {
 namespace {
 
@@ -11,29 +13,6 @@ void book(Rates& out, double copies, Vec2 p, Vec2 force, double moment) {
   out.impulse[0] += copies * force.x;
   out.impulse[1] += copies * force.y;
   out.impulse[2] += copies * (cross(p, force) + moment);
-}
-
-/// Poses of free bodies that are neighbours, in the state from coordinate `first` on and in the workspace.
-void place(const BodyRun& run, std::size_t first, const State& state, Poses& poses) {
-  const double* const q = &state.q[first];
-  const double* const v = &state.v[first];
-  const std::size_t count = run.count;
-  double *const x = &poses.x[run.body], *const pose_y = &poses.y[run.body];
-  double *const cosine = &poses.cosine[run.body], *const sine = &poses.sine[run.body];
-  double *const vx = &poses.vx[run.body], *const vy = &poses.vy[run.body], *const w = &poses.w[run.body];
-#pragma omp simd
-  for (std::size_t i = 0; i < count; ++i) {
-    const double angle = q[3 * i + 2], y = q[3 * i + 1], turning = v[3 * i + 2], rising = v[3 * i + 1];
-    const Rotation turned = rotation_by_series(angle);
-    cosine[i] = turned.cosine, sine[i] = turned.sine;
-    x[i] = q[3 * i], pose_y[i] = y;
-    vx[i] = v[3 * i], vy[i] = rising, w[i] = turning;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (within_series(q[3 * i + 2])) continue;
-    const Rotation turned = rotation_by_any_angle(q[3 * i + 2]);
-    cosine[i] = turned.cosine, sine[i] = turned.sine;
-  }
 }
 
 }  // namespace
@@ -99,7 +78,7 @@ void BodyForces::list_awake(Waking& waking) const {
 
 void BodyForces::update(const State& state, Workspace& work) const {
   for (const BodyRun& run : work.waking.whole ? free_runs_ : work.waking.bodies)
-    place(run, free_[run.place].first, state, work.poses);
+    place_bodies(run, &state.q[free_[run.place].first], &state.v[free_[run.place].first], work.poses);
   for (const Compiled& body : particles_) {
     const double* q = &state.q[body.first];
     const double* v = &state.v[body.first];

@@ -6,8 +6,8 @@
 #include <utility>
 #include <variant>
 
-#include "solver/dynamics/cable_runs.hpp"
 #include "solver/dynamics/law_modes.hpp"
+#include "solver/dynamics/runs.hpp"
 
 namespace talus {
 namespace {
@@ -257,13 +257,16 @@ void CableForces::update(const State& state, Workspace& work) const {
   // Chains are laid afterwards, which changes their paths: then no run is quiet.
   const bool chains = !work.rigging.chains.empty();
   for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, CableRun& run) {
-    lay_paths(run, &across_squared_[run.cable], work.joints, work.paths);
-    run.quiet = false;
+    const double* const across_squared = &across_squared_[run.cable];
     if constexpr (HasLines<L>) {
-      if (chains) return;
-      keep_lines(array, run, state, work.lines);
-      run.quiet = pull_straight(run, &rest_lengths_[run.cable], work.lines, work.paths);
+      if (!chains) {
+        keep_lines(array, run, state, work.lines);
+        run.quiet = pull_straight(run, across_squared, &rest_lengths_[run.cable], work.lines, work.joints, work.paths);
+        return;
+      }
     }
+    lay_paths(run, across_squared, work.joints, work.paths);
+    run.quiet = false;
   });
   for (Chain& chain : work.rigging.chains)
     straighten(chain, state, work);
