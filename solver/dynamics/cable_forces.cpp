@@ -387,6 +387,14 @@ void CableForces::list_woken(const State& state, const Workspace& work, double s
   });
 }
 
+bool CableForces::follows(const State& state) const {
+  bool found = false;
+  for_each_cable(laws_, [&]<class L>(const L&, Slot slot, std::size_t) {
+    if constexpr (requires { L::tracking; }) found = found || state.mode[slot.mode] == L::tracking;
+  });
+  return found;
+}
+
 void CableForces::guards(const State& state, const Workspace& work, std::span<double> out) const {
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
     out[slot.mode] = law.guard(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);

@@ -69,6 +69,8 @@ class CableForces {
   /// Sums the tensions at the joints and adds them to the wrenches of the bodies; with out, dissipated power and the
   /// anchors' impulse as well.
   void add(const State& state, Workspace& work, Rates* out) const;
+  /// Whether some memory is taken along by settle() alone: of cables that yield.
+  bool follows(const State& state) const;
   void guards(const State& state, const Workspace& work, std::span<double> out) const;
   double stored_energy(const State& state, const Workspace& work) const;
   /// Lists the sleeping bodies on which a cable pulls otherwise than at rest, by more than `share` of its tension.

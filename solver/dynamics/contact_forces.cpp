@@ -1,6 +1,7 @@
 #include "solver/dynamics/contact_forces.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -344,6 +345,41 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
     const double force = slider.law(state.z[slider.slot.memory], slider.normal);
     add_pair(work, slider.group, gap, -force * tangent(gap));
   });
+}
+
+bool ContactForces::follows(const State& state) const {
+  bool found = false;
+  for_each_array(laws_, [&](const auto& array) {
+    using L = typename std::decay_t<decltype(array.laws)>::value_type;
+    for (const ContactGroup& group : array.groups) {
+      const std::size_t count = group.last - group.first;
+      if constexpr (requires { L::tracking; }) {
+        for (std::size_t i = group.first; i < group.last; ++i)
+          found = found || state.mode[array.slots[i].mode] == L::tracking;
+      }
+      if (!group.friction) continue;
+      const auto first = state.mode.begin() + static_cast<std::ptrdiff_t>(group.first_friction.mode);
+      found = found || std::any_of(first, first + static_cast<std::ptrdiff_t>(count),
+                                   [](Mode mode) { return mode > CoulombFriction::sticking; });
+    }
+  });
+  return found;
+}
+
+double ContactForces::longest_step(const Workspace& work, double pull) const {
+  double longest = std::numeric_limits<double>::infinity();
+  for (const Candidate& pair : search_.pairs()) {
+    if (endless(pair.bounds_a) || endless(pair.bounds_b)) continue;
+    const auto least = [](const Bounds& b) { return std::min(b.half_width, b.half_height); };
+    const auto most = [](const Bounds& b) { return std::max(b.half_width, b.half_height); };
+    const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
+    const double speed =
+        norm(B.v_WB - A.v_WB) + std::abs(A.w_WB) * most(pair.bounds_a) + std::abs(B.w_WB) * most(pair.bounds_b);
+    const double way = 0.5 * (least(pair.bounds_a) + least(pair.bounds_b));
+    // way = speed h + pull h^2/2, solved so that nothing cancels.
+    longest = std::min(longest, 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * pull * way)));
+  }
+  return longest;
 }
 
 void ContactForces::guards(const State& state, const Workspace& work, std::span<double> out) const {

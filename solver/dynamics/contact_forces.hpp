@@ -74,6 +74,10 @@ class ContactForces {
   /// Adds the forces to the wrenches of both bodies; with out, the dissipated power as well.
   void add(const State& state, Workspace& work, Rates* out) const;
   /// Of the instances within reach.
+  /// Whether some memory is taken along by settle() alone: of latching springs that load, of friction that slips.
+  bool follows(const State& state) const;
+  /// The longest step [T] in which no body passes half the least width of another, under this pull [L/T^2].
+  double longest_step(const Workspace& work, double pull) const;
   void guards(const State& state, const Workspace& work, std::span<double> out) const;
   /// Rates of the memory that follows the motion: the slip rate where two bodies touch and friction acts.
   void memory_rates(const State& state, const Workspace& work, Rates& out) const;

@@ -1,6 +1,7 @@
 #include "solver/dynamics/dynamics.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -188,6 +189,28 @@ void Dynamics::guards(const State& state, const Workspace& work, std::span<doubl
   std::fill(out.begin(), out.end(), std::numeric_limits<double>::infinity());
   contacts_.guards(state, work, out);
   cables_.guards(state, work, out);
+}
+
+bool Dynamics::follows(const State& state) const { return contacts_.follows(state) || cables_.follows(state); }
+
+double Dynamics::longest_step(const State& state, Workspace& work) const {
+  if (contacts_.candidates() == 0) return std::numeric_limits<double>::infinity();
+  bodies_.update(state, work);
+  return contacts_.longest_step(work, norm(model_.gravity));
+}
+
+std::vector<double> Dynamics::lengths() const {
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < inertias_.size(); ++i) {
+    const Coordinate& coordinate = layout_.coordinates[i];
+    const double mass = model_.bodies[index(coordinate.body)].mass;
+    lengths.push_back(coordinate.axis == Axis::angle ? std::sqrt(inertias_[i] / mass) : 1.0);
+  }
+  return lengths;
+}
+
+void Dynamics::wake_all(State& state) const {
+  std::fill(state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper), state.mode.end(), Mode{1});
 }
 
 Energies Dynamics::energies(const State& state, const Workspace& work) const {

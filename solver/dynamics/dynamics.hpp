@@ -59,6 +59,15 @@ class Dynamics {
   /// infinite where nothing can end it from here.
   void guards(const State& state, const Workspace& work, std::span<double> out) const;
 
+  /// Whether some memory is taken along by settle() alone, in the state's modes.
+  [[nodiscard]] bool follows(const State& state) const;
+  /// The longest step [T] from here in which no body can pass another unseen; infinite where none can.
+  [[nodiscard]] double longest_step(const State& state, Workspace& work) const;
+  /// Of each coordinate, the length [L] by which one unit moves its body: 1, or the radius of gyration.
+  [[nodiscard]] std::vector<double> lengths() const;
+  /// Wakes all bodies.
+  void wake_all(State& state) const;
+
   [[nodiscard]] Energies energies(const State& state, const Workspace& work) const;
   [[nodiscard]] Momenta momenta(const Workspace& work) const;
   /// Forces of all contacts and cables in the state's modes.

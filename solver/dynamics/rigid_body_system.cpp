@@ -36,6 +36,12 @@ void RigidBodySystem::settle(State& state) {
   dynamics_->settle(state, work_);
 }
 
+void RigidBodySystem::guards(const State& state, bool same, std::vector<double>& out) {
+  if (!same) dynamics_->update(state, work_);
+  out.resize(state.mode.size());
+  dynamics_->guards(state, work_, out);
+}
+
 void RigidBodySystem::derivative(const State& state, Rates& out) {
   ++evaluations_;
   dynamics_->update(state, work_);

@@ -19,6 +19,13 @@ class RigidBodySystem {
   void derivative(const State& state, Rates& out);
   void evaluate(State& state, Rates& out);
 
+  /// Guards in the state's modes; `same`: of the state whose derivative was the last. No force evaluation.
+  void guards(const State& state, bool same, std::vector<double>& out);
+  bool follows(const State& state) const { return dynamics_->follows(state); }
+  double longest_step(const State& state) { return dynamics_->longest_step(state, work_); }
+  std::vector<double> lengths() const { return dynamics_->lengths(); }
+  void wake_all(State& state) const { dynamics_->wake_all(state); }
+
   const Dynamics& dynamics() const { return *dynamics_; }
   /// Force evaluations so far: one for each kick, derivative or evaluate.
   long evaluations() const { return evaluations_; }

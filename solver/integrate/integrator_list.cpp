@@ -37,6 +37,20 @@ Integrator with_tolerance(T integrator, double tolerance) {
   return integrator;
 }
 
+/// Calls visit with the integrator of that name; false if there is none.
+template <class Visit>
+bool with(std::string_view wanted, Visit&& visit) {
+  bool known = false;
+  for_each(
+      [&](const auto& integrator) {
+        if (integrator.name != wanted) return;
+        visit(integrator);
+        known = true;
+      },
+      std::make_index_sequence<count>{});
+  return known;
+}
+
 }  // namespace
 
 std::vector<std::string> integrator_names() {
@@ -45,16 +59,18 @@ std::vector<std::string> integrator_names() {
   return names;
 }
 
+bool needs_tolerance(std::string_view wanted) {
+  bool needed = false;
+  const bool known = with(wanted, [&]<class T>(const T&) {
+    if constexpr (requires { T::needs_tolerance; }) needed = T::needs_tolerance;
+  });
+  if (!known) throw unknown_name("integrator", wanted, integrator_names());
+  return needed;
+}
+
 Integrator make_integrator(std::string_view wanted, double tolerance) {
   Integrator made;
-  bool known = false;
-  for_each(
-      [&](const auto& integrator) {
-        if (integrator.name != wanted) return;
-        made = with_tolerance(integrator, tolerance);
-        known = true;
-      },
-      std::make_index_sequence<count>{});
+  const bool known = with(wanted, [&](const auto& integrator) { made = with_tolerance(integrator, tolerance); });
   if (!known) throw unknown_name("integrator", wanted, integrator_names());
   return made;
 }

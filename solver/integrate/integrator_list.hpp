@@ -10,6 +10,7 @@
 #include "solver/integrate/lagged_central_difference.hpp"
 #include "solver/integrate/odeint_steppers.hpp"
 #include "solver/integrate/rk4.hpp"
+#include "solver/integrate/stormer_cowell.hpp"
 #include "solver/integrate/velocity_verlet.hpp"
 
 namespace talus {
@@ -18,7 +19,7 @@ namespace talus {
 using Integrator =
     std::variant<CentralDifference, LaggedCentralDifference, VelocityVerlet, EulerCromer, RungeKutta4,
                  Odeint<OdeintMethod::dopri5>, Odeint<OdeintMethod::cash_karp54>, Odeint<OdeintMethod::fehlberg78>,
-                 Odeint<OdeintMethod::adams_bashforth_moulton8>, Odeint<OdeintMethod::bulirsch_stoer>>;
+                 Odeint<OdeintMethod::adams_bashforth_moulton8>, Odeint<OdeintMethod::bulirsch_stoer>, StormerCowell>;
 
 /// Names of all integrators, in the list's order.
 [[nodiscard]] std::vector<std::string> integrator_names();
@@ -26,6 +27,10 @@ using Integrator =
 /// The integrator of that name; `tolerance` > 0 asks for step control.
 /// Errors: InputError for an unknown name, a tolerance where the method has no step control, none where it needs one.
 [[nodiscard]] Integrator make_integrator(std::string_view name, double tolerance = 0.0);
+
+/// Whether the method of that name chooses its steps by a tolerance and has none of fixed length.
+/// Errors: InputError for an unknown name.
+[[nodiscard]] bool needs_tolerance(std::string_view name);
 
 /// Name and order on smooth motion of an integrator.
 [[nodiscard]] std::string_view name(const Integrator& integrator);

@@ -36,6 +36,7 @@ struct ElasticPlastic {
   static constexpr Mechanism dissipation = Mechanism::cable_yield;
   static constexpr Mechanism release = Mechanism::cable_break;
   enum : Mode { slack, taut, yielding, broken };
+  static constexpr Mode tracking = yielding;  ///< in which track() moves the memory
 
   double stiffness{};          ///< k [F/L] > 0
   double yield{unlimited};     ///< yield force [F] > 0

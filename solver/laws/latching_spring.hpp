@@ -28,6 +28,7 @@ struct LatchingSpring {
   static constexpr Mechanism dissipation = Mechanism::contact_damping;
   static constexpr Mechanism release = Mechanism::contact_release;
   enum : Mode { open, loading, unloading, slack };
+  static constexpr Mode tracking = loading;  ///< in which track() moves the memory
 
   double stiffness{};            ///< K1 [F/L] > 0
   double unloading_stiffness{};  ///< K2 of a contact that was hardly pressed [F/L] >= K1

@@ -57,6 +57,9 @@ Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const R
   }
   while (standing.step < steps) {
     method.step(system, state, plan.step);
+    if constexpr (requires { method.failure(); }) {
+      if (!method.failure().empty()) return {Outcome::Kind::diverged, state.t, method.failure()};
+    }
     const long n = standing.step + 1;
     standing.evaluations = before + system.evaluations();
     // n h rather than a sum of h: the time of a step does not collect round-off.

@@ -157,9 +157,8 @@ void append_pairs(std::vector<Requirement>& all) {
 void append_integrators(std::vector<Requirement>& all) {
   for (const std::string& name : integrator_names()) {
     append(all, "integrator", {name}, "time integration");
-    // Bulirsch and Stoer's method has no order without its step control; the tolerance changes no order.
-    const double tolerance = name == "odeint_bulirsch_stoer" ? 1e-9 : 0.0;
-    all.back().order = order(make_integrator(name, tolerance));
+    // The tolerance changes no order.
+    all.back().order = order(make_integrator(name, needs_tolerance(name) ? 1e-9 : 0.0));
   }
 }
 

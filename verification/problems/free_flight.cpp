@@ -105,7 +105,7 @@ double roundings(const std::string& method) {
 }
 
 void check_method(Findings& findings, const Setup& setup, const std::string& method, Table& table) {
-  const double tolerance = method == "odeint_bulirsch_stoer" ? 1e-10 : 0.0;
+  const double tolerance = needs_tolerance(method) ? 1e-10 : 0.0;
   const FlightErrors errors = fly(make_integrator(method, tolerance), production_step, steps, setup, findings);
   const double rounding = roundings(method) * steps * 0x1p-53 * errors.largest;
   const std::string words = "one rounding for each addition to a coordinate in a step, u of the largest";

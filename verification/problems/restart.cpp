@@ -136,7 +136,7 @@ struct Named {
 std::vector<Named> methods() {
   std::vector<Named> all;
   for (const std::string& name : integrator_names()) {
-    const bool controlled = name == "odeint_bulirsch_stoer";
+    const bool controlled = needs_tolerance(name);
     all.push_back({controlled ? name + ", tolerance 1e-6" : name, make_integrator(name, controlled ? 1e-6 : 0.0)});
   }
   all.push_back({"odeint_dopri5, tolerance 1e-6", make_integrator("odeint_dopri5", 1e-6)});

@@ -1,0 +1,59 @@
+#include "solver/integrate/differences.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace talus {
+
+void Differences::begin(double t, std::span<const double> rates) {
+  width_ = rates.size();
+  times_.assign(1, t);
+  table_.assign(rates.begin(), rates.end());
+}
+
+void Differences::add(double t, std::span<const double> rates) {
+  const std::size_t count = std::min(times_.size() + 1, most);
+  table_.resize(count * width_);
+  for (std::size_t c = 0; c < width_; ++c) {
+    // d_(i+1) of the new times is the change of d_i over the time from the oldest of the times in it.
+    double above = rates[c];
+    for (std::size_t i = 0; i < count; ++i) {
+      double& place = table_[i * width_ + c];
+      const double before = place;
+      place = above;
+      if (i + 1 < count) above = (above - before) / (t - times_[i]);
+    }
+  }
+  times_.insert(times_.begin(), t);
+  times_.resize(count);
+}
+
+void Differences::basis(double t, std::size_t terms, std::span<Basis> out) const {
+  // N_i in powers of s/h, with s = t - t_0 and h the interval: all its zeros are at s <= 0, so that no coefficient is
+  // negative and nothing cancels in the integrals.
+  const double h = t - times_.front();
+  std::array<double, most + 2> power{1.0};
+  for (std::size_t i = 0; i < terms; ++i) {
+    Basis sum;
+    for (std::size_t p = i + 1; p-- > 0;) {
+      const double below = static_cast<double>(p) + 1.0;
+      sum.value += power[p];
+      sum.once += power[p] / below;
+      sum.twice += power[p] / (below * (below + 1.0));
+    }
+    out[i] = {sum.value, h * sum.once, h * h * sum.twice};
+    if (i + 1 == terms) break;
+    const double back = times_.front() - times_[i];
+    for (std::size_t p = i + 1; p > 0; --p)
+      power[p] = h * power[p - 1] + back * power[p];
+    power[0] *= back;
+  }
+}
+
+void Differences::remember(Memory& memory, std::size_t width) {
+  width_ = width;
+  memory.list("times", times_);
+  memory.list("differences", table_);
+}
+
+}  // namespace talus

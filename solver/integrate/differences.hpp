@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "solver/base/memory.hpp"
+
+namespace talus {
+
+/// Rates of change at the last few times, as divided differences: the polynomial through the newest `order` of them is
+///
+///   f(t) = sum_i d_i N_i(t),   N_i(t) = (t - t_0) (t - t_1) .. (t - t_(i-1)),   t_0 the newest time, i < order
+///
+/// for each of several quantities at once (Newton's form; Krogh 1974 integrates it once and twice).
+class Differences {
+ public:
+  /// The most times that are kept.
+  static constexpr std::size_t most = 14;
+
+  /// Begins anew with the rates at one time.
+  void begin(double t, std::span<const double> rates);
+  /// Adds the rates at a later time; the oldest are forgotten when there are too many.
+  void add(double t, std::span<const double> rates);
+
+  std::size_t count() const { return times_.size(); }
+  std::size_t width() const { return width_; }
+  double newest() const { return times_.front(); }
+  /// d_i of all quantities.
+  std::span<const double> operator[](std::size_t i) const { return {&table_[i * width_], width_}; }
+
+  /// N_i at a time, and its integrals from the newest time to that one: once, and twice.
+  struct Basis {
+    double value{};
+    double once{};
+    double twice{};
+  };
+  /// Those of N_0 .. N_(terms - 1); terms <= count() + 1.
+  void basis(double t, std::size_t terms, std::span<Basis> out) const;
+
+  /// Names its parts; one that puts back is told its width.
+  void remember(Memory& memory, std::size_t width);
+
+ private:
+  std::vector<double> times_;  ///< newest first
+  std::vector<double> table_;  ///< d_0, d_1, ..., each of all quantities
+  std::size_t width_{};
+};
+
+}  // namespace talus
