@@ -1,19 +1,42 @@
 #pragma once
 
+#include <cstddef>
+#include <type_traits>
+
 #include "solver/state/state.hpp"
 
 namespace talus {
 
 /// Moves the coordinates with the velocities of the same state: q += h v.
-void drift_coordinates(State& state, double h);
+template <class Scalar>
+void drift_coordinates(StateOf<Scalar>& state, std::type_identity_t<Scalar> h) {
+  for (std::size_t i = 0; i < state.q.size(); ++i)
+    state.q[i] += h * state.v[i];
+}
 
 /// Advances work and impulse by h times their rates.
-void book_rates(State& state, const Rates& rates, double h);
+template <class Scalar>
+void book_rates(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::type_identity_t<Scalar> h) {
+  for (std::size_t i = 0; i < state.work.size(); ++i)
+    state.work[i] += h * rates.work[i];
+  for (std::size_t i = 0; i < state.impulse.size(); ++i)
+    state.impulse[i] += h * rates.impulse[i];
+}
 
 /// Advances velocities, work and impulse by h times their rates.
-void kick_velocities(State& state, const Rates& rates, double h);
+template <class Scalar>
+void kick_velocities(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::type_identity_t<Scalar> h) {
+  for (std::size_t i = 0; i < state.v.size(); ++i)
+    state.v[i] += h * rates.v[i];
+  book_rates(state, rates, h);
+}
 
 /// The same with the memory: all that has a rate of its own.
-void advance_rates(State& state, const Rates& rates, double h);
+template <class Scalar>
+void advance_rates(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::type_identity_t<Scalar> h) {
+  kick_velocities(state, rates, h);
+  for (std::size_t i = 0; i < state.z.size(); ++i)
+    state.z[i] += h * rates.z[i];
+}
 
 }  // namespace talus

@@ -14,17 +14,18 @@ namespace talus {
 ///
 /// Between steps the state holds v at t and q at t + h/2. Dashpots see the velocity of before the kick (lagged), which
 /// makes the linear limit omega h < 2 (sqrt(1 + xi^2) - xi).
-struct CentralDifference {
+template <class Scalar>
+struct CentralDifferenceOf {
   static constexpr std::string_view name = "central_difference";
   static constexpr int order = 2;
 
-  template <Splittable System>
-  void start(System& system, State& state, double h) const {
-    system.drift(state, 0.5 * h);
+  template <Splittable<Scalar> System>
+  void start(System& system, StateOf<Scalar>& state, Scalar h) const {
+    system.drift(state, h / 2);
   }
 
-  template <Splittable System>
-  void step(System& system, State& state, double h) const {
+  template <Splittable<Scalar> System>
+  void step(System& system, StateOf<Scalar>& state, Scalar h) const {
     system.kick(state, h);
     system.drift(state, h);
     state.t += h;
@@ -33,14 +34,16 @@ struct CentralDifference {
   /// Coordinates, and the memory that follows them, taken back by half a step with the present velocity: second order,
   /// and exact where no force acts.
   template <class System>
-  State synchronized(System& system, const State& state, double h) const {
-    State same_time = state;
-    system.drift(same_time, -0.5 * h);
+  StateOf<Scalar> synchronized(System& system, const StateOf<Scalar>& state, Scalar h) const {
+    StateOf<Scalar> same_time = state;
+    system.drift(same_time, -h / 2);
     return same_time;
   }
 
   /// Nothing: the stagger is in the state.
-  void remember(Memory&, const State&) const {}
+  void remember(Memory&, const StateOf<Scalar>&) const {}
 };
+
+using CentralDifference = CentralDifferenceOf<double>;
 
 }  // namespace talus

@@ -7,12 +7,12 @@
 
 namespace talus {
 
-/// A system whose motion can be advanced in two halves, each of them exact for its own part.
+/// A system whose motion can be advanced in two halves, each of them exact for its own part, in numbers of type Scalar.
 ///   drift(state, h)  moves the coordinates, and the memory that follows the motion, with the present velocities; no
 ///                    force is evaluated
 ///   kick(state, h)   brings the modes up to date, evaluates the forces once, advances velocities, work and impulse
-template <class S>
-concept Splittable = requires(S& system, State& state, double h) {
+template <class S, class Scalar = double>
+concept Splittable = requires(S& system, StateOf<Scalar>& state, Scalar h) {
   system.drift(state, h);
   system.kick(state, h);
 };
@@ -21,15 +21,17 @@ concept Splittable = requires(S& system, State& state, double h) {
 ///   settle(state)           brings the modes up to date with coordinates and velocities
 ///   derivative(state, out)  rates in the state's present modes; one force evaluation; the same bits each time
 ///   evaluate(state, out)    both at once, for one force evaluation
-template <class S>
-concept Differentiable = requires(S& system, State& state, const State& fixed, Rates& rates) {
-  system.drift(state, 1.0);
+template <class S, class Scalar = double>
+concept Differentiable = requires(S& system, StateOf<Scalar>& state, const StateOf<Scalar>& fixed,
+                                  RatesOf<Scalar>& rates, Scalar h) {
+  system.drift(state, h);
   system.settle(state);
   system.derivative(fixed, rates);
   system.evaluate(state, rates);
 };
 
 /// A method of integration: it knows its system by one of the concepts above and nothing of bodies, files or observers.
+/// Methods of a fixed step are templates on the numbers that they step in; runs of scenes take them in double.
 /// Every method brings the modes up to date before each force evaluation: the classical way, and that of 1993.
 ///   name, order                     its name in scenes; its order on smooth motion
 ///   start(system, state, h)         once before the first step of length h (a staggered method shifts the state here)

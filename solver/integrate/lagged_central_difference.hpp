@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -19,20 +20,21 @@ namespace talus {
 /// (inferred: the report's Eqs. 23-24 leave open which velocity a dashpot sees, its program kept an "old element
 /// velocity", and of the choices tried this one reproduces the printed states best). Not for new work: it damps less
 /// than it should and its limit of stability is lower than that of `central_difference`.
-class LaggedCentralDifference {
+template <class Scalar>
+class LaggedCentralDifferenceOf {
  public:
   static constexpr std::string_view name = "lagged_central_difference";
   static constexpr int order = 2;
 
-  template <Differentiable System>
-  void start(System& system, State& state, double h) {
+  template <Differentiable<Scalar> System>
+  void start(System& system, StateOf<Scalar>& state, Scalar h) {
     old_velocity_ = state.v;
-    rates_ = Rates{state};
-    system.drift(state, 0.5 * h);
+    rates_ = RatesOf<Scalar>{state};
+    system.drift(state, h / 2);
   }
 
-  template <Differentiable System>
-  void step(System& system, State& state, double h) {
+  template <Differentiable<Scalar> System>
+  void step(System& system, StateOf<Scalar>& state, Scalar h) {
     // Afterwards the state has the velocities of one step before, and those of this step are the old ones of the next.
     std::swap(state.v, old_velocity_);
     system.evaluate(state, rates_);
@@ -45,18 +47,20 @@ class LaggedCentralDifference {
 
   /// As for the central difference.
   template <class System>
-  State synchronized(System& system, const State& state, double h) const {
-    return CentralDifference{}.synchronized(system, state, h);
+  StateOf<Scalar> synchronized(System& system, const StateOf<Scalar>& state, Scalar h) const {
+    return CentralDifferenceOf<Scalar>{}.synchronized(system, state, h);
   }
 
-  void remember(Memory& memory, const State& like) {
+  void remember(Memory& memory, const State& like) requires std::same_as<Scalar, double> {
     if (memory.puts_back()) rates_ = Rates{like}, old_velocity_ = like.v;
     memory.numbers("old_velocity", old_velocity_);
   }
 
  private:
-  std::vector<double> old_velocity_;
-  Rates rates_;
+  std::vector<Scalar> old_velocity_;
+  RatesOf<Scalar> rates_;
 };
+
+using LaggedCentralDifference = LaggedCentralDifferenceOf<double>;
 
 }  // namespace talus

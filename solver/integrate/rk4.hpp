@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <string_view>
+#include <vector>
 
 #include "solver/integrate/advance.hpp"
 #include "solver/integrate/concepts.hpp"
@@ -10,21 +12,23 @@ namespace talus {
 
 /// The classical Runge-Kutta method of order 4 (Kutta 1901) with four force evaluations a step. Modes settle at every
 /// stage, so that across a change of mode it is a method of order 2 at best.
-class RungeKutta4 {
+template <class Scalar>
+class RungeKutta4Of {
  public:
   static constexpr std::string_view name = "rk4";
   static constexpr int order = 4;
 
-  template <Differentiable System>
-  void start(System& system, State& state, double) {
-    rates_.fill(Rates{state});
+  template <Differentiable<Scalar> System>
+  void start(System& system, StateOf<Scalar>& state, Scalar) {
+    rates_.fill(RatesOf<Scalar>{state});
     system.settle(state);
   }
 
-  template <Differentiable System>
-  void step(System& system, State& state, double h) {
-    constexpr std::array<double, 4> node{0.0, 0.5, 0.5, 1.0};
-    constexpr std::array<double, 4> weight{1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
+  template <Differentiable<Scalar> System>
+  void step(System& system, StateOf<Scalar>& state, Scalar h) {
+    const Scalar one{1};
+    const std::array<Scalar, 4> node{Scalar{0}, one / 2, one / 2, one};
+    const std::array<Scalar, 4> weight{one / 6, one / 3, one / 3, one / 6};
     // velocity_[s] is dq/dt of stage s: the stage's own v, kept because the next stage overwrites it.
     for (std::size_t s = 0; s < node.size(); ++s) {
       stage_ = state;
@@ -47,19 +51,21 @@ class RungeKutta4 {
   }
 
   template <class System>
-  const State& synchronized(System&, const State& state, double) const {
+  const StateOf<Scalar>& synchronized(System&, const StateOf<Scalar>& state, Scalar) const {
     return state;
   }
 
   /// Nothing but room for the stages.
-  void remember(Memory& memory, const State& like) {
+  void remember(Memory& memory, const State& like) requires std::same_as<Scalar, double> {
     if (memory.puts_back()) rates_.fill(Rates{like});
   }
 
  private:
-  State stage_;
-  std::array<Rates, 4> rates_;
-  std::array<std::vector<double>, 4> velocity_;
+  StateOf<Scalar> stage_;
+  std::array<RatesOf<Scalar>, 4> rates_;
+  std::array<std::vector<Scalar>, 4> velocity_;
 };
+
+using RungeKutta4 = RungeKutta4Of<double>;
 
 }  // namespace talus

@@ -28,30 +28,37 @@ inline constexpr std::size_t mechanism_count = mechanism_names.size();
 
 /// Impulses that come from outside the moving bodies: x and y components [M L/T], and moment about the world's origin
 /// [M L^2/T], counter-clockwise > 0.
-using Impulse = std::array<double, 3>;
+template <class Scalar>
+using Impulse = std::array<Scalar, 3>;
 
-/// All that changes during a run; numbers only. What they belong to is known to the model's layout.
-struct State {
-  double t{0.0};                               ///< time [T]
-  std::vector<double> q;                       ///< generalised coordinates [L or rad]
-  std::vector<double> v;                       ///< their rates [1/T of q]
-  std::vector<double> z;                       ///< memory of the laws (each law says what it keeps)
+/// All that changes during a run; numbers only, of type Scalar. What they belong to is known to the model's layout.
+template <class Scalar>
+struct StateOf {
+  Scalar t{};                                  ///< time [T]
+  std::vector<Scalar> q;                       ///< generalised coordinates [L or rad]
+  std::vector<Scalar> v;                       ///< their rates [1/T of q]
+  std::vector<Scalar> z;                       ///< memory of the laws (each law says what it keeps)
   std::vector<Mode> mode;                      ///< one for each law instance
-  std::array<double, mechanism_count> work{};  ///< energy dissipated so far by each mechanism [F L]
-  Impulse impulse{};                           ///< impulse received so far from supports and gravity
+  std::array<Scalar, mechanism_count> work{};  ///< energy dissipated so far by each mechanism [F L]
+  Impulse<Scalar> impulse{};                   ///< impulse received so far from supports and gravity
 
-  friend bool operator==(const State&, const State&) = default;
+  friend bool operator==(const StateOf&, const StateOf&) = default;
 };
 
-/// Rates of change of a State in its present modes; dq/dt is v itself.
-struct Rates {
-  std::vector<double> v;                       ///< accelerations
-  std::vector<double> z;                       ///< memory rates
-  std::array<double, mechanism_count> work{};  ///< powers dissipated [F L/T]
-  Impulse impulse{};                           ///< forces and moment from outside
+/// Rates of change of a state in its present modes; dq/dt is v itself.
+template <class Scalar>
+struct RatesOf {
+  std::vector<Scalar> v;                       ///< accelerations
+  std::vector<Scalar> z;                       ///< memory rates
+  std::array<Scalar, mechanism_count> work{};  ///< powers dissipated [F L/T]
+  Impulse<Scalar> impulse{};                   ///< forces and moment from outside
 
-  explicit Rates(const State& like) : v(like.v.size()), z(like.z.size()) {}
-  Rates() = default;
+  explicit RatesOf(const StateOf<Scalar>& like) : v(like.v.size()), z(like.z.size()) {}
+  RatesOf() = default;
 };
+
+/// Scenes run in double; other numbers are for one-body systems, by which the methods' rounding is told.
+using State = StateOf<double>;
+using Rates = RatesOf<double>;
 
 }  // namespace talus
