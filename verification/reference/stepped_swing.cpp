@@ -1,98 +1,94 @@
-#include "verification/reference/rounded_swing.hpp"
+#include "verification/reference/stepped_swing.hpp"
 
-#include <cmath>
+#include <stdexcept>
 
 #include "verification/reference/high_precision.hpp"
 
 namespace talus::verification::reference {
 namespace {
 
-using Quadruple = boost::multiprecision::cpp_bin_float_quad;
+/// x, v, and what a method carries along: the velocity of one step before, or the acceleration.
+using Vector = std::array<Real50, 3>;
+using Matrix = std::array<Vector, 3>;  // columns
 
-struct Complex {
-  Real50 re, im;
-};
-
-Complex operator*(const Complex& a, const Complex& b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
-
-Complex whole_power(Complex base, std::int64_t exponent) {
-  Complex product{1, 0};
-  for (; exponent > 0; exponent /= 2) {
-    if (exponent % 2 == 1) product = product * base;
-    base = base * base;
+Vector operator*(const Matrix& matrix, const Vector& vector) {
+  Vector product{};
+  for (std::size_t column = 0; column < 3; ++column) {
+    for (std::size_t row = 0; row < 3; ++row)
+      product[row] += matrix[column][row] * vector[column];
   }
   return product;
 }
 
-/// x + i v of a rotation by one step; leapfrog's is a rotation of x alone.
-Real50 unrounded(SwingMethod method, double step, std::int64_t steps) {
-  const Real50 h{step};
-  if (method == SwingMethod::verlet) {
-    const Real50 cosine = 1 - h * h / 2;
-    return whole_power({cosine, sqrt(1 - cosine * cosine)}, steps).re;
+Matrix operator*(const Matrix& a, const Matrix& b) { return {a * b[0], a * b[1], a * b[2]}; }
+
+Vector stepped(SwingMethod method, const Real50& c, const Real50& h, const Vector& now) {
+  const auto& [x, v, carried] = now;
+  switch (method) {
+    case SwingMethod::euler_cromer:
+    case SwingMethod::central_difference: {
+      const Real50 next = v + h * (-x - c * v);
+      return {x + h * next, next, 0};
+    }
+    case SwingMethod::lagged_central_difference: {
+      const Real50 next = v + h * (-x - c * carried);
+      return {x + h * next, next, v};
+    }
+    case SwingMethod::velocity_verlet: {
+      const Real50 half = v + h / 2 * carried;
+      const Real50 place = x + h * half;
+      const Real50 acceleration = -place - c * half;
+      return {place, half + h / 2 * acceleration, acceleration};
+    }
+    case SwingMethod::runge_kutta:
+      break;
   }
-  const Real50 h2 = h * h;
-  return whole_power({1 - h2 / 2 + h2 * h2 / 24, h - h * h2 / 6}, steps).re;
+  // On a linear equation: the first five terms of the exponential of h times its matrix.
+  Vector sum = now, term = now;
+  for (int k = 1; k <= 4; ++k) {
+    term = {h / k * term[1], h / k * (-term[0] - c * term[1]), 0};
+    for (std::size_t i = 0; i < 2; ++i)
+      sum[i] += term[i];
+  }
+  return sum;
 }
 
-template <class Real>
-Real stepped_verlet(Real h, std::int64_t steps) {
-  Real x{1}, v{0}, a{-1};
-  const Real half = h / 2;
-  for (std::int64_t i = 0; i < steps; ++i) {
-    v += half * a;
-    x += h * v;
-    a = -x;
-    v += half * a;
+Real50 unrounded(const SteppedSwing& swing) {
+  const Real50 c{swing.damping}, h{swing.step};
+  Matrix power;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Vector unit{};
+    unit[i] = 1;
+    power[i] = stepped(swing.method, c, h, unit);
   }
-  return x;
+  // At rest at 1: the half step by which a stagger starts moves nothing.
+  Vector end{1, 0, swing.method == SwingMethod::velocity_verlet ? -1 : 0};
+  for (std::int64_t left = swing.steps; left > 0; left /= 2) {
+    if (left % 2 == 1) end = power * end;
+    power = power * power;
+  }
+  const bool staggered = swing.method == SwingMethod::central_difference ||  //
+                         swing.method == SwingMethod::lagged_central_difference;
+  return staggered ? end[0] - h / 2 * end[1] : end[0];
 }
 
-template <class Real>
-Real stepped_runge_kutta(Real h, std::int64_t steps) {
-  Real x{1}, v{0};
-  const Real half = h / 2, sixth = h / 6;
-  for (std::int64_t i = 0; i < steps; ++i) {
-    const Real v1 = v, a1 = -x;
-    const Real v2 = v + half * a1, a2 = -(x + half * v1);
-    const Real v3 = v + half * a2, a3 = -(x + half * v2);
-    const Real v4 = v + h * a3, a4 = -(x + h * v3);
-    x += sixth * (v1 + 2 * (v2 + v3) + v4);
-    v += sixth * (a1 + 2 * (a2 + a3) + a4);
-  }
-  return x;
-}
-
-template <class Real>
-double error_in(SwingMethod method, double step, std::int64_t steps) {
-  const Real x = method == SwingMethod::verlet ? stepped_verlet<Real>(Real{step}, steps)
-                                               : stepped_runge_kutta<Real>(Real{step}, steps);
-  return nearest(Real50{x} - unrounded(method, step, steps));
-}
+Real50 whole(const Parts& place) { return Real50{place[0]} + place[1] + place[2]; }
 
 }  // namespace
 
-double unit_round_off(Scalar scalar) {
-  return std::ldexp(1.0, scalar == Scalar::bits_53 ? -53 : scalar == Scalar::bits_64 ? -64 : -113);
+double unrounded_place(const SteppedSwing& swing) { return nearest(unrounded(swing)); }
+
+std::vector<double> rounding_errors(const SteppedSwing& swing, const std::vector<Parts>& places) {
+  const Real50 exact = unrounded(swing);
+  std::vector<double> errors;
+  for (const Parts& place : places)
+    errors.push_back(nearest(whole(place) - exact));
+  return errors;
 }
 
-double unrounded_place(SwingMethod method, double step, std::int64_t steps) {
-  return nearest(unrounded(method, step, steps));
-}
-
-double rounding_error(SwingMethod method, Scalar scalar, double step, std::int64_t steps) {
-  switch (scalar) {
-    case Scalar::bits_53:
-      return error_in<double>(method, step, steps);
-    case Scalar::bits_64:
-      return error_in<long double>(method, step, steps);
-    default:
-      return error_in<Quadruple>(method, step, steps);
-  }
-}
-
-double method_error(SwingMethod method, double step, std::int64_t steps) {
-  return nearest(unrounded(method, step, steps) - cos(Real50{step} * steps));
+double whole_error(const SteppedSwing& swing, const Parts& place) {
+  if (swing.damping != 0.0) throw std::invalid_argument("whole_error: x = cos t only where nothing damps");
+  return nearest(whole(place) - cos(Real50{swing.step} * swing.steps));
 }
 
 }  // namespace talus::verification::reference

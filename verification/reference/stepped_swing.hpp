@@ -1,28 +1,34 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
-/// The oscillator x'' = -x, let go at x = 1, by steps of a method: without rounding in closed form, and step by step in
-/// numbers of 53, 64 and 113 bits.
+/// The oscillator x'' = -x - c x', let go at x = 1, by steps of a method without rounding: each method's step is one
+/// linear map of a few numbers, and its powers are taken at 50 digits.
 namespace talus::verification::reference {
 
-/// Leapfrog (velocity Verlet), or the classical Runge-Kutta method.
-enum class SwingMethod { verlet, runge_kutta };
+/// The methods of fixed step, by their published equations.
+enum class SwingMethod { euler_cromer, central_difference, lagged_central_difference, velocity_verlet, runge_kutta };
 
-/// Numbers to step in: double, long double, and 113 bits of mantissa.
-enum class Scalar { bits_53, bits_64, bits_113 };
+struct SteppedSwing {
+  SwingMethod method{};
+  double damping{};      ///< c [1/T]
+  double step{};         ///< [T]; exactly this number
+  std::int64_t steps{};  ///< how many
+};
 
-/// Half a unit of the last place of 1: 2^-53, 2^-64, 2^-113.
-[[nodiscard]] double unit_round_off(Scalar scalar);
+/// A number as an exact sum of three doubles, largest first: room for 113 bits.
+using Parts = std::array<double, 3>;
 
-/// x after `steps` steps of length `step`, at 50 digits. Verlet: x_{n+1} = (2 - h^2) x_n - x_{n-1}, so x_n = cos(n t),
-/// sin(t/2) = h/2. Runge-Kutta: the real part of (1 - h^2/2 + h^4/24 + i (h - h^3/6))^n.
-[[nodiscard]] double unrounded_place(SwingMethod method, double step, std::int64_t steps);
+/// x after the steps, at the time of the last (staggered methods taken back by half a step), to the nearest double.
+[[nodiscard]] double unrounded_place(const SteppedSwing& swing);
 
-/// How far x is from that after `steps` steps in the numbers `scalar`.
-[[nodiscard]] double rounding_error(SwingMethod method, Scalar scalar, double step, std::int64_t steps);
+/// How far each of `places`, results of the same steps in some numbers, is from that.
+[[nodiscard]] std::vector<double> rounding_errors(const SteppedSwing& swing, const std::vector<Parts>& places);
 
-/// What the method itself is off by at t = n h, without rounding: x_n - cos t.
-[[nodiscard]] double method_error(SwingMethod method, double step, std::int64_t steps);
+/// How far `place` is from the oscillator's own x = cos(n h), where nothing damps: the method's error and its rounding.
+/// Errors: std::invalid_argument with damping.
+[[nodiscard]] double whole_error(const SteppedSwing& swing, const Parts& place);
 
 }  // namespace talus::verification::reference
