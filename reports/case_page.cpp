@@ -97,9 +97,12 @@ std::string alternative_text(const Figure& figure) {
   return text;
 }
 
-/// Figures from `first` on, before `last`, of a width in percent of the text's.
+/// Where a figure stands: over its caption, as wide as the text, or to the left of it, in the small size of the pages.
+enum class Place { over_caption, beside_caption };
+
+/// Figures from `first` on, before `last`.
 std::string figures(const CaseRecord& record, std::size_t chapter, const Drawn& drawn, std::size_t first,
-                    std::size_t last, int width) {
+                    std::size_t last, Place place) {
   std::string text;
   for (std::size_t i = first; i < std::min(last, record.figures.size()); ++i) {
     const Figure& figure = record.figures[i];
@@ -114,8 +117,10 @@ std::string figures(const CaseRecord& record, std::size_t chapter, const Drawn& 
     if (const auto hidden = drawn.hidden.find(key); hidden != drawn.hidden.end() && hidden->second > 0) {
       caption += fmt::format(" ({} points at or below zero have no place on a log axis.)", hidden->second);
     }
-    text += fmt::format("![{}](figures/{}.svg){{alt=\"{}\" width={}%}}\n\n", caption, picture_stem(record, figure),
-                        alternative_text(figure), width);
+    const bool beside = place == Place::beside_caption;
+    text += fmt::format("![{}](figures/{}.svg){{{}alt=\"{}\" width={:.0f}%}}\n\n", caption,
+                        picture_stem(record, figure), beside ? ".beside " : "", alternative_text(figure),
+                        beside ? 100.0 * page_figure_wide / text_wide : 100.0);
   }
   return text;
 }
@@ -153,16 +158,14 @@ std::string case_page(const CaseRecord& record, std::size_t chapter, const Drawn
   values.set("message", record.message);
   values.set("seconds", fmt::format("{:.2f}", record.seconds));
   values.set("tier", record.tier);
-  values.set("source", record.source);
-  values.set("requirements", fmt::format("{}", fmt::join(record.requirements, "; ")));
   values.set("page", markdown::with_headings_below(record.page, 2));
   values.set("main_checks", record.checks.empty() ? "No check ran.\n" : main_check_table(record));
-  values.set("figure", figures(record, chapter, drawn, 0, 1, 60));
+  values.set("figure", figures(record, chapter, drawn, 0, 1, Place::beside_caption));
   values.set("rest", fmt::format("All {} checks and {} controls, {} tables, {} further figures: [details](#{}).",
                                  record.checks.size(), record.controls.size(), record.tables.size(),
                                  record.figures.empty() ? 0 : record.figures.size() - 1,
                                  markdown::heading_id(details_heading(record))));
-  for (const char* part : {"message", "tier", "source", "requirements"})
+  for (const char* part : {"message", "tier"})
     values.set(std::string("has_") + part, !values.get(part)->string_value().empty());
   return filled(templates / "case.mustache", values);
 }
@@ -171,15 +174,17 @@ std::string case_details(const CaseRecord& record, std::size_t chapter, const Dr
                          const std::filesystem::path& templates) {
   mustache::data values;
   values.set("heading", details_heading(record));
+  values.set("source", record.source);
+  values.set("requirements", fmt::format("{}", fmt::join(record.requirements, "; ")));
   values.set("checks", record.checks.empty() ? "No check ran.\n" : check_table(record));
   values.set("controls", record.controls.empty() ? "" : control_table(record));
-  values.set("figures", figures(record, chapter, drawn, 1, record.figures.size(), 100));
+  values.set("figures", figures(record, chapter, drawn, 1, record.figures.size(), Place::over_caption));
   values.set("tables", tables(record, chapter));
   std::string notes;
   for (const std::string& note : record.notes)
     notes += markdown::with_headings_below(note, 4) + "\n";
   values.set("notes", notes);
-  for (const char* part : {"controls", "figures", "tables", "notes"})
+  for (const char* part : {"source", "requirements", "controls", "figures", "tables", "notes"})
     values.set(std::string("has_") + part, !values.get(part)->string_value().empty());
   return filled(templates / "details.mustache", values);
 }

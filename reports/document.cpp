@@ -102,7 +102,7 @@ std::string make_latex(const Document& d) {
               {dialect, "--to=latex", "--standalone", "--no-highlight", "--columns=40",
                "--include-in-header=" + header.string(), "--lua-filter=" + (d.resources / "pdf.lua").string(),
                "--variable=documentclass:article", "--variable=classoption:a4paper", "--variable=fontsize:10pt",
-               "--variable=geometry:top=24mm,bottom=22mm,left=18mm,right=18mm,headsep=6mm",
+               "--variable=geometry:top=16mm,bottom=14mm,left=18mm,right=18mm,headsep=4mm,footskip=7mm",
                "--variable=colorlinks:true", "--variable=linkcolor:TalusLink", "--variable=urlcolor:TalusLink",
                "--output=" + d.stem + ".tex", copy},
               d.folder,

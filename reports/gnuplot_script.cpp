@@ -191,12 +191,17 @@ std::string mark_commands(const Plot& plot) {
   return text;
 }
 
-/// Columns of the key that fit side by side below the plot, from the longest label.
-std::size_t key_columns(const Plot& plot) {
+std::size_t longest_label(const Plot& plot) {
   std::size_t longest = 8;
   for (const Curve& curve : plot.curves)
     longest = std::max(longest, curve.label.size());
-  return std::clamp<std::size_t>(84 / (longest + 7), 1, 4);
+  return longest;
+}
+
+/// Columns of the key that fit side by side below the plot, from the longest label.
+std::size_t key_columns(const Plot& plot, const Canvas& canvas) {
+  const auto letters = static_cast<std::size_t>(3.2 * canvas.width / canvas.letters.paper);
+  return std::clamp<std::size_t>(letters / (longest_label(plot) + 7), 1, 4);
 }
 
 }  // namespace
@@ -265,12 +270,12 @@ std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, 
     const std::string file = (canvas.folder / (stem + "." + format)).string();
     if (format == "pdf" || format == "ps") {
       text += fmt::format("set terminal {} enhanced font 'DejaVu Sans,12' fontscale {} size {}cm,{:.2f}cm\n",
-                          format == "pdf" ? "pdfcairo" : "epscairo", letters.paper, centimetres_wide, height);
+                          format == "pdf" ? "pdfcairo" : "epscairo", letters.paper, canvas.width, height);
     } else if (format == "svg") {
       text += fmt::format(
-          "set terminal svg enhanced font 'DejaVu Sans, Verdana, sans-serif,{}' size 760,{:.0f} dynamic background "
-          "'#ffffff'\n",
-          letters.svg, 760.0 * height / centimetres_wide);
+          "set terminal svg enhanced font 'DejaVu Sans, Verdana, sans-serif,{}' size {:.0f},{:.0f} dynamic "
+          "background '#ffffff'\n",
+          letters.svg, 760.0 * canvas.width / centimetres_wide, 760.0 * height / centimetres_wide);
     } else {
       text += fmt::format(
           "set terminal pngcairo enhanced font 'DejaVu Sans,9' fontscale 1.6 linewidth 1.6 pointscale 1.6 size "
@@ -282,7 +287,7 @@ std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, 
   return text;
 }
 
-Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale) {
+Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale, const Canvas& canvas) {
   Panel panel;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const Curve& curve = plot.curves[i];
@@ -299,18 +304,22 @@ Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale) 
   panel.settings += axis_commands('x', plot.figure.x, plot.x) + axis_commands('y', plot.figure.y, plot.y);
   if (!plot.figure.grid) panel.settings += "unset grid\n";
   panel.settings += slope_commands(plot, panel.curves) + line_commands(plot) + mark_commands(plot);
-  const std::size_t columns = key_columns(plot);
+  const std::size_t columns = key_columns(plot, canvas);
   panel.key_rows = (panel.in_key + columns - 1) / columns;
   return panel;
 }
 
 std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem) {
-  const Panel panel = panel_of(plot, "curve", {});
+  const Panel panel = panel_of(plot, "curve", {}, canvas);
   const std::string text = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string())) + panel.settings;
   const auto rows = static_cast<double>(panel.key_rows);
-  const std::string key = fmt::format("set key at screen 0.54, char 0.4 center bottom maxrows {}\nset bmargin {:.2f}\n",
-                                      std::max<std::size_t>(panel.key_rows, 1), 4.3 + 1.15 * rows);
-  return text + key + drawn_in_each_format(canvas, stem, "plot " + panel.curves, 7.6 + 0.42 * rows);
+  // gnuplot counts each letter as wide as a digit, and leaves out columns that it thinks too wide: an eighth too many.
+  const std::string key = fmt::format(
+      "set key at screen 0.5, char 0.4 center bottom maxrows {} width {:.1f}\nset bmargin {:.2f}\n",
+      std::max<std::size_t>(panel.key_rows, 1), -0.125 * static_cast<double>(longest_label(plot)), 4.3 + 1.15 * rows);
+  const double row = 0.84 * canvas.letters.paper;  // [cm]
+  return text + key +
+         drawn_in_each_format(canvas, stem, "plot " + panel.curves, canvas.height + row * rows, canvas.letters);
 }
 
 }  // namespace talus::reports

@@ -9,14 +9,24 @@
 
 namespace talus::reports {
 
-/// Width of all pictures.
+/// Width of all pictures but those of a canvas that says otherwise.
 inline constexpr double centimetres_wide = 15.0;
+
+/// Size of the letters: on paper as a scale of 12 points, in an SVG in pixels, of which 760 are 15 cm. (A PNG has one
+/// size.)
+struct Letters {
+  double paper{0.5};
+  double svg{13.0};
+};
 
 /// Where and in which formats (ps, pdf, svg, png) a script draws.
 struct Canvas {
   std::filesystem::path preamble;   ///< gnuplot/preamble.gp
   std::filesystem::path folder;     ///< of the pictures
   std::set<std::string> formats{};  ///< each picture is drawn once for each
+  double width{centimetres_wide};   ///< [cm]
+  double height{7.6};               ///< of a figure without the rows of its key [cm]
+  Letters letters{};                ///< of a figure
 };
 
 /// A label for gnuplot's enhanced text, in single quotes. Words as in a record: `$` is dropped, `^` followed by a
@@ -31,14 +41,8 @@ struct Canvas {
 /// else 1-2-5 numbers.
 [[nodiscard]] std::string log_tics(char axis, const Extent& extent);
 
-/// Size of the letters: on paper as a scale of 12 points, in an SVG of 760 pixels in pixels. (A PNG has one size.)
-struct Letters {
-  double paper{0.5};
-  double svg{13.0};
-};
-
 /// The commands that draw `body` (a complete `plot` command) as folder/stem.<format> in each format;
-/// height is in centimetres at 15 cm width.
+/// height is in centimetres.
 [[nodiscard]] std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, const std::string& body,
                                                double height, Letters letters = {});
 
@@ -50,8 +54,9 @@ struct Panel {
   std::size_t key_rows{};  ///< rows of the key where it may be as wide as a picture
 };
 
-/// The parts of a plot's script; the names of its data blocks begin with `prefix`, and `scale` colours its values.
-[[nodiscard]] Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale);
+/// The parts of a plot's script; the names of its data blocks begin with `prefix`, and `scale` colours its values. The
+/// key may be as wide as the canvas.
+[[nodiscard]] Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale, const Canvas& canvas);
 
 /// The commands that draw the plot as folder/stem.<format>.
 [[nodiscard]] std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem);

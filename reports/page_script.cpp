@@ -196,7 +196,8 @@ std::pair<std::string, double> page_commands(const PagePlot& page, const Canvas&
   const double legend = page.page.scale ? 1.5 : entries.empty() ? 0.0 : 0.8;
   std::vector<Panel> panels;
   for (const Plot& plot : page.panels)
-    panels.push_back(panel_of(plot, fmt::format("panel{}_", panels.size() + 1), page.page.scale.value_or(Scale{})));
+    panels.push_back(
+        panel_of(plot, fmt::format("panel{}_", panels.size() + 1), page.page.scale.value_or(Scale{}), canvas));
   const Layout layout = layout_of(page, panels, legend);
   const auto columns = std::min(static_cast<std::size_t>(page.page.columns), panels.size());
   const std::string clean = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string()));

@@ -9,6 +9,12 @@
 
 namespace talus::reports {
 
+/// Width of the text on paper [cm].
+inline constexpr double text_wide = 17.4;
+
+/// Width of the figure on a case's page [cm]. Its caption stands beside it.
+inline constexpr double page_figure_wide = 10.4;
+
 /// What is known of the pictures when the text is written.
 struct Drawn {
   std::map<std::string, std::string> undrawn;  ///< "case/figure" -> why there is no picture of it

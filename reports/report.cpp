@@ -22,6 +22,10 @@ bool broke_off(const CaseRecord& record) { return record.status != "pass" && rec
 /// One script for each case and one for the margin chart.
 std::vector<Drawing> drawings_of(const Results& results, const fs::path& verify, const Canvas& canvas, Drawn& drawn) {
   std::vector<Drawing> drawings{{"the margin chart", margin_script(results, canvas, "margins")}};
+  Canvas small = canvas;
+  small.width = page_figure_wide;
+  small.height = 4.8;
+  small.letters = {0.36, 9.5};
   for (const CaseRecord& record : results.cases) {
     std::string script;
     for (const Figure& figure : record.figures) {
@@ -29,7 +33,8 @@ std::vector<Drawing> drawings_of(const Results& results, const fs::path& verify,
       try {
         const Plot plot = plot_of(figure, verify / record.id);
         drawn.hidden[key] = plot.undrawn;
-        script += figure_script(plot, canvas, picture_stem(record, figure));
+        script +=
+            figure_script(plot, &figure == &record.figures.front() ? small : canvas, picture_stem(record, figure));
       } catch (const RecordError& wrong) {
         if (!broke_off(record)) throw;
         drawn.undrawn[key] = wrong.what();
