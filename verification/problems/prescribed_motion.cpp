@@ -40,7 +40,7 @@ speed 1: so each method sees it where it sees the places.
 *On cables:* $x$, $y$ and the angle are sums of sines; each cable pulls with $k(l - l_0) + c\,\dot l$.
 *Rolling:* in polar coordinates about the fixed disc $\rho = \rho_0 + A\sin wt$, $\varphi = \Omega t$, the angle
 $\theta = \sigma t + B\sin wt$. The friction acts on the arm $r - \frac d2 = \frac12(r - R + \rho)$, so that
-$$z^* = z_0 + \int_0^t \Bigl(\rho\,\Omega - \tfrac12(r - R + \rho)\,\dot\theta\Bigr)dt' $$
+$$z^* = z_0 + \int_0^t \left(\rho\,\Omega - \tfrac12(r - R + \rho)\,\dot\theta\right)dt' $$
 is in closed form, and $\sigma = 2\Omega\rho_0/(r - R + \rho_0)$ keeps it bounded.
 
 The leading error of the leapfrog methods follows from the motion as on the page `wedged_disc`; where dashpots act they
