@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "verification/driver/catalogue.hpp"
+#include "verification/driver/references.hpp"
 #include "verification/driver/requirements.hpp"
 
 namespace talus::verification {
@@ -43,6 +44,17 @@ std::string flaw_of_family(const Case& verification_case) {
     return fmt::format("its family '{}' is not known; known: {}", family, fmt::join(known, ", "));
   }
   return "";
+}
+
+/// Of the source it names and of the paragraph of its page that tells of it.
+std::string flaw_of_citations(const Case& verification_case) {
+  const std::string& page = verification_case.page;
+  const std::string label = "**Source.**";
+  const std::size_t place = page.find(label);
+  const std::size_t start = place == std::string::npos ? page.size() : place + label.size();
+  const std::string paragraph = page.substr(start, page.find("\n\n", start) - start);
+  const auto missing = citations_without_entry(verification_case.source + "; " + paragraph);
+  return missing.empty() ? "" : fmt::format("the bibliography has no entry for '{}'", missing.front());
 }
 
 std::string flaw_of_main_checks(const Case& verification_case) {
@@ -84,7 +96,7 @@ std::string flaw_of(const Case& verification_case, const std::vector<Case>& all)
   if (!(std::isfinite(c.memory_limit) && c.memory_limit > 0.0))
     return "its memory limit must be finite and greater than zero";
   for (const std::string& flaw :
-       {flaw_of_requirements(c), flaw_of_family(c), flaw_of_main_checks(c), flaw_of_faults(c)}) {
+       {flaw_of_requirements(c), flaw_of_family(c), flaw_of_citations(c), flaw_of_main_checks(c), flaw_of_faults(c)}) {
     if (!flaw.empty()) return flaw;
   }
   return "";

@@ -1,6 +1,17 @@
 #include "verification/driver/references.hpp"
 
+#include <algorithm>
+#include <cctype>
+#include <regex>
+
 namespace talus::verification {
+
+namespace {
+
+/// A work whose text was not at hand. What the cases use of it is derived and tested here.
+std::string unseen(const std::string& text) { return text + " Cited from secondary sources: not at hand."; }
+
+}  // namespace
 
 std::vector<Reference> all_references() {
   return {
@@ -11,12 +22,24 @@ std::vector<Reference> all_references() {
        "G. E. Alefeld, F. A. Potra, Y. Shi: Algorithm 748: enclosing zeros of continuous functions. ACM Transactions "
        "on "
        "Mathematical Software 21 (1995) 327-344."},
+      {"antypov2011", unseen("D. Antypov, J. A. Elliott: On an analytical solution for the damped Hertzian spring. EPL "
+                             "94 (2011) 50004.")},
+      {"barnes1999", unseen("M. R. Barnes: Form finding and analysis of tension structures by dynamic relaxation. "
+                            "International Journal of Space Structures 14 (1999) 89-104.")},
+      {"barr1981", unseen("A. H. Barr: Superquadrics and angle-preserving transformations. IEEE Computer Graphics and "
+                          "Applications 1 (1981) 11-23.")},
+      {"bartz2022",
+       "S. P. Bartz: Coefficient of restitution of a linear dashpot on a rigid surface. arXiv 2204.10917 (2022). Only the "
+       "abstract and introduction were read; the equations are derived here."},
       {"bulirsch1966",
        "R. Bulirsch, J. Stoer: Numerical treatment of ordinary differential equations by extrapolation methods. "
        "Numerische Mathematik 8 (1966) 1-13."},
       {"cash1990",
        "J. R. Cash, A. H. Karp: A variable order Runge-Kutta method for initial value problems with rapidly varying "
        "right-hand sides. ACM Transactions on Mathematical Software 16 (1990) 201-222."},
+      {"chen1998",
+       unseen("T. Y. Chen, S. C. Cheung, S. M. Yiu: Metamorphic testing: a new approach for generating next test "
+              "cases. Technical Report HKUST-CS98-01, Hong Kong University of Science and Technology, 1998.")},
       {"chung2011",
        "Y. C. Chung, J. Y. Ooi: Benchmark tests for verifying discrete element modelling codes at particle impact "
        "level. Granular Matter 13 (2011) 643-656. The paper itself was not at hand: its eight tests are given here as "
@@ -34,6 +57,10 @@ std::vector<Reference> all_references() {
       {"fehlberg1968",
        "E. Fehlberg: Classical fifth-, sixth-, seventh-, and eighth-order Runge-Kutta formulas with stepsize control. "
        "NASA Technical Report R-287, 1968."},
+      {"feng2004", unseen("Y. T. Feng, D. R. J. Owen: A 2D polygon/polygon contact model: algorithmic aspects. "
+                          "Engineering Computations 21 (2004) 265-277.")},
+      {"galilei1638",
+       unseen("G. Galilei: Discorsi e dimostrazioni matematiche intorno a due nuove scienze. Leiden, 1638.")},
       {"hairer1993",
        "E. Hairer, S. P. Norsett, G. Wanner: Solving Ordinary Differential Equations I: Nonstiff Problems. 2nd "
        "edition, "
@@ -41,6 +68,17 @@ std::vector<Reference> all_references() {
       {"hairer2006",
        "E. Hairer, C. Lubich, G. Wanner: Geometric Numerical Integration: Structure-Preserving Algorithms for Ordinary "
        "Differential Equations. 2nd edition, Springer, 2006."},
+      {"henrici1962", unseen("P. Henrici: Discrete Variable Methods in Ordinary Differential Equations. Wiley, 1962.")},
+      {"herrmann1982",
+       unseen("F. Herrmann, M. Seitz: How does the ball-chain work? American Journal of Physics 50 (1982) 977-981.")},
+      {"hertz1882", unseen("H. Hertz: Über die Berührung fester elastischer Körper. Journal für die reine und "
+                           "angewandte Mathematik 92 (1882) 156-171.")},
+      {"housner1963", unseen("G. W. Housner: The behavior of inverted pendulum structures during earthquakes. Bulletin "
+                             "of the Seismological Society of America 53 (1963) 403-417.")},
+      {"kharaz2001", unseen("A. H. Kharaz, D. A. Gorham, A. D. Salman: An experimental study of the elastic rebound of "
+                            "spheres. Powder Technology 120 (2001) 281-291.")},
+      {"kovacic2011", unseen("I. Kovacic, M. J. Brennan (eds.): The Duffing Equation: Nonlinear Oscillators and their "
+                             "Behaviour. Wiley, 2011.")},
       {"lammps",
        "LAMMPS, unittest/granular/README.md and test_analytic_models.cpp, https://github.com/lammps/lammps, "
        "revisions 0e2cc2a and 10e220f. Only the definitions were read."},
@@ -53,6 +91,9 @@ std::vector<Reference> all_references() {
        "CDOT-CSM-R-93-20, Colorado School of Mines for the Colorado Department of Transportation, April 1993, 79 "
        "pages; "
        "here \"the 1993 report\"."},
+      {"okabe2008", unseen("M. Okabe, K. Ito: Color Universal Design: how to make figures and presentations that are "
+                           "friendly to colorblind people. 2008.")},
+      {"rayleigh1877", unseen("J. W. Strutt, Baron Rayleigh: The Theory of Sound, volume I. Macmillan, 1877.")},
       {"roache2002",
        "P. J. Roache: Code verification by the method of manufactured solutions. Journal of Fluids Engineering 124 "
        "(2002) 4-10."},
@@ -60,18 +101,48 @@ std::vector<Reference> all_references() {
        "T. Schwager, T. Poschel: Coefficient of restitution and linear-dashpot model revisited. Granular Matter 9 "
        "(2007) "
        "465-469."},
+      {"steele1990", unseen("G. L. Steele, J. L. White: How to print floating-point numbers accurately. ACM SIGPLAN "
+                            "Notices 25, no. 6 (1990) 112-126.")},
       {"swope1982",
        "W. C. Swope, H. C. Andersen, P. H. Berens, K. R. Wilson: A computer simulation method for the calculation of "
        "equilibrium constants for the formation of physical clusters of molecules. Journal of Chemical Physics 76 "
        "(1982) "
        "637-649."},
+      {"tsuji1992", unseen("Y. Tsuji, T. Tanaka, T. Ishida: Lagrangian numerical simulation of plug flow of "
+                           "cohesionless particles in a horizontal pipe. Powder Technology 71 (1992) 239-250.")},
       {"verlet1967",
        "L. Verlet: Computer \"experiments\" on classical fluids. I. Thermodynamical properties of Lennard-Jones "
        "molecules. Physical Review 159 (1967) 98-103."},
       {"vyas2025",
        "D. R. Vyas, J. M. Ottino, R. M. Lueptow, P. B. Umbanhowar: Improved velocity-Verlet algorithm for the discrete "
        "element method. Computer Physics Communications 310 (2025) 109524."},
+      {"walton1986",
+       unseen("O. R. Walton, R. L. Braun: Viscosity, granular-temperature, and stress calculations for shearing "
+              "assemblies of inelastic, frictional disks. Journal of Rheology 30 (1986) 949-980.")},
+      {"whittaker1937", unseen("E. T. Whittaker: A Treatise on the Analytical Dynamics of Particles and Rigid Bodies. "
+                               "4th edition, Cambridge University Press, 1937.")},
   };
+}
+
+std::vector<std::string> citations_without_entry(const std::string& text) {
+  const std::regex name_or_year{R"([A-Z][a-z]+|\b(1[5-9]|20)\d\d\b|;)"};
+  const auto references = all_references();
+  std::vector<std::string> names, missing;
+  for (std::sregex_iterator it{text.begin(), text.end(), name_or_year}, end; it != end; ++it) {
+    std::string word = it->str();
+    if (word == ";") {
+      names.clear();
+    } else if (std::isdigit(static_cast<unsigned char>(word.front())) == 0) {
+      word.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(word.front())));
+      names.push_back(word);
+    } else if (std::none_of(references.begin(), references.end(), [&](const Reference& reference) {
+                 return std::any_of(names.begin(), names.end(),
+                                    [&](const std::string& name) { return reference.key == name + word; });
+               })) {
+      missing.push_back((names.empty() ? "" : names.front() + " ") + word);
+    }
+  }
+  return missing;
 }
 
 }  // namespace talus::verification

@@ -14,4 +14,8 @@ struct Reference {
 /// The bibliography of the report, by key.
 [[nodiscard]] std::vector<Reference> all_references();
 
+/// The citations in `text`, author and year, that the bibliography lacks. A year cites the work of one of the names
+/// before it, back to the last semicolon: "Hertz 1882; Tsuji, Tanaka & Ishida, Powder Technol. 71 (1992) 239".
+[[nodiscard]] std::vector<std::string> citations_without_entry(const std::string& text);
+
 }  // namespace talus::verification

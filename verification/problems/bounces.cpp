@@ -36,7 +36,7 @@ the rule of the contact, and parabolas. The reference solves each piece at 50 di
 the attractive contact ends $G(1 + e)/e$ later (in $\omega t$) and at the speed $[e - 2\xi(1+e)G]v_0$; the clamped one
 at $(1 - 2\xi G)e v_0$ and the depth $2\xi e v_0/\omega$. For the height it is the same:
 $$h_1 = e^2 h_0\,\Big[1 - 4\xi\,\frac{1+e}{e}\,G + O(G^2)\Big], \qquad G \sim k^{-1/2}:$$
-the rigid limit $h_k = e^{2k}h_0$ is reached at order 1/2 in the stiffness (Bartz, arXiv 2204.10917, on $e$ with
+the rigid limit $h_k = e^{2k}h_0$ is reached at order 1/2 in the stiffness (Bartz 2022, arXiv 2204.10917, on $e$ with
 weight). Each bounce is slower and loses more: at $\xi = .3$ the disc stays at its third contact, or fourth when
 clamped.
 
@@ -274,7 +274,7 @@ Case bounces() {
                            {"pair.circle.half_plane", {"rms error of the heights"}}},
           .main_checks = {heights + name_of(falls[0]), heights + name_of(falls[2]), heights + name_of(falls[3]),
                           "order of the rigid limit in the stiffness"},
-          .source = "Mustoe & Huttelmaier 1993, Eq. 17; Bartz, arXiv 2204.10917",
+          .source = "Mustoe & Huttelmaier 1993, Eq. 17; Bartz 2022, arXiv 2204.10917",
           .page = page,
           .faults = {{"dashpot_halved", "half the dashpot", heights + name_of(falls[2])},
                      {"other_end_rule", "the contact ends by the other rule", heights + name_of(falls[3])},

@@ -44,7 +44,8 @@ once; the frequency of one is the phase of its $q + i\,v/(\omega\cos(\Omega h/2)
 | amplitude | of each mode, along; across | .03; $10^{-7}$ |
 | $h$ | steps, over the limit $2/\omega_8$ | .25, .5, .9, .999; 1.02 |
 
-**Source.** Textbook mechanics (Rayleigh, Theory of Sound I, chapter VI); numerical frequency derived in the reference.
+**Source.** Textbook mechanics (Rayleigh 1877, The Theory of Sound I, chapter VI); numerical frequency derived in the
+reference.
 
 **What would break it.** A cable whose far end pulls by another bit than its near end; a tension from the total
 length; a force across that follows $k$ instead of $T_0/L$; a kick at the wrong time.
@@ -284,7 +285,7 @@ Case stretched_chain() {
                            {"law.tension_only", {"frequencies along"}},
                            {"integrator.velocity_verlet", {"frequencies along", "displacements of all modes"}}},
           .main_checks = {along, across, growth},
-          .source = "Rayleigh, Theory of Sound I, chapter VI",
+          .source = "Rayleigh 1877, The Theory of Sound I, chapter VI",
           .page = page,
           .faults = {{"third_mass_heavier", "one mass heavier by 1e-9", along},
                      {"first_cable_softer", "one cable softer by 1e-9", along},

@@ -252,6 +252,9 @@ BOOST_AUTO_TEST_CASE(a_case_that_is_not_well_formed_fails_without_being_run) {
   };
   refuse([](Case& c) { c.faults.clear(); }, "plants no fault");
   refuse([](Case& c) { c.source.clear(); }, "cites no source");
+  refuse([](Case& c) { c.source = "Nobody & Noone 1993"; }, "no entry for 'nobody 1993'");
+  refuse([](Case& c) { c.page = "**Source.** Nobody, J. None 9 (1993) 1.\n\nElse 1994."; },
+         "no entry for 'nobody 1993'");
   refuse([](Case& c) { c.requirements = {{"Eq. 99", {"value"}}}; }, "'Eq. 99' is in no closed list");
   refuse([](Case& c) { c.requirements.clear(); }, "names no requirement");
   refuse([](Case& c) { c.requirements = {{"Eq. 14", {}}}; }, "names no check for requirement 'Eq. 14'");

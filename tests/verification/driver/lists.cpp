@@ -81,6 +81,17 @@ BOOST_AUTO_TEST_CASE(errata_and_references_are_whole) {
     BOOST_TEST(ids.insert(reference.key).second, reference.key);
 }
 
+BOOST_AUTO_TEST_CASE(what_is_cited_has_an_entry) {
+  BOOST_TEST(
+      citations_without_entry("Hertz, J. reine angew. Math. 92 (1882) 156; Tsuji, Tanaka & Ishida, Powder "
+                              "Technol. 71 (1992) 239; Walton & Braun 1986, Eq. 1; derived here; arXiv 2204.10917")
+          .empty());
+  const auto missing = citations_without_entry("Hertz 1882; Nobody & Noone 1993, section 5; of 1882");
+  BOOST_TEST_REQUIRE(missing.size() == 2u);  // a name before a semicolon lends itself to no year after it
+  BOOST_TEST(missing[0] == "nobody 1993");
+  BOOST_TEST(missing[1] == "1882");
+}
+
 // The numbers that the errata print, from the data of validation problem 2 (pivoted cylinder).
 BOOST_AUTO_TEST_CASE(the_numbers_of_the_errata_are_right) {
   const double m = 14.92, l = 8.0, i_g = 85.42, M = 37.23, e = 0.5, v0 = 5.0;
