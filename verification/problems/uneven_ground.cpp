@@ -1,0 +1,265 @@
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "solver/model/model_builder.hpp"
+#include "solver/run/energy_ledger.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/scene.hpp"
+#include "verification/check/case.hpp"
+#include "verification/check/convergence.hpp"
+
+namespace talus::verification::problems {
+
+Case uneven_ground();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Ground is a line of points. Where it is straight it must be a plane; over a crest a disc must roll without
+losing energy; in a notch it must stay on the axis of symmetry.
+
+```
+    ( )-->                       \    ( )    /
+  --------.  crest                 \       /   notch
+            `-.                      \   /
+                `-.                    v
+```
+
+**Equations.** *Straight.* Points on the body's $x$ axis make the half-plane $y < 0$: the same numbers in the same
+order, so the same bits, with friction and a dashpot, across joints of pieces, at any angle of the body.
+
+*Crest.* A disc that rolls without slip over a crest from level ground down a slope $\alpha$ turns about the crest while
+$v^2 < gr\cos\alpha$. At $s$ down the slope its centre is $r(1 - \cos\alpha) + s\sin\alpha$ lower, hence
+$$v^2 = v_0^2 + \tfrac43 g\,[r(1 - \cos\alpha) + s\sin\alpha].$$
+The overlap $\delta = mg/k$ makes heights and the rolling radius differ by as much, and the speed by at most
+$\delta\,(\frac23 g/v + v/6r)$. The normal turns steadily on the crest, so the spring of friction takes up its load without
+swinging. No energy is lost: the ledger must close.
+
+*Notch.* A body touches the ground where that is nearest: in a notch at one side at a time. On the axis the sides take
+turns, step by step, each pushing with $k\delta$ along its normal. Upwards both push alike: $k\delta\cos\alpha = mg$, with a
+dashpot up to an error of order one in the step. Across, the force turns each time the axis is crossed; the disc keeps a
+trembling of a few $g\tan\alpha\,h$ about it. **Two** bodies of ground, one a side, push at once, without trembling:
+$2k\delta\cos\alpha = mg$.
+
+**Source.** Textbook mechanics, derived here.
+
+| symbol | meaning | value |
+|:--|:-----|:------|
+| $r$, $m$, $g$ | disc | 1/2, 2, 10 |
+| $\tan\alpha$ | slope of crest and notch | 3/4 |
+| $k = k_s$, $\mu$ | crest | $2\cdot10^6$, 5 |
+| $v_0$, $s$ | crest | 1/2, 0 to 1/4 |
+| $k$, $\xi$, $h$ | notch | 2000, 1/2, 1/1024 ... 1/16384 |
+
+**What would break it.** A normal that is not that of the nearest piece; a corner that is taken for a piece, or left
+out; end pieces that stop; the sign of the side beside a corner.
+)";
+
+constexpr double radius = 0.5, mass = 2.0, gravity = 10.0;
+constexpr double sine = 0.6, cosine = 0.8, tangent = 0.75;
+
+/// A disc on fixed ground; contact 0 between them.
+Scene disc_on(const std::vector<Body>& ground, Vec2 place, const LinearSpringDashpot& law,
+              const CoulombFriction& friction, Mobility mobility, double inertia) {
+  ModelBuilder builder;
+  builder.gravity({0.0, -gravity});
+  const BodyId disc = builder.add(Body{.name = "disc",
+                                       .mobility = mobility,
+                                       .mass = mass,
+                                       .inertia = mobility == Mobility::free ? inertia : 0.0,
+                                       .shape = Circle{radius},
+                                       .p_WB = place});
+  for (const Body& body : ground) {
+    const BodyId below = builder.add(body);
+    builder.add(Contact{.name = "on_" + body.name, .a = disc, .b = below, .law = law, .friction = friction});
+  }
+  Scene scene{.title = "Disc on uneven ground", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  return scene;
+}
+
+Body fixed_body(const Shape& shape, double angle = 0.0) {
+  return {.name = "ground", .mobility = Mobility::fixed, .shape = shape, .angle = angle};
+}
+
+constexpr double disc_inertia = 0.5 * mass * radius * radius;
+
+State run(const Scene& scene, double step, double end, Findings& findings) {
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, false};
+  State state = scene.initial;
+  Integrator verlet = VelocityVerlet{};
+  const Outcome outcome = simulate(system, verlet, state, {step, end, 1e9, false});
+  if (!outcome) state.v[0] = std::nan("");
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  return state;
+}
+
+/// Bounces, slips and rolls down a slope, three pieces long.
+void check_straight(Findings& findings, const Setup& setup) {
+  const double lift = setup.has("bent_ground") ? 1e-12 : 0.0;
+  const Terrain straight{{{-0.3, 0.0}, {0.4, 0.0}, {1.1, lift}, {1.6, 2.0 * lift}}};
+  int differ = 0, compared = 0;
+  for (const double angle : {-0.3, -0.6, -1.0}) {
+    std::array<State, 2> ends;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Shape shape = i == 0 ? Shape{HalfPlane{}} : Shape{straight};
+      Scene scene = disc_on({fixed_body(shape, angle)}, {0.0, 0.9}, {2e4, 20.0, EndRule::clamped}, {0.3, 1e4},
+                            Mobility::free, disc_inertia);
+      ends[i] = run(scene, 1.0 / 8192.0, 1.0, findings);
+    }
+    const auto compare = [&](const std::vector<double>& one, const std::vector<double>& other) {
+      for (std::size_t i = 0; i < one.size(); ++i) {
+        ++compared;
+        if (one[i] != other[i]) ++differ;
+      }
+    };
+    compare(ends[0].q, ends[1].q);
+    compare(ends[0].v, ends[1].v);
+    compare(ends[0].z, ends[1].z);
+  }
+  findings.expect("numbers that differ between straight terrain and a half-plane", differ, 0.0,
+                  Tolerance::exact("the height over a piece along the body's x axis is the body's y, and its normal "
+                                   "(0, 1), without rounding"));
+  findings.expect("numbers compared", compared, 21.0,
+                  Tolerance::exact("three runs of 3 places, 3 speeds and a stretch"));
+}
+
+/// Rolls over a crest; returns the speed down the slope.
+void check_crest(Findings& findings, const Setup& setup) {
+  const double stiffness = 1e6 * mass, overlap = mass * gravity / stiffness, start_speed = 0.5;
+  const double drop = setup.has("slope_too_flat") ? 0.745 : tangent;
+  const Terrain crest{{{-1.0, 0.0}, {0.0, 0.0}, {1.0, -drop}}};
+  Scene scene = disc_on({fixed_body(crest)}, {-0.2, radius - overlap}, {stiffness, 0.0}, {5.0, stiffness},
+                        Mobility::free, disc_inertia);
+  scene.initial.v = {start_speed, 0.0, -start_speed / (radius - 0.5 * overlap)};
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, false};
+  State state = scene.initial;
+  std::optional<EnergyLedger> ledger;
+  Series speed{"solver", {}, {}, Style::points}, exact{"rigid", {}, {}, Style::lines};
+  double worst = std::nan(""), closure = 0.0;  // not a number: the crest was not reached
+  const Observer observer = [&](const State& seen, const StepInfo&) {
+    if (!ledger) ledger.emplace(dynamics, seen);  // of the first state with its modes settled: the disc is pressed
+    closure = std::max(closure, std::abs(ledger->accounts(seen).energy_closure));
+    const double s = cosine * seen.q[0] - sine * seen.q[1];
+    if (s < 0.0) return;
+    const double v = cosine * seen.v[0] - sine * seen.v[1];
+    const double fallen = radius * (1.0 - cosine) + s * sine;
+    const double rigid = std::sqrt(start_speed * start_speed + 4.0 / 3.0 * gravity * fallen);
+    if (!(std::abs(v - rigid) <= std::abs(worst))) worst = v - rigid;
+    if (!speed.x.empty() && s - speed.x.back() < 0.04) return;
+    speed.x.push_back(s);
+    speed.y.push_back(v);
+    exact.x.push_back(s);
+    exact.y.push_back(rigid);
+  };
+  Integrator verlet = VelocityVerlet{};
+  const double step = 4e-5;
+  if (!simulate(system, verlet, state, {step, 1.0, 1e9, true}, {&observer, 1})) worst = std::nan("");
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  const double first = std::sqrt(start_speed * start_speed + 4.0 / 3.0 * gravity * radius * (1.0 - cosine));
+  findings.expect("speed down the slope beyond a crest, largest error", worst, 0.0,
+                  Tolerance::model(overlap * (2.0 / 3.0 * gravity / first + 2.0 / (6.0 * radius)),
+                                   "the overlap changes heights and the rolling radius by its own length at most: "
+                                   "2 g d/(3 v), most where the disc is slowest, and v d/(6 r), v up to 2"),
+                  "m/s");
+  findings.expect(
+      "energy over the crest, largest closure of the ledger", closure, 0.0,
+      Tolerance::truncation(4.6 * step * step, 2.0,
+                            "leapfrog keeps H + h^2 (v V'' v/12 - F^2/(24 m)), whose second part changes by "
+                            "some J/s^2 with the forces of 20 N; measured: 4.6 h^2 at steps from 2e-5 to 4e-5"),
+      "J");
+  if (setup.coarse || exact.x.empty()) return;
+  findings.figure({.name = "crest",
+                   .title = "Over a crest",
+                   .caption = "Speed of the disc's centre along the slope against the way from the crest.",
+                   .x = {.label = "way down the slope", .unit = "m"},
+                   .y = {.label = "speed", .unit = "m/s"},
+                   .series = {exact, speed}});
+}
+
+/// Falls into a notch, or between two slopes of their own, and comes to rest.
+State rest_in_notch(bool two, const Setup& setup, double step, Findings& findings) {
+  const double stiffness = 2000.0, low = setup.has("lopsided_notch") ? 0.7 : tangent;
+  const std::vector<Body> notch{fixed_body(Terrain{{{-4.0, 3.0}, {0.0, 0.0}, {4.0, 4.0 * low}}})};
+  Body left = fixed_body(Terrain{{{-4.0, 3.0}, {4.0, -3.0}}}), right = fixed_body(Terrain{{{-4.0, -3.0}, {4.0, 3.0}}});
+  left.name = "left";
+  right.name = "right";
+  const Scene scene =
+      disc_on(two ? std::vector<Body>{left, right} : notch, {0.0, radius / cosine + 0.02},
+              {stiffness, 2.0 * 0.5 * std::sqrt(stiffness * mass)}, {0.0, stiffness}, Mobility::particle, 0.0);
+  return run(scene, step, 4.0, findings);
+}
+
+void check_notch(Findings& findings, const Setup& setup) {
+  const double stiffness = 2000.0, step = 1.0 / 1024.0;
+  const auto depth = [](const State& end) { return radius - cosine * end.q[1]; };
+  const State one = rest_in_notch(false, setup, step, findings), two = rest_in_notch(true, setup, step, findings);
+  const double slowest = 3.0 * gravity * tangent * step;
+  findings.expect(
+      "place across the notch", one.q[0], 0.0,
+      Tolerance::truncation(slowest * slowest / (2.0 * gravity * tangent), 2.0,
+                            "measured: the disc trembles with about three times g tan a h, at all steps from "
+                            "1/1024 to 1/16384; the way that the sides need to turn that speed"),
+      "m");
+  findings.expect("overlap in the notch, over m g/(k cos a)", depth(one) * stiffness * cosine / (mass * gravity), 1.0,
+                  Tolerance::truncation(6.0 * step, 2.0, "measured: six times the step, by the dashpot's lag"));
+  Convergence overlaps;
+  for (const double count : {2048.0, 4096.0, 8192.0, 16384.0}) {
+    const double rest = depth(rest_in_notch(false, setup, 1.0 / count, findings));
+    overlaps.add(1.0 / count, std::abs(rest * stiffness * cosine / (mass * gravity) - 1.0));
+  }
+  findings.expect_order(
+      "order of the overlap in the notch", overlaps, 0.9, 1.1,
+      "the dashpot takes the velocity of a force that turns with each step: order one; the phase of the "
+      "trembling at the end leaves a tenth");
+  findings.expect("overlap between two slopes, over m g/(2 k cos a)",
+                  depth(two) * 2.0 * stiffness * cosine / (mass * gravity), 1.0,
+                  Tolerance::round_off(3e-13,
+                                       "a disc stays where it goes less than half a unit of its place, 5.5e-17, in a "
+                                       "step: short of rest by c/k times that over the step, 1.8e-15, "
+                                       "over an overlap of .006"));
+  findings.expect(
+      "place across between two slopes", two.q[0], 0.0,
+      Tolerance::round_off(1e-15, "both sides push by the same numbers but for the last place of their normals"), "m");
+}
+
+void run_all(Findings& findings, const Setup& setup) {
+  check_straight(findings, setup);
+  check_crest(findings, setup);
+  check_notch(findings, setup);
+}
+
+}  // namespace
+
+Case uneven_ground() {
+  return {
+      .id = "uneven_ground",
+      .title = "Straight ground, a crest and a notch",
+      .family = "E: outlines in contact",
+      .requirements = {{"shape.terrain", {"terrain", "crest", "notch"}},
+                       {"shape.circle", {"terrain", "crest", "notch"}},
+                       {"pair.circle.terrain", {"terrain", "crest", "notch", "two slopes"}},
+                       {"C2", {"crest"}},
+                       {"law.linear_spring_dashpot", {"terrain", "notch"}},
+                       {"mechanism.friction", {"closure of the ledger"}}},
+      .main_checks = {"numbers that differ between straight terrain and a half-plane",
+                      "speed down the slope beyond a crest, largest error",
+                      "energy over the crest, largest closure of the ledger", "place across the notch",
+                      "overlap in the notch, over m g/(k cos a)", "overlap between two slopes, over m g/(2 k cos a)"},
+      .source = "Textbook mechanics, derived here",
+      .page = page,
+      .faults = {{"bent_ground", "ground that bends by 1e-12 at its joints",
+                  "numbers that differ between straight terrain and a half-plane"},
+                 {"slope_too_flat", "a slope beyond the crest flatter by .7 %",
+                  "speed down the slope beyond a crest, largest error"},
+                 {"lopsided_notch", "one side of the notch flatter", "place across the notch"}},
+      .tier = Tier::quick,
+      .time_limit = 60.0,
+      .run = run_all};
+}
+
+}  // namespace talus::verification::problems
