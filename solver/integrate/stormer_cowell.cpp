@@ -15,7 +15,7 @@ namespace talus {
 namespace {
 
 constexpr std::size_t most_terms = 12;
-/// Events in a row without time between after which the motion is said not to go on.
+/// Events in a row with hardly any time between after which the motion is said not to go on.
 constexpr long crowd_limit = 1000;
 
 /// How much longer than the last a step may be: the first few feel their way, high orders bear little.
@@ -54,14 +54,20 @@ void StormerCowellSteps::begin_piece(EventfulSystem& system, double interval) {
   flatten(found_);
   rates_.begin(end_.t, new_);
   order_ = 1;
-  step_ = step_ > 0.0 ? 0.25 * step_ : interval;
+  if (usual_ == 0.0) usual_ = interval;
+  step_ = 0.25 * usual_;
   earlier_.clear();
   if (system.guards) {
     system.guards(end_, true, guards_);
     dormant_.resize(guards_.size());
-    std::transform(guards_.begin(), guards_.end(), dormant_.begin(), [](double g) { return g > 0.0 ? 0.0 : 1.0; });
+    bool in_doubt = false;
+    for (std::size_t i = 0; i < guards_.size(); ++i) {
+      const bool lasted = dormant_[i] != 0.0 && begin_.mode[i] == end_.mode[i];
+      dormant_[i] = guards_[i] > 0.0 ? 0.0 : lasted ? 2.0 : 1.0;
+      in_doubt = in_doubt || dormant_[i] == 1.0;
+    }
     // Of a mode that began at its very end only the first step tells whether it lasts.
-    if (std::find(dormant_.begin(), dormant_.end(), 1.0) != dormant_.end()) step_ *= 1e-4;
+    if (in_doubt) step_ *= 1e-4;
   }
   fresh_ = false;
 }
@@ -218,7 +224,9 @@ void StormerCowellSteps::choose_next(double h, double error) {
       if (higher > best) best = higher, ++order_;
     }
   }
-  step_ = h * std::clamp(best, 0.3, largest_growth(used_));
+  const double most = largest_growth(used_);
+  step_ = h * std::clamp(best, 0.3, most);
+  usual_ = best < most ? step_ : std::max(usual_, step_);
 }
 
 /// Ends the step at its first event, if there is one. The prediction is off by less than a thousandth of a guard's way
@@ -232,7 +240,7 @@ void StormerCowellSteps::find_event(EventfulSystem& system) {
     if (dormant_[i] == 0.0) {
       near = near || may_have_ended(i);
     } else {
-      worse = worse || guards_[i] < before_[i];
+      worse = worse || (dormant_[i] == 1.0 && guards_[i] < before_[i]);
     }
   }
   std::optional<double> last = near ? std::optional{end_.t} : dip();
@@ -278,22 +286,25 @@ std::optional<double> StormerCowellSteps::dip() const {
     const double slope = to - curvature * b;  // at the beginning of the step
     const double s = -0.5 * slope / curvature;
     if (!(s > 0.0 && s < b)) continue;
-    const double value = before_[i] + 0.5 * slope * s;
-    if (value > 0.1 * std::min(before_[i], guards_[i]) || value >= least) continue;
-    least = value;
+    const double share = 1.0 + 0.5 * slope * s / before_[i];
+    if (share > 0.1 * std::min(1.0, guards_[i] / before_[i]) || share >= least) continue;
+    least = share;
     found = begin_.t + s;
   }
   return found;
 }
 
-/// The least guard of those that are not past their end since the piece began, at a time in the last step.
+/// The least guard of those that are not past their end since the piece began, at a time in the last step; each as a
+/// share of what it was at the beginning of the step, so that no unit decides which is the least.
 double StormerCowellSteps::least_guard(EventfulSystem& system, double t) {
   state_at(t, looked_at_);
   looked_at_.mode = begin_.mode;
   system.guards(looked_at_, false, looked_);
   double least = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < looked_.size(); ++i) {
-    if (dormant_[i] == 0.0) least = std::min(least, looked_[i]);
+    if (dormant_[i] != 0.0) continue;
+    const bool measured = before_[i] > 0.0 && std::isfinite(before_[i]);
+    least = std::min(least, measured ? looked_[i] / before_[i] : looked_[i] > 0.0 ? 1.0 : -1.0);
   }
   return least;
 }
@@ -302,19 +313,21 @@ double StormerCowellSteps::least_guard(EventfulSystem& system, double t) {
 void StormerCowellSteps::cut(EventfulSystem& system, double t) {
   state_at(t, looked_at_);
   std::swap(end_, looked_at_);
-  // More than once: what slides is brought to its limit first, and then seen to stick.
-  for (int pass = 0; pass < 4; ++pass) {
-    const std::vector<Mode> modes = end_.mode;
-    const std::vector<double> memory = end_.z;
-    system.settle(end_);
-    if (end_.mode == modes && end_.z == memory) break;
-  }
+  const std::vector<Mode> modes = end_.mode;
+  system.settle(end_);
+  // What slid is at first brought to its limit, and only then seen to stick.
+  system.guards(end_, false, looked_);
+  bool lasts = true;
+  for (std::size_t i = 0; i < looked_.size(); ++i)
+    lasts = lasts && (looked_[i] > 0.0 || dormant_[i] != 0.0 || end_.mode[i] != modes[i]);
+  if (!lasts) system.settle(end_);
   ++events_;
-  crowd_ = t - event_time_ <= 1e-15 * std::abs(t) ? crowd_ + 1 : 0;
+  crowd_ = t - event_time_ <= 1e-3 * usual_ ? crowd_ + 1 : 0;
   event_time_ = t;
   fresh_ = true;
   if (crowd_ == crowd_limit)
-    failure_ = fmt::format("{} events follow each other without time between them at t = {:.6g}", crowd_limit, t);
+    failure_ =
+        fmt::format("{} events follow each other with hardly any time between them at t = {:.6g}", crowd_limit, t);
 }
 
 void StormerCowellSteps::remember(Memory& memory) {
@@ -335,6 +348,7 @@ void StormerCowellSteps::remember(Memory& memory) {
   count("order", order_);
   count("used", used_);
   memory.number("step", step_);
+  memory.number("usual_step", usual_);
   memory.number("way", way_);
   memory.number("speed", speed_);
   memory.numbers("start", start_);

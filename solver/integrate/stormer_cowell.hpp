@@ -84,6 +84,7 @@ class StormerCowellSteps {
   std::size_t order_{1};      ///< terms that predict the next step
   std::size_t used_{1};       ///< and the last
   double step_{};             ///< length of the next step [T]
+  double usual_{};            ///< the last that was not held short by an event [T]
   double tolerance_{};
   double way_{};                 ///< longest way of a coordinate so far [L]
   double speed_{};               ///< largest speed so far [L/T]
@@ -91,10 +92,11 @@ class StormerCowellSteps {
   std::vector<double> guards_;   ///< at the end of the last step
   std::vector<double> earlier_;  ///< at the beginning of the last step; empty in the first of a piece
   double earlier_time_{};        ///< and when that was
-  std::vector<double> dormant_;  ///< 1 for guards that are past their end since their piece began
+  std::vector<double> dormant_;  ///< of guards that are past their end since the piece began: 1, or 2 where the mode
+                                 ///< was seen to last all the same (a slider whose limit falls)
   double event_time_{};          ///< of the last event
   long events_{};
-  long crowd_{};  ///< events in a row with no time between
+  long crowd_{};  ///< events in a row with hardly any time between
   std::string failure_;
 
   // Scratch of a step.

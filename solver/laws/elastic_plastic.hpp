@@ -80,8 +80,11 @@ struct ElasticPlastic {
   constexpr double guard(Kinematics x, std::span<const double> memory, Mode mode) const {
     const double elastic = x.extent - memory[0];
     if (mode == slack) return -elastic;
-    if (mode == taut) return std::min(elastic, limit(memory[0]) - stiffness * elastic);
-    if (mode == yielding) return std::min({x.extent_rate, rupture - memory[0], strength - yield_force(memory[0])});
+    if (mode == taut) return std::min(elastic, limit(memory[0]) / stiffness - elastic);
+    if (mode == yielding) {
+      const double left = std::min(rupture - memory[0], (strength - yield_force(memory[0])) / stiffness);
+      return left > 0.0 ? x.extent_rate : left;
+    }
     return 1.0;
   }
 

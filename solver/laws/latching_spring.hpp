@@ -60,10 +60,10 @@ struct LatchingSpring {
 
   constexpr double guard(Kinematics x, std::span<const double> memory, Mode mode) const {
     if (mode == open) return -x.extent;
-    if (mode == loading) return std::min(x.extent, x.extent_rate);
-    const double force = unloading_force(x.extent, memory[0]);
-    if (mode == slack) return std::min(x.extent, -force);
-    return std::min(memory[0] - x.extent, force);
+    if (mode == loading) return x.extent > 0.0 ? x.extent_rate : x.extent;
+    const double left = unloading_force(x.extent, memory[0]) / unloading_stiffness;
+    if (mode == slack) return std::min(x.extent, -left);
+    return std::min(memory[0] - x.extent, left);
   }
 
   constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {

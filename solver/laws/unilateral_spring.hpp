@@ -28,8 +28,8 @@ struct Names<EndRule> {
 ///
 ///   open      guard -s             -> acting, unless the gap is just opening
 ///   acting    guard s              (attractive)  -> open
-///             guard min(s, F)      (clamped)     -> released where s > 0, else open
-///   released  guard min(s, -F)     (clamped)     -> acting where the force would push again, else open
+///             guard min(s, F/k)    (clamped)     -> released where s > 0, else open
+///   released  guard min(s, -F/k)   (clamped)     -> acting where the force would push again, else open
 ///
 /// In `released` the surfaces still overlap but the dashpot holds the spring back: what the spring stores there is lost
 /// to the bodies, so the change into it counts s^2 k/2 as released, and the change back counts it in again.
@@ -52,7 +52,7 @@ struct UnilateralSpring {
   constexpr double guard(Kinematics x, Mode mode) const {
     if (mode == open) return -x.extent;
     if (end_rule == EndRule::attractive) return x.extent;
-    return std::min(x.extent, mode == acting ? pull(x) : -pull(x));
+    return std::min(x.extent, (mode == acting ? pull(x) : -pull(x)) / stiffness);
   }
 
   /// Its straight line: open, or acting without a dashpot.

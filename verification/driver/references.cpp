@@ -29,7 +29,8 @@ std::vector<Reference> all_references() {
       {"barr1981", unseen("A. H. Barr: Superquadrics and angle-preserving transformations. IEEE Computer Graphics and "
                           "Applications 1 (1981) 11-23.")},
       {"bartz2022",
-       "S. P. Bartz: Coefficient of restitution of a linear dashpot on a rigid surface. arXiv 2204.10917 (2022). Only the "
+       "S. P. Bartz: Coefficient of restitution of a linear dashpot on a rigid surface. arXiv 2204.10917 (2022). Only "
+       "the "
        "abstract and introduction were read; the equations are derived here."},
       {"bulirsch1966",
        "R. Bulirsch, J. Stoer: Numerical treatment of ordinary differential equations by extrapolation methods. "
