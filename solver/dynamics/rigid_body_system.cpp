@@ -38,6 +38,7 @@ void RigidBodySystem::settle(State& state) {
 
 void RigidBodySystem::guards(const State& state, bool same, std::vector<double>& out) {
   if (!same) dynamics_->update(state, work_);
+  dynamics_->update_far(work_);
   out.resize(state.mode.size());
   dynamics_->guards(state, work_, out);
 }

@@ -41,6 +41,9 @@ std::vector<Reference> all_references() {
       {"chen1998",
        unseen("T. Y. Chen, S. C. Cheung, S. M. Yiu: Metamorphic testing: a new approach for generating next test "
               "cases. Technical Report HKUST-CS98-01, Hong Kong University of Science and Technology, 1998.")},
+      {"cowell1910",
+       unseen("P. H. Cowell, A. C. D. Crommelin: Investigation of the motion of Halley's comet from 1759 to 1910. "
+              "Greenwich Observations for 1909, Appendix, Edinburgh, 1910.")},
       {"chung2011",
        "Y. C. Chung, J. Y. Ooi: Benchmark tests for verifying discrete element modelling codes at particle impact "
        "level. Granular Matter 13 (2011) 643-656. The paper itself was not at hand: its eight tests are given here as "
@@ -78,6 +81,9 @@ std::vector<Reference> all_references() {
                              "of the Seismological Society of America 53 (1963) 403-417.")},
       {"kharaz2001", unseen("A. H. Kharaz, D. A. Gorham, A. D. Salman: An experimental study of the elastic rebound of "
                             "spheres. Powder Technology 120 (2001) 281-291.")},
+      {"krogh1974",
+       unseen("F. T. Krogh: Changing stepsize in the integration of differential equations using modified divided "
+              "differences. Lecture Notes in Mathematics 362, Springer, 1974, 22-71.")},
       {"kovacic2011", unseen("I. Kovacic, M. J. Brennan (eds.): The Duffing Equation: Nonlinear Oscillators and their "
                              "Behaviour. Wiley, 2011.")},
       {"lammps",
@@ -102,8 +108,14 @@ std::vector<Reference> all_references() {
        "T. Schwager, T. Poschel: Coefficient of restitution and linear-dashpot model revisited. Granular Matter 9 "
        "(2007) "
        "465-469."},
+      {"shampine1975",
+       unseen("L. F. Shampine, M. K. Gordon: Computer Solution of Ordinary Differential Equations: The Initial "
+              "Value Problem. Freeman, San Francisco, 1975.")},
       {"steele1990", unseen("G. L. Steele, J. L. White: How to print floating-point numbers accurately. ACM SIGPLAN "
                             "Notices 25, no. 6 (1990) 112-126.")},
+      {"stoermer1907",
+       unseen("C. Stoermer: Sur les trajectoires des corpuscules electrises. Archives des sciences physiques et "
+              "naturelles 24 (1907) 5-18, 113-158, 221-247.")},
       {"swope1982",
        "W. C. Swope, H. C. Andersen, P. H. Berens, K. R. Wilson: A computer simulation method for the calculation of "
        "equilibrium constants for the formation of physical clusters of molecules. Journal of Chemical Physics 76 "

@@ -118,7 +118,8 @@ constexpr std::array problems{
 };
 
 constexpr std::array families{"A: motion and bodies",   "B: normal contact", "C: friction and rotation", "D: cables",
-                              "E: outlines in contact", "F: many bodies",    "founding problems",        "the fence"};
+                              "E: outlines in contact", "F: many bodies",    "founding problems",        "the fence",
+                              "speed and accuracy"};
 
 /// Is it the id of a problem of the catalogue: a letter and a number?
 bool is_problem(const std::string& id) {

@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(families_orders_and_peers_are_told) {
   Results results = one_case();
   const auto json = nlohmann::json::parse(text_of(results));
   BOOST_TEST(json.at("cases").at(0).at("family") == "founding problems");
-  BOOST_TEST(json.at("families").back() == "the fence");
+  BOOST_TEST(json.at("families").back() == "speed and accuracy");
   for (const auto& requirement : json.at("requirements"))
     if (requirement.at("id") == "integrator.velocity_verlet") BOOST_TEST(requirement.at("order") == 2);
   for (const auto& peer : json.at("peers"))

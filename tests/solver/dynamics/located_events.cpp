@@ -1,0 +1,165 @@
+/// Events that a method locates (solver/integrate/stormer_cowell.hpp), where they are most easily lost: at the ends of
+/// steps, at the same time, grazing, without end.
+#define BOOST_TEST_MODULE located_events
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <vector>
+
+#include "solver/model/model_builder.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/scene.hpp"
+
+using namespace talus;
+
+namespace {
+
+constexpr double stiffness = 1e4;
+
+/// Discs of mass and radius 1 above the ground, side by side, each with its gap and upward speed; gravity 2.
+Model discs(const std::vector<double>& gaps, double damping = 0.0, double gravity = 2.0) {
+  ModelBuilder builder;
+  builder.gravity({0.0, -gravity});
+  const BodyId ground = builder.add(Body{.name = "ground", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    const BodyId disc = builder.add(Body{.name = "disc" + std::to_string(i),
+                                         .mobility = Mobility::particle,
+                                         .mass = 1.0,
+                                         .shape = Circle{1.0},
+                                         .p_WB = {10.0 * static_cast<double>(i), 1.0 + gaps[i]}});
+    builder.add(Contact{.name = "contact" + std::to_string(i),
+                        .a = ground,
+                        .b = disc,
+                        .law = LinearSpringDashpot{stiffness, damping, EndRule::clamped}});
+  }
+  return builder.build();
+}
+
+struct Ran {
+  State state;
+  long events{};
+  long evaluations{};
+  Outcome outcome;
+};
+
+Ran run(const Model& model, double end, long steps, double tolerance, std::vector<double> speeds = {}) {
+  const Dynamics dynamics{model};
+  RigidBodySystem system{dynamics, false};
+  State state = rest_state(model);
+  for (std::size_t i = 0; i < speeds.size(); ++i)
+    set_velocity(model, state, static_cast<BodyId>(i + 1), {0.0, speeds[i]}, 0.0);
+  Integrator method = make_integrator("stormer_cowell", tolerance);
+  const double step = end / static_cast<double>(steps);
+  const Outcome outcome = simulate(system, method, state, {step, end, step, false});
+  return {state, std::get<StormerCowell>(method).events(), system.evaluations(), outcome};
+}
+
+/// Half the time between touch and end of an undamped contact that is hit with speed v under gravity g: the overlap
+/// y = g/k + A sin(w (t - t0)) ..., half of it (pi/2 + atan(g/(w v)))/w.
+double half_contact(double v, double g) {
+  const double w = std::sqrt(stiffness);
+  return (0.5 * std::acos(-1.0) + std::atan(g / (w * v))) / w;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(an_event_at_the_very_end_of_an_output_step) {
+  // Gap 1 under gravity 2: the touch at t = 1, a multiple of the step; then back to rest at the gap after as long.
+  const double end = 2.0 + 2.0 * half_contact(2.0, 2.0);
+  for (const long steps : {1L, 4L, 64L}) {
+    const Model model = discs({1.0});
+    const Ran all = run(model, 1.0, steps, 1e-12);
+    BOOST_TEST(all.state.q[1] == 1.0, boost::test_tools::tolerance(1e-14));
+    BOOST_TEST(all.state.v[1] == -2.0, boost::test_tools::tolerance(1e-14));
+    const Ran back = run(model, end, steps, 1e-12);
+    BOOST_TEST(back.state.q[1] == 2.0, boost::test_tools::tolerance(1e-11));
+    BOOST_TEST(std::abs(back.state.v[1]) < 1e-9);
+    BOOST_TEST(back.events == 2);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_event_in_the_first_step) {
+  for (const double gap : {0.0, 1e-15, 1e-9}) {
+    const double v = std::sqrt(0.25 + 4.0 * gap), fall = (v - 0.5) / 2.0;
+    const double end = fall + 2.0 * half_contact(v, 2.0) + fall;
+    const Ran found = run(discs({gap}), end, 1, 1e-12, {-0.5});
+    BOOST_TEST(found.state.q[1] == 1.0 + gap, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(found.state.v[1] == 0.5, boost::test_tools::tolerance(1e-10));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(events_at_one_time) {
+  const Ran one = run(discs({0.3}), 3.0, 10, 1e-10);
+  const Ran three = run(discs({0.3, 0.3, 0.3}), 3.0, 10, 1e-10);
+  BOOST_TEST(three.events == one.events);
+  BOOST_TEST(three.evaluations == one.evaluations);
+  for (const std::size_t i : {1, 3, 5})
+    BOOST_TEST(three.state.q[i] == one.state.q[1]);
+}
+
+BOOST_AUTO_TEST_CASE(events_almost_at_one_time) {
+  const Ran apart = run(discs({0.3, 0.3 + 1e-13}), 3.0, 10, 1e-11);
+  BOOST_TEST(apart.state.q[1] == apart.state.q[3], boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(static_cast<bool>(apart.outcome));
+}
+
+BOOST_AUTO_TEST_CASE(grazing) {
+  // Thrown down from a gap of 1 against a pull upwards of 2: turns at the ground exactly, 1e-9 short of it, or within.
+  for (const double beyond : {-1e-9, 0.0, 1e-9, 1e-4}) {
+    const double speed = 2.0 * std::sqrt(1.0 + beyond);
+    const Ran found = run(discs({1.0}, 0.0, -2.0), speed, 3, 1e-12, {-speed});
+    BOOST_TEST(static_cast<bool>(found.outcome));
+    // Free, it would be back at its place with its speed; a touch as deep as `beyond` turns it earlier, by
+    // 2 sqrt(beyond) of speed over 2 of pull at most, and moves it by that times its speed.
+    const double early = 2.0 * std::sqrt(std::max(beyond, 0.0));
+    BOOST_TEST(found.state.q[1] >= 2.0 - 1e-9);
+    BOOST_TEST(found.state.q[1] <= 2.0 + early * speed + 1e-9);
+    if (beyond == 1e-4) BOOST_TEST(found.events == 2);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bounces_to_rest_come_to_an_end) {
+  const double damping = 0.4 * std::sqrt(stiffness);
+  const Ran found = run(discs({0.5}, damping), 30.0, 30, 1e-8);
+  BOOST_TEST(static_cast<bool>(found.outcome));
+  BOOST_TEST(found.state.q[1] == 1.0 - 2.0 / stiffness, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(std::abs(found.state.v[1]) < 1e-6);
+  BOOST_TEST(found.events > 5);
+  BOOST_TEST(found.evaluations < 5000);
+}
+
+BOOST_AUTO_TEST_CASE(a_fast_body_does_not_pass_another_unseen) {
+  ModelBuilder builder;
+  const BodyId post =
+      builder.add(Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{0.1}, .p_WB = {50.0, 0.0}});
+  const BodyId stone =
+      builder.add(Body{.name = "stone", .mobility = Mobility::particle, .mass = 1.0, .shape = Circle{0.1}});
+  builder.add(Contact{.name = "hit", .a = post, .b = stone, .law = LinearSpringDashpot{1e8, 0.0, EndRule::clamped}});
+  const Model model = builder.build();
+  const Dynamics dynamics{model};
+  RigidBodySystem system{dynamics, false};
+  State state = rest_state(model);
+  set_velocity(model, state, stone, {300.0, 0.0}, 0.0);
+  Integrator method = make_integrator("stormer_cowell", 1e-9);
+  BOOST_TEST(static_cast<bool>(simulate(system, method, state, {1.0, 1.0, 1.0, false})));
+  BOOST_TEST(state.v[0] == -300.0, boost::test_tools::tolerance(1e-7));
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_go_on_says_why) {
+  // A force that is not a number from the first overlap on: no step is short enough.
+  ModelBuilder builder;
+  const BodyId disc = builder.add(Body{.name = "disc", .mobility = Mobility::particle, .mass = 1.0});
+  builder.add(Cable{.name = "cable",
+                    .a = {disc, {}},
+                    .b = {std::nullopt, {0.0, 1.0, 0.0}},
+                    .rest_length = 1.0,
+                    .law = TensionOnly{1e300, 1e300}});
+  const Model model = builder.build();
+  const Dynamics dynamics{model};
+  RigidBodySystem system{dynamics, false};
+  State state = rest_state(model);
+  set_velocity(model, state, disc, {0.0, -1e20}, 0.0);
+  Integrator method = make_integrator("stormer_cowell", 1e-9);
+  const Outcome outcome = simulate(system, method, state, {1.0, 1.0, 1.0, false});
+  BOOST_TEST(!static_cast<bool>(outcome));
+  BOOST_TEST(outcome.words.find("t = ") != std::string::npos);
+}
