@@ -278,6 +278,13 @@ void ContactForces::update_all(Workspace& work) const {
   for_each_array(laws_, [&](const auto& array) { update_gaps(array, nullptr, work); });
 }
 
+void ContactForces::update_far(Workspace& work) const {
+  for (char& near : work.near)
+    near = near ? 0 : 1;
+  for_each_array(laws_, [&](const auto& array) { update_gaps(array, nullptr, work); });
+  std::fill(work.near.begin(), work.near.end(), char{1});
+}
+
 void ContactForces::begin(State& state, const Workspace& work) const {
   if (!rough_) return;
   for_each_array(laws_, [&](const auto& array) {

@@ -44,7 +44,7 @@ class Dynamics {
   /// The same with all gaps, however far apart the bodies.
   void update_all(const State& state, Workspace& work) const;
   /// After update(): the gaps of bodies out of reach as well, whose guards are infinite without.
-  void update_far(Workspace& work) const { contacts_.update_all(work); }
+  void update_far(Workspace& work) const { contacts_.update_far(work); }
   /// Whether some memory follows the motion, as that of friction does.
   bool follows_motion() const { return follows_motion_; }
   /// Rates of that memory alone, to out.z.

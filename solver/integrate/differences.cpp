@@ -14,14 +14,16 @@ void Differences::begin(double t, std::span<const double> rates) {
 void Differences::add(double t, std::span<const double> rates) {
   const std::size_t count = std::min(times_.size() + 1, most);
   table_.resize(count * width_);
-  for (std::size_t c = 0; c < width_; ++c) {
+  above_.assign(rates.begin(), rates.end());
+  double* const above = above_.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    double* const row = &table_[i * width_];
     // d_(i+1) of the new times is the change of d_i over the time from the oldest of the times in it.
-    double above = rates[c];
-    for (std::size_t i = 0; i < count; ++i) {
-      double& place = table_[i * width_ + c];
-      const double before = place;
-      place = above;
-      if (i + 1 < count) above = (above - before) / (t - times_[i]);
+    const double inverse = i + 1 < count ? 1.0 / (t - times_[i]) : 0.0;
+    for (std::size_t c = 0; c < width_; ++c) {
+      const double before = row[c];
+      row[c] = above[c];
+      above[c] = (above[c] - before) * inverse;
     }
   }
   times_.insert(times_.begin(), t);

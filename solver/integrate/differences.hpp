@@ -45,6 +45,7 @@ class Differences {
   std::vector<double> times_;  ///< newest first
   std::vector<double> table_;  ///< d_0, d_1, ..., each of all quantities
   std::size_t width_{};
+  std::vector<double> above_;  ///< scratch: the next row
 };
 
 }  // namespace talus

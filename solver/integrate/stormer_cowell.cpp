@@ -21,6 +21,16 @@ constexpr long crowd_limit = 1000;
 /// How much longer than the last a step may be: the first few feel their way, high orders bear little.
 double largest_growth(std::size_t terms) { return terms == 1 ? 8.0 : terms <= 3 ? 4.0 : terms <= 6 ? 2.0 : 1.3; }
 
+/// e^(-1/n) to a percent, e > 0, by nothing but sums, products and powers of two: the library's power is not the same
+/// on all processors, and this decides the length of steps.
+double inverse_root(double e, std::size_t n) {
+  int exponent = 0;
+  const double m = 2.0 * std::frexp(e, &exponent) - 1.0;  // e = (1 + m) 2^(exponent - 1)
+  const double x = -(exponent - 1.0 + m * (1.346 - 0.346 * m)) / static_cast<double>(n);
+  const double floor = std::floor(x), f = x - floor;
+  return std::ldexp(1.0 + f * (0.6565 + 0.3435 * f), static_cast<int>(floor));
+}
+
 }  // namespace
 
 StormerCowellSteps::StormerCowellSteps(const State& state, double tolerance)
@@ -179,6 +189,9 @@ void StormerCowellSteps::measure(double h) {
 double StormerCowellSteps::error_with(std::size_t terms) const {
   const double once = basis_[terms].once / basis_[terms].value, twice = basis_[terms].twice / basis_[terms].value;
   const std::size_t n = end_.v.size(), m = end_.z.size();
+  // Of a motion that has not begun no error is too small.
+  const double speed_share = std::abs(once) / speed_now_, way_share = std::abs(twice) / way_now_;
+  const double memory_share = std::abs(once) / way_now_;
   // The terms between are missed as well, or no longer.
   const std::size_t low = std::min(terms, used_), high = std::max(terms, used_);
   const double sign = terms < used_ ? 1.0 : -1.0;
@@ -187,29 +200,25 @@ double StormerCowellSteps::error_with(std::size_t terms) const {
     double miss = miss_[c];
     for (std::size_t i = low; i < high; ++i)
       miss += sign * rates_[i][c] * basis_[i].value;
-    const double length = c < n ? lengths_[c] : 1.0;
-    const double of_speed = c < n ? std::abs(length * once * miss) / speed_now_ : 0.0;
-    const double of_way = std::abs(length * (c < n ? twice : once) * miss) / way_now_;
+    miss = std::abs(c < n ? lengths_[c] * miss : miss);
     // Written so that what is not a number is too large.
-    if (!(of_speed <= error)) error = of_speed;
-    if (!(of_way <= error)) error = of_way;
+    if (const double of_speed = c < n ? miss * speed_share : 0.0; !(of_speed <= error)) error = of_speed;
+    if (const double of_way = miss * (c < n ? way_share : memory_share); !(of_way <= error)) error = of_way;
   }
   return speed_now_ > 0.0 || error > 0.0 ? error / tolerance_ : 0.0;
 }
 
 /// The step failed: how long the next attempt may be.
 void StormerCowellSteps::shorten(double h, double error) {
-  const double share = 0.8 * std::pow(error, -1.0 / static_cast<double>(used_ + 1));
-  step_ = h * (std::isfinite(share) ? std::clamp(share, used_ == 1 ? 1e-3 : 0.1, 0.8) : 0.1);
+  const double share = std::isfinite(error) ? 0.8 * inverse_root(error, used_ + 1) : 0.0;
+  step_ = h * std::clamp(share, used_ == 1 ? 1e-3 : 0.1, 0.8);
   if (used_ > 1 && error_with(used_ - 1) < error) order_ = used_ - 1;
 }
 
 /// The step was good: takes over its scales, and chooses the order that allows the longest next step, and that step.
 void StormerCowellSteps::choose_next(double h, double error) {
   speed_ = speed_now_, way_ = way_now_;
-  const auto growth = [](double e, std::size_t terms) {
-    return e > 0.0 ? 0.9 * std::pow(e, -1.0 / static_cast<double>(terms + 1)) : 10.0;
-  };
+  const auto growth = [](double e, std::size_t terms) { return e > 0.0 ? 0.9 * inverse_root(e, terms + 1) : 10.0; };
   double best = growth(error, used_);
   order_ = used_;
   if (used_ > 1) {
@@ -276,13 +285,13 @@ std::optional<double> StormerCowellSteps::dip() const {
   std::optional<double> found;
   if (earlier_.size() != guards_.size()) return found;
   double least = std::numeric_limits<double>::infinity();
-  const double a = begin_.t - earlier_time_, b = end_.t - begin_.t;
+  const double b = end_.t - begin_.t;
+  const double per_a = 1.0 / (begin_.t - earlier_time_), per_b = 1.0 / b, per_both = 1.0 / (end_.t - earlier_time_);
   for (std::size_t i = 0; i < guards_.size(); ++i) {
-    if (dormant_[i] != 0.0 || !std::isfinite(earlier_[i]) || !std::isfinite(before_[i]) || !std::isfinite(guards_[i]))
-      continue;
-    const double from = (before_[i] - earlier_[i]) / a, to = (guards_[i] - before_[i]) / b;
-    const double curvature = (to - from) / (a + b);  // half the second derivative
-    if (!(curvature > 0.0)) continue;
+    // Guards that nothing can end from here are infinite: no comparison holds for what follows from them.
+    const double from = (before_[i] - earlier_[i]) * per_a, to = (guards_[i] - before_[i]) * per_b;
+    const double curvature = (to - from) * per_both;  // half the second derivative
+    if (!(curvature > 0.0) || !std::isfinite(curvature) || dormant_[i] != 0.0) continue;
     const double slope = to - curvature * b;  // at the beginning of the step
     const double s = -0.5 * slope / curvature;
     if (!(s > 0.0 && s < b)) continue;
