@@ -1,7 +1,12 @@
 #include "solver/integrate/differences.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <functional>
+
+#include "solver/base/error.hpp"
 
 namespace talus {
 
@@ -56,6 +61,14 @@ void Differences::remember(Memory& memory, std::size_t width) {
   width_ = width;
   memory.list("times", times_);
   memory.list("differences", table_);
+  if (!memory.puts_back()) return;
+  const bool falling = std::adjacent_find(times_.begin(), times_.end(), std::less_equal{}) == times_.end();
+  if (times_.size() > most || !falling)
+    throw InputError{
+        fmt::format("times: found {} of them; at most {} must be there, the newest first", times_.size(), most)};
+  if (table_.size() != times_.size() * width_)
+    throw InputError{fmt::format("differences: found {} numbers; {} times of {} must be there", table_.size(),
+                                 times_.size(), width_)};
 }
 
 }  // namespace talus

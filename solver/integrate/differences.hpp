@@ -38,7 +38,7 @@ class Differences {
   /// Those of N_0 .. N_(terms - 1); terms <= count() + 1.
   void basis(double t, std::size_t terms, std::span<Basis> out) const;
 
-  /// Names its parts; one that puts back is told its width.
+  /// Names its parts; one that puts back is told its width. Errors when putting back: InputError if they do not fit.
   void remember(Memory& memory, std::size_t width);
 
  private:

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "solver/base/error.hpp"
 #include "solver/state/state_memory.hpp"
 
 namespace talus {
@@ -349,10 +350,13 @@ void StormerCowellSteps::remember(Memory& memory) {
   memory.numbers("miss", miss_);
   memory.number("last_value", last_value_);
   memory.flag("fresh", fresh_);
-  const auto count = [&memory](const char* name, std::size_t& value) {
+  const auto count = [&](const char* name, std::size_t& value) {
     long whole = static_cast<long>(value);
     memory.count(name, whole);
     value = static_cast<std::size_t>(whole);
+    const std::size_t allowed = std::clamp<std::size_t>(rates_.count() + 1, 1, most_terms);
+    if (value < 1 || value > allowed)
+      throw InputError{fmt::format("{}: found {}; it must lie in [1, {}]", name, value, allowed)};
   };
   count("order", order_);
   count("used", used_);
@@ -365,6 +369,9 @@ void StormerCowellSteps::remember(Memory& memory) {
   memory.list("earlier", earlier_);
   memory.number("earlier_time", earlier_time_);
   memory.list("dormant", dormant_);
+  if (guards_.size() != dormant_.size() || (!guards_.empty() && guards_.size() != end_.mode.size()))
+    throw InputError{fmt::format("guards: found {}, of which {} may be dormant; there must be {}", guards_.size(),
+                                 dormant_.size(), end_.mode.size())};
   memory.number("event_time", event_time_);
   memory.count("events", events_);
   memory.count("crowd", crowd_);
