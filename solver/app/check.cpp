@@ -58,6 +58,7 @@ void print_step(const Scene& scene, const StepAdvice& advice) {
   const std::string time = symbol(scene.model.units, dimension::time);
   const double step = scene.plan.step;
   fmt::print("step {:.6g} {} with {}\n", step, time, name(scene.integrator));
+  if (!scene.integrator_why.empty()) fmt::print("  chosen, as {}\n", scene.integrator_why);
   if (advice.modes.empty()) return fmt::print("  no spring limits it\n");
   const std::string per_time = symbol(scene.model.units, dimension::angular_velocity);
   fmt::print("  highest frequency of the whole, all contacts closed and all cables taut: {:.6g} {}, xi {:.4g}\n",
@@ -71,9 +72,9 @@ void print_step(const Scene& scene, const StepAdvice& advice) {
         limit->product, limit->step, time, limit->mode.frequency, per_time, limit->mode.damping_ratio,
         step / limit->step, step > limit->step ? " - TOO LONG" : "");
   } else {
-    fmt::print("  the method has no limit in closed form here; with a tolerance it chooses its own steps\n");
+    fmt::print("  the method has no limit in closed form here; with a tolerance, or exact, it chooses its own steps\n");
   }
-  if (std::isfinite(advice.shortest_contact)) {
+  if (std::isfinite(advice.shortest_contact) && !located_events(scene.integrator)) {
     fmt::print("  shortest contact: {:.6g} {}, {:.4g} steps; one-sided contacts need some 50 for 1 % in restitution\n",
                advice.shortest_contact, time, advice.shortest_contact / step);
   }

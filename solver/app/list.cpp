@@ -11,6 +11,7 @@
 #include "solver/laws/law_list.hpp"
 #include "solver/model/contact.hpp"
 #include "solver/model/model.hpp"
+#include "solver/scenes/scene.hpp"
 
 namespace talus::app {
 namespace {
@@ -63,8 +64,15 @@ void list_integrators() {
     if constexpr (requires { T::has_step_control; }) {
       if (T::has_step_control) control = T::needs_tolerance ? "needs a tolerance" : "fixed step, or a tolerance";
     }
-    fmt::print("  {:<23} order {}   {}\n", T::name, T::order, control);
+    if constexpr (requires { T::needs_closed_form; }) {
+      fmt::print("  {:<23} no error  where motion between events is linear: particles, discs on planes, no cables\n",
+                 T::name);
+    } else {
+      fmt::print("  {:<23} order {}   {}\n", T::name, T::order, control);
+    }
   });
+  fmt::print("  {:<23} {} where it can be, else {} with the tolerance\n", automatic_integrator, Exact::name,
+             StormerCowell::name);
 }
 
 template <class List>

@@ -60,7 +60,11 @@ RunOrder new_order(const RunOptions& options) {
   Scene& scene = order.file.scene;
   const UnitSystem& units = scene.model.units;
   if (!options.end.empty()) scene.plan.end = option_quantity("--end", options.end, dimension::time, units);
-  if (!options.integrator.empty()) scene.integrator = make_integrator(options.integrator, options.tolerance);
+  if (!options.integrator.empty()) {
+    const IntegratorChoice chosen = choose_integrator(scene.model, options.integrator, options.tolerance);
+    scene.integrator = chosen.integrator;
+    scene.integrator_why = chosen.why;
+  }
   if (options.step == "auto") {
     scene.plan.step = automatic_step(scene);
   } else if (!options.step.empty()) {
@@ -99,6 +103,7 @@ RunOrder resumed_order(const RunOptions& options) {
                     file.string(), checkpoint.scene_fnv1a, scene.string(), fnv1a(order.text))};
   }
   order.file = read_scene_file(scene);
+  order.file.scene.integrator_why.clear();
   order.file.scene.integrator = make_integrator(checkpoint.integrator, checkpoint.tolerance);
   order.file.scene.plan.step = checkpoint.step;
   order.file.scene.plan.end = checkpoint.end;

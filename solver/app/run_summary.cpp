@@ -31,7 +31,9 @@ void head(Page& page, const RunRecord& record) {
     page.line("  outcome      {}", record.outcome.words);
   }
   page.line("  integrator   {}, step {:.6g} {}", record.integrator, record.plan.step, time);
-  page.line("  steps        {}, force evaluations {}", record.steps, record.evaluations);
+  if (!record.integrator_why.empty()) page.line("               chosen, as {}", record.integrator_why);
+  const std::string events = record.events ? fmt::format(", events located {}", *record.events) : "";
+  page.line("  steps        {}, force evaluations {}{}", record.steps, record.evaluations, events);
   page.line("  carried      {} bodies, {} degrees of freedom, {} contacts, {} cables, {} law instances",
             record.bodies.size(), record.coordinates, record.contacts, record.cables, record.laws);
 }

@@ -97,6 +97,8 @@ RunRecord SceneRun::record(Outcome outcome) const {
   record.title = scene_->title;
   record.units = scene_->model.units;
   record.integrator = name(scene_->integrator);
+  record.integrator_why = scene_->integrator_why;
+  record.events = located_events(standing_.integrator);
   record.plan = scene_->plan;
   record.steps = standing_.step;
   record.evaluations = standing_.evaluations;

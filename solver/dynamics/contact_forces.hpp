@@ -75,12 +75,24 @@ class ContactForces {
   void list_woken(const Workspace& work, std::vector<BodyId>& woken) const;
   /// Adds the forces to the wrenches of both bodies; with out, the dissipated power as well.
   void add(const State& state, Workspace& work, Rates* out) const;
-  /// Of the instances within reach.
   /// Whether some memory is taken along by settle() alone: of latching springs that load, of friction that slips.
   bool follows(const State& state) const;
   /// The longest step [T] in which no body passes half the least width of another, under this pull [L/T^2].
   double longest_step(const Workspace& work, double pull) const;
+  /// Of the instances within reach.
   void guards(const State& state, const Workspace& work, std::span<double> out) const;
+  /// A contact that acts, where its normal does not turn and its law is linear: between the motions of the two bodies
+  /// along the normal.
+  struct LinearContact {
+    BodyId a{};
+    BodyId b{};
+    Vec2 n_AB;
+    Tangent slopes;    ///< of the law's force
+    double share_a{};  ///< see ContactGroup
+    double share_b{};
+  };
+  /// Those of the instances within reach; of other laws none.
+  std::vector<LinearContact> linear_contacts(const State& state, const Workspace& work) const;
   /// Rates of the memory that follows the motion: the slip rate where two bodies touch and friction acts.
   void memory_rates(const State& state, const Workspace& work, Rates& out) const;
   double stored_energy(const State& state, const Workspace& work) const;

@@ -8,6 +8,7 @@
 #include "solver/dynamics/contact_forces.hpp"
 #include "solver/dynamics/energies.hpp"
 #include "solver/dynamics/workspace.hpp"
+#include "solver/integrate/eventful_system.hpp"
 #include "solver/model/layout.hpp"
 #include "solver/model/model.hpp"
 #include "solver/state/state.hpp"
@@ -67,6 +68,8 @@ class Dynamics {
   [[nodiscard]] double longest_step(const State& state, Workspace& work) const;
   /// Of each coordinate, the length [L] by which one unit moves its body: 1, or the radius of gyration.
   [[nodiscard]] std::vector<double> lengths() const;
+  /// After update(): the linear piece that the state is in, of a model without obstacle_to_closed_form().
+  void affine_piece(const State& state, const Workspace& work, AffinePiece& out) const;
   /// Wakes all bodies.
   void wake_all(State& state) const;
 

@@ -24,6 +24,9 @@ class RigidBodySystem {
   bool follows(const State& state) const { return dynamics_->follows(state); }
   double longest_step(const State& state) { return dynamics_->longest_step(state, work_); }
   std::vector<double> lengths() const { return dynamics_->lengths(); }
+  /// The linear piece of the state whose derivative was the last.
+  void affine_piece(const State& state, AffinePiece& out) const { dynamics_->affine_piece(state, work_, out); }
+  bool keeps_accounts() const { return ledger_; }
   void wake_all(State& state) const { dynamics_->wake_all(state); }
 
   const Dynamics& dynamics() const { return *dynamics_; }

@@ -40,6 +40,8 @@ concept Differentiable = requires(S& system, StateOf<Scalar>& state, const State
 ///   remember(memory, like)          names all that the method carries from one step to the next. After it is put back
 ///                                   into a method of the same name, step() goes on bit for bit, without start();
 ///                                   `like`, a state of the same scene, tells the sizes
+///   failure()                       optional: why the method cannot go on, empty while it can; the run ends as
+///   diverged
 template <class I, class S>
 concept IntegratorFor = requires(I integrator, S& system, State& state, const State& fixed, double h, Memory& memory) {
   { I::name } -> std::convertible_to<std::string_view>;

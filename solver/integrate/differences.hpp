@@ -24,7 +24,6 @@ class Differences {
   void add(double t, std::span<const double> rates);
 
   std::size_t count() const { return times_.size(); }
-  std::size_t width() const { return width_; }
   double newest() const { return times_.front(); }
   /// d_i of all quantities.
   std::span<const double> operator[](std::size_t i) const { return {&table_[i * width_], width_}; }

@@ -19,21 +19,30 @@ void for_each(Visit&& visit, std::index_sequence<I...>) {
 }
 
 template <class T>
+constexpr bool has_step_control() {
+  if constexpr (requires { T::has_step_control; }) return T::has_step_control;
+  return false;
+}
+
+template <class T>
+constexpr bool must_have_tolerance() {
+  if constexpr (requires { T::needs_tolerance; }) return T::needs_tolerance;
+  return false;
+}
+
+template <class T>
 Integrator with_tolerance(T integrator, double tolerance) {
   if (!(tolerance >= 0.0) || !std::isfinite(tolerance)) {
-    throw InputError{fmt::format("integrator '{}': tolerance is {}; it must be > 0, or left out", T::name, tolerance)};
+    throw InputError{fmt::format("integrator '{}': tolerance is {}; it must be > 0{}", T::name, tolerance,
+                                 must_have_tolerance<T>() ? "" : ", or left out")};
   }
-  if constexpr (requires { integrator.tolerance; }) {
-    integrator.tolerance = tolerance;
-    if (T::needs_tolerance && tolerance == 0.0) {
-      throw InputError{fmt::format("integrator '{}' has no fixed step; it needs a tolerance > 0", T::name)};
-    }
-    if (!T::has_step_control && tolerance != 0.0) {
-      throw InputError{fmt::format("integrator '{}' has no step control; its tolerance must be left out", T::name)};
-    }
-  } else if (tolerance != 0.0) {
+  if (tolerance != 0.0 && !has_step_control<T>()) {
     throw InputError{fmt::format("integrator '{}' has no step control; its tolerance must be left out", T::name)};
   }
+  if (tolerance == 0.0 && must_have_tolerance<T>()) {
+    throw InputError{fmt::format("integrator '{}' has no fixed step; it needs a tolerance > 0", T::name)};
+  }
+  if constexpr (has_step_control<T>()) integrator.tolerance = tolerance;
   return integrator;
 }
 
@@ -61,8 +70,15 @@ std::vector<std::string> integrator_names() {
 
 bool needs_tolerance(std::string_view wanted) {
   bool needed = false;
+  const bool known = with(wanted, [&]<class T>(const T&) { needed = must_have_tolerance<T>(); });
+  if (!known) throw unknown_name("integrator", wanted, integrator_names());
+  return needed;
+}
+
+bool needs_closed_form(std::string_view wanted) {
+  bool needed = false;
   const bool known = with(wanted, [&]<class T>(const T&) {
-    if constexpr (requires { T::needs_tolerance; }) needed = T::needs_tolerance;
+    needed = requires { T::needs_closed_form; };
   });
   if (!known) throw unknown_name("integrator", wanted, integrator_names());
   return needed;
@@ -90,6 +106,15 @@ double tolerance(const Integrator& integrator) {
 
 int order(const Integrator& integrator) {
   return std::visit([](const auto& i) { return i.order; }, integrator);
+}
+
+std::optional<long> located_events(const Integrator& integrator) {
+  return std::visit(
+      [](const auto& i) -> std::optional<long> {
+        if constexpr (requires { i.events(); }) return i.events();
+        return std::nullopt;
+      },
+      integrator);
 }
 
 }  // namespace talus

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -7,6 +8,7 @@
 
 #include "solver/integrate/central_difference.hpp"
 #include "solver/integrate/euler_cromer.hpp"
+#include "solver/integrate/exact.hpp"
 #include "solver/integrate/lagged_central_difference.hpp"
 #include "solver/integrate/odeint_steppers.hpp"
 #include "solver/integrate/rk4.hpp"
@@ -16,10 +18,10 @@
 namespace talus {
 
 /// The closed list of integrators. One line here makes a method selectable, tested and documented.
-using Integrator =
-    std::variant<CentralDifference, LaggedCentralDifference, VelocityVerlet, EulerCromer, RungeKutta4,
-                 Odeint<OdeintMethod::dopri5>, Odeint<OdeintMethod::cash_karp54>, Odeint<OdeintMethod::fehlberg78>,
-                 Odeint<OdeintMethod::adams_bashforth_moulton8>, Odeint<OdeintMethod::bulirsch_stoer>, StormerCowell>;
+using Integrator = std::variant<CentralDifference, LaggedCentralDifference, VelocityVerlet, EulerCromer, RungeKutta4,
+                                Odeint<OdeintMethod::dopri5>, Odeint<OdeintMethod::cash_karp54>,
+                                Odeint<OdeintMethod::fehlberg78>, Odeint<OdeintMethod::adams_bashforth_moulton8>,
+                                Odeint<OdeintMethod::bulirsch_stoer>, StormerCowell, Exact>;
 
 /// Names of all integrators, in the list's order.
 [[nodiscard]] std::vector<std::string> integrator_names();
@@ -32,11 +34,18 @@ using Integrator =
 /// Errors: InputError for an unknown name.
 [[nodiscard]] bool needs_tolerance(std::string_view name);
 
+/// Whether the method of that name is only for motion in linear pieces.
+/// Errors: InputError for an unknown name.
+[[nodiscard]] bool needs_closed_form(std::string_view name);
+
 /// Name and order on smooth motion of an integrator.
 [[nodiscard]] std::string_view name(const Integrator& integrator);
 [[nodiscard]] int order(const Integrator& integrator);
 
 /// Tolerance of an integrator's step control; 0 where it has none or takes fixed steps.
 [[nodiscard]] double tolerance(const Integrator& integrator);
+
+/// Events that an integrator has located since the run's start; nothing of one that locates none.
+[[nodiscard]] std::optional<long> located_events(const Integrator& integrator);
 
 }  // namespace talus

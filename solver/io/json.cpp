@@ -123,6 +123,8 @@ std::string summary_json(const RunRecord& record, const std::string& resume) {
             {"failures", failures(record)},
             {"bodies", bodies(record)},
             {"notes", record.notes}};
+  if (!record.integrator_why.empty()) json["integrator_why"] = record.integrator_why;
+  if (record.events) json["events"] = *record.events;
   if (!resume.empty()) json["resume"] = resume;
   return json.dump(2) + "\n";
 }

@@ -37,10 +37,12 @@ struct RunRecord {
   std::string title;
   UnitSystem units{si};
   std::string integrator;
+  std::string integrator_why;  ///< where it was chosen automatically
   RunPlan plan;
   Outcome outcome;
-  long steps{};        ///< steps done
-  long evaluations{};  ///< force evaluations done
+  long steps{};                ///< steps done
+  long evaluations{};          ///< force evaluations done
+  std::optional<long> events;  ///< located, by an integrator that does
   std::size_t coordinates{};
   std::size_t laws{};  ///< law instances: point contacts and cables
   std::size_t contacts{};

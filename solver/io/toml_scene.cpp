@@ -78,9 +78,11 @@ Parts read_parts(SceneTable& file) {
 
 void read_run(SceneTable table, Scene& scene) {
   table.allow({"integrator", "tolerance", "step", "end", "interval", "ledger"});
-  const std::string integrator = table.choice("integrator", integrator_names());
+  const std::string integrator = table.choice("integrator", integrator_choices());
   const double tolerance = table.has("tolerance") ? table.number("tolerance", Range::positive) : 0.0;
-  scene.integrator = table.placed([&] { return make_integrator(integrator, tolerance); });
+  const IntegratorChoice chosen = table.placed([&] { return choose_integrator(scene.model, integrator, tolerance); });
+  scene.integrator = chosen.integrator;
+  scene.integrator_why = chosen.why;
   scene.plan.step = table.quantity("step", dimension::time, Range::positive);
   scene.plan.end = table.quantity("end", dimension::time, Range::positive);
   scene.plan.interval = table.quantity_or("interval", dimension::time, scene.plan.step, Range::positive);

@@ -86,6 +86,9 @@ struct LatchingSpring {
 
   /// The stiffest piece of a contact hardly pressed; with growth, one that was pressed is stiffer.
   constexpr Tangent tangent() const { return {unloading_stiffness, 0.0}; }
+  constexpr Tangent linear_part(std::span<const double> memory, Mode mode) const {
+    return {mode == loading ? stiffness : mode == unloading ? way_back(memory[0]) : 0.0, 0.0};
+  }
 
   friend constexpr bool operator==(const LatchingSpring&, const LatchingSpring&) = default;
 

@@ -28,6 +28,7 @@ namespace talus {
 ///   reset                     the mode that follows, and the memory it starts with
 ///   track (only if needed)    brings memory that follows the motion inside a mode, such as a largest stretch, up to
 ///   date
+///   linear_part (only if in every mode the force is linear in extent and rate)  its slopes in a mode with that memory
 ///   linear_piece (only if it has one)  the straight line that it is in a mode, so that rows of springs at rest in
 ///   their modes are worked out without asking each
 template <class L>

@@ -36,6 +36,9 @@ struct LinearSpringDashpot {
   constexpr double guard(Kinematics x, std::span<const double>, Mode mode) const { return spring().guard(x, mode); }
   constexpr Reset reset(Kinematics x, std::span<double>, Mode mode) const { return spring().reset(x, mode); }
   constexpr Tangent tangent() const { return {stiffness, damping}; }
+  constexpr Tangent linear_part(std::span<const double>, Mode mode) const {
+    return mode == UnilateralSpring::acting ? tangent() : Tangent{};
+  }
 
   friend constexpr bool operator==(const LinearSpringDashpot&, const LinearSpringDashpot&) = default;
 

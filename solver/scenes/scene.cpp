@@ -1,6 +1,11 @@
 #include "solver/scenes/scene.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "solver/base/error.hpp"
+#include "solver/dynamics/closed_form.hpp"
 
 namespace talus {
 
@@ -9,6 +14,28 @@ bool reached(const EarlyEnd& end, const Model& model, const State& state) {
     const Pose at = pose(model, state, body);
     return end.x ? at.p_WB.x < *end.x : norm(at.v_WB) < end.speed;
   });
+}
+
+std::vector<std::string> integrator_choices() {
+  std::vector<std::string> names = integrator_names();
+  names.emplace_back(automatic_integrator);
+  return names;
+}
+
+IntegratorChoice choose_integrator(const Model& model, std::string_view name, double tolerance) {
+  if (name != automatic_integrator) {
+    IntegratorChoice named{make_integrator(name, tolerance)};
+    if (!needs_closed_form(name)) return named;
+    const auto obstacle = obstacle_to_closed_form(model);
+    if (!obstacle) return named;
+    throw InputError{fmt::format("integrator '{}': the motion between events must be linear, but {}", name, *obstacle)};
+  }
+  const auto obstacle = obstacle_to_closed_form(model);
+  if (!obstacle) return {make_integrator(Exact::name), "all motion between events is linear"};
+  if (tolerance == 0.0)
+    throw InputError{
+        fmt::format("integrator 'auto': {}, so that there is no closed form; it needs a tolerance > 0", *obstacle)};
+  return {make_integrator(StormerCowell::name, tolerance), *obstacle + ", so that there is no closed form"};
 }
 
 }  // namespace talus

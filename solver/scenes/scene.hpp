@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solver/integrate/integrator_list.hpp"
@@ -21,12 +22,30 @@ struct EarlyEnd {
 /// Whether the bodies have come so far.
 [[nodiscard]] bool reached(const EarlyEnd& end, const Model& model, const State& state);
 
+/// A method for a scene, and why it was chosen; no words where it was named.
+struct IntegratorChoice {
+  Integrator integrator{};
+  std::string why{};
+};
+
+/// The name by which a scene leaves the choice of the method to choose_integrator().
+inline constexpr std::string_view automatic_integrator = "auto";
+/// Names of all integrators, and that one.
+[[nodiscard]] std::vector<std::string> integrator_choices();
+
+/// The integrator of that name for the motion of a model. "auto": `exact` where all motion between events has a closed
+/// form, else `stormer_cowell` with the tolerance.
+/// Errors: InputError as make_integrator(), naming the obstacle if the motion has no closed form but must have one, and
+/// if "auto" then has no tolerance to go by.
+[[nodiscard]] IntegratorChoice choose_integrator(const Model& model, std::string_view name, double tolerance = 0.0);
+
 /// All that a run needs: what exists, how it starts, and by which method and plan it goes on.
 struct Scene {
   std::string title{};
   Model model{};
   State initial{};
   Integrator integrator{};
+  std::string integrator_why{};  ///< where it was chosen automatically: why this one
   RunPlan plan{};
   std::optional<EarlyEnd> early_end{};
 };

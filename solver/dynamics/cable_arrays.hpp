@@ -1,0 +1,79 @@
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <tuple>
+
+#include "solver/dynamics/cable_forces.hpp"
+#include "solver/dynamics/law_modes.hpp"
+
+/// How the cables' arrays, one for each law, are gone through.
+namespace talus {
+
+/// Calls visit(array, law's place in the list) for each law's cables.
+template <class Laws, class Visit>
+void for_each_array(const Laws& laws, Visit&& visit) {
+  std::size_t law = 0;
+  std::apply([&](const auto&... array) { (visit(array, law++), ...); }, laws);
+}
+
+/// Calls visit(law, slot, cable) for each cable, law by law.
+template <class Laws, class Visit>
+void for_each_cable(const Laws& laws, Visit&& visit) {
+  for_each_array(laws, [&](const auto& array, std::size_t) {
+    for (std::size_t i = 0; i < array.laws.size(); ++i)
+      visit(array.laws[i], array.slots[i], array.cable[i]);
+  });
+}
+
+/// Calls visit(array, run) for each run of cables that are listed as awake.
+template <class Laws, class Waking, class Visit>
+void for_each_run(const Laws& laws, Waking& waking, Visit&& visit) {
+  for_each_array(laws, [&](const auto& array, std::size_t law) {
+    for (auto& run : waking.cables[law])
+      visit(array, run);
+  });
+}
+
+/// Calls visit(law, slot, cable) for each cable of a run.
+template <class Array, class Visit>
+void for_each_of(const Array& array, const CableRun& run, Visit&& visit) {
+  const auto* const laws = &array.laws[run.place];
+  const Slot* const slots = &array.slots[run.place];
+  for (std::size_t i = 0, count = run.count, cable = run.cable; i < count; ++i)
+    visit(laws[i], slots[i], cable + i);
+}
+
+/// Whether it may have straight lines, and the one number at most that these go by.
+template <class L>
+concept HasLines = L::memory_size <= 1 && requires(const L law, std::span<const double> memory) {
+  law.linear_piece(memory, Mode{});
+};
+
+/// Works out the straight lines of a run anew if modes or memories are not those that they stand for.
+template <class L>
+void keep_lines(const CableArray<L>& array, const CableRun& run, const State& state, CableLines& lines) {
+  const Slot first = array.slots[run.place];
+  const Mode* const modes = &state.mode[first.mode];
+  const double* const kept = state.z.data() + first.memory;
+  const std::size_t numbers = L::memory_size * run.count;
+  if (std::memcmp(modes, &lines.mode[run.cable], run.count * sizeof(Mode)) == 0 &&
+      (numbers == 0 || std::memcmp(kept, &lines.memory[run.cable], numbers * sizeof(double)) == 0))
+    return;
+  std::copy_n(modes, run.count, &lines.mode[run.cable]);
+  std::copy_n(kept, numbers, &lines.memory[run.cable]);
+  for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
+    lines.set(c, law.linear_piece(memory<L>(state, slot), state.mode[slot.mode]));
+  });
+}
+
+/// Calls visit(law, slot) for one cable.
+template <class Laws, class Visit>
+void visit_cable(const Laws& laws, CablePlace place, Visit&& visit) {
+  for_each_array(laws, [&](const auto& array, std::size_t law) {
+    if (law == place.law) visit(array.laws[place.index], array.slots[place.index]);
+  });
+}
+
+}  // namespace talus

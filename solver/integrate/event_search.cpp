@@ -1,0 +1,132 @@
+#include "solver/integrate/event_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "solver/base/error.hpp"
+
+namespace talus {
+
+std::string crowd_failure(double t) {
+  return fmt::format("{} events follow each other with hardly any time between them at t = {:.6g}", crowd_limit, t);
+}
+
+bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const std::vector<Mode>& before) {
+  earlier_.clear();
+  system.guards(start, true, guards_);
+  dormant_.resize(guards_.size());
+  bool in_doubt = false;
+  for (std::size_t i = 0; i < guards_.size(); ++i) {
+    const bool lasted = dormant_[i] != 0.0 && before[i] == start.mode[i];
+    dormant_[i] = guards_[i] > 0.0 ? 0.0 : lasted ? 2.0 : 1.0;
+    in_doubt = in_doubt || dormant_[i] == 1.0;
+  }
+  return in_doubt;
+}
+
+std::optional<double> EventSearch::find(EventfulSystem& system, const State& begin, double end, const State& near_end,
+                                        bool same, const Motion& motion) {
+  std::swap(before_, guards_);
+  system.guards(near_end, same, guards_);
+  bool near = false, worse = false;
+  for (std::size_t i = 0; i < guards_.size(); ++i) {
+    if (dormant_[i] != 0.0 && guards_[i] > 0.0) dormant_[i] = 0.0;
+    if (dormant_[i] == 0.0) {
+      near = near || may_have_ended(i);
+    } else {
+      worse = worse || (dormant_[i] == 1.0 && guards_[i] < before_[i]);
+    }
+  }
+  std::optional<double> last = near ? std::optional{end} : dip(begin.t, end);
+  double after = last ? least_guard(system, begin, *last, motion) : 1.0;
+  if (near && after > 0.0) {
+    last = dip(begin.t, end);
+    if (last) after = least_guard(system, begin, *last, motion);
+  }
+  if (after > 0.0) {
+    // A mode that began at its very end, and goes on past it, ends with the first short step.
+    if (worse) return end;
+    std::swap(earlier_, before_);
+    earlier_time_ = begin.t;
+    return std::nullopt;
+  }
+  const double before = least_guard(system, begin, begin.t, motion);
+  if (!(before > 0.0)) return begin.t;
+  std::uintmax_t evaluations = 200;
+  const auto found =
+      boost::math::tools::toms748_solve([&](double t) { return least_guard(system, begin, t, motion); }, begin.t, *last,
+                                        before, after, boost::math::tools::eps_tolerance<double>(52), evaluations);
+  return found.second;
+}
+
+bool EventSearch::may_have_ended(std::size_t guard) const {
+  const double change = std::abs(before_[guard] - guards_[guard]);
+  return guards_[guard] <= (std::isfinite(change) ? 1e-3 * change : 0.0);
+}
+
+/// When in the last step a guard that is positive at both its ends was least, if that may have been past its end: by
+/// the parabola through three times.
+std::optional<double> EventSearch::dip(double begin, double end) const {
+  std::optional<double> found;
+  if (earlier_.size() != guards_.size()) return found;
+  double least = std::numeric_limits<double>::infinity();
+  const double b = end - begin;
+  const double per_a = 1.0 / (begin - earlier_time_), per_b = 1.0 / b, per_both = 1.0 / (end - earlier_time_);
+  for (std::size_t i = 0; i < guards_.size(); ++i) {
+    // Guards that nothing can end from here are infinite: no comparison holds for what follows from them.
+    const double from = (before_[i] - earlier_[i]) * per_a, to = (guards_[i] - before_[i]) * per_b;
+    const double curvature = (to - from) * per_both;  // half the second derivative
+    if (!(curvature > 0.0) || !std::isfinite(curvature) || dormant_[i] != 0.0) continue;
+    const double slope = to - curvature * b;  // at the beginning of the step
+    const double s = -0.5 * slope / curvature;
+    if (!(s > 0.0 && s < b)) continue;
+    const double share = 1.0 + 0.5 * slope * s / before_[i];
+    if (share > 0.1 * std::min(1.0, guards_[i] / before_[i]) || share >= least) continue;
+    least = share;
+    found = begin + s;
+  }
+  return found;
+}
+
+/// The least guard of those that are not past their end since the piece began, at a time in the last step; each as a
+/// share of what it was at the beginning of the step, so that no unit decides which is the least.
+double EventSearch::least_guard(EventfulSystem& system, const State& begin, double t, const Motion& motion) {
+  motion(t, looked_at_);
+  looked_at_.mode = begin.mode;
+  system.guards(looked_at_, false, looked_);
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < looked_.size(); ++i) {
+    if (dormant_[i] != 0.0) continue;
+    const bool measured = before_[i] > 0.0 && std::isfinite(before_[i]);
+    least = std::min(least, measured ? looked_[i] / before_[i] : looked_[i] > 0.0 ? 1.0 : -1.0);
+  }
+  return least;
+}
+
+void EventSearch::settle(EventfulSystem& system, State& at) {
+  const std::vector<Mode> modes = at.mode;
+  system.settle(at);
+  // What slid is at first brought to its limit, and only then seen to stick.
+  system.guards(at, false, looked_);
+  bool lasts = true;
+  for (std::size_t i = 0; i < looked_.size(); ++i)
+    lasts = lasts && (looked_[i] > 0.0 || dormant_[i] != 0.0 || at.mode[i] != modes[i]);
+  if (!lasts) system.settle(at);
+}
+
+void EventSearch::remember(Memory& memory, std::size_t modes) {
+  memory.list("guards", guards_);
+  memory.list("earlier", earlier_);
+  memory.number("earlier_time", earlier_time_);
+  memory.list("dormant", dormant_);
+  if (guards_.size() != dormant_.size() || (!guards_.empty() && guards_.size() != modes))
+    throw InputError{fmt::format("guards: found {}, of which {} may be dormant; there must be {}", guards_.size(),
+                                 dormant_.size(), modes)};
+}
+
+}  // namespace talus

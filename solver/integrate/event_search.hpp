@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/base/memory.hpp"
+#include "solver/integrate/eventful_system.hpp"
+#include "solver/state/state.hpp"
+
+namespace talus {
+
+/// Events in a row with hardly any time between after which a motion is said not to go on.
+inline constexpr long crowd_limit = 1000;
+/// And what is said.
+[[nodiscard]] std::string crowd_failure(double t);
+
+/// Finds the first event in each step of a motion that is known at all times between the steps' ends: the first time at
+/// which a guard is no longer positive, to round-off (Alefeld, Potra & Shi 1995).
+class EventSearch {
+ public:
+  /// Writes the state at a time within the step.
+  using Motion = std::function<void(double t, State& out)>;
+
+  EventSearch() = default;
+  explicit EventSearch(const State& like) : looked_at_{like} {}
+
+  /// A piece of the motion begins; `before`: the modes before it. True if some mode began at its very end: then only a
+  /// short first step tells whether it lasts.
+  [[nodiscard]] bool begin_piece(EventfulSystem& system, const State& start, const std::vector<Mode>& before);
+  /// When the step from `begin` to the time `end` meets its first event, if it does. `near_end`: a state near that at
+  /// the end, which screens out most steps; `same`: its derivative was the last that the system was asked for. Only
+  /// where a guard comes within a thousandth of its way in the step to its end there, or may have been past it in
+  /// between, are the guards asked again. An event that hides in that thousandth is past at the beginning of the next
+  /// step, and is found there.
+  [[nodiscard]] std::optional<double> find(EventfulSystem& system, const State& begin, double end,
+                                           const State& near_end, bool same, const Motion& motion);
+  /// Brings the modes up to date at an event.
+  void settle(EventfulSystem& system, State& at);
+
+  /// Names its parts, for a state of so many modes. Errors when putting back: InputError if they do not fit.
+  void remember(Memory& memory, std::size_t modes);
+
+ private:
+  bool may_have_ended(std::size_t guard) const;
+  std::optional<double> dip(double begin, double end) const;
+  double least_guard(EventfulSystem& system, const State& begin, double t, const Motion& motion);
+
+  std::vector<double> guards_;   ///< at the end of the last step
+  std::vector<double> earlier_;  ///< at the beginning of the last step; empty in the first of a piece
+  double earlier_time_{};        ///< and when that was
+  std::vector<double> dormant_;  ///< of guards that are past their end since the piece began: 1, or 2 where the mode
+                                 ///< was seen to last all the same (a slider whose limit falls)
+
+  // Scratch of a step.
+  std::vector<double> before_, looked_;
+  State looked_at_;
+};
+
+}  // namespace talus

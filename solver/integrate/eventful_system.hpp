@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "solver/state/state.hpp"
+
+namespace talus {
+
+/// Linear pieces of motion: how the accelerations of a state change with its coordinates and velocities,
+///
+///   a = a0 - sum stiffness (q - q0) - sum damping (v - v0),
+///
+/// as long as no mode changes. No terms: free flight.
+struct AffinePiece {
+  struct Term {
+    std::size_t row{};     ///< of the acceleration
+    std::size_t column{};  ///< of the coordinate and its velocity
+    double stiffness{};    ///< [1/T^2 of row/column]
+    double damping{};      ///< [1/T of row/column]
+  };
+  std::vector<Term> terms;
+};
+
+/// What a method that locates events asks of its system.
+struct EventfulSystem {
+  /// Rates in the state's present modes: one force evaluation.
+  std::function<void(const State&, Rates&)> derivative;
+  /// Guards in the state's present modes, one for each mode; `same`: of the state whose derivative was the last. None:
+  /// the motion is smooth.
+  std::function<void(const State&, bool same, std::vector<double>&)> guards;
+  /// Brings modes and memory up to date.
+  std::function<void(State&)> settle;
+  /// Whether some memory must be settled as the motion goes on, in the present modes.
+  std::function<bool(const State&)> follows;
+  /// The longest step [T] in which no body can pass another unseen.
+  std::function<double(const State&)> longest_step;
+  /// Of each coordinate of a state, the length [L] that one unit of it moves its body by: the same at all times.
+  std::function<std::vector<double>(const State&)> lengths;
+  /// The linear piece that the state is in: none if the system has no such pieces.
+  std::function<void(const State&, AffinePiece&)> affine_piece;
+  /// Whether work and impulse are kept.
+  bool keeps_accounts{};
+};
+
+/// The system behind functions. It must outlive them.
+template <class System>
+EventfulSystem eventful(System& system) {
+  EventfulSystem asked;
+  asked.derivative = [&system](const State& at, Rates& out) { system.derivative(at, out); };
+  asked.settle = [&system](State& at) { system.settle(at); };
+  if constexpr (requires(std::vector<double> & out) { system.guards(State{}, true, out); }) {
+    asked.guards = [&system](const State& at, bool same, std::vector<double>& out) { system.guards(at, same, out); };
+    asked.follows = [&system](const State& at) { return system.follows(at); };
+    asked.longest_step = [&system](const State& at) { return system.longest_step(at); };
+    asked.lengths = [&system](const State&) { return system.lengths(); };
+  } else {
+    asked.lengths = [](const State& at) { return std::vector<double>(at.q.size(), 1.0); };
+  }
+  if constexpr (requires(AffinePiece & out) { system.affine_piece(State{}, out); })
+    asked.affine_piece = [&system](const State& at, AffinePiece& out) { system.affine_piece(at, out); };
+  if constexpr (requires { system.keeps_accounts(); }) asked.keeps_accounts = system.keeps_accounts();
+  return asked;
+}
+
+}  // namespace talus

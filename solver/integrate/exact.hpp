@@ -1,0 +1,86 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/integrate/concepts.hpp"
+#include "solver/integrate/located_steps.hpp"
+
+namespace talus {
+
+/// Motion in linear pieces, exact to round-off for one force evaluation a piece: with a0 of that evaluation and the
+/// piece's stiffness K and damping C, q'' = a0 - K (q - q0) - C (q' - v0) is summed as the power series of its
+/// solution. Steps serve the search for events alone.
+///
+/// Work and impulse, where they are kept, are integrated over each step by Gauss's rule of eight points, each a force
+/// evaluation.
+class LinearMotion {
+ public:
+  LinearMotion() = default;
+  explicit LinearMotion(const State& state) : found_{state}, along_{state} {}
+
+  void begin(EventfulSystem& system, const State& start, double interval);
+  void hesitate() { share_ = 1e-4; }
+  std::string advance(EventfulSystem& system, const State& begin, State& end, double longest);
+  NearEnd near_end(const State& end) const { return {&end, false}; }
+  void state_at(const State& begin, const State& end, double t, State& out) const;
+  void complete(EventfulSystem& system, const State& begin, State& end);
+  bool ends_at_outputs(const EventfulSystem& system) const { return system.keeps_accounts; }
+  double usual_step() const { return step_; }
+  void remember(Memory& memory, const State& like);
+
+ private:
+  void find_accelerations(const State& begin);
+  void sum_series(const State& begin, double h, State& out) const;
+
+  AffinePiece piece_;
+  std::vector<double> q0_, v0_, a0_;  ///< at the beginning of the piece
+  double step_{};                     ///< of the piece: no longer than one radian of its fastest motion [T]
+  double share_{1.0};                 ///< of it that the next step is to take
+
+  // Scratch of a step.
+  std::vector<double> a_;              ///< accelerations at its beginning
+  mutable std::vector<double> terms_;  ///< of the series, power by power
+  Rates found_;
+  State along_;
+};
+
+/// The exact propagator as a Talus integrator, with located events: for scenes whose motion is linear between events
+/// (see obstacle_to_closed_form()). The step h is the interval between outputs, and costs nothing by itself.
+class Exact {
+ public:
+  static constexpr std::string_view name = "exact";
+  static constexpr int order = 0;  ///< has no error to be of an order
+  static constexpr bool needs_closed_form = true;
+
+  template <Differentiable System>
+  void start(System& system, State& state, double) {
+    if constexpr (requires { system.wake_all(state); }) system.wake_all(state);
+    system.settle(state);
+    steps_ = {state, LinearMotion{state}};
+  }
+
+  template <Differentiable System>
+  void step(System& system, State& state, double h) {
+    steps_.advance(system, state, h);
+  }
+
+  template <class System>
+  const State& synchronized(System&, const State& state, double) const {
+    return state;
+  }
+
+  long events() const { return steps_.events(); }
+  const std::string& failure() const { return steps_.failure(); }
+
+  void remember(Memory& memory, const State& like) {
+    if (memory.puts_back()) steps_ = {like, LinearMotion{like}};
+    steps_.remember(memory);
+  }
+
+ private:
+  LocatedSteps<LinearMotion> steps_;
+};
+
+}  // namespace talus

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/integrate/event_search.hpp"
+#include "solver/state/state_memory.hpp"
+
+namespace talus {
+
+/// A state near the end of a step.
+struct NearEnd {
+  const State* state{};
+  bool same{};  ///< its derivative was the last that the system was asked for
+};
+
+/// Steps of a motion, each cut at its first event, to round-off; there modes change, and the motion begins anew.
+///
+/// Motion: how a state goes on in its modes from the beginning of a step.
+///   begin(system, start, interval)       a piece begins, one force evaluation; `interval` between outputs [T]
+///   hesitate()                           the next step is to be a ten-thousandth of what it would be
+///   advance(system, begin, end, longest) takes a step, at most so long [T]; says why if it cannot
+///   near_end(end)                        a state near that at the end, and whether the last derivative was its own
+///   state_at(begin, end, t, out)         the state at a time within the last step
+///   complete(system, begin, end)         the step ends here: what it kept for its end
+///   ends_at_outputs(system)              whether no step may go beyond an output
+///   usual_step()                         length of a step that no event holds short [T]
+///   remember(memory, like)               its parts
+template <class Motion>
+class LocatedSteps {
+ public:
+  LocatedSteps() = default;
+  LocatedSteps(const State& state, Motion motion)
+      : begin_{state}, end_{state}, motion_{std::move(motion)}, search_{state}, cut_{state} {}
+
+  /// Takes the state on by h, or says why it cannot: see failure().
+  template <class System>
+  void advance(System& system, State& state, double h) {
+    EventfulSystem asked = eventful(system);
+    const double t = state.t + h;
+    while (failure_.empty() && end_.t < t) {
+      if (fresh_) begin_piece(asked, h);
+      take_step(asked, t);
+    }
+    if (failure_.empty()) state_at(t, state);
+    state.t = t;
+  }
+
+  /// Events located so far.
+  long events() const { return events_; }
+  /// Why there are no more steps; empty while there are.
+  const std::string& failure() const { return failure_; }
+
+  /// Names its parts; one that is put back was made from a state of the same scene.
+  void remember(Memory& memory) {
+    memory.part("begin", [&] { talus::remember(memory, begin_); });
+    memory.part("end", [&] { talus::remember(memory, end_); });
+    memory.flag("fresh", fresh_);
+    motion_.remember(memory, end_);
+    search_.remember(memory, end_.mode.size());
+    memory.number("event_time", event_time_);
+    memory.count("events", events_);
+    memory.count("crowd", crowd_);
+  }
+
+ private:
+  /// The system at a time within the last step.
+  void state_at(double t, State& out) const {
+    if (t >= end_.t) {
+      out = end_;
+      return;
+    }
+    motion_.state_at(begin_, end_, t, out);
+    out.mode = begin_.mode;
+  }
+
+  void begin_piece(EventfulSystem& system, double interval) {
+    motion_.begin(system, end_, interval);
+    if (system.guards && search_.begin_piece(system, end_, begin_.mode)) motion_.hesitate();
+    fresh_ = false;
+  }
+
+  void take_step(EventfulSystem& system, double t) {
+    std::swap(begin_, end_);
+    double longest = system.longest_step ? system.longest_step(begin_) : std::numeric_limits<double>::infinity();
+    if (motion_.ends_at_outputs(system)) longest = std::min(longest, t - begin_.t);
+    failure_ = motion_.advance(system, begin_, end_, longest);
+    if (!failure_.empty()) return std::swap(begin_, end_);
+    const std::optional<double> event = system.guards ? find_event(system) : std::nullopt;
+    if (event && *event < end_.t) {
+      motion_.state_at(begin_, end_, *event, cut_);
+      cut_.mode = begin_.mode;
+      std::swap(end_, cut_);
+    }
+    motion_.complete(system, begin_, end_);
+    if (event) return settle_event(system);
+    if (!system.follows || !system.follows(end_)) return;
+    const std::vector<Mode> modes = end_.mode;
+    system.settle(end_);
+    if (end_.mode != modes) ++events_, fresh_ = true;
+  }
+
+  std::optional<double> find_event(EventfulSystem& system) {
+    const auto near_end = motion_.near_end(end_);
+    return search_.find(system, begin_, end_.t, *near_end.state, near_end.same,
+                        [this](double t, State& out) { state_at(t, out); });
+  }
+
+  void settle_event(EventfulSystem& system) {
+    search_.settle(system, end_);
+    ++events_;
+    crowd_ = end_.t - event_time_ <= 1e-3 * motion_.usual_step() ? crowd_ + 1 : 0;
+    event_time_ = end_.t;
+    fresh_ = true;
+    if (crowd_ == crowd_limit) failure_ = crowd_failure(end_.t);
+  }
+
+  State begin_;  ///< at the beginning of the last step ...
+  State end_;    ///< ... and at its end, in the modes after it
+  Motion motion_;
+  EventSearch search_;
+  bool fresh_{true};     ///< the motion is to begin anew from the end of the last step
+  double event_time_{};  ///< of the last event
+  long events_{};
+  long crowd_{};  ///< events in a row with hardly any time between
+  std::string failure_;
+  State cut_;  ///< scratch
+};
+
+}  // namespace talus
