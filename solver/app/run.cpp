@@ -135,7 +135,8 @@ int run(const RunOptions& options) {
     return there || seen.t >= until || (interruption && interruption->signal() != 0);
   });
   if (there) outcome.kind = Outcome::Kind::finished;
-  if (!outcome && !ratio.words.empty()) outcome.words += fmt::format("; {}", ratio.words);
+  if (!outcome && run->watch().breach().empty() && !ratio.words.empty())
+    outcome.words += fmt::format("; {}", ratio.words);
 
   const bool left = !there && (outcome.kind == Outcome::Kind::stopped || (outcome && !options.until.empty()));
   const RunRecord record = run->record(outcome);
@@ -143,6 +144,8 @@ int run(const RunOptions& options) {
   if (order.sheet && run_report_tool({"--sheet", order.folder.string()}) != 0)
     throw IoError{fmt::format("{}: the sheet was not made", (order.folder / "sheet.json").string())};
   print_result(options, order, *run, record, left);
+  for (const std::string& warning : record.warnings)
+    print_failure(fmt::format("warning: {}", warning));
   if (!outcome) {
     print_failure(outcome.words);
     return diverged;

@@ -104,6 +104,9 @@ std::string run_summary(const RunRecord& record) {
   failures(page, record);
   extremes(page, record);
   ledger(page, record);
+  if (!record.watched.empty()) page.line("watched");
+  for (const std::string& seen : record.watched)
+    page.line("  {}", seen);
   for (const std::string& note : record.notes)
     page.line("note: {}", note);
   return page.text();

@@ -55,9 +55,10 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       standing_{standing_at_start(file.scene.integrator, begun(file.scene.initial))},
       seen_{standing_.state},
       recorder_{dynamics_, standing_.state, file.scene.plan.ledger},
-      failures_{dynamics_} {
+      failures_{dynamics_},
+      watch_{file.scene, dynamics_, standing_.state} {
   if (!folder.empty()) files_.emplace(file, dynamics_, folder, scene, frames);
-  if (sheet) watch_.emplace(file.fence->fence, file.fence->made, dynamics_);
+  if (sheet) sheet_.emplace(file.fence->fence, file.fence->made, dynamics_);
 }
 
 State SceneRun::begun(State state) {
@@ -70,8 +71,9 @@ void SceneRun::remember(Memory& memory) {
   memory.part("seen", [&] { talus::remember(memory, seen_); });
   memory.part("recorder", [&] { recorder_.remember(memory); });
   memory.part("failures", [&] { failures_.remember(memory); });
+  memory.part("watch", [&] { watch_.remember(memory); });
   if (files_) memory.part("files", [&] { files_->remember(memory); });
-  if (watch_) memory.part("sheet", [&] { watch_->remember(memory); });
+  if (sheet_) memory.part("sheet", [&] { sheet_->remember(memory); });
 }
 
 void SceneRun::bring_files(const std::filesystem::path& from) {
@@ -84,11 +86,25 @@ Outcome SceneRun::go_on(const StopCondition& stop) {
     recorder_(seen, info);
     failures_(seen, info);
     if (files_) (*files_)(seen, info);
-    if (watch_) (*watch_)(seen, info);
+    if (sheet_) (*sheet_)(seen, info);
     progress(seen.t, info.step);
     seen_ = seen;
   }};
-  return simulate(system_, standing_, scene_->plan, observers, stop);
+  const auto broken = [&] { return !watch_.breach().empty(); };
+  long step = standing_.step;
+  if (step == 0) watch_.look(standing_.state, step);
+  if (broken()) {
+    observers[0](standing_.state, {0, 0, true, true, true, &standing_.state});
+    return {Outcome::Kind::diverged, standing_.state.t, watch_.breach()};
+  }
+  Outcome outcome = simulate(system_, standing_, scene_->plan, observers, [&](const State& seen) {
+    watch_.look(seen, ++step);
+    return broken() || (stop && stop(seen));
+  });
+  // Nobody is asked whether to stop with the last step.
+  if (outcome.kind == Outcome::Kind::finished) watch_.look(seen_, ++step);
+  if (outcome && broken()) return {Outcome::Kind::diverged, outcome.time, watch_.breach()};
+  return outcome;
 }
 
 RunRecord SceneRun::record(Outcome outcome) const {
@@ -111,6 +127,8 @@ RunRecord SceneRun::record(Outcome outcome) const {
   record.hangers_left = hanger_states(dynamics_, seen_);
   record.failures = failures_.failures();
   record_history(record, recorder_);
+  record.watched = watch_lines(watch_, *scene_);
+  record.warnings = watch_.warnings();
   if (files_) record.notes = files_->left_out();
   return record;
 }
@@ -120,7 +138,7 @@ void SceneRun::write(const RunRecord& record) const {
   write_whole(folder_ / "final_state.json", final_state_json(record));
   write_whole(folder_ / "plot.json", plot_json(record, "history.csv", files_->drawn_from()));
   files_->write();
-  if (watch_) write_whole(folder_ / "sheet.json", sheet_json(record, *file_->fence, dynamics_, *watch_));
+  if (sheet_) write_whole(folder_ / "sheet.json", sheet_json(record, *file_->fence, dynamics_, *sheet_));
 }
 
 std::vector<std::string> SceneRun::file_names() const {
@@ -128,7 +146,7 @@ std::vector<std::string> SceneRun::file_names() const {
   if (!files_) return names;
   for (std::string& name : files_->names())
     names.push_back(std::move(name));
-  if (watch_) names.insert(names.end(), {"sheet.json", "sheet.pdf", "sheet.html"});
+  if (sheet_) names.insert(names.end(), {"sheet.json", "sheet.pdf", "sheet.html"});
   return names;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/app/scene_files.hpp"
+#include "solver/calibrate/watch.hpp"
 #include "solver/io/run_record.hpp"
 #include "solver/run/history.hpp"
 #include "solver/scenes/fence_summary.hpp"
@@ -27,6 +28,8 @@ class SceneRun {
 
   /// Takes the run on to its plan's end or until `stop`. Errors: IoError.
   Outcome go_on(const StopCondition& stop);
+  /// What was watched so far.
+  const Watch& watch() const { return watch_; }
 
   const Standing& standing() const { return standing_; }
   const Dynamics& dynamics() const { return dynamics_; }
@@ -49,8 +52,9 @@ class SceneRun {
   State seen_;  ///< by the observers, last
   Recorder recorder_;
   FailureLog failures_;
+  Watch watch_;
   std::optional<SceneFiles> files_;
-  std::optional<scenes::FenceWatch> watch_;
+  std::optional<scenes::FenceWatch> sheet_;
 };
 
 }  // namespace talus::app

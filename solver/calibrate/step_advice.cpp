@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -49,6 +51,26 @@ double duration(const SpringLabel& label, const Spring& spring) {
   return std::numbers::pi * std::sqrt(spring.effective_mass / spring.stiffness);
 }
 
+/// Whether a law exerts something in a mode.
+template <class Law>
+bool exerts(const Law& law, Mode mode) {
+  return std::visit(
+      [mode]<class L>(const L&) {
+        constexpr std::array<std::string_view, 4> idle{"open", "released", "slack", "broken"};
+        return std::find(idle.begin(), idle.end(), L::modes[mode]) == idle.end();
+      },
+      law);
+}
+
+/// Whether a spring acts in a state; springs stand in the order of the modes. `contact`: the law of one.
+bool acts(const Dynamics& dynamics, const State& state, std::size_t spring, const ContactLaw* contact) {
+  const Mode mode = state.mode[spring];
+  if (contact) return exerts(*contact, mode);
+  const std::vector<Cable>& cables = dynamics.model().cables;
+  const std::size_t cable = spring - dynamics.contacts().size();
+  return cable < cables.size() ? exerts(cables[cable].law, mode) : mode == CoulombFriction::sticking;
+}
+
 /// Largest growth of rk4 on x'' + 2 xi w x' + w^2 x = 0: |R(z)| with z = h w (-xi +- sqrt(xi^2 - 1)), R the Taylor
 /// polynomial.
 double rk4_growth(double hw, double xi) {
@@ -75,7 +97,7 @@ double rk4_limit(double xi) {
 
 }  // namespace
 
-StepAdvice advise_step(const Dynamics& dynamics, const State& state) {
+StepAdvice advise_step(const Dynamics& dynamics, const State& state, Springs which) {
   StepAdvice advice;
   advice.shortest_contact = std::numeric_limits<double>::infinity();
   const std::vector<SpringLabel> labels = spring_labels(dynamics);
@@ -85,6 +107,7 @@ StepAdvice advise_step(const Dynamics& dynamics, const State& state) {
   Eigen::MatrixXd damping = Eigen::MatrixXd::Zero(n, n);
   for (std::size_t s = 0; s < found.size(); ++s) {
     Spring& spring = found[s];
+    if (which == Springs::acting && !acts(dynamics, state, s, labels[s].law)) continue;
     // Scaled by 1/sqrt(inertia), g turns K and C into the symmetric matrices of mass-normalised coordinates.
     Eigen::VectorXd g(n);
     std::vector<Eigen::Index> touched;
@@ -105,7 +128,7 @@ StepAdvice advise_step(const Dynamics& dynamics, const State& state) {
     if (contact) advice.shortest_contact = std::min(advice.shortest_contact, time);
     advice.springs.push_back({labels[s].name, contact, std::move(spring), frequency, ratio, time});
   }
-  if (n == 0 || found.empty()) return advice;
+  if (n == 0 || advice.springs.empty()) return advice;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved{stiffness};
   const double negligible = 1e-12 * std::max(0.0, solved.eigenvalues()[n - 1]);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -133,6 +156,8 @@ std::optional<double> linear_limit(std::string_view integrator, double damping_r
   if (integrator == CentralDifference::name || integrator == VelocityVerlet::name || integrator == EulerCromer::name) {
     return 2.0 * (std::sqrt(1.0 + xi * xi) - xi);
   }
+  // With a dashpot, however weak; without one nothing lags.
+  if (integrator == LaggedCentralDifference::name) return xi > 0.0 ? std::sqrt(1.0 + xi * xi) - xi : 2.0;
   if (integrator == RungeKutta4::name) return rk4_limit(xi);
   return std::nullopt;
 }

@@ -26,8 +26,13 @@ struct NaturalMode {
   double damping_ratio{};  ///< of this mode alone
 };
 
-/// What the stiffness of a scene implies for its step, with every contact closed and every cable taut at the given
-/// state.
+/// Which springs of a scene count.
+enum class Springs {
+  all,     ///< every contact closed and every cable taut
+  acting,  ///< those that act in the state
+};
+
+/// What the stiffness of a scene implies for its step in a state.
 struct StepAdvice {
   std::vector<SpringAdvice> springs;
   std::vector<NaturalMode> modes;  ///< those with a frequency > 0, slowest first
@@ -35,10 +40,11 @@ struct StepAdvice {
 
   double highest_frequency() const { return modes.empty() ? 0.0 : modes.back().frequency; }
 };
-[[nodiscard]] StepAdvice advise_step(const Dynamics& dynamics, const State& state);
+[[nodiscard]] StepAdvice advise_step(const Dynamics& dynamics, const State& state, Springs which = Springs::all);
 
 /// Largest stable h omega of a method on a damped oscillator of damping ratio xi, dashpot velocities taken as the
-/// method takes them: 2 (sqrt(1 + xi^2) - xi) for the leapfrog methods, the boundary of |R(z)| = 1 for rk4 (2.828 at xi
+/// method takes them: 2 (sqrt(1 + xi^2) - xi) for the leapfrog methods, half of that
+/// for the lagged one if xi > 0, the boundary of |R(z)| = 1 for rk4 (2.828 at xi
 /// = 0). Empty for odeint's steppers. It is a limit of growth, not of accuracy, and one-sided contacts gain energy well
 /// below it.
 [[nodiscard]] std::optional<double> linear_limit(std::string_view integrator, double damping_ratio);

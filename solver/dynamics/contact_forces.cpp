@@ -26,6 +26,10 @@ void for_each_array(Laws& laws, Visit&& visit) {
   std::apply([&visit_law](auto&... law) { (visit_law(law), ...); }, laws);
 }
 
+double least_half_width(const Bounds& bounds) {
+  return endless(bounds) ? std::numeric_limits<double>::infinity() : std::min(bounds.half_width, bounds.half_height);
+}
+
 Kinematics kinematics(const Workspace& work, std::size_t instance) {
   return {work.gaps[instance].depth, work.rates[instance]};
 }
@@ -264,20 +268,34 @@ bool ContactForces::follows(const State& state) const {
   return found;
 }
 
-double ContactForces::longest_step(const Workspace& work, double pull) const {
-  double longest = std::numeric_limits<double>::infinity();
-  for (const Candidate& pair : search_.pairs()) {
+ContactForces::Passing ContactForces::passing(const Workspace& work, double pull) const {
+  Passing found{std::numeric_limits<double>::infinity(), {}};
+  for (std::size_t c = 0; c < candidates(); ++c) {
+    const Candidate& pair = search_.pairs()[c];
     if (endless(pair.bounds_a) || endless(pair.bounds_b)) continue;
-    const auto least = [](const Bounds& b) { return std::min(b.half_width, b.half_height); };
     const auto most = [](const Bounds& b) { return std::max(b.half_width, b.half_height); };
     const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
     const double speed =
         norm(B.v_WB - A.v_WB) + std::abs(A.w_WB) * most(pair.bounds_a) + std::abs(B.w_WB) * most(pair.bounds_b);
-    const double way = 0.5 * (least(pair.bounds_a) + least(pair.bounds_b));
+    const double way = 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b));
     // way = speed h + pull h^2/2, solved so that nothing cancels.
-    longest = std::min(longest, 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * pull * way)));
+    const double step = 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * pull * way));
+    if (step < found.longest_step) found = {step, static_cast<ContactId>(c)};
   }
-  return longest;
+  return found;
+}
+
+ContactForces::Overlap ContactForces::deepest_overlap(const Workspace& work) const {
+  Overlap found;
+  for (std::size_t c = 0; c < candidates(); ++c) {
+    if (!work.near[c]) continue;
+    const Candidate& pair = search_.pairs()[c];
+    const double size = std::min(least_half_width(pair.bounds_a), least_half_width(pair.bounds_b));
+    for (std::size_t i = pair.first; i < pair.last; ++i) {
+      if (work.gaps[i].depth > found.share * size) found = {work.gaps[i].depth / size, static_cast<ContactId>(c)};
+    }
+  }
+  return found;
 }
 
 void ContactForces::guards(const State& state, const Workspace& work, std::span<double> out) const {

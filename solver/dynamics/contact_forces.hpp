@@ -77,8 +77,19 @@ class ContactForces {
   void add(const State& state, Workspace& work, Rates* out) const;
   /// Whether some memory is taken along by settle() alone: of latching springs that load, of friction that slips.
   bool follows(const State& state) const;
-  /// The longest step [T] in which no body passes half the least width of another, under this pull [L/T^2].
-  double longest_step(const Workspace& work, double pull) const;
+  /// The longest step [T] in which no body passes half the least width of another, under this pull [L/T^2], and the
+  /// contact that sets it; infinite where none does.
+  struct Passing {
+    double longest_step{};
+    ContactId contact{};
+  };
+  Passing passing(const Workspace& work, double pull) const;
+  /// The deepest overlap within reach, as a share of half the least width of the smaller of its bodies.
+  struct Overlap {
+    double share{};
+    ContactId contact{};
+  };
+  Overlap deepest_overlap(const Workspace& work) const;
   /// Of the instances within reach.
   void guards(const State& state, const Workspace& work, std::span<double> out) const;
   /// A contact that acts, where its normal does not turn and its law is linear: between the motions of the two bodies

@@ -196,7 +196,7 @@ bool Dynamics::follows(const State& state) const { return contacts_.follows(stat
 double Dynamics::longest_step(const State& state, Workspace& work) const {
   if (contacts_.candidates() == 0) return std::numeric_limits<double>::infinity();
   bodies_.update(state, work);
-  return contacts_.longest_step(work, norm(model_.gravity));
+  return contacts_.passing(work, norm(model_.gravity)).longest_step;
 }
 
 std::vector<double> Dynamics::lengths() const {

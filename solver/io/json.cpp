@@ -122,6 +122,8 @@ std::string summary_json(const RunRecord& record, const std::string& resume) {
             {"extremes", extremes(record)},
             {"failures", failures(record)},
             {"bodies", bodies(record)},
+            {"watched", record.watched},
+            {"warnings", record.warnings},
             {"notes", record.notes}};
   if (!record.integrator_why.empty()) json["integrator_why"] = record.integrator_why;
   if (record.events) json["events"] = *record.events;

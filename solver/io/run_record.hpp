@@ -55,10 +55,12 @@ struct RunRecord {
   double largest_energy_closure{};
   double energy_scale{};
   std::vector<ExtremeRecord> extremes;
-  std::vector<Failure> failures;   ///< in the order in which cables yielded, and cables and hangers broke
-  History history;                 ///< rows up to the first that holds a number that is not finite
-  std::size_t rows_cut{};          ///< rows left out after that
-  std::vector<std::string> notes;  ///< what was asked for and is not in the files, in words
+  std::vector<Failure> failures;      ///< in the order in which cables yielded, and cables and hangers broke
+  History history;                    ///< rows up to the first that holds a number that is not finite
+  std::size_t rows_cut{};             ///< rows left out after that
+  std::vector<std::string> watched;   ///< what the watch over the run saw, in words
+  std::vector<std::string> warnings;  ///< and what it warns of
+  std::vector<std::string> notes;     ///< what was asked for and is not in the files, in words
 };
 
 /// The final positions and velocities of a scene's bodies.

@@ -76,8 +76,17 @@ Parts read_parts(SceneTable& file) {
   return parts;
 }
 
+WatchRules read_watch(SceneTable table) {
+  table.allow({"instability", "tunnelling", "accuracy"});
+  WatchRules rules;
+  rules.instability = table.choice_or("instability", rules.instability);
+  rules.tunnelling = table.choice_or("tunnelling", rules.tunnelling);
+  rules.accuracy = table.choice_or("accuracy", rules.accuracy);
+  return rules;
+}
+
 void read_run(SceneTable table, Scene& scene) {
-  table.allow({"integrator", "tolerance", "step", "end", "interval", "ledger"});
+  table.allow({"integrator", "tolerance", "step", "end", "interval", "ledger", "watch"});
   const std::string integrator = table.choice("integrator", integrator_choices());
   const double tolerance = table.has("tolerance") ? table.number("tolerance", Range::positive) : 0.0;
   const IntegratorChoice chosen = table.placed([&] { return choose_integrator(scene.model, integrator, tolerance); });
@@ -87,6 +96,7 @@ void read_run(SceneTable table, Scene& scene) {
   scene.plan.end = table.quantity("end", dimension::time, Range::positive);
   scene.plan.interval = table.quantity_or("interval", dimension::time, scene.plan.step, Range::positive);
   table.placed([&] { check_step_count(scene.plan); });
+  if (table.has("watch")) scene.plan.watch = read_watch(table.table("watch"));
   if (table.has("ledger")) scene.plan.ledger = table.choice("ledger", {"on", "off"}) == "on";
 }
 

@@ -1,6 +1,29 @@
 #pragma once
 
+#include <array>
+#include <string_view>
+
+#include "solver/base/fields.hpp"
+
 namespace talus {
+
+/// What a run does when the watch over it finds a limit passed.
+enum class Breach {
+  off,      ///< nothing is looked for
+  warning,  ///< it says so and goes on
+  error,    ///< it ends as diverged
+};
+template <>
+struct Names<Breach> {
+  static constexpr std::array<std::string_view, 3> list{"off", "warning", "error"};
+};
+
+/// What is watched during a run, and what follows a breach.
+struct WatchRules {
+  Breach instability{Breach::error};  ///< the springs that act are beyond the linear limit of the method
+  Breach tunnelling{Breach::error};   ///< bodies may pass each other in a step, or press half-way into each other
+  Breach accuracy{Breach::warning};   ///< contacts of few steps, deep overlaps, a ledger that does not close
+};
 
 /// How long a scene runs, in which steps, and how often it is looked at.
 struct RunPlan {
@@ -10,6 +33,7 @@ struct RunPlan {
   double interval{};  ///< time between records of the history [T]; rounded to whole steps, at least one
   bool ledger{
       true};  ///< keep the accounts of energy and impulse (`ledger = off` saves their cost; the summary says so)
+  WatchRules watch{};
 };
 
 }  // namespace talus

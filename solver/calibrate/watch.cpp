@@ -1,0 +1,208 @@
+#include "solver/calibrate/watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include "solver/base/error.hpp"
+#include "solver/run/simulate.hpp"
+
+namespace talus {
+namespace {
+
+/// Beyond this share of half the least width two bodies may slip through each other.
+constexpr double deepest_share = 0.5;
+/// Beyond this one the shapes are no longer those of the scene.
+constexpr double deep_share = 0.25;
+/// A contact of fewer steps errs by more than 5 % of its speed (0.45/N with a dashpot, the worst over all phases).
+constexpr double fewest_steps = 10.0;
+/// Share of the energy scale by which the ledger may fail to close.
+constexpr double largest_drift = 0.01;
+
+constexpr std::size_t most_coordinates = 150;
+constexpr long looks = 64, frequency_looks = 512;
+
+std::vector<double> times_of_contacts(const Dynamics& dynamics, const StepAdvice& advice) {
+  std::vector<double> times(dynamics.contacts().size());
+  for (std::size_t i = 0; i < times.size(); ++i)
+    times[i] = advice.springs[i].contact_time;
+  return times;
+}
+
+/// The contact to which an instance belongs.
+ContactId contact_of(const Dynamics& dynamics, std::size_t instance) {
+  const std::vector<std::size_t>& counts = dynamics.layout().contact_instances;
+  std::size_t contact = 0;
+  for (; instance >= counts[contact]; ++contact)
+    instance -= counts[contact];
+  return static_cast<ContactId>(contact);
+}
+
+}  // namespace
+
+Watch::Watch(const Scene& scene, const Dynamics& dynamics, const State& start)
+    : scene_{&scene}, dynamics_{&dynamics}, work_{dynamics.workspace()}, ledger_{dynamics, start}, modes_{start.mode} {
+  fixed_step_ = tolerance(scene.integrator) == 0.0 && !located_events(scene.integrator);
+  const long steps = step_count(scene.plan);
+  every_ = std::max(1L, steps / looks);
+  apart_ = std::max(1L, steps / frequency_looks);
+  if (start.q.size() > most_coordinates) return;
+  const StepAdvice closed = advise_step(dynamics, start);
+  contact_times_ = times_of_contacts(dynamics, closed);
+}
+
+template <class Words>
+void Watch::take(Watched which, double value, double limit, Breach breach, const State& seen, ContactId contact,
+                 const Words& words) {
+  const auto place = static_cast<std::size_t>(which);
+  Extreme& extreme = extremes_[place];
+  // Of steps in a contact the fewest count; what is not a number counts most.
+  const bool fewest = which == Watched::contact;
+  const bool beyond = !(fewest ? value >= limit : value <= limit);
+  if (!extreme.seen || !(fewest ? value >= extreme.value : value <= extreme.value))
+    extreme = {value, seen.t, contact, true};
+  if (!beyond || reported_[place]) return;
+  reported_[place] = true;
+  const std::string said = fmt::format("at t = {:.6g} {}", seen.t, words());
+  if (breach == Breach::error) {
+    breach_ = said;
+  } else {
+    warnings_.push_back(said);
+  }
+}
+
+void Watch::look(const State& seen, long step) {
+  const WatchRules& rules = scene_->plan.watch;
+  const bool turn = step % every_ == 0;
+  const bool changed = seen.mode != modes_;
+  if (fixed_step_ && rules.instability != Breach::off && seen.q.size() <= most_coordinates &&
+      (turn || (changed && step - looked_ >= apart_))) {
+    looked_ = step;
+    look_at_frequency(seen);
+  }
+  if (changed && fixed_step_ && rules.accuracy != Breach::off) look_at_contacts(seen);
+  if (changed) modes_ = seen.mode;
+  if (rules.tunnelling != Breach::off || rules.accuracy != Breach::off) look_at_pairs(seen);
+  if (turn && scene_->plan.ledger && rules.accuracy != Breach::off) look_at_drift(seen);
+}
+
+void Watch::look_at_frequency(const State& seen) {
+  const auto limit = step_limit(advise_step(*dynamics_, seen, Springs::acting), name(scene_->integrator));
+  if (!limit) return;
+  const double step = scene_->plan.step;
+  take(Watched::frequency, step / limit->step, 1.0, scene_->plan.watch.instability, seen, {}, [&] {
+    return fmt::format(
+        "h omega = {:.4g} > {:.4g}, the linear limit of {} for the mode of {:.4g} rad a unit of time, xi "
+        "{:.3g}, of the springs that act: the motion grows without bound; a step below {:.4g} is stable",
+        step * limit->mode.frequency, limit->product, name(scene_->integrator), limit->mode.frequency,
+        limit->mode.damping_ratio, limit->step);
+  });
+}
+
+void Watch::look_at_pairs(const State& seen) {
+  if (dynamics_->contacts().candidates() == 0) return;
+  const WatchRules& rules = scene_->plan.watch;
+  const auto contact_name = [this](ContactId contact) { return dynamics_->model().contacts[index(contact)].name; };
+  dynamics_->update(seen, work_);
+  if (fixed_step_ && rules.tunnelling != Breach::off) {
+    const auto passing = dynamics_->contacts().passing(work_, norm(dynamics_->model().gravity));
+    if (std::isfinite(passing.longest_step)) {
+      take(Watched::passing, scene_->plan.step / passing.longest_step, 1.0, rules.tunnelling, seen, passing.contact,
+           [&] {
+             return fmt::format(
+                 "the bodies of contact '{}' may pass each other unseen: a step is {:.3g} times the longest in "
+                 "which they cannot; it must be below {:.4g}",
+                 contact_name(passing.contact), scene_->plan.step / passing.longest_step, passing.longest_step);
+           });
+    }
+  }
+  const auto overlap = dynamics_->contacts().deepest_overlap(work_);
+  if (overlap.share == 0.0) return;
+  const bool through = overlap.share > deepest_share && rules.tunnelling != Breach::off;
+  if (!through && rules.accuracy == Breach::off) return;
+  // A warning said before does not stand in the way of the error.
+  if (through) reported_[static_cast<std::size_t>(Watched::overlap)] = false;
+  take(Watched::overlap, overlap.share, through ? deepest_share : deep_share,
+       through ? rules.tunnelling : rules.accuracy, seen, overlap.contact, [&] {
+         return fmt::format(
+             "contact '{}' overlaps by {:.3g} of half the least width of its smaller body, more than "
+             "{:g}: {}; it needs a stiffer contact (overlaps go with 1/sqrt(k)) or a slower impact",
+             contact_name(overlap.contact), overlap.share, through ? deepest_share : deep_share,
+             through ? "the bodies may slip through each other" : "its shapes are no longer the scene's");
+       });
+}
+
+void Watch::look_at_contacts(const State& seen) {
+  for (std::size_t i = 0; i < contact_times_.size(); ++i) {
+    if (modes_[i] != 0 || seen.mode[i] == 0 || !std::isfinite(contact_times_[i])) continue;
+    const double steps = contact_times_[i] / scene_->plan.step;
+    const ContactId contact = contact_of(*dynamics_, i);
+    take(Watched::contact, steps, fewest_steps, scene_->plan.watch.accuracy, seen, contact, [&] {
+      return fmt::format(
+          "contact '{}' touches, which lasts {:.3g} steps: its speeds may be off by {:.2g} %; a step of "
+          "{:.3g} gives it 50",
+          dynamics_->model().contacts[index(contact)].name, steps, 45.0 / steps, contact_times_[i] / 50.0);
+    });
+  }
+}
+
+void Watch::look_at_drift(const State& seen) {
+  const double closure = std::abs(ledger_.accounts(seen).energy_closure);
+  if (!(ledger_.energy_scale() > 0.0)) return;
+  const double drift = closure / ledger_.energy_scale();
+  take(Watched::drift, drift, largest_drift, scene_->plan.watch.accuracy, seen, {}, [&] {
+    return fmt::format(
+        "the energy ledger fails to close by {:.3g} % of its scale, more than {:g} %; a shorter step, or "
+        "a smaller tolerance, closes it better",
+        100.0 * drift, 100.0 * largest_drift);
+  });
+}
+
+void Watch::remember(Memory& memory) {
+  memory.numbers("modes", modes_);
+  memory.count("looked", looked_);
+  memory.part("ledger", [&] { ledger_.remember(memory); });
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < watched_count; ++i) {
+    const Extreme& e = extremes_[i];
+    numbers.insert(numbers.end(), {e.value, e.time, static_cast<double>(index(e.contact)), e.seen ? 1.0 : 0.0,
+                                   reported_[i] ? 1.0 : 0.0});
+  }
+  memory.numbers("extremes", numbers);
+  std::string said = fmt::format("{}", fmt::join(warnings_, "\n"));
+  memory.text("warnings", said);
+  if (!memory.puts_back()) return;
+  for (std::size_t i = 0; i < watched_count; ++i) {
+    const double* at = &numbers[5 * i];
+    const double contacts = static_cast<double>(std::max<std::size_t>(1, dynamics_->model().contacts.size()));
+    if (!(at[2] >= 0.0 && at[2] < contacts && at[2] == std::floor(at[2])))
+      throw InputError{fmt::format("extremes: found contact {}; there are {}", at[2], contacts)};
+    extremes_[i] = {at[0], at[1], static_cast<ContactId>(at[2]), at[3] != 0.0};
+    reported_[i] = at[4] != 0.0;
+  }
+  warnings_.clear();
+  for (std::size_t from = 0; from < said.size();) {
+    const std::size_t end = std::min(said.find('\n', from), said.size());
+    warnings_.push_back(said.substr(from, end - from));
+    from = end + 1;
+  }
+}
+
+std::vector<std::string> watch_lines(const Watch& watch, const Scene& scene) {
+  std::vector<std::string> lines;
+  const auto line = [&](Watched which, std::string_view what, double scale, std::string_view unit, bool at_contact) {
+    const Watch::Extreme& extreme = watch.extreme(which);
+    if (!extreme.seen) return;
+    lines.push_back(
+        fmt::format("{:<34}{:>10.4g}{} at t = {:.6g}{}", what, scale * extreme.value, unit, extreme.time,
+                    at_contact ? fmt::format(", '{}'", scene.model.contacts[index(extreme.contact)].name) : ""));
+  };
+  line(Watched::frequency, "step over its linear limit", 1.0, "  ", false);
+  line(Watched::passing, "step over the longest unseen pass", 1.0, "  ", true);
+  line(Watched::overlap, "largest overlap over half width", 100.0, " %", true);
+  line(Watched::contact, "steps in the shortest contact", 1.0, "  ", true);
+  line(Watched::drift, "largest drift of the ledger", 100.0, " %", false);
+  return lines;
+}
+
+}  // namespace talus

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "solver/calibrate/step_advice.hpp"
+#include "solver/run/energy_ledger.hpp"
+#include "solver/scenes/scene.hpp"
+
+namespace talus {
+
+/// What is watched along a run.
+enum class Watched : std::size_t {
+  frequency,  ///< h omega of the mode of the acting springs that is nearest to the method's linear limit, over it
+  passing,    ///< step over the longest in which no body can pass another unseen
+  overlap,    ///< largest overlap over half the least width of the smaller body
+  contact,    ///< time of the shortest contact that was touched, in steps
+  drift,      ///< largest energy closure of the ledger over its scale
+};
+inline constexpr std::size_t watched_count = 5;
+
+/// Watches over a run: how near each number came to its limit, and when. Nothing that it does changes the run.
+/// - frequency is looked at where contacts or cables begin or end to act, at most 512 times a run, and 64 times in any
+///   case, of scenes of up to 150 coordinates and methods whose limit is known (linear_limit());
+/// - passing and overlap after every step (of methods that locate events passing is their own affair);
+/// - contact where one is touched, for methods of fixed step;
+/// - drift 64 times, with the ledger on.
+class Watch {
+ public:
+  /// The extreme of one number so far.
+  struct Extreme {
+    double value{};
+    double time{};        ///< [T]; of a breach the first time beyond the limit
+    ContactId contact{};  ///< where it belongs to one
+    bool seen{};          ///< there was something to look at
+  };
+
+  /// Scene and Dynamics must outlive it. `start`: the first state of the run.
+  Watch(const Scene& scene, const Dynamics& dynamics, const State& start);
+
+  /// Looks at the state after a step (0: before the first).
+  void look(const State& seen, long step);
+
+  /// Why the run must end; empty while it may go on.
+  const std::string& breach() const { return breach_; }
+  /// What was found and does not end the run, once for each number.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  const Extreme& extreme(Watched which) const { return extremes_[static_cast<std::size_t>(which)]; }
+
+  /// Names what it carries from one step to the next.
+  void remember(Memory& memory);
+
+ private:
+  void look_at_frequency(const State& seen);
+  void look_at_pairs(const State& seen);
+  void look_at_contacts(const State& seen);
+  void look_at_drift(const State& seen);
+  /// Takes a number into its extreme; a limit that it is beyond for the first time is a breach, with the words.
+  template <class Words>
+  void take(Watched which, double value, double limit, Breach breach, const State& seen, ContactId contact,
+            const Words& words);
+
+  const Scene* scene_;
+  const Dynamics* dynamics_;
+  Workspace work_;
+  EnergyLedger ledger_;
+  bool fixed_step_{};
+  long every_{};                       ///< steps between two looks at all
+  long apart_{};                       ///< least number of steps between two looks at the frequency
+  std::vector<double> contact_times_;  ///< of each contact instance [T]
+  std::vector<Mode> modes_;            ///< at the last look
+  long looked_{};                      ///< step of the last look at the frequency
+  std::array<Extreme, watched_count> extremes_{};
+  std::array<bool, watched_count> reported_{};
+  std::string breach_;
+  std::vector<std::string> warnings_;
+};
+
+/// The watch's numbers in words, a line each.
+[[nodiscard]] std::vector<std::string> watch_lines(const Watch& watch, const Scene& scene);
+
+}  // namespace talus
