@@ -18,6 +18,9 @@ std::vector<Reference> all_references() {
       {"ahnert2011",
        "K. Ahnert, M. Mulansky: Odeint - solving ordinary differential equations in C++. AIP Conference Proceedings "
        "1389 (2011) 1586-1589."},
+      {"abramowitz1964",
+       unseen("M. Abramowitz, I. A. Stegun (eds.): Handbook of Mathematical Functions. National Bureau "
+              "of Standards, Washington 1964.")},
       {"alefeld1995",
        "G. E. Alefeld, F. A. Potra, Y. Shi: Algorithm 748: enclosing zeros of continuous functions. ACM Transactions "
        "on "

@@ -1,0 +1,315 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "solver/model/model_builder.hpp"
+#include "solver/run/energy_ledger.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/bouncing_disc.hpp"
+#include "verification/check/case.hpp"
+#include "verification/reference/damped_bounce.hpp"
+#include "verification/reference/latching_impact.hpp"
+#include "verification/reference/restitution.hpp"
+#include "verification/reference/struck_row.hpp"
+
+namespace talus::verification::problems {
+
+Case exact_pieces();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Between events many motions are linear: a disc that flies, or that presses on a plane through a spring and a
+dashpot. Then one force evaluation a piece is enough, and what is left of the error is round-off.
+
+```
+   flight        contact                  flight           ...       rest
+  q'' = g  | q'' = a0 - K (q - q0) - C (q' - v0) | q'' = g  |   |  contact without end
+           ^ event: gap = 0                      ^ event: force = 0
+```
+
+**Method.** In the modes of a piece the accelerations are $\ddot q = a_0 - K (q - q_0) - C (\dot q - v_0)$, with $a_0$
+from the one evaluation at its beginning and $K$, $C$ from the laws. The solution is the power series
+$q(t) = \sum_k P_k$, $P_{k+2} = -(h^2 K P_k + h (k+1) C P_{k+1})/((k+1)(k+2))$. Over one radian of the fastest motion, the
+longest that is summed at once, its 22nd term is $1/21! = 2\cdot 10^{-20}$ of the first: nothing is cut off, and the
+operations are sums and products, the same on every processor. The next piece begins where a guard of the present modes
+falls to nought, bracketed between two such times and found to round-off (Alefeld et al. 1995).
+
+**Expected.** One evaluation for each piece, whose number the reference knows, and none for outputs. Errors: a place of
+size $x$ is rounded by up to $2^{-53} x$ whenever it is stored, which is a share $2^{-53} x/\delta$ of the overlap $\delta$
+by which an impact goes. Work and impulses, if they are kept, are integrated over each radian by Gauss's rule with eight
+evaluations.
+
+| scene | exact by |
+|:---|:------|
+| damped bounce to rest, $\omega_0 = 100$, $\xi = .2$, clamped, gap .618, $v = 1$, $g = 9.81$, 3 s | closed form at 50 digits |
+| impacts, $\xi$ from 0 to 2, both end rules, $\omega_0 = 100$ | closed form |
+| latching springs $e$ = .25 to 1, and growing ones | quarter swings |
+| three discs on a line, gap 0 to 1.2 | modes at 50 digits |
+
+**Source.** Alefeld et al. 1995 (roots); Abramowitz & Stegun 1964, Table 25.4 (Gauss's rule); the references' own pages.
+
+**What would break it.** A dashpot or a neighbour left out of a piece's matrix; a mode that ends a step late; a series
+that is cut too early; a piece that begins with the last one's force.
+)";
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// A run in so many outputs, and what it took.
+struct Ran {
+  State state;
+  long evaluations{};
+  long events{};
+  bool finished{};
+};
+
+Ran run_scene(const Scene& scene, const Integrator& method, double end, int outputs, Findings& findings,
+              std::span<const Observer> observers = {}, bool ledger = false) {
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, ledger};
+  Integrator running = method;
+  State state = scene.initial;
+  const double interval = end / outputs;
+  const Outcome outcome = simulate(system, running, state, {interval, end, interval, ledger}, observers);
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  return {state, system.evaluations(), located_events(running).value_or(0), static_cast<bool>(outcome)};
+}
+
+/// The exact propagator, or what a fault puts in its place.
+Integrator exact(const Setup& setup) {
+  return setup.has("odeint_for_exact") ? make_integrator("odeint_fehlberg78", 1e-12) : make_integrator("exact");
+}
+
+EndRule rule_of(reference::EndRule end) {
+  return end == reference::EndRule::clamped ? EndRule::clamped : EndRule::attractive;
+}
+
+void check_bounce(Findings& findings, const Setup& setup, Table& table) {
+  constexpr double w = 100.0, xi = 0.2, end = 3.0;
+  constexpr int outputs = 240;
+  const reference::DampedBounce drop{w, xi, 9.81, 0.618, 1.0, reference::EndRule::clamped};
+  const double stiffness = setup.has("stiffness_by_1e-9") ? (1.0 + 1e-9) * w * w : w * w;
+  const Scene scene = scenes::bouncing_disc(
+      {.mass = 1.0,
+       .radius = 1.0,
+       .gap = drop.gap,
+       .speed = drop.speed,
+       .gravity = drop.gravity,
+       .contact = LinearSpringDashpot{stiffness, 2.0 * xi * w,
+                                      setup.has("other_end_rule") ? EndRule::attractive : EndRule::clamped}});
+  std::vector<double> times;
+  for (int i = 1; i <= outputs; ++i)
+    times.push_back(end * i / outputs);
+  const auto truth = reference::bounce_states(drop, times);
+  double place = 0.0, speed = 0.0;
+  Series gap{.label = "gap", .x = {}, .y = {}, .style = Style::lines};
+  const Observer compare = [&](const State& seen, const StepInfo& info) {
+    gap.x.push_back(seen.t), gap.y.push_back(seen.q[1] - 1.0);
+    if (info.step == 0) return;
+    const auto& exact_state = truth[static_cast<std::size_t>(info.step - 1)];
+    place = std::max(place, std::abs(seen.q[1] - 1.0 - exact_state.gap));
+    speed = std::max(speed, std::abs(seen.v[1] + exact_state.velocity));
+  };
+  const Ran found = run_scene(scene, exact(setup), end, outputs, findings, {&compare, 1});
+  const auto contacts = reference::bounces(drop, 100);
+  // Flight, then of each contact that ends the push, the way out beside the law, and the next flight.
+  const double pieces = 2.0 + 3.0 * static_cast<double>(contacts.size() - 1);
+  const std::string words = fmt::format(
+      "pieces by the reference: {} contacts, of which the last stays; a flight, and for each other contact the push, "
+      "the "
+      "way out on which the clamped law does not pull, and a flight",
+      contacts.size());
+  findings.expect("damped bounce to rest: force evaluations", static_cast<double>(found.evaluations), pieces,
+                  Tolerance::exact(words));
+  findings.expect_between("damped bounce to rest: force evaluations over the 60 admitted",
+                          static_cast<double>(found.evaluations) / 60.0, 0.02, 1.0,
+                          "60 was set beforehand; below a fiftieth something was not counted");
+  // Depth at rest g/w^2 = 1e-3, largest overlap .036; places are stored about 1 from the origin.
+  const double rounding = epsilon / (contacts.front().largest_depth);
+  findings.expect("damped bounce to rest: place, largest error over the fall", place / drop.gap, 0.0,
+                  Tolerance::round_off(4.0 * rounding,
+                                       "eight places at events, each rounded by half an epsilon of 1, a share of the "
+                                       "overlap of .036 by which the impact goes"));
+  findings.expect("damped bounce to rest: velocity, largest error over the first impact's speed",
+                  speed / contacts.front().start_speed, 0.0,
+                  Tolerance::round_off(8.0 * rounding,
+                                       "as for the place; where an output falls within a contact a time of 1e-16 makes "
+                                       "w times as much of the velocity"));
+  table.rows.push_back(
+      {"damped bounce", fmt::format("{:.0f}", pieces), fmt::format("{}", found.evaluations),
+       fmt::format("{:.1e}", place / drop.gap),
+       fmt::format("{}", run_scene(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations)});
+  const Ran at_once = run_scene(scene, exact(setup), end, 1, findings);
+  findings.expect("damped bounce to rest: force evaluations with one output", static_cast<double>(at_once.evaluations),
+                  pieces, Tolerance::exact("outputs are read off the pieces: none costs an evaluation"));
+  if (setup.coarse) return;
+  Figure figure{.name = "bounce",
+                .title = "Damped bounce to rest, by one force evaluation a piece",
+                .caption = fmt::format("Gap at {} outputs of a run of {} force evaluations. Crosses: events.", outputs,
+                                       found.evaluations),
+                .x = {.label = "time", .unit = "s"},
+                .y = {.label = "gap", .unit = "m"},
+                .series = {gap}};
+  Series events{.label = "touch and end", .x = {}, .y = {}, .style = Style::crosses};
+  for (const auto& contact : contacts) {
+    events.x.push_back(contact.start_time), events.y.push_back(0.0);
+    if (std::isfinite(contact.end_time)) events.x.push_back(contact.end_time), events.y.push_back(0.0);
+  }
+  figure.series.push_back(events);
+  findings.figure(figure);
+}
+
+void check_impacts(Findings& findings, const Setup& setup, Table& table) {
+  double worst = 0.0, worst_lost = 0.0;
+  long evaluations = 0, runs = 0, stormer = 0, pieces = 0;
+  for (const auto end : {reference::EndRule::attractive, reference::EndRule::clamped}) {
+    for (const double xi : {0.0, 0.05, 0.2, 0.5, 0.9, 1.0, 2.0}) {
+      const double e = reference::restitution(xi, end);
+      if (e == 0.0) continue;  // stays
+      const double damping = setup.has("dashpot_by_1e-9") ? (1.0 + 1e-9) * 200.0 * xi : 200.0 * xi;
+      const Scene scene =
+          scenes::bouncing_disc({.gap = 0.1, .speed = 1.0, .contact = LinearSpringDashpot{1e4, damping, rule_of(end)}});
+      const Ran found = run_scene(scene, exact(setup), 1.0, 1, findings);
+      worst = std::max(worst, std::abs(found.state.v[1] - e));
+      evaluations += found.evaluations, ++runs;
+      // Flight, push, flight; a clamped dashpot lets go before the way out is over.
+      pieces += end == reference::EndRule::clamped && xi > 0.0 ? 4 : 3;
+      stormer += run_scene(scene, make_integrator("stormer_cowell", 1e-9), 1.0, 1, findings).evaluations;
+      const Ran kept = run_scene(scene, exact(setup), 1.0, 1, findings, {}, true);
+      double lost = 0.0;
+      for (const double work : kept.state.work)
+        lost += work;
+      worst_lost = std::max(worst_lost, std::abs(lost - 0.5 * (1.0 - e * e)));
+    }
+  }
+  findings.expect("impacts: force evaluations of all", static_cast<double>(evaluations), static_cast<double>(pieces),
+                  Tolerance::exact("one for each piece"));
+  const double rounding = epsilon / (0.01 * std::exp(-1.0));
+  findings.expect("impacts: exit speed, largest error over the entry speed", worst, 0.0,
+                  Tolerance::round_off(rounding,
+                                       "places about 1 from the origin are rounded by up to epsilon in all, a share of "
+                                       "the overlap v/w = .01, less by e^-1 with damping"));
+  findings.expect("impacts: work of the dashpots, largest error over twice the energy", worst_lost, 0.0,
+                  Tolerance::round_off(2.0 * rounding, "the energy is of second power in the speed"));
+  table.rows.push_back({fmt::format("{} impacts", runs), fmt::format("{}", pieces), fmt::format("{}", evaluations),
+                        fmt::format("{:.1e}", worst), fmt::format("{}", stormer)});
+}
+
+void check_latching(Findings& findings, const Setup& setup, Table& table) {
+  double worst = 0.0, worst_time = 0.0;
+  long evaluations = 0, stormer = 0, runs = 0;
+  struct Latch {
+    double back;
+    double growth;
+  };
+  for (const Latch latch : {Latch{1.0, 0.0}, {2.0, 0.0}, {4.0, 0.0}, {16.0, 0.0}, {1.0, 1.0}, {2.0, 8.0}}) {
+    const auto truth = reference::latching_events({1.0, latch.back, latch.growth, 1.0, 1.0});
+    const LatchingSpring law{1.0, latch.back, setup.has("growth_lost") ? 0.0 : latch.growth};
+    const Scene scene = scenes::bouncing_disc({.radius = 4.0, .gap = 0.25, .speed = 1.0, .contact = law});
+    const double end = 0.25 + truth.contact_time + 1.0;
+    const Ran found = run_scene(scene, exact(setup), end, 1, findings);
+    worst = std::max(worst, std::abs(found.state.v[1] - truth.restitution));
+    // It leaves the law with the residual depth, and flies for 1.
+    worst_time = std::max(worst_time, std::abs(found.state.q[1] - 4.0 + truth.residual_depth - truth.restitution));
+    evaluations += found.evaluations, ++runs;
+    stormer += run_scene(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations;
+  }
+  const std::string words = "places up to 4 from the origin are rounded by up to 4 epsilon, three times to the end";
+  findings.expect("latching springs: exit speed, largest error", worst, 0.0,
+                  Tolerance::round_off(12.0 * epsilon, words));
+  findings.expect("latching springs: place a time of 1 after the end, largest error", worst_time, 0.0,
+                  Tolerance::round_off(12.0 * epsilon, words));
+  table.rows.push_back({fmt::format("{} latching springs", runs), "-", fmt::format("{}", evaluations),
+                        fmt::format("{:.1e}", worst), fmt::format("{}", stormer)});
+}
+
+Scene row_scene(const reference::StruckRow& row) {
+  ModelBuilder builder;
+  std::array<BodyId, 3> discs{};
+  for (int i = 0; i < 3; ++i)
+    discs[static_cast<std::size_t>(i)] = builder.add(Body{.name = fmt::format("disc{}", i + 1),
+                                                          .mobility = Mobility::sliding_x,
+                                                          .mass = row.mass,
+                                                          .shape = Circle{4.0},
+                                                          .p_WB = {8.0 * (i - 1) + (i == 2 ? row.gap : 0.0), 0.0}});
+  const LinearSpringDashpot law{row.stiffness, 0.0, EndRule::clamped};
+  builder.add(Contact{.name = "first", .a = discs[0], .b = discs[1], .law = law});
+  builder.add(Contact{.name = "second", .a = discs[1], .b = discs[2], .law = law});
+  Scene scene{.title = "Three discs on a line", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, discs[0], {row.speed, 0.0}, 0.0);
+  return scene;
+}
+
+void check_rows(Findings& findings, const Setup& setup, Table& table) {
+  double worst = 0.0, pieces = 0.0;
+  long evaluations = 0, stormer = 0;
+  for (const double gap : {0.0, 0.1, 0.4, 1.2}) {
+    const reference::StruckRow row{1.0, 1.0, 1.0, gap};
+    const auto truth = reference::rebound(row);
+    const Ran found = run_scene(row_scene(row), exact(setup), truth.end_time + 1.0, 1, findings);
+    for (std::size_t i = 0; i < 3; ++i)
+      worst = std::max(worst, std::abs(found.state.v[i] - truth.velocity[i]));
+    evaluations += found.evaluations;
+    pieces += static_cast<double>(truth.changes.size());
+    stormer += run_scene(row_scene(row), make_integrator("stormer_cowell", 1e-9), truth.end_time + 1.0, 1, findings)
+                   .evaluations;
+  }
+  findings.expect(
+      "three discs on a line: velocities, largest error", worst, 0.0,
+      Tolerance::round_off(24.0 * epsilon,
+                           "places 8 from the origin are rounded by half of 8 epsilon, of two discs in each "
+                           "of three changes of contact"));
+  table.rows.push_back({"4 rows of three discs", fmt::format("{:.0f}", pieces), fmt::format("{}", evaluations),
+                        fmt::format("{:.1e}", worst), fmt::format("{}", stormer)});
+}
+
+void run(Findings& findings, const Setup& setup) {
+  Table table{.name = "pieces",
+              .caption =
+                  "Force evaluations and largest errors of the exact propagator; the evaluations of "
+                  "`stormer_cowell` at 1e-9 beside them.",
+              .columns = {"scenes", "pieces by the reference", "evaluations", "error", "stormer_cowell"},
+              .rows = {}};
+  check_bounce(findings, setup, table);
+  check_impacts(findings, setup, table);
+  check_latching(findings, setup, table);
+  check_rows(findings, setup, table);
+  findings.table(table);
+}
+
+}  // namespace
+
+Case exact_pieces() {
+  return {
+      .id = "exact_pieces",
+      .title = "Linear pieces, exactly",
+      .family = "speed and accuracy",
+      .requirements = {{"integrator.exact", {"bounce to rest", "impacts:", "latching springs:", "three discs"}}},
+      .main_checks = {"damped bounce to rest: force evaluations",
+                      "damped bounce to rest: place, largest error over the fall",
+                      "impacts: exit speed, largest error over the entry speed",
+                      "latching springs: exit speed, largest error",
+                      "three discs on a line: velocities, largest error"},
+      .source = "Alefeld et al. 1995; Abramowitz & Stegun 1964",
+      .page = page,
+      .faults = {{"odeint_for_exact", "Fehlberg 7(8) under step control in the propagator's place",
+                  "three discs on a line: velocities, largest error"},
+                 {"stiffness_by_1e-9", "a stiffness that is off by 1e-9",
+                  "damped bounce to rest: place, largest error over the fall"},
+                 {"other_end_rule", "a contact that pulls before it ends", "damped bounce to rest: force evaluations"},
+                 {"dashpot_by_1e-9", "a dashpot that is off by 1e-9",
+                  "impacts: exit speed, largest error over the entry speed"},
+                 {"growth_lost", "a latching spring that does not stiffen with the largest force",
+                  "latching springs: exit speed, largest error"}},
+      .tier = Tier::quick,
+      .time_limit = 60.0,
+      .run = run};
+}
+
+}  // namespace talus::verification::problems
