@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include "solver/base/error.hpp"
 #include "solver/run/simulate.hpp"
 
