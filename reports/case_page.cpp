@@ -160,7 +160,8 @@ std::string case_page(const CaseRecord& record, std::size_t chapter, const Drawn
   values.set("tier", record.tier);
   values.set("page", markdown::with_headings_below(record.page, 2));
   values.set("main_checks", record.checks.empty() ? "No check ran.\n" : main_check_table(record));
-  values.set("figure", figures(record, chapter, drawn, 0, 1, Place::beside_caption));
+  const bool panels = !record.figures.empty() && !record.figures.front().panels.empty();
+  values.set("figure", figures(record, chapter, drawn, 0, 1, panels ? Place::over_caption : Place::beside_caption));
   values.set("rest", fmt::format("All {} checks and {} controls, {} tables, {} further figures: [details](#{}).",
                                  record.checks.size(), record.controls.size(), record.tables.size(),
                                  record.figures.empty() ? 0 : record.figures.size() - 1,

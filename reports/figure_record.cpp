@@ -1,5 +1,7 @@
 #include "reports/figure_record.hpp"
 
+#include <algorithm>
+
 namespace talus::reports {
 namespace {
 
@@ -39,14 +41,37 @@ Series series_of(const Node& node) {
   series.x = node.at("x").words();
   series.y = node.at("y").words();
   series.style =
-      node.at("style").one_of({"points", "lines", "linespoints", "errorbars", "crosses", "outlines", "shapes"});
+      node.at("style").one_of({"points", "lines", "linespoints", "errorbars", "crosses", "outlines", "heat", "shapes"});
   series.where = node.text_or_empty("where");
   if (series.style == "errorbars") {
     series.y_low = node.at("y_low").words();
     series.y_high = node.at("y_high").words();
   }
   if (series.style == "shapes") series.look = look_of(node);
+  if (series.style == "heat") series.look.value = node.at("value").words();
+  if (node.has("panel")) series.panel = node.at("panel").integer();
   return series;
+}
+
+Scale scale_of(const Node& node, bool two_hues) {
+  const Scale scale{node.at("label").words(), node.text_or_empty("unit"), node.at("min").finite(),
+                    node.at("max").finite(), two_hues};
+  if (!(scale.min < scale.max)) node.complain("min must be less than max");
+  return scale;
+}
+
+void read_panels(const Node& node, Figure& figure) {
+  for (const Node& item : node.list_or_empty("panels"))
+    figure.panels.push_back(item.words());
+  if (!figure.panels.empty()) figure.columns = node.at("columns").integer();
+  if (figure.columns < 1 || figure.columns > 12) node.at("columns").complain("must be from 1 to 12");
+  if (node.has("scale")) figure.scale = scale_of(node.at("scale"), true);
+  for (const Series& series : figure.series) {
+    const int panels = std::max(1, static_cast<int>(figure.panels.size()));
+    if (series.panel < 0 || series.panel >= panels) node.at("series").complain("a series is in no panel");
+    if (series.style == "heat" && (!figure.scale || figure.panels.empty()))
+      node.at("series").complain("a heat map needs panels and a scale");
+  }
 }
 
 }  // namespace
@@ -84,6 +109,7 @@ Figure figure_of(const Node& node) {
     figure.marks.push_back({item.at("x").finite(), item.at("y").finite(), item.at("words").words()});
   if (node.has("grid")) figure.grid = node.at("grid").flag();
   figure.equal = node.flag_or_false("equal");
+  read_panels(node, figure);
   if (figure.equal && (!figure.x.min || !figure.x.max || !figure.y.min || !figure.y.max)) {
     node.complain("a figure with equal units needs min and max of both axes");
   }
@@ -97,10 +123,7 @@ Page page_of(const Node& node) {
     page.panels.push_back(figure_of(item));
   if (page.panels.empty()) node.at("panels").complain("must hold at least one figure");
   if (!node.has("scale")) return page;
-  const Node scale = node.at("scale");
-  page.scale = {scale.at("label").words(), scale.text_or_empty("unit"), scale.at("min").finite(),
-                scale.at("max").finite()};
-  if (!(page.scale->min < page.scale->max)) scale.complain("min must be less than max");
+  page.scale = scale_of(node.at("scale"), false);
   return page;
 }
 

@@ -57,9 +57,11 @@ std::string curve_command(const Curve& curve, const std::string& block, std::siz
                            : curve.style == "crosses"  ? "points"
                            : curve.style == "outlines" ? "lines"
                                                        : curve.style;
+  if (curve.style == "heat") return fmt::format("{} using 1:2:3:4:5 with rgbimage notitle", block);
   const std::string columns = curve.style == "errorbars" ? "1:2:3:4" : "1:2";
   const std::string crosses = curve.style == "crosses" ? " pt 2 ps 0.7" : "";
-  return fmt::format("{} using {} with {} linetype {}{} {}", block, columns, with, index + 1, crosses, title);
+  const std::string colour = curve.look.colour.empty() ? "" : fmt::format(" lc rgb '{}'", curve.look.colour);
+  return fmt::format("{} using {} with {} linetype {}{}{} {}", block, columns, with, index + 1, colour, crosses, title);
 }
 
 /// The part of a power law that lies in the plot: a third of the x axis to each side of its point, clipped.
@@ -162,6 +164,16 @@ std::string shape_rows(const Curve& curve, const Scale& scale) {
     line = point.line;
     const double place = (point.value - scale.min) / (scale.max - scale.min);
     text += fmt::format("{:.6g} {:.6g} {}\n", point.x, point.y, scale_colour(place));
+  }
+  return text;
+}
+
+/// Rows of a grid with red, green and blue of each value.
+std::string heat_rows(const Curve& curve, const Scale& scale) {
+  std::string text;
+  for (const Point& point : curve.points) {
+    const long colour = scale_colour((point.value - scale.min) / (scale.max - scale.min), scale.two_hues);
+    text += fmt::format("{:.6g} {:.6g} {} {} {}\n", point.x, point.y, colour / 65536, colour / 256 % 256, colour % 256);
   }
   return text;
 }
@@ -293,12 +305,14 @@ Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale, 
     const Curve& curve = plot.curves[i];
     if (curve.points.empty()) continue;  // nothing of it fits a log axis; the caption counts such points
     const std::string block = fmt::format("${}{}", prefix, i + 1);
-    const bool shapes = curve.style == "shapes";
-    panel.settings +=
-        fmt::format("{} << END\n", block) + (shapes ? shape_rows(curve, scale) : curve_rows(curve)) + "END\n";
+    const bool shapes = curve.style == "shapes", heat = curve.style == "heat";
+    panel.settings += fmt::format("{} << END\n{}END\n", block,
+                                  shapes ? shape_rows(curve, scale)
+                                  : heat ? heat_rows(curve, scale)
+                                         : curve_rows(curve));
     panel.curves += (panel.curves.empty() ? "" : ", ");
     panel.curves += shapes ? shape_command(curve, block) : curve_command(curve, block, i);
-    if (!shapes && !curve.label.empty()) ++panel.in_key;
+    if (!shapes && !heat && !curve.label.empty()) ++panel.in_key;
     if (curve.style == "outlines") panel.settings += "set size ratio -1\n";
   }
   panel.settings += axis_commands('x', plot.figure.x, plot.x) + axis_commands('y', plot.figure.y, plot.y);

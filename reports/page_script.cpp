@@ -57,8 +57,8 @@ std::vector<Series> explained(const PagePlot& page) {
 }
 
 /// Width and height of a panel; one with equal units is drawn as large as its column lets it.
-std::pair<double, double> panel_size(const Plot& plot, double room) {
-  if (!plot.figure.equal) return {room, room > 9.0 ? 5.6 : 4.4};
+std::pair<double, double> panel_size(const Plot& plot, const Page& page, double room) {
+  if (!plot.figure.equal) return {room, page.panel_high.value_or(room > 9.0 ? 5.6 : 4.4)};
   const double shape = (plot.y.high - plot.y.low) / (plot.x.high - plot.x.low);
   const double width = std::min(room, tallest_panel / shape);
   return {width, width * shape};
@@ -82,7 +82,7 @@ Layout layout_of(const PagePlot& page, const std::vector<Panel>& panels, double 
     double tallest = 0.0;
     std::size_t key_rows = 0;
     for (std::size_t i = first; i < end; ++i) {
-      const auto [width, height] = panel_size(page.panels[i], room);
+      const auto [width, height] = panel_size(page.panels[i], page.page, room);
       const double x = left + static_cast<double>(i - first) * (room + gap) + 0.5 * (room - width);
       layout.frames.push_back({x, x + width, y + above + height, y + above});
       tallest = std::max(tallest, height);
@@ -155,7 +155,7 @@ std::string bar_commands(const Scale& scale, double top, double height) {
         "set object rect from screen {:.6f}, screen {:.6f} to screen {:.6f}, screen {:.6f} fs solid "
         "noborder fc rgb {}\n",
         left + width * i / parts, up(0.35), std::min(left + width * (i + 2) / parts, left + width), up(0.1),
-        scale_colour((i + 0.5) / parts));
+        scale_colour((i + 0.5) / parts, scale.two_hues));
   }
   const double step = round_step((scale.max - scale.min) / 4.0);
   const long last = std::lround(std::floor(scale.max / step + 1e-9));
@@ -165,7 +165,8 @@ std::string bar_commands(const Scale& scale, double top, double height) {
                         left + width * (value - scale.min) / (scale.max - scale.min), up(0.6));
   }
   return text + fmt::format("set label {} at screen {:.6f}, screen {:.6f} center\n",
-                            gnuplot_text(scale.label + (scale.unit.empty() ? "" : " [" + scale.unit + "]")),
+                            gnuplot_text(scale.label +
+                                         (scale.unit.empty() || scale.unit == "1" ? "" : " [" + scale.unit + "]")),
                             left + 0.5 * width, up(1.05));
 }
 
@@ -214,6 +215,24 @@ std::pair<std::string, double> page_commands(const PagePlot& page, const Canvas&
 }
 
 }  // namespace
+
+Page panelled(const Figure& figure) {
+  Page page{figure.name, {}, figure.columns, {}, figure.scale, 2.8};
+  for (std::size_t p = 0; p < figure.panels.size(); ++p) {
+    Figure panel = figure;
+    panel.title = figure.panels[p];
+    panel.panels.clear();
+    panel.series.clear();
+    for (Series series : figure.series) {
+      if (series.panel != static_cast<int>(p)) continue;
+      series.label.clear();
+      if (figure.scale && series.style != "heat") series.look.colour = "#000000";
+      panel.series.push_back(series);
+    }
+    if (!panel.series.empty()) page.panels.push_back(panel);
+  }
+  return page;
+}
 
 PagePlot page_plot_of(const Page& page, const std::filesystem::path& folder) {
   PagePlot made{page, {}};

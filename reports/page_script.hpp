@@ -14,6 +14,10 @@ struct PagePlot {
   std::vector<Plot> panels;
 };
 
+/// The page of a figure that has panels. They have no key, since their titles and the caption say what is drawn; lines
+/// over heat maps are black.
+[[nodiscard]] Page panelled(const Figure& figure);
+
 /// Reads the numbers of a page; throws as plot_of() does.
 [[nodiscard]] PagePlot page_plot_of(const Page& page, const std::filesystem::path& folder);
 

@@ -48,7 +48,8 @@ Curve curve_of(const Series& series, const Figure& figure, const Csv& csv, std::
                                   figure.name, series.label, series.x, series.y,
                                   series.where.empty() ? "" : ", series = '" + series.where + "'"));
   }
-  if (!shapes && series.style != "outlines") curve.points = thinned(curve.points, most_points);
+  if (!shapes && series.style != "outlines" && series.style != "heat")
+    curve.points = thinned(curve.points, most_points);
   return curve;
 }
 

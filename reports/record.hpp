@@ -70,12 +70,13 @@ struct Series {
   std::string label;
   std::string x;
   std::string y;
-  std::string style;  ///< points, lines, linespoints, errorbars, crosses, outlines (closed lines one after another), or
-                      ///< shapes: see Look
-  std::string y_low;  ///< column of the lower end of the error bar
+  std::string style;   ///< points, lines, linespoints, errorbars, crosses, outlines (closed lines one after another),
+                       ///< heat (a regular grid, coloured by `look.value`) or shapes: see Look
+  std::string y_low;   ///< column of the lower end of the error bar
   std::string y_high;  ///< column of its upper end
   std::string where;   ///< when not empty: only the rows whose column `series` holds this
-  Look look{};         ///< of shapes
+  Look look{};         ///< of shapes; of heat its value
+  int panel{};         ///< the one that shows it, of a figure that has panels
 };
 
 /// A power law y ~ x^order through (x, y), drawn in a log-log figure to compare with.
@@ -100,6 +101,16 @@ struct Mark {
   std::string words;
 };
 
+/// Colours for values: from min to max, pale to dark, or from one hue over white to another; one bar for all panels of
+/// a page.
+struct Scale {
+  std::string label;
+  std::string unit;
+  double min{};
+  double max{1.0};
+  bool two_hues{};
+};
+
 /// What a figure shows, without how it is drawn.
 struct Figure {
   std::string name;  ///< file stem
@@ -113,15 +124,10 @@ struct Figure {
   std::vector<LimitLine> lines;
   std::vector<Mark> marks;
   bool grid{true};
-  bool equal{};  ///< a unit is as long on both axes; both must then have their limits
-};
-
-/// Colours for values: from min to max, pale to dark, one bar for all panels of a page.
-struct Scale {
-  std::string label;
-  std::string unit;
-  double min{};
-  double max{1.0};
+  bool equal{};                       ///< a unit is as long on both axes; both must then have their limits
+  std::vector<std::string> panels{};  ///< titles of panels with the same axes; empty: one figure
+  int columns{1};                     ///< panels in a row
+  std::optional<Scale> scale{};       ///< of heat maps
 };
 
 /// Figures side by side, row by row, under one title. Shapes with a label are explained once, below all panels.
@@ -131,6 +137,7 @@ struct Page {
   int columns{1};
   std::vector<Figure> panels;
   std::optional<Scale> scale;
+  std::optional<double> panel_high{};  ///< [cm]; chosen from the width if absent
 };
 
 /// Pages one after the other as one picture that moves.

@@ -9,6 +9,7 @@
 #include "reports/error.hpp"
 #include "reports/file.hpp"
 #include "reports/gnuplot_script.hpp"
+#include "reports/page_script.hpp"
 #include "reports/pages.hpp"
 #include "reports/parallel.hpp"
 #include "reports/process.hpp"
@@ -31,6 +32,13 @@ std::vector<Drawing> drawings_of(const Results& results, const fs::path& verify,
     for (const Figure& figure : record.figures) {
       const std::string key = record.id + "/" + figure.name;
       try {
+        if (!figure.panels.empty()) {
+          const PagePlot page = page_plot_of(panelled(figure), verify / record.id);
+          for (const Plot& panel : page.panels)
+            drawn.hidden[key] += panel.undrawn;
+          script += page_script(page, canvas, picture_stem(record, figure));
+          continue;
+        }
         const Plot plot = plot_of(figure, verify / record.id);
         drawn.hidden[key] = plot.undrawn;
         script +=

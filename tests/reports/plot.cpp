@@ -7,6 +7,7 @@
 
 #include "reports/error.hpp"
 #include "reports/gnuplot_script.hpp"
+#include "reports/page_script.hpp"
 #include "tests/reports/scratch.hpp"
 
 using namespace talus::reports;
@@ -118,4 +119,24 @@ BOOST_AUTO_TEST_CASE(log_tics_stand_at_powers_of_ten) {
   BOOST_TEST(log_tics('y', {1e-20, 1.0}) ==
              "set ytics ('10^{-20}' 1e-20, '10^{-17}' 1e-17, '10^{-14}' 1e-14, '10^{-11}' 1e-11, '10^{-8}' 1e-8, "
              "'10^{-5}' 1e-5, '10^{-2}' 1e-2)\n");
+}
+
+BOOST_AUTO_TEST_CASE(heat_maps_are_drawn_in_their_panels) {
+  const Scratch scratch("heat");
+  Figure figure = figure_of(false);
+  figure.series = {{"map", "h [s]", "e", "heat", "", "", "a", {"", "", "value"}, 0},
+                   {"limit", "h [s]", "e", "lines", "", "", "b", {}, 0},
+                   {"other", "h [s]", "e", "heat", "", "", "a", {"", "", "value"}, 1}};
+  figure.panels = {"first", "second"};
+  figure.columns = 2;
+  figure.scale = Scale{"growth", "1", -1.0, 1.0, true};
+  write_csv(scratch, "series,h [s],e,value\na,0,1,-9\na,1,1,0\nb,0,1,0\nb,1,1,0\n");
+  const PagePlot page = page_plot_of(panelled(figure), scratch.folder);
+  BOOST_TEST(page.panels.size() == 2u);
+  BOOST_TEST(page.panels[0].figure.title == "first");
+  const std::string script = page_script(page, {"preamble.gp", scratch.folder, {"svg"}}, "f");
+  BOOST_TEST(names(script, "0 1 5 48 97\n"));  // below the scale: its blue end
+  BOOST_TEST(names(script, "1 1 247 247 247\n"));
+  BOOST_TEST(names(script, "with rgbimage"));
+  BOOST_TEST(names(script, "with lines linetype 2 lc rgb '#000000'"));
 }

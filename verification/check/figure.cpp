@@ -11,9 +11,13 @@ namespace talus::verification {
 
 namespace {
 
-constexpr std::array styles{std::pair{Style::points, "points"},           std::pair{Style::lines, "lines"},
-                            std::pair{Style::linespoints, "linespoints"}, std::pair{Style::errorbars, "errorbars"},
-                            std::pair{Style::crosses, "crosses"},         std::pair{Style::outlines, "outlines"}};
+constexpr std::array styles{std::pair{Style::points, "points"},
+                            std::pair{Style::lines, "lines"},
+                            std::pair{Style::linespoints, "linespoints"},
+                            std::pair{Style::errorbars, "errorbars"},
+                            std::pair{Style::crosses, "crosses"},
+                            std::pair{Style::outlines, "outlines"},
+                            std::pair{Style::heat, "heat"}};
 
 [[noreturn]] void refuse(const Figure& figure, const std::string& what) {
   throw std::invalid_argument("figure '" + figure.name + "': " + what);
@@ -28,6 +32,13 @@ void demand_well_formed(const Figure& figure, const Series& series) {
   if (bars && (series.y_low.size() != n || series.y_high.size() != n)) {
     refuse(figure, "series '" + series.label + "' needs as many bar ends as points");
   }
+  if (series.values.size() != (series.style == Style::heat ? n : 0)) {
+    refuse(figure, "series '" + series.label + "' needs as many values as points if it is a heat map, else none");
+  }
+  if (series.style == Style::heat && !figure.scale) refuse(figure, "a heat map needs a scale");
+  if (series.panel < 0 || series.panel >= std::max(1, static_cast<int>(figure.panels.size()))) {
+    refuse(figure, "series '" + series.label + "' is in a panel that there is not");
+  }
   if (series.style == Style::errorbars && !bars) refuse(figure, "series '" + series.label + "' has no bar ends");
 }
 
@@ -35,14 +46,16 @@ bool can_be_drawn(double value, const Axis& axis) { return std::isfinite(value) 
 
 /// Removes the points that cannot be drawn; returns how many.
 std::size_t prune(Series& series, const Axis& x, const Axis& y) {
-  Series kept{series.label, {}, {}, series.style, {}, {}};
+  Series kept{series.label, {}, {}, series.style, {}, {}, {}, series.panel};
   const bool bars = !series.y_low.empty();
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     bool draw = can_be_drawn(series.x[i], x) && can_be_drawn(series.y[i], y);
     if (bars) draw = draw && can_be_drawn(series.y_low[i], y) && can_be_drawn(series.y_high[i], y);
+    if (!series.values.empty()) draw = draw && std::isfinite(series.values[i]);
     if (!draw) continue;
     kept.x.push_back(series.x[i]);
     kept.y.push_back(series.y[i]);
+    if (!series.values.empty()) kept.values.push_back(series.values[i]);
     if (bars) {
       kept.y_low.push_back(series.y_low[i]);
       kept.y_high.push_back(series.y_high[i]);
@@ -67,7 +80,7 @@ Style style_named(const std::string& name) {
     if (name == entry.second) return entry.first;
   }
   throw std::invalid_argument("style '" + name +
-                              "' is not known; known: points, lines, linespoints, errorbars, crosses, outlines");
+                              "' is not known; known: points, lines, linespoints, errorbars, crosses, outlines, heat");
 }
 
 void demand_well_formed(const Figure& figure) {
@@ -77,6 +90,8 @@ void demand_well_formed(const Figure& figure) {
   if (figure.title.empty() || figure.caption.empty()) refuse(figure, "a title and a caption are needed");
   if (figure.x.label.empty() || figure.y.label.empty()) refuse(figure, "both axes need a label");
   if (figure.series.empty()) refuse(figure, "there is nothing to draw");
+  if (figure.columns < 1) refuse(figure, "there is no column for its panels");
+  if (figure.scale && !(figure.scale->min < figure.scale->max)) refuse(figure, "its scale is empty");
   for (const auto& series : figure.series)
     demand_well_formed(figure, series);
   for (const auto& line : figure.lines) {
@@ -89,6 +104,7 @@ std::size_t not_finite(const Figure& figure) {
   for (const auto& series : figure.series) {
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       bool finite = std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
+      if (!series.values.empty()) finite = finite && std::isfinite(series.values[i]);
       if (!series.y_low.empty()) finite = finite && std::isfinite(series.y_low[i]) && std::isfinite(series.y_high[i]);
       if (!finite) ++lost;
     }

@@ -32,6 +32,10 @@ bool has_bars(const Figure& figure) {
   return std::any_of(figure.series.begin(), figure.series.end(), [](const Series& s) { return !s.y_low.empty(); });
 }
 
+bool has_values(const Figure& figure) {
+  return std::any_of(figure.series.begin(), figure.series.end(), [](const Series& s) { return !s.values.empty(); });
+}
+
 std::vector<std::string> cells_of(const std::string& row) {
   std::vector<std::string> cells;
   std::stringstream stream(row);
@@ -49,13 +53,14 @@ double number(const std::string& cell, std::size_t line) {
   return value;
 }
 
-void add_row(const std::vector<std::string>& cells, std::size_t line, bool bars, Series& series) {
+void add_row(const std::vector<std::string>& cells, std::size_t line, bool bars, bool values, Series& series) {
   series.x.push_back(number(cells[1], line));
   series.y.push_back(number(cells[2], line));
   if (bars) {
     series.y_low.push_back(number(cells[3], line));
     series.y_high.push_back(number(cells[4], line));
   }
+  if (values) series.values.push_back(number(cells.back(), line));
 }
 
 }  // namespace
@@ -74,8 +79,9 @@ std::vector<std::string> series_keys(const Figure& figure) {
 
 std::string csv_of(const Figure& figure) {
   const bool bars = has_bars(figure);
+  const bool values = has_values(figure);
   const auto keys = series_keys(figure);
-  std::string text = bars ? "series,x,y,y_low,y_high\n" : "series,x,y\n";
+  std::string text = fmt::format("series,x,y{}{}\n", bars ? ",y_low,y_high" : "", values ? ",value" : "");
   for (std::size_t s = 0; s < keys.size(); ++s) {
     const Series& series = figure.series[s];
     for (std::size_t i = 0; i < series.x.size(); ++i) {
@@ -85,6 +91,7 @@ std::string csv_of(const Figure& figure) {
         text +=
             fmt::format(",{:.17g},{:.17g}", own ? series.y_low[i] : series.y[i], own ? series.y_high[i] : series.y[i]);
       }
+      if (values) text += fmt::format(",{:.17g}", series.values.empty() ? 0.0 : series.values[i]);
       text += '\n';
     }
   }
@@ -96,14 +103,17 @@ void read_points(const std::string& csv, const std::vector<std::string>& keys, F
   std::stringstream stream(csv);
   std::string row;
   std::getline(stream, row);
-  const bool bars = row == "series,x,y,y_low,y_high";
-  if (!bars && row != "series,x,y") throw std::invalid_argument("line 1: unknown columns '" + row + "'");
+  const bool values = row.ends_with(",value");
+  const std::string others = values ? row.substr(0, row.size() - 6) : row;
+  const bool bars = others == "series,x,y,y_low,y_high";
+  if (!bars && others != "series,x,y") throw std::invalid_argument("line 1: unknown columns '" + row + "'");
   for (std::size_t line = 2; std::getline(stream, row); ++line) {
     const auto cells = cells_of(row);
-    if (cells.size() != (bars ? 5u : 3u)) throw std::invalid_argument(fmt::format("line {}: not all columns", line));
+    if (cells.size() != (bars ? 5u : 3u) + (values ? 1u : 0u))
+      throw std::invalid_argument(fmt::format("line {}: not all columns", line));
     const auto key = std::find(keys.begin(), keys.end(), cells[0]);
     if (key == keys.end()) throw std::invalid_argument(fmt::format("line {}: unknown series '{}'", line, cells[0]));
-    add_row(cells, line, bars, figure.series.at(static_cast<std::size_t>(key - keys.begin())));
+    add_row(cells, line, bars, values, figure.series.at(static_cast<std::size_t>(key - keys.begin())));
   }
   for (const auto& series : figure.series) {
     if (series.x.empty()) throw std::invalid_argument("series '" + series.label + "' has no row");

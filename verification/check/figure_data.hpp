@@ -12,7 +12,8 @@ namespace talus::verification {
 [[nodiscard]] std::vector<std::string> series_keys(const Figure& figure);
 
 /// The data of a figure as CSV in long form: columns series, x, y and, if any series has bars, y_low, y_high (equal to
-/// y for a series without). 17 significant digits: read back, the doubles are the same.
+/// y for a series without), and, if any has values, value (0 for a series without). 17 significant digits: read back,
+/// the doubles are the same.
 [[nodiscard]] std::string csv_of(const Figure& figure);
 
 /// Fills the points of `figure.series`, in the order of `keys`, from the text of a CSV that `csv_of` wrote.

@@ -120,6 +120,7 @@ Figure figure_from(const Json& json, const std::filesystem::path& folder) {
   for (const auto& entry : json.at("series")) {
     figure.series.push_back(
         {entry.at("label").get<std::string>(), {}, {}, style_named(entry.at("style").get<std::string>()), {}, {}});
+    figure.series.back().panel = entry.value("panel", 0);
     keys.push_back(entry.at("where").get<std::string>());
   }
   for (const auto& slope : json.at("slopes")) {
@@ -130,14 +131,24 @@ Figure figure_from(const Json& json, const std::filesystem::path& folder) {
     figure.lines.push_back(
         {line.at("axis").get<std::string>().at(0), finite(line, "at"), line.at("label").get<std::string>()});
   }
+  if (json.contains("panels")) {
+    figure.panels = json.at("panels").get<std::vector<std::string>>();
+    figure.columns = json.at("columns").get<int>();
+  }
+  if (json.contains("scale")) {
+    const Json& scale = json.at("scale");
+    figure.scale = {scale.at("label").get<std::string>(), finite(scale, "min"), finite(scale, "max"),
+                    scale.at("unit").get<std::string>()};
+  }
   const auto file = folder / json.at("csv").get<std::string>();
   try {
     read_points(contents(file), keys, figure);
   } catch (const std::invalid_argument& fault) {
     throw RecordError(file.string() + ": " + fault.what());
   }
-  // The columns y_low and y_high are filled for every series of the file; only some of them have bars.
+  // The columns y_low, y_high and value are filled for every series of the file; only some of them have bars or values.
   for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (!json.at("series").at(i).contains("value")) figure.series[i].values.clear();
     if (json.at("series").at(i).contains("y_low")) continue;
     figure.series[i].y_low.clear();
     figure.series[i].y_high.clear();

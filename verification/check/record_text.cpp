@@ -87,6 +87,8 @@ Json to_json(const Figure& figure) {
       entry["y_low"] = "y_low";
       entry["y_high"] = "y_high";
     }
+    if (!series.values.empty()) entry["value"] = "value";
+    if (!figure.panels.empty()) entry["panel"] = series.panel;
     json["series"].push_back(std::move(entry));
   }
   for (const auto& slope : figure.slopes) {
@@ -95,6 +97,15 @@ Json to_json(const Figure& figure) {
   }
   for (const auto& line : figure.lines) {
     json["lines"].push_back({{"axis", std::string(1, line.axis)}, {"at", number(line.at)}, {"label", line.label}});
+  }
+  if (!figure.panels.empty()) {
+    json["panels"] = figure.panels;
+    json["columns"] = figure.columns;
+  }
+  if (figure.scale) {
+    const Scale& scale = *figure.scale;
+    json["scale"] = {
+        {"label", scale.label}, {"unit", scale.unit}, {"min", number(scale.min)}, {"max", number(scale.max)}};
   }
   return json;
 }

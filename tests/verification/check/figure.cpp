@@ -81,3 +81,36 @@ BOOST_AUTO_TEST_CASE(broken_data_are_refused) {
   refuse("series,x,y\nb,1,2\n");
   refuse("series,a,b\na,1,2\n");
 }
+
+BOOST_AUTO_TEST_CASE(heat_maps_keep_their_values_and_panels) {
+  Figure figure = two_series();
+  figure.panels = {"left", "right"};
+  figure.scale = Scale{"growth", -1.0, 1.0};
+  figure.series.push_back({.label = "map",
+                           .x = {1.0, 2.0},
+                           .y = {1.0, 1.0},
+                           .style = Style::heat,
+                           .values = {-0.25, not_a_number},
+                           .panel = 1});
+  BOOST_CHECK_NO_THROW(demand_well_formed(figure));
+  BOOST_TEST(not_finite(figure) == 1u);
+  figure = drawable(figure);
+  BOOST_TEST(figure.series[2].values == std::vector<double>({-0.25}));
+  BOOST_TEST(figure.series[2].panel == 1);
+  Figure back = figure;
+  for (auto& series : back.series)
+    series.x.clear(), series.y.clear(), series.y_low.clear(), series.y_high.clear(), series.values.clear();
+  read_points(csv_of(figure), series_keys(figure), back);
+  BOOST_TEST(back.series[2].values == figure.series[2].values);
+  const auto refuse = [&](auto&& spoil) {
+    Figure spoilt = figure;
+    spoil(spoilt);
+    BOOST_CHECK_THROW(demand_well_formed(spoilt), std::invalid_argument);
+  };
+  refuse([](Figure& f) { f.scale.reset(); });
+  refuse([](Figure& f) { f.series[2].values.clear(); });
+  refuse([](Figure& f) { f.series[0].values = {1.0, 2.0}; });
+  refuse([](Figure& f) { f.series[2].panel = 2; });
+  refuse([](Figure& f) { f.columns = 0; });
+  refuse([](Figure& f) { f.scale->max = -2.0; });
+}
