@@ -21,12 +21,18 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A tenth of the method's linear limit, or a fiftieth of the shortest contact if that is less. Errors: InputError
-/// where neither says anything.
+/// where neither says anything, and where the method grows at any step.
 double automatic_step(const Scene& scene) {
   const Dynamics dynamics{scene.model};
   const StepAdvice advice = advise_step(dynamics, scene.initial);
   double step = advice.shortest_contact / 50.0;
   if (const auto limit = step_limit(advice, name(scene.integrator))) step = std::min(step, 0.1 * limit->step);
+  if (step == 0.0) {
+    throw InputError{
+        fmt::format("--step: found \"auto\"; {} grows at any step, for this scene vibrates without a dashpot; choose "
+                    "another method",
+                    name(scene.integrator))};
+  }
   if (std::isfinite(step)) return step;
   throw InputError{fmt::format(
       "--step: found \"auto\"; no contact limits the steps of this scene and {} has no limit in closed form; give one",

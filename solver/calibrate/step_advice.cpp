@@ -82,15 +82,36 @@ double rk4_growth(double hw, double xi) {
   return largest;
 }
 
-double rk4_limit(double xi) {
-  // The limit lies within (0, 3); the first crossing is bracketed on a grid and then bisected.
+/// Largest growth of blanes_moan4 on the same oscillator, omega = 1: spectral radius of its map of (q, v) from one
+/// shared kick to the next, each kick with the velocity of before it.
+double blanes_moan4_growth(double h, double xi) {
+  const auto drifts = BlanesMoan4::drifts();
+  auto kicks = BlanesMoan4::kicks();
+  kicks[0] += kicks.back();
+  double map[2][2];
+  for (const int column : {0, 1}) {
+    double q = column == 0 ? 1.0 : 0.0, v = 1.0 - q;
+    for (std::size_t i = 0; i < drifts.size(); ++i) {
+      v += kicks[i] * h * (-q - 2.0 * xi * v);
+      q += drifts[i] * h * v;
+    }
+    map[0][column] = q, map[1][column] = v;
+  }
+  const double half_trace = 0.5 * (map[0][0] + map[1][1]);
+  const double determinant = map[0][0] * map[1][1] - map[0][1] * map[1][0];
+  const double square = half_trace * half_trace - determinant;
+  return square < 0.0 ? std::sqrt(determinant) : std::abs(half_trace) + std::sqrt(square);
+}
+
+/// The shortest step at which a method begins to grow, omega = 1: bracketed on a grid and then bisected.
+double first_growth(double (*growth)(double h, double xi), double xi) {
   double stable = 0.0;
   double h = 0.001;
-  while (rk4_growth(h, xi) <= 1.0 + 1e-12)
+  while (growth(h, xi) <= 1.0 + 1e-12)
     stable = h, h += 0.001;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (stable + h);
-    (rk4_growth(middle, xi) <= 1.0 + 1e-12 ? stable : h) = middle;
+    (growth(middle, xi) <= 1.0 + 1e-12 ? stable : h) = middle;
   }
   return stable;
 }
@@ -158,7 +179,10 @@ std::optional<double> linear_limit(std::string_view integrator, double damping_r
   }
   // With a dashpot, however weak; without one nothing lags.
   if (integrator == LaggedCentralDifference::name) return xi > 0.0 ? std::sqrt(1.0 + xi * xi) - xi : 2.0;
-  if (integrator == RungeKutta4::name) return rk4_limit(xi);
+  if (integrator == Euler::name) return xi < 1.0 ? 2.0 * xi : 2.0 / (xi + std::sqrt(xi * xi - 1.0));
+  if (integrator == Taylor::name) return xi < 0.5 ? 4.0 * xi : 1.0 / xi;
+  if (integrator == RungeKutta4::name) return first_growth(rk4_growth, xi);
+  if (integrator == BlanesMoan4::name) return first_growth(blanes_moan4_growth, xi);
   return std::nullopt;
 }
 

@@ -6,22 +6,26 @@
 #include <variant>
 #include <vector>
 
+#include "solver/integrate/blanes_moan4.hpp"
 #include "solver/integrate/central_difference.hpp"
+#include "solver/integrate/euler.hpp"
 #include "solver/integrate/euler_cromer.hpp"
 #include "solver/integrate/exact.hpp"
 #include "solver/integrate/lagged_central_difference.hpp"
 #include "solver/integrate/odeint_steppers.hpp"
 #include "solver/integrate/rk4.hpp"
 #include "solver/integrate/stormer_cowell.hpp"
+#include "solver/integrate/taylor.hpp"
 #include "solver/integrate/velocity_verlet.hpp"
 
 namespace talus {
 
 /// The closed list of integrators. One line here makes a method selectable, tested and documented.
-using Integrator = std::variant<CentralDifference, LaggedCentralDifference, VelocityVerlet, EulerCromer, RungeKutta4,
-                                Odeint<OdeintMethod::dopri5>, Odeint<OdeintMethod::cash_karp54>,
-                                Odeint<OdeintMethod::fehlberg78>, Odeint<OdeintMethod::adams_bashforth_moulton8>,
-                                Odeint<OdeintMethod::bulirsch_stoer>, StormerCowell, Exact>;
+using Integrator =
+    std::variant<CentralDifference, LaggedCentralDifference, VelocityVerlet, EulerCromer, Euler, Taylor, RungeKutta4,
+                 BlanesMoan4, Odeint<OdeintMethod::dopri5>, Odeint<OdeintMethod::cash_karp54>,
+                 Odeint<OdeintMethod::fehlberg78>, Odeint<OdeintMethod::adams_bashforth_moulton8>,
+                 Odeint<OdeintMethod::bulirsch_stoer>, StormerCowell, Exact>;
 
 /// Names of all integrators, in the list's order.
 [[nodiscard]] std::vector<std::string> integrator_names();

@@ -66,8 +66,9 @@ struct MethodRange {
   long last;   ///< steps
   /// What the next two terms of the expansion add to the order fitted between `first` and `last`. They are taken from
   /// the errors at three coarser steps, e n^order = c (1 + c1 h^q + c2 h^(2q)), q = 2 for the symmetric methods, else
-  /// 1: leapfrogs 16, 32, 64; euler_cromer 32, 64, 128; rk4 8, 16, 32; dopri5 16, 32, 64; cash_karp54 8, 16, 32;
-  /// fehlberg78 6, 8, 11; abm8 64, 91, 128 (its second term alone is 9.6 w h times the first, see adams_swing.hpp).
+  /// 1: leapfrogs 16, 32, 64; euler_cromer, euler and taylor 32, 64, 128; rk4 8, 16, 32; blanes_moan4 16, 32, 64;
+  /// dopri5 16, 32, 64; cash_karp54 8, 16, 32; fehlberg78 6, 8, 11; abm8 64, 91, 128 (its second term alone is 9.6 w h
+  /// times the first, see adams_swing.hpp).
   double tilt;
   /// Half of the tilt again, for the terms after those two: how far the fitted order may lie from `order`, either way.
   [[nodiscard]] constexpr double admitted() const { return tilt < 0.0 ? -1.5 * tilt : 1.5 * tilt; }
@@ -76,13 +77,16 @@ struct MethodRange {
 };
 
 /// All fixed-step methods; bulirsch_stoer has no fixed step.
-inline constexpr std::array<MethodRange, 8> method_ranges{{{"central_difference", 2, 64, 65536, -2.7e-5},
-                                                           {"velocity_verlet", 2, 64, 65536, 5.3e-5},
-                                                           {"euler_cromer", 1, 128, 131072, 1.00e-3},
-                                                           {"rk4", 4, 32, 1024, -.0099},
-                                                           {"odeint_dopri5", 5, 64, 256, .059},
-                                                           {"odeint_cash_karp54", 5, 32, 256, -.0032},
-                                                           {"odeint_fehlberg78", 8, 11, 32, -.128},
-                                                           {"odeint_abm8", 8, 91, 182, .505}}};
+inline constexpr std::array<MethodRange, 11> method_ranges{{{"central_difference", 2, 64, 65536, -2.7e-5},
+                                                            {"velocity_verlet", 2, 64, 65536, 5.3e-5},
+                                                            {"euler_cromer", 1, 128, 131072, 1.00e-3},
+                                                            {"euler", 1, 128, 131072, .00536},
+                                                            {"taylor", 1, 128, 131072, .00221},
+                                                            {"rk4", 4, 32, 1024, -.0099},
+                                                            {"blanes_moan4", 4, 64, 256, -.00476},
+                                                            {"odeint_dopri5", 5, 64, 256, .059},
+                                                            {"odeint_cash_karp54", 5, 32, 256, -.0032},
+                                                            {"odeint_fehlberg78", 8, 11, 32, -.128},
+                                                            {"odeint_abm8", 8, 91, 182, .505}}};
 
 }  // namespace talus::verification::problems

@@ -113,7 +113,7 @@ void check_work_and_precision(Findings& findings, const Setup& setup) {
   const Swing swing{.scene = scenes::pendulum(bob(setup, amplitude))};
   Figure own = chart("work_precision", "Work and precision on a smooth swing: the solver's own methods",
                      "for the solver's own methods: steps halved from point to point for orders 1 and 2, divided by "
-                     "the square root of 2 for rk4. The next figure has odeint's steppers.");
+                     "the square root of 2 for order 4. The next figure has odeint's steppers.");
   Figure odeint = chart("work_precision_odeint", "Work and precision on a smooth swing: odeint's steppers",
                         "for odeint's steppers, and rk4 again to compare with: steps divided by the square root of 2 "
                         "from point to point, and tolerances divided by ten for odeint_bulirsch_stoer, which has no "

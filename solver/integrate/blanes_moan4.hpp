@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <string_view>
+
+#include "solver/integrate/advance.hpp"
+#include "solver/integrate/concepts.hpp"
+#include "solver/state/state_memory.hpp"
+
+namespace talus {
+
+/// The symplectic method of order 4 of Blanes & Moan (2002, Table 3, SRKN_6^b): seven kicks with six drifts between
+/// them, symmetric, six force evaluations a step (the last kick of a step and the first of the next share one).
+///
+/// For motions whose forces depend on coordinates alone, where its energy swings but does not drift. On pendulums of 90
+/// and 170 degrees and on two cables its error at equal force evaluations is 520, 280 and 240 times below that of the
+/// triple jump (Forest & Ruth 1990, Yoshida 1990), 79, 14 and 18 times below Suzuki's five Verlet steps (1990), and 64,
+/// .4 and 3 times below that of McLachlan & Atela's four kicks (1992).
+///
+/// Forces that depend on velocity take that of before their kick: then the order is 1, and with the dashpot of an
+/// oscillator the error at equal work twice that of velocity Verlet. Some of its drifts and kicks go back in time: what
+/// a slider, a latch or a contact does on a way back is undone by no way forth.
+template <class Scalar>
+class BlanesMoan4Of {
+ public:
+  static constexpr std::string_view name = "blanes_moan4";
+  static constexpr int order = 4;
+  static constexpr std::size_t stages = 6;
+
+  /// Drifts, over the step; the paper's 15 digits, the middle ones by their sum.
+  static constexpr std::array<Scalar, stages> drifts() {
+    const Scalar a1{0.245298957184271}, a2{0.604872665711080};
+    const Scalar a3 = Scalar{1} / 2 - (a1 + a2);
+    return {a1, a2, a3, a3, a2, a1};
+  }
+  /// Kicks, over the step; the middle one by their sum.
+  static constexpr std::array<Scalar, stages + 1> kicks() {
+    const Scalar b1{0.0829844064174052}, b2{0.396309801498368}, b3{-0.0390563049223486};
+    const Scalar b4 = 1 - 2 * (b1 + b2 + b3);
+    return {b1, b2, b3, b4, b3, b2, b1};
+  }
+
+  template <Differentiable<Scalar> System>
+  void start(System& system, StateOf<Scalar>& state, Scalar) {
+    rates_ = RatesOf<Scalar>{state};
+    system.evaluate(state, rates_);
+  }
+
+  template <Differentiable<Scalar> System>
+  void step(System& system, StateOf<Scalar>& state, Scalar h) {
+    const auto kick = kicks();
+    const auto drift = drifts();
+    kick_velocities(state, rates_, kick[0] * h);
+    for (std::size_t i = 0; i < stages; ++i) {
+      system.drift(state, drift[i] * h);
+      system.evaluate(state, rates_);
+      kick_velocities(state, rates_, kick[i + 1] * h);
+    }
+    state.t += h;
+  }
+
+  template <class System>
+  const StateOf<Scalar>& synchronized(System&, const StateOf<Scalar>& state, Scalar) const {
+    return state;
+  }
+
+  void remember(Memory& memory, const State& like) requires std::same_as<Scalar, double> {
+    if (memory.puts_back()) rates_ = Rates{like};
+    memory.part("rates", [&] { talus::remember(memory, rates_); });
+  }
+
+ private:
+  RatesOf<Scalar> rates_;
+};
+
+using BlanesMoan4 = BlanesMoan4Of<double>;
+
+}  // namespace talus

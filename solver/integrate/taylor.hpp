@@ -1,0 +1,53 @@
+#pragma once
+
+#include <concepts>
+#include <string_view>
+
+#include "solver/integrate/advance.hpp"
+#include "solver/integrate/concepts.hpp"
+
+namespace talus {
+
+/// Taylor's polynomial with the acceleration a = a(q, v) of the step's start: q += h v + h^2/2 a, v += h a. Coordinates
+/// of a constant acceleration come out exact; on all else it is of first order, as explicit Euler. Not for use but to
+/// compare with: without a dashpot its energy grows by 1 + (omega h)^2/2 a step, however short the step; with one of
+/// the damping ratio xi the limit is omega h < 4 xi (xi < 1/2), 1/xi beyond.
+template <class Scalar>
+class TaylorOf {
+ public:
+  static constexpr std::string_view name = "taylor";
+  static constexpr int order = 1;
+
+  template <Differentiable<Scalar> System>
+  void start(System& system, StateOf<Scalar>& state, Scalar) {
+    rates_ = RatesOf<Scalar>{state};
+    system.settle(state);
+  }
+
+  /// Two half kicks around the drift: the second half is of the same acceleration.
+  template <Differentiable<Scalar> System>
+  void step(System& system, StateOf<Scalar>& state, Scalar h) {
+    system.evaluate(state, rates_);
+    kick_velocities(state, rates_, h / 2);
+    system.drift(state, h);
+    kick_velocities(state, rates_, h / 2);
+    state.t += h;
+  }
+
+  template <class System>
+  const StateOf<Scalar>& synchronized(System&, const StateOf<Scalar>& state, Scalar) const {
+    return state;
+  }
+
+  /// Nothing but room for the rates.
+  void remember(Memory& memory, const State& like) requires std::same_as<Scalar, double> {
+    if (memory.puts_back()) rates_ = Rates{like};
+  }
+
+ private:
+  RatesOf<Scalar> rates_;
+};
+
+using Taylor = TaylorOf<double>;
+
+}  // namespace talus
