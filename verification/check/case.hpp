@@ -22,6 +22,7 @@ struct Setup {
   std::string fault{};      ///< Name of the planted fault; empty for the right setup.
   bool coarse = false;      ///< Fewest points that still decide the checks which the faults name.
   Tier tier = Tier::quick;  ///< Tier of the whole run.
+  std::string machine{};    ///< Processor, compiler and options, in words: for the captions of measured times.
 
   /// Is `name` the planted fault?
   [[nodiscard]] bool has(std::string_view name) const { return fault == name; }

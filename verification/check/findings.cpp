@@ -65,6 +65,12 @@ void Findings::table(Table table) {
   tables_.push_back(std::move(table));
 }
 
+void Findings::data(DataFile file) {
+  demand_well_formed(file);
+  demand_new(data_, file.name, "data file");
+  data_.push_back(std::move(file));
+}
+
 void Findings::note(std::string markdown) { notes_.push_back(std::move(markdown)); }
 
 const Check* Findings::find(const std::string& name) const {

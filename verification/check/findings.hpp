@@ -6,6 +6,7 @@
 
 #include "verification/check/check.hpp"
 #include "verification/check/convergence.hpp"
+#include "verification/check/data_file.hpp"
 #include "verification/check/figure.hpp"
 #include "verification/check/table.hpp"
 
@@ -34,6 +35,8 @@ class Findings {
   /// counted in the caption.
   void figure(Figure figure);
   void table(Table table);
+  /// Adds a file of data that several figures are drawn from.
+  void data(DataFile file);
   /// A paragraph of Markdown for the page, e.g. what does not match and by how much.
   void note(std::string markdown);
   /// Adds to the number of force evaluations (or right-hand sides) that the case has spent.
@@ -42,6 +45,7 @@ class Findings {
   [[nodiscard]] const std::vector<Check>& checks() const { return checks_; }
   [[nodiscard]] const std::vector<Figure>& figures() const { return figures_; }
   [[nodiscard]] const std::vector<Table>& tables() const { return tables_; }
+  [[nodiscard]] const std::vector<DataFile>& data_files() const { return data_; }
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
@@ -54,6 +58,7 @@ class Findings {
   std::vector<Check> checks_;
   std::vector<Figure> figures_;
   std::vector<Table> tables_;
+  std::vector<DataFile> data_;
   std::vector<std::string> notes_;
   std::uint64_t evaluations_ = 0;
 };

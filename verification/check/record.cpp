@@ -98,6 +98,8 @@ void write_record(const Record& record, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   for (const auto& figure : record.figures)
     write_whole(folder / (figure.name + ".csv"), csv_of(figure));
+  for (const auto& file : record.data)
+    write_whole(folder / (file.name + ".csv"), csv_of(file));
   write_whole(folder / "record.json", text_of(record));
 }
 

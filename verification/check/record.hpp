@@ -80,6 +80,7 @@ struct Record {
   std::vector<Control> controls;
   std::vector<Figure> figures;
   std::vector<Table> tables;
+  std::vector<DataFile> data;
   std::vector<std::string> notes;
 };
 
@@ -97,7 +98,7 @@ struct RecordError : std::runtime_error {
 /// The JSON text of a record (schema 1).
 [[nodiscard]] std::string text_of(const Record& record);
 
-/// Writes `folder/record.json` and one CSV file per figure, data first, each under a temporary name and then renamed,
+/// Writes `folder/record.json` and one CSV file per figure and data file, data first, each under a temporary name and then renamed,
 /// so that a record that exists is whole. std::runtime_error if a file cannot be written.
 void write_record(const Record& record, const std::filesystem::path& folder);
 

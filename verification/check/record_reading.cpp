@@ -186,6 +186,10 @@ Record record_from(const Json& json, const std::filesystem::path& folder) {
                              table.at("columns").get<std::vector<std::string>>(),
                              table.at("rows").get<std::vector<std::vector<std::string>>>()});
   }
+  for (const auto& name : json.at("data")) {
+    const auto file = folder / (name.get<std::string>() + ".csv");
+    record.data.push_back(data_file(name.get<std::string>(), contents(file)));
+  }
   record.notes = json.at("notes").get<std::vector<std::string>>();
   return record;
 }

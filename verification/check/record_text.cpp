@@ -133,6 +133,9 @@ std::string text_of(const Record& record) {
     const auto& names = record.main_checks;
     if (std::find(names.begin(), names.end(), check.at("name").get<std::string>()) != names.end()) check["main"] = true;
   }
+  Json data = Json::array();
+  for (const DataFile& file : record.data)
+    data.push_back(file.name);
   const Json json{{"schema", schema},
                   {"id", record.id},
                   {"title", record.title},
@@ -151,6 +154,7 @@ std::string text_of(const Record& record) {
                   {"controls", array_of(record.controls)},
                   {"figures", array_of(record.figures)},
                   {"tables", array_of(record.tables)},
+                  {"data", data},
                   {"notes", record.notes}};
   // Words of a foreign exception need not be UTF-8: what is not is replaced, so that the record is still written.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -7,6 +7,8 @@
 #include <exception>
 #include <string>
 
+#include "verification/driver/provenance.hpp"
+
 namespace talus::verification {
 
 namespace {
@@ -103,12 +105,14 @@ Record run_case(const Case& verification_case, Tier tier) {
   const auto start = Clock::now();
   Record record = record_of(verification_case);
   Findings findings;
-  const std::string thrown = thrown_by(verification_case, findings, {.fault = "", .coarse = false, .tier = tier});
+  const std::string thrown =
+      thrown_by(verification_case, findings, {.fault = "", .coarse = false, .tier = tier, .machine = machine_words()});
   record.evaluations = findings.evaluations();
   record.checks = findings.checks();
   record.requirements = traced(verification_case.requirements, record.checks);
   record.figures = findings.figures();
   record.tables = findings.tables();
+  record.data = findings.data_files();
   record.notes = findings.notes();
   if (thrown.empty()) {
     plant_all(verification_case, tier, record);

@@ -62,4 +62,8 @@ Provenance provenance() {
           date()};
 }
 
+std::string machine_words() {
+  return fmt::format("{}, {}, {}", value_in("/proc/cpuinfo", "model name"), build_compiler, build_flags);
+}
+
 }  // namespace talus::verification

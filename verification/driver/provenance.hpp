@@ -23,4 +23,7 @@ struct Provenance {
 /// That of this executable on this machine, now.
 [[nodiscard]] Provenance provenance();
 
+/// Processor, compiler and options of that, in words.
+[[nodiscard]] std::string machine_words();
+
 }  // namespace talus::verification

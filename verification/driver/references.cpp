@@ -35,6 +35,9 @@ std::vector<Reference> all_references() {
        "S. P. Bartz: Coefficient of restitution of a linear dashpot on a rigid surface. arXiv 2204.10917 (2022). Only "
        "the "
        "abstract and introduction were read; the equations are derived here."},
+      {"blanes2002", unseen("S. Blanes, P. C. Moan: Practical symplectic partitioned Runge-Kutta and "
+                            "Runge-Kutta-Nystrom methods. Journal of Computational and Applied Mathematics 142 (2002) "
+                            "313-330.")},
       {"bulirsch1966",
        "R. Bulirsch, J. Stoer: Numerical treatment of ordinary differential equations by extrapolation methods. "
        "Numerische Mathematik 8 (1966) 1-13."},

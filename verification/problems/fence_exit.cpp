@@ -18,7 +18,7 @@ FenceHit fence_hit() {
   return hit;
 }
 
-FenceExit run_fence(const FenceHit& hit, Integrator integrator, double end, long steps, Findings& findings) {
+FenceExit run_fence(const FenceHit& hit, Integrator integrator, const FenceSteps& plan, Findings& findings) {
   const Dynamics dynamics{hit.scene.model};
   RigidBodySystem system{dynamics, false};
   State state = hit.scene.initial;
@@ -32,9 +32,9 @@ FenceExit run_fence(const FenceHit& hit, Integrator integrator, double end, long
     dynamics.forces(seen, work, forces);
     found.tension = std::max(found.tension, *std::max_element(forces.tensions.begin(), forces.tensions.end()));
   };
-  const double interval = end / 2500.0;
+  const double span = plan.end / static_cast<double>(plan.spans);
   const Outcome outcome = simulate(system, integrator, state,
-                                   {interval / static_cast<double>(steps), end, interval, false}, {&observer, 1});
+                                   {span / static_cast<double>(plan.steps), plan.end, span, false}, {&observer, 1});
   findings.count(static_cast<std::uint64_t>(system.evaluations()));
   found.evaluations = static_cast<double>(system.evaluations());
   if (!outcome) found.speed = std::nan("");

@@ -18,14 +18,20 @@ struct FenceHit {
 
 struct FenceExit {
   double speed{};    ///< of the rock at the end [ft/s]; NaN if the run failed
-  double tension{};  ///< largest of any cable at 2,500 equally spaced times [lb]
+  double tension{};  ///< largest of any cable at the compared times [lb]
   double evaluations{};
   long events{};  ///< located
 };
 
-/// Runs to `end` [s] in equal steps, so many between two of the 2,500 times; of methods that choose their own steps,
-/// these are the outputs.
-[[nodiscard]] FenceExit run_fence(const FenceHit& hit, Integrator integrator, double end, long steps,
+/// Equal spans of time that a run is divided into, and the steps in each; of methods that choose their own steps, these
+/// are the outputs. Compared is at the end of each span.
+struct FenceSteps {
+  double end{};  ///< of the run [s]
+  long spans{};
+  long steps{1};
+};
+
+[[nodiscard]] FenceExit run_fence(const FenceHit& hit, Integrator integrator, const FenceSteps& plan,
                                   Findings& findings);
 
 }  // namespace talus::verification::problems

@@ -11,7 +11,6 @@
 #include "verification/problems/swing.hpp"
 #include "verification/problems/swing_energy.hpp"
 #include "verification/problems/swing_period_findings.hpp"
-#include "verification/problems/swing_timing.hpp"
 #include "verification/problems/work_precision_findings.hpp"
 
 namespace talus::verification::problems {
@@ -183,7 +182,6 @@ void run(Findings& findings, const Setup& setup) {
   check_adapter(findings, setup);
   check_odeint(findings);
   check_references(findings);
-  if (setup.tier == Tier::full) chart_error_against_time(findings);
 }
 
 }  // namespace

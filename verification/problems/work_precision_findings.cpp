@@ -98,8 +98,7 @@ SlopePlace slope_place(std::string_view method) {
   return {0.5, method == "odeint_fehlberg78" ? 0.05 : 0.0};
 }
 
-}  // namespace
-
+/// Adds a method's curve to a chart of error against work and, for some methods, the slope of its order.
 void draw(const MethodRange& method, const Series& series, Figure& chart) {
   chart.series.push_back(series);
   const SlopePlace place = slope_place(method.name);
@@ -109,6 +108,8 @@ void draw(const MethodRange& method, const Series& series, Figure& chart) {
                           fmt::format("order {}", method.order)});
 }
 
+}  // namespace
+
 void check_work_and_precision(Findings& findings, const Setup& setup) {
   const Swing swing{.scene = scenes::pendulum(bob(setup, amplitude))};
   Figure own = chart("work_precision", "Work and precision on a smooth swing: the solver's own methods",
@@ -117,8 +118,7 @@ void check_work_and_precision(Findings& findings, const Setup& setup) {
   Figure odeint = chart("work_precision_odeint", "Work and precision on a smooth swing: odeint's steppers",
                         "for odeint's steppers, and rk4 again to compare with: steps divided by the square root of 2 "
                         "from point to point, and tolerances divided by ten for odeint_bulirsch_stoer, which has no "
-                        "fixed step. Charts against time depend on the machine: they are in the full tier (`make "
-                        "verify-full`).");
+                        "fixed step. Charts against time, and other scenes: case `work_precision`.");
   Series rk4;
   for (const auto& method : method_ranges) {
     if (setup.coarse && method.name != "velocity_verlet") continue;

@@ -9,7 +9,4 @@ namespace talus::verification::problems {
 /// figure. Faults of bob() and verlet().
 void check_work_and_precision(Findings& findings, const Setup& setup);
 
-/// Adds a method's curve to a chart of error against work and, for some methods, the slope of its order.
-void draw(const MethodRange& method, const Series& series, Figure& chart);
-
 }  // namespace talus::verification::problems

@@ -52,6 +52,17 @@ BOOST_AUTO_TEST_CASE(a_table_row_is_as_long_as_the_columns) {
   BOOST_CHECK_THROW(findings.table({"t", "", {"x"}, {{"1"}}}), std::invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(a_data_file_has_a_name_and_rows_that_can_be_read_back) {
+  Findings findings;
+  findings.data({"d", {"x", "y"}, {{"1", ""}}});
+  BOOST_CHECK_THROW(findings.data({"d", {"x"}, {}}), std::logic_error);
+  BOOST_CHECK_THROW(findings.data({"", {"x"}, {}}), std::invalid_argument);
+  BOOST_CHECK_THROW(findings.data({"e", {}, {}}), std::invalid_argument);
+  BOOST_CHECK_THROW(findings.data({"e", {"x", "y"}, {{"1"}}}), std::invalid_argument);
+  BOOST_CHECK_THROW(findings.data({"e", {"x"}, {{"1,2"}}}), std::invalid_argument);
+  BOOST_TEST(csv_of(findings.data_files()[0]) == "x,y\n1,\n");
+}
+
 BOOST_AUTO_TEST_CASE(a_setup_knows_its_fault) {
   BOOST_TEST(Setup{.fault = "mass_halved"}.has("mass_halved"));
   BOOST_TEST(!Setup{}.has("mass_halved"));

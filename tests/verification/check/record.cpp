@@ -45,6 +45,7 @@ Record full_record() {
                    .slopes = {{2.0, 0.1, 1.0, "h^2"}},
                    .lines = {{'x', 0.15, "limit"}}});
   findings.table({"values", "A table.", {"x", "y"}, {{"1", "2"}, {"3", "4"}}});
+  findings.data({"tidy", {"method", "error"}, {{"a", "1e-3"}, {"b", ""}}});
   findings.note("A note with $\\theta$.");
   findings.count(42);
 
@@ -64,6 +65,7 @@ Record full_record() {
                      {"unseen", "nothing", "gone", Colour::missing, Colour::missing, 0, 0, 0, 0, "not made"}};
   record.figures = findings.figures();
   record.tables = findings.tables();
+  record.data = findings.data_files();
   record.notes = findings.notes();
   return record;
 }
@@ -97,6 +99,8 @@ BOOST_AUTO_TEST_CASE(a_record_comes_back_the_same) {
   BOOST_TEST(text_of(back) == text_of(record));
   BOOST_TEST(back.checks[0].measured == 1.0 / 3.0);
   BOOST_TEST(back.figures[0].series[0].y == record.figures[0].series[0].y);
+  BOOST_TEST(back.data[0].columns == record.data[0].columns);
+  BOOST_TEST((back.data[0].rows == record.data[0].rows));
   BOOST_TEST(back.figures[0].series[0].y_low.empty());
   BOOST_TEST(back.figures[0].series[1].y_high == record.figures[0].series[1].y_high);
   for (const auto& entry : fs::directory_iterator(folder.path))
