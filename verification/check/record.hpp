@@ -98,8 +98,8 @@ struct RecordError : std::runtime_error {
 /// The JSON text of a record (schema 1).
 [[nodiscard]] std::string text_of(const Record& record);
 
-/// Writes `folder/record.json` and one CSV file per figure and data file, data first, each under a temporary name and then renamed,
-/// so that a record that exists is whole. std::runtime_error if a file cannot be written.
+/// Writes `folder/record.json` and one CSV file per figure and data file, data first, each under a temporary name and
+/// then renamed, so that a record that exists is whole. std::runtime_error if a file cannot be written.
 void write_record(const Record& record, const std::filesystem::path& folder);
 
 /// Reads `folder/record.json` and its CSV files strictly: RecordError if a file is missing, empty or truncated, if the

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <utility>
 
 namespace talus::verification::problems {
 namespace {
@@ -37,22 +37,24 @@ std::string stem_of(const std::string& words) {
   return stem;
 }
 
+constexpr double top = 1.0;  ///< of the charts: errors beyond are failures
+
 /// All curves of one chart, as the data has them.
 struct Chart {
   std::vector<Series> series;
-  std::map<std::string, int> failed;  ///< points of each method that are drawn as crosses
-  Series crosses{.label = "", .x = {}, .y = {}, .style = Style::crosses};
+  std::vector<int> failed;  ///< points of each that are drawn as crosses
+  Series crosses{.label = "failed", .x = {}, .y = {}, .style = Style::crosses};
   double limit{}, floor{};
 };
 
-constexpr double top = 1.0;  ///< of the charts: errors beyond are failures
-
 void add_row(const std::vector<std::string>& row, Chart& chart) {
-  if (chart.series.empty() || chart.series.back().label != row[method])
+  if (chart.series.empty() || chart.series.back().label != row[method]) {
     chart.series.push_back({.label = row[method], .x = {}, .y = {}});
+    chart.failed.push_back(0);
+  }
   const double x = std::stod(row[evaluations]);
   if (row[failed] != "0" || !(std::stod(row[rms]) <= top)) {
-    ++chart.failed[row[method]];
+    ++chart.failed.back();
     chart.crosses.x.push_back(x);
     chart.crosses.y.push_back(top);
   } else {
@@ -63,39 +65,50 @@ void add_row(const std::vector<std::string>& row, Chart& chart) {
   chart.floor = std::stod(row[floor]);
 }
 
+/// The number so far from `low` to `high`, in logarithms.
+double between(double low, double high, double share) { return low * std::pow(high / low, share); }
+
+/// Lines of orders 1, 2 and 4 to compare with, in the empty corner of runs that are both short and good.
+std::vector<Slope> slopes_in(const Chart& chart) {
+  double first = std::numeric_limits<double>::infinity(), last = 0.0, least = top;
+  for (const Series& series : chart.series) {
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      first = std::min(first, series.x[i]);
+      last = std::max(last, series.x[i]);
+      least = std::min(least, series.y[i]);
+    }
+  }
+  std::vector<Slope> slopes;
+  for (const auto& [order, share] : {std::pair{1.0, 0.55}, {2.0, 0.4}, {4.0, 0.25}})
+    slopes.push_back(
+        {-order, between(first, last, 0.05), between(least, top, share), fmt::format("order {:g}", order)});
+  return slopes;
+}
+
 Figure figure_of(const std::string& title, const Chart& chart) {
-  std::string failures;
-  for (const auto& [name, count] : chart.failed)
-    failures += fmt::format("{}{} {}", failures.empty() ? "" : ", ", name, count);
   Figure figure{.name = stem_of(title),
                 .title = title,
-                .caption = fmt::format("Relative error against force evaluations. Upright line: h omega = 2, the limit "
-                                       "of the leapfrog methods{}. Dashed: orders 1, 2 and 4.",
-                                       failures.empty() ? std::string{}
-                                                        : "; crosses at the top: points of which a run failed or was "
-                                                          "off by more than all (" +
-                                                              failures + ")"),
+                .caption =
+                    "Relative error against force evaluations. Upright line: $\\omega h = 2$, the limit of the "
+                    "leapfrog methods; crosses at the top: points of which a run failed or was off by more than "
+                    "all, their number in brackets. Dashed: orders 1, 2 and 4.",
                 .x = {.label = "force evaluations", .unit = "1", .log = true},
                 .y = {.label = "error", .unit = "1", .log = true, .min = {}, .max = top},
                 .series = {},
-                .slopes = {},
+                .slopes = slopes_in(chart),
                 .lines = {{'x', chart.limit, "limit"}}};
-  double first = std::numeric_limits<double>::infinity(), last = 0.0, least = top;
-  for (const Series& series : chart.series) {
-    if (series.x.empty()) continue;
-    figure.series.push_back(series);
-    first = std::min(first, series.x.front());
-    last = std::max(last, series.x.back());
+  double least = top;
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    Series series = chart.series[i];
+    if (chart.failed[i] > 0) series.label += fmt::format(" ({})", chart.failed[i]);
+    if (series.x.empty()) {  // in the legend all the same, with the colour that it has in all charts
+      series.x.push_back(chart.crosses.x.front());
+      series.y.push_back(top);
+    }
     least = std::min(least, *std::min_element(series.y.begin(), series.y.end()));
+    figure.series.push_back(series);
   }
-  if (!chart.crosses.x.empty()) {
-    Series crosses = chart.crosses;
-    crosses.label = "failed";
-    figure.series.push_back(crosses);
-  }
-  const double middle = std::sqrt(first * last);
-  for (const double order : {1.0, 2.0, 4.0})
-    figure.slopes.push_back({-order, middle, 0.3, fmt::format("order {:g}", order)});
+  if (!chart.crosses.x.empty()) figure.series.push_back(chart.crosses);
   if (least < 1e3 * chart.floor) figure.lines.push_back({'y', chart.floor, "reference's floor"});
   return figure;
 }
