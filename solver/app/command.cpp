@@ -21,14 +21,17 @@ void describe(CLI::App& talus) {
   talus.footer(
       "Examples:\n"
       "  talus check cases/two_cable.toml             what the scene carries, and what its step is worth\n"
+      "  talus advise cases/two_cable.toml --accuracy 1e-3 --of particle.x.max --out advised.toml\n"
+      "                                               the method and step that give this at least cost\n"
       "  talus run cases/two_cable.toml --out out     run it; summary here, histories and state in out/\n"
       "  talus plot out                               draw the histories into out/plots/\n"
       "  talus snapshot out                           draw bodies and cables at several times\n"
       "  talus animate out                            a page that plays the run in a browser\n"
       "  talus convert fence.DAT fence.toml           a deck of the 1993 program FENCE as a scene, or back\n"
       "  talus list fields                            every field that a scene can hold, with its dimension\n"
-      "Exit codes: 0 done, 2 wrong input or usage, 3 the run failed numerically, 4 a file cannot be read or written, "
-      "128 + n stopped by signal n and left to be taken on.");
+      "Exit codes: 0 done, 2 wrong input or usage, 3 the run failed numerically, 4 a file cannot be read or written, 5 "
+      "no "
+      "method gives what is asked, 128 + n stopped by signal n and left to be taken on.");
   talus.set_version_flag("--version", std::string{"talus "} + TALUS_VERSION, "Print the version and exit");
   talus.require_subcommand(1);
 }
@@ -119,8 +122,9 @@ int run_command_line(int count, const char* const* arguments) {
   }
   CLI::App talus{"", "talus"};
   describe(talus);
-  const std::vector<Command> commands{add_run(talus),  add_check(talus),    add_calibrate(talus), add_convert(talus),
-                                      add_plot(talus), add_snapshot(talus), add_animate(talus),   add_list(talus)};
+  const std::vector<Command> commands{add_run(talus),       add_check(talus),   add_advise(talus),
+                                      add_calibrate(talus), add_convert(talus), add_plot(talus),
+                                      add_snapshot(talus),  add_animate(talus), add_list(talus)};
   try {
     talus.parse(count, arguments);
   } catch (const CLI::Success& help) {

@@ -12,7 +12,7 @@ class App;
 namespace talus::app {
 
 /// The exit codes that a command can end with.
-enum ExitCode : int { ok = 0, bad_input = 2, diverged = 3, io_failed = 4 };
+enum ExitCode : int { ok = 0, bad_input = 2, diverged = 3, io_failed = 4, refused = 5 };
 
 /// One subcommand: its options are bound to `app`; `work` does it and returns the exit code.
 struct Command {
@@ -23,6 +23,7 @@ struct Command {
 /// Each adds its subcommand with options and help to `talus`.
 [[nodiscard]] Command add_run(CLI::App& talus);
 [[nodiscard]] Command add_check(CLI::App& talus);
+[[nodiscard]] Command add_advise(CLI::App& talus);
 [[nodiscard]] Command add_calibrate(CLI::App& talus);
 [[nodiscard]] Command add_convert(CLI::App& talus);
 [[nodiscard]] Command add_plot(CLI::App& talus);

@@ -43,14 +43,19 @@ void RigidBodySystem::guards(const State& state, bool same, std::vector<double>&
   dynamics_->guards(state, work_, out);
 }
 
-void RigidBodySystem::derivative(const State& state, Rates& out) {
+void RigidBodySystem::count() {
+  if (evaluations_ == allowed_) throw TooManyEvaluations{};
   ++evaluations_;
+}
+
+void RigidBodySystem::derivative(const State& state, Rates& out) {
+  count();
   dynamics_->update(state, work_);
   dynamics_->rates(state, work_, out, ledger_);
 }
 
 void RigidBodySystem::evaluate(State& state, Rates& out) {
-  ++evaluations_;
+  count();
   dynamics_->update(state, work_);
   dynamics_->settle(state, work_);
   dynamics_->rates(state, work_, out, ledger_);

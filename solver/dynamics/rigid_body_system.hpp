@@ -1,8 +1,17 @@
 #pragma once
 
+#include <exception>
+#include <limits>
+
 #include "solver/dynamics/dynamics.hpp"
 
 namespace talus {
+
+/// Thrown by an evaluation that a RigidBodySystem was not allowed any more.
+class TooManyEvaluations : public std::exception {
+ public:
+  const char* what() const noexcept override { return "more force evaluations than allowed"; }
+};
 
 /// A Dynamics with its scratch: the system that integrators advance. Models both Splittable and Differentiable, and
 /// counts its force evaluations.
@@ -32,13 +41,19 @@ class RigidBodySystem {
   const Dynamics& dynamics() const { return *dynamics_; }
   /// Force evaluations so far: one for each kick, derivative or evaluate.
   long evaluations() const { return evaluations_; }
+  /// Allows so many in all: the next throws TooManyEvaluations, also from within a step. (Step control whose tolerance
+  /// cannot be kept would else go on in ever shorter steps.)
+  void allow(long evaluations) { allowed_ = evaluations; }
 
  private:
+  void count();
+
   const Dynamics* dynamics_;
   Workspace work_;
   Rates rates_;
   bool ledger_;
   long evaluations_{0};
+  long allowed_{std::numeric_limits<long>::max()};
 };
 
 }  // namespace talus

@@ -84,6 +84,15 @@ bool needs_closed_form(std::string_view wanted) {
   return needed;
 }
 
+bool has_step_control(std::string_view wanted) {
+  bool can = false;
+  const bool known = with(wanted, [&]<class T>(const T&) {
+    if constexpr (requires { T::has_step_control; }) can = T::has_step_control;
+  });
+  if (!known) throw unknown_name("integrator", wanted, integrator_names());
+  return can;
+}
+
 Integrator make_integrator(std::string_view wanted, double tolerance) {
   Integrator made;
   const bool known = with(wanted, [&](const auto& integrator) { made = with_tolerance(integrator, tolerance); });

@@ -42,6 +42,9 @@ using Integrator =
 /// Errors: InputError for an unknown name.
 [[nodiscard]] bool needs_closed_form(std::string_view name);
 
+/// Whether the method of that name can choose its steps by a tolerance. Errors: InputError for an unknown name.
+[[nodiscard]] bool has_step_control(std::string_view name);
+
 /// Name and order on smooth motion of an integrator.
 [[nodiscard]] std::string_view name(const Integrator& integrator);
 [[nodiscard]] int order(const Integrator& integrator);

@@ -9,7 +9,7 @@ namespace {
 
 bool turns(const Body& body) { return talus::turns(body.mobility); }
 
-std::vector<Column> columns(const Model& model) {
+std::vector<Column> motion_columns(const Model& model) {
   std::vector<Column> found{{"time", dimension::time}};
   for (const Body& body : model.bodies) {
     if (body.mobility == Mobility::fixed) continue;
@@ -47,6 +47,12 @@ void add_account_columns(std::vector<Column>& found) {
 
 }  // namespace
 
+std::vector<Column> history_columns(const Model& model, bool ledger) {
+  std::vector<Column> found = motion_columns(model);
+  if (ledger) add_account_columns(found);
+  return found;
+}
+
 void History::go_on() {
   if (row_of_stop) rows.pop_back();
   row_of_stop = false;
@@ -75,10 +81,8 @@ void History::remember(Memory& memory) {
 
 Recorder::Recorder(const Dynamics& dynamics, const State& start, bool ledger)
     : dynamics_{&dynamics}, work_{dynamics.workspace()} {
-  history_.columns = columns(dynamics.model());
-  if (!ledger) return;
-  ledger_.emplace(dynamics, start);
-  add_account_columns(history_.columns);
+  history_.columns = history_columns(dynamics.model(), ledger);
+  if (ledger) ledger_.emplace(dynamics, start);
 }
 
 void Recorder::operator()(const State& state, const StepInfo& info) {

@@ -16,6 +16,9 @@ struct Column {
   Dimension dimension;
 };
 
+/// The columns of a history of this model; with `ledger` those of the accounts too.
+[[nodiscard]] std::vector<Column> history_columns(const Model& model, bool ledger);
+
 /// Quantities of a run over time, row by row, in the scene's consistent units. The first column is "time".
 struct History {
   std::vector<Column> columns;
@@ -48,6 +51,8 @@ class Recorder {
   void remember(Memory& memory);
 
   const History& history() const { return history_; }
+  /// All columns at the last step seen.
+  const std::vector<double>& row() const { return row_; }
   /// Empty when the ledger is off.
   const std::optional<EnergyLedger>& ledger() const { return ledger_; }
   /// The accounts at the last step seen; all zero when the ledger is off.

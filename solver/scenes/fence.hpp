@@ -175,6 +175,7 @@ struct FenceOptions {
   FenceEnd end{FenceEnd::steps};
   Sleep sleep{Sleep::exact};  ///< of columns that nothing has moved; `on` forgoes the smallest digits of the listing
   std::string integrator{"lagged_central_difference"};
+  double tolerance{};  ///< step control of the integrator; 0: none (1993)
 
   double shear_ratio{1.0};   ///< k_s/k_n of all contacts > 0; acts where the coefficient of friction is > 0
   double hanger_strength{};  ///< pull at which a top joint breaks [F] >= 0; 0: never (1993)
@@ -189,9 +190,11 @@ struct FenceOptions {
 
   double exit_x{};  ///< where a run ends with `exit` [L]
 
-  static constexpr std::array<Field<FenceOptions>, 7> fields() {
+  static constexpr std::array<Field<FenceOptions>, 8> fields() {
     using F = FenceOptions;
-    return {{{"shear_ratio", dimension::number, &F::shear_ratio, Range::positive, "k_s/k_n of all contacts"},
+    return {{{"tolerance", dimension::number, &F::tolerance, Range::non_negative,
+              "step control of the integrator (0: none)"},
+             {"shear_ratio", dimension::number, &F::shear_ratio, Range::positive, "k_s/k_n of all contacts"},
              {"hanger_strength", dimension::force, &F::hanger_strength, Range::non_negative,
               "pull at which a top joint breaks (0: never)"},
              {"strength_top", dimension::force, &F::strength_top, Range::non_negative,

@@ -1,0 +1,224 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "solver/app/command.hpp"
+#include "solver/base/error.hpp"
+#include "solver/calibrate/method_advice.hpp"
+#include "solver/io/atomic_file.hpp"
+#include "solver/io/method_text.hpp"
+#include "solver/io/toml_document.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct AdviseOptions {
+  std::string scene;
+  std::string of;
+  std::string out;
+  bool json{false};
+  AdviceRules rules;
+};
+
+/// Shows on a terminal how many evaluations the pilots have taken, once they take longer than a second.
+class Progress {
+ public:
+  explicit Progress(long most) : most_{most}, shown_to_terminal_{::isatty(STDERR_FILENO) == 1} {}
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress() {
+    if (written_) fmt::print(stderr, "\r{:60}\r", "");
+  }
+
+  void operator()(long evaluations) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!shown_to_terminal_ || now < next_) return;
+    next_ = now + std::chrono::milliseconds{200};
+    written_ = true;
+    fmt::print(stderr, "\rpilots: {} of at most {} force evaluations", evaluations, most_);
+    std::fflush(stderr);
+  }
+
+ private:
+  long most_;
+  bool shown_to_terminal_;
+  bool written_{false};
+  std::chrono::steady_clock::time_point next_{std::chrono::steady_clock::now() + std::chrono::seconds{1}};
+};
+
+std::string_view name_of(Refusal::Kind kind) { return Names<Refusal::Kind>::list[static_cast<std::size_t>(kind)]; }
+
+/// A method with what belongs to it, in words.
+std::string words(const RunMethod& method, double duration, const UnitSystem& units) {
+  return fmt::format("{}{}, step {:.6g} {}", method.integrator,
+                     method.tolerance == 0.0 ? "" : fmt::format(", tolerance {:.3g}", method.tolerance),
+                     duration / static_cast<double>(method.steps), symbol(units, dimension::time));
+}
+
+void print_tried(const Advice& advice, double duration, const UnitSystem& units) {
+  if (advice.tried.empty()) return;
+  fmt::print("  {:<28}{:>11}{:>14}{:>11}{:>13}  {}\n", "method", "tolerance", "step", "error", "evaluations",
+             "verdict");
+  fmt::print("  {:<28}{:>11}{:>14}{:>11}{:>13}\n", "", "1", symbol(units, dimension::time), "1", "1");
+  for (const TriedMethod& tried : advice.tried) {
+    const RunMethod& method = tried.method;
+    const bool ran = tried.evaluations > 0;
+    fmt::print("  {:<28}{:>11}{:>14}{:>11}{:>13}  {}\n", method.integrator,
+               method.tolerance == 0.0 ? "-" : fmt::format("{:.2e}", method.tolerance),
+               ran ? fmt::format("{:.6g}", duration / static_cast<double>(method.steps)) : "-",
+               !ran                         ? "-"
+               : std::isfinite(tried.error) ? fmt::format("{:.1e}", tried.error)
+                                            : "failed",
+               ran ? fmt::format("{}", tried.evaluations) : "-", tried.verdict.empty() ? "good" : tried.verdict);
+  }
+}
+
+void print_text(const Scene& scene, const Quantity& quantity, const AdviceRules& rules, const Advice& advice) {
+  const UnitSystem& units = scene.model.units;
+  const double duration = scene.plan.end - scene.initial.t;
+  fmt::print("{}: {} to {:.3g}\n", scene.title, quantity.name, rules.accuracy);
+  const Reference& value = advice.reference;
+  if (!value.other.empty()) {
+    fmt::print("value {:.10g} {}, upon which {} and {} agree to {:.1e}\n", value.value,
+               symbol(units, quantity.dimension), value.method.integrator, value.other, value.spread);
+  }
+  if (advice.growth.result > 0.0) {
+    fmt::print("differences of {:.0e} in the start grow to {:.0e} of it\n", advice.growth.share, advice.growth.result);
+  }
+  print_tried(advice, duration, units);
+  fmt::print("pilots: {} force evaluations\n", advice.evaluations);
+  if (advice.refusal) {
+    fmt::print("no advice ({}): {}\n", name_of(advice.refusal->kind), advice.refusal->words);
+  } else {
+    fmt::print("advice: {}: error {:.1e} with {} force evaluations\n", words(advice.best->method, duration, units),
+               advice.best->error, advice.best->evaluations);
+  }
+}
+
+nlohmann::ordered_json json_of(const RunMethod& method, double duration) {
+  nlohmann::ordered_json json{{"integrator", method.integrator}};
+  if (method.tolerance != 0.0) json["tolerance"] = method.tolerance;
+  json["step"] = duration / static_cast<double>(method.steps);
+  return json;
+}
+
+void print_json(const Scene& scene, const Quantity& quantity, const AdviceRules& rules, const Advice& advice) {
+  const double duration = scene.plan.end - scene.initial.t;
+  nlohmann::ordered_json json{{"quantity", quantity.name}, {"accuracy", rules.accuracy}};
+  if (!advice.reference.other.empty())
+    json["value"] = advice.reference.value * si_size(scene.model.units, quantity.dimension);
+  json["growth"] = {{"start", advice.growth.share}, {"result", advice.growth.result}};
+  json["evaluations_of_pilots"] = advice.evaluations;
+  json["tried"] = nlohmann::ordered_json::array();
+  for (const TriedMethod& tried : advice.tried) {
+    nlohmann::ordered_json entry = tried.evaluations > 0
+                                       ? json_of(tried.method, duration)
+                                       : nlohmann::ordered_json{{"integrator", tried.method.integrator}};
+    if (tried.evaluations > 0 && std::isfinite(tried.error)) entry["error"] = tried.error;
+    if (tried.evaluations > 0) entry["evaluations"] = tried.evaluations;
+    entry["verdict"] = tried.verdict.empty() ? "good" : tried.verdict;
+    json["tried"].push_back(std::move(entry));
+  }
+  if (advice.refusal) {
+    json["refusal"] = {{"kind", name_of(advice.refusal->kind)}, {"words", advice.refusal->words}};
+  } else {
+    json["advice"] = json_of(advice.best->method, duration);
+    json["advice"]["error"] = advice.best->error;
+    json["advice"]["evaluations"] = advice.best->evaluations;
+  }
+  json["units"] = "SI";
+  fmt::print("{}\n", json.dump(2));
+}
+
+/// Where the advised scene goes: the file of --out, or NAME.advised.toml beside the scene. What is wrong with it must
+/// not cost the pilots.
+fs::path target(const AdviseOptions& options) {
+  const fs::path scene{options.scene};
+  const fs::path file =
+      options.out.empty() ? scene.parent_path() / (scene.stem().string() + ".advised.toml") : fs::path{options.out};
+  if (file.extension() != ".toml")
+    throw InputError{fmt::format("--out: found \"{}\"; it must be a scene file, .toml", file.string())};
+  if (!file.parent_path().empty() && !fs::is_directory(file.parent_path()))
+    throw IoError{fmt::format("{}: its folder does not exist", file.string())};
+  return file;
+}
+
+/// The scene whose limit of short steps is looked for: a fence without the half kick of 1993, which is as long as a
+/// step.
+SceneFile without_half_kick(SceneFile file) {
+  if (!file.fence || file.fence->fence.options.start == scenes::FenceStart::plain) return file;
+  scenes::Fence fence = file.fence->fence;
+  fence.options.start = scenes::FenceStart::plain;
+  const scenes::FenceScene made = scenes::fence_scene(fence);
+  return {made.scene, FenceInput{std::move(fence), made}};
+}
+
+int advise(AdviseOptions& options) {
+  const fs::path out = target(options);
+  const std::string text = read_text(options.scene);
+  const SceneFile file = without_half_kick(read_scene_file(fs::path{options.scene}));
+  const Quantity quantity = [&] {
+    try {
+      return quantity_named(file.scene.model, options.of);
+    } catch (const InputError& error) {
+      throw InputError{fmt::format("--of: {}", error.what())};
+    }
+  }();
+  const auto progress = std::make_shared<Progress>(options.rules.evaluations);
+  options.rules.progress = [progress](long evaluations) { (*progress)(evaluations); };
+  Advice advice = advise_method(file.scene, quantity, options.rules);
+  options.rules.progress = {};
+  const double duration = file.scene.plan.end - file.scene.initial.t;
+  if (advice.best) {
+    const std::string comment = fmt::format(
+        "talus advise: {} to {:.3g}: {}: error {:.1e} with {} force evaluations", quantity.name, options.rules.accuracy,
+        words(advice.best->method, duration, file.scene.model.units), advice.best->error, advice.best->evaluations);
+    write_whole(out, text_with_method(file, text, options.scene, advice.best->method, comment));
+  }
+  if (options.json) {
+    print_json(file.scene, quantity, options.rules, advice);
+  } else {
+    print_text(file.scene, quantity, options.rules, advice);
+    if (advice.best) fmt::print("written: {}\n", out.string());
+  }
+  return advice.best ? ok : refused;
+}
+
+}  // namespace
+
+Command add_advise(CLI::App& talus) {
+  CLI::App* app = talus.add_subcommand("advise", "Find the integrator and step that give a quantity at least cost");
+  const auto options = std::make_shared<AdviseOptions>();
+  app->add_option("SCENE", options->scene, "scene file (.toml) or deck of 1993 (.DAT)")->required();
+  app->add_option("--accuracy", options->rules.accuracy, "relative error that is allowed, in [1e-10, 0.5]")->required();
+  app->add_option("--of", options->of,
+                  "a column of the history and max, min, abs_max or end, e.g. cable.top.tension.max, rock.vx.end, "
+                  "energy.kinetic.max")
+      ->required();
+  app->add_option("--out", options->out, "the scene with the advice; default: SCENE's name with .advised.toml");
+  app->add_option("--among", options->rules.among, "integrators to choose from; default: all")->delimiter(',');
+  app->add_option("--evaluations", options->rules.evaluations,
+                  "force evaluations that the pilots may take in all; default 2000000: of a fence of ten bodies some "
+                  "ten seconds");
+  app->add_flag("--json", options->json, "print JSON, in SI units");
+  app->footer(
+      "Examples:\n"
+      "  talus advise cases/cable_pendulum.toml --accuracy 1e-3 --of cable.cable.tension.max --out advised.toml\n"
+      "  talus advise cases/fence/table_2.toml --accuracy 1e-2 --of rock.vx.end --out advised.toml\n"
+      "What is judged is what `talus run` prints: its extremes are those over the steps, so where an extreme is asked\n"
+      "for, the step is short enough for it. Where no step can give the accuracy (chaos, stiffness, a quantity that "
+      "is\n"
+      "nought or never settles) nothing is written; the words say why, and the exit code is 5.");
+  return {app, [options] { return advise(*options); }};
+}
+
+}  // namespace talus::app

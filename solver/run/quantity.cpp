@@ -1,0 +1,71 @@
+#include "solver/run/quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/base/error.hpp"
+
+namespace talus {
+namespace {
+
+/// "body.", "contact.", "cable." for each column of a history, empty for time and accounts.
+std::vector<std::string_view> kinds(const Model& model, const std::vector<Column>& columns) {
+  std::vector<std::string_view> found{""};
+  for (const Body& body : model.bodies) {
+    if (body.mobility != Mobility::fixed) found.insert(found.end(), turns(body.mobility) ? 6U : 4U, "body.");
+  }
+  found.insert(found.end(), 2 * model.contacts.size(), "contact.");
+  found.insert(found.end(), 2 * model.cables.size(), "cable.");
+  found.resize(columns.size());
+  return found;
+}
+
+Reduction reduction_named(std::string_view name) {
+  const auto& list = Names<Reduction>::list;
+  const auto place = std::find(list.begin(), list.end(), name);
+  if (place == list.end()) throw unknown_name("reduction", name, {list.begin(), list.end()});
+  return static_cast<Reduction>(place - list.begin());
+}
+
+}  // namespace
+
+double Quantity::of(double least, double largest, double last) const {
+  switch (reduction) {
+    case Reduction::max:
+      return largest;
+    case Reduction::min:
+      return least;
+    case Reduction::abs_max:
+      return std::max(std::abs(least), std::abs(largest));
+    case Reduction::end:
+      break;
+  }
+  return last;
+}
+
+Quantity quantity_named(const Model& model, std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos) {
+    throw InputError{fmt::format(
+        "found \"{}\"; it must be a column of the history and max, min, abs_max or end, e.g. top.tension.max", name)};
+  }
+  const std::string_view wanted = name.substr(0, dot);
+  const std::vector<Column> columns = history_columns(model, true);
+  const std::vector<std::string_view> kind = kinds(model, columns);
+  const std::size_t without_ledger = history_columns(model, false).size();
+  std::vector<std::string> known;
+  for (std::size_t i = 1; i < columns.size(); ++i) {
+    const std::string& column = columns[i].name;
+    // How well the accounts close tells of the method; it goes to nought with its error.
+    if (column.starts_with("closure.")) continue;
+    known.push_back(fmt::format("{}{}", kind[i], column));
+    if (wanted == column || wanted == known.back()) {
+      return {std::string{name}, i, columns[i].dimension, i >= without_ledger, reduction_named(name.substr(dot + 1))};
+    }
+  }
+  throw unknown_name("column", wanted, known);
+}
+
+}  // namespace talus
