@@ -106,7 +106,10 @@ void BodyForces::update(const State& state, Workspace& work) const {
 }
 
 void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
-  if (work.waking.any_asleep) std::fill(out.v.begin(), out.v.end(), 0.0);
+  // Behind the last that is awake what was nought stays so.
+  const std::size_t moving = work.waking.moving;
+  if (work.waking.any_asleep) std::fill_n(out.v.begin(), std::min(std::max(out.moving, moving), out.v.size()), 0.0);
+  out.moving = moving;
   for (const BodyRun& run : work.waking.bodies) {
     for (std::size_t i = run.place; i < run.place + run.count; ++i) {
       const Compiled& body = free_[i];

@@ -63,7 +63,9 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
 void CableForces::list_awake(Waking& waking, const Rigging& rigging) const {
   std::vector<char> listed(joints_.size(), 0);
   const auto moves = [&](std::size_t j) { return joints_[j].on_body && waking.awake[index(joints_[j].body)]; };
+  const auto sleeps = [&](std::size_t j) { return joints_[j].on_body && !waking.awake[index(joints_[j].body)]; };
   waking.cables.resize(std::tuple_size_v<decltype(laws_)>);
+  waking.borders.clear();
   for_each_array(laws_, [&](const auto& array, std::size_t law) {
     waking.cables[law].clear();
     for (std::size_t i = 0; i < array.laws.size(); ++i) {
@@ -71,6 +73,7 @@ void CableForces::list_awake(Waking& waking, const Rigging& rigging) const {
       const bool chained = !rigging.broken.empty() && (rigging.broken[a] || rigging.broken[b]);
       if (!waking.whole && !chained && !moves(a) && !moves(b)) continue;
       append(waking.cables[law], {i, array.cable[i], a, b, 1, false});
+      if (sleeps(a) != sleeps(b)) waking.borders.push_back(array.cable[i]);
       listed[a] = listed[b] = 1;
     }
   });
@@ -310,17 +313,16 @@ void CableForces::keep_rest(const State& state, const Workspace& work) {
 
 void CableForces::list_woken(const State& state, const Workspace& work, double share,
                              std::vector<BodyId>& woken) const {
-  const auto sleeps = [&](std::size_t j) { return joints_[j].on_body && !work.waking.awake[index(joints_[j].body)]; };
-  for_each_run(laws_, work.waking, [&](const auto& array, const CableRun& run) {
-    for_each_of(array, run, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-      const bool a = sleeps(ends_[c].a), b = sleeps(ends_[c].b);
-      if (a == b) return;
+  for (const std::size_t c : work.waking.borders) {
+    visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
       const double tension = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]).total();
       const Vec2 change = tension * work.paths.pull(c) - rest_pulls_[c];
-      if (std::max(std::abs(change.x), std::abs(change.y)) > share * tension)
-        woken.push_back(joints_[a ? ends_[c].a : ends_[c].b].body);
+      if (std::max(std::abs(change.x), std::abs(change.y)) <= share * tension) return;
+      const Joint& a = joints_[ends_[c].a];
+      const bool asleep = a.on_body && !work.waking.awake[index(a.body)];
+      woken.push_back((asleep ? a : joints_[ends_[c].b]).body);
     });
-  });
+  }
 }
 
 bool CableForces::follows(const State& state) const {

@@ -40,7 +40,7 @@ void Dynamics::find_rest() {
   cables_.settle(rest, work);
   cables_.keep_rest(rest, work);
   Rates accelerations{rest};
-  work.wrenches.clear();
+  work.wrenches.clear(model_.bodies.size());
   cables_.add(rest, work, nullptr);
   bodies_.rates(work, accelerations, false);
   for (const BodyId body : layout_.sleepers) {
@@ -82,6 +82,19 @@ void Dynamics::list_awake(const State& state, Workspace& work, bool whole) const
   waking.summed = false;
   bodies_.list_awake(waking);
   cables_.list_awake(waking, work.rigging);
+  const auto last = std::find(waking.awake.rbegin(), waking.awake.rend(), char{1});
+  const auto awake = static_cast<std::size_t>(waking.awake.rend() - last);
+  waking.moving = layout_.first[awake];
+  waking.reached = whole ? model_.bodies.size() : awake;
+  for (const JointRun& run : waking.joints) {
+    if (run.on_body) waking.reached = std::max(waking.reached, run.body + run.count);
+  }
+}
+
+std::size_t Dynamics::moving(const State& state, const Workspace& work) const {
+  const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
+  const std::vector<Mode>& known = work.waking.modes;
+  return std::equal(known.begin(), known.end(), modes, state.mode.end()) ? work.waking.moving : state.q.size();
 }
 
 void Dynamics::update(const State& state, Workspace& work) const {
@@ -168,6 +181,7 @@ void Dynamics::relax(State& state, Workspace& work, Energy before, Mechanism los
 }
 
 void Dynamics::memory_rates(const State& state, const Workspace& work, Rates& out) const {
+  if (!follows_motion_) return;  // and nothing else writes to them
   std::fill(out.z.begin(), out.z.end(), 0.0);
   contacts_.memory_rates(state, work, out);
 }
@@ -176,7 +190,7 @@ void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledge
   out.work.fill(0.0);
   out.impulse.fill(0.0);
   memory_rates(state, work, out);
-  work.wrenches.clear();
+  work.wrenches.clear(work.waking.reached);
   Rates* const accounts = ledger ? &out : nullptr;
   // Cables first: a half model's doubled pull and a full model's two pulls are then the same sum to the last bit.
   cables_.add(state, work, accounts);

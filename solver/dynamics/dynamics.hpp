@@ -48,7 +48,7 @@ class Dynamics {
   void update_far(Workspace& work) const { contacts_.update_far(work); }
   /// Whether some memory follows the motion, as that of friction does.
   bool follows_motion() const { return follows_motion_; }
-  /// Rates of that memory alone, to out.z.
+  /// Rates of that memory alone, to out.z, which was made from a state.
   void memory_rates(const State& state, const Workspace& work, Rates& out) const;
   /// Brings the modes of a state with no motion behind it up to date: as settle(), but for friction where bodies
   /// overlap, whose springs have the stretch that the state says, and have not slipped since some touch before it.
@@ -70,6 +70,9 @@ class Dynamics {
   [[nodiscard]] std::vector<double> lengths() const;
   /// After update(): the linear piece that the state is in, of a model without obstacle_to_closed_form().
   void affine_piece(const State& state, const Workspace& work, AffinePiece& out) const;
+  /// Coordinates behind the first so many are of bodies that sleep. After update(); all, if the sleepers have changed
+  /// since.
+  [[nodiscard]] std::size_t moving(const State& state, const Workspace& work) const;
   /// Wakes all bodies.
   void wake_all(State& state) const;
 

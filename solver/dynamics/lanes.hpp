@@ -49,9 +49,10 @@ struct Wrenches {
   explicit Wrenches(std::size_t count = 0) : x(count), y(count), moment(count) {}
 
   Wrench operator[](std::size_t i) const { return {{x[i], y[i]}, moment[i]}; }
-  void clear() {
+  /// Of the first so many bodies.
+  void clear(std::size_t count) {
     for (auto* const numbers : {&x, &y, &moment})
-      std::fill(numbers->begin(), numbers->end(), 0.0);
+      std::fill_n(numbers->begin(), count, 0.0);
   }
   /// Adds a force [F] that acts at world point p_WP to the wrench of a body whose centre of mass is at p_WB.
   void add(std::size_t i, Vec2 p_WB, Vec2 p_WP, Vec2 force) {

@@ -11,14 +11,15 @@ RigidBodySystem::RigidBodySystem(const Dynamics& dynamics, bool ledger)
     : dynamics_{&dynamics}, work_{dynamics.workspace()}, rates_{rest_state(dynamics.model())}, ledger_{ledger} {}
 
 void RigidBodySystem::drift(State& state, double h) {
-  if (!dynamics_->follows_motion()) return drift_coordinates(state, h);
+  const std::size_t moving = dynamics_->moving(state, work_);
+  if (!dynamics_->follows_motion()) return drift_coordinates(state, h, moving);
   // Midpoint rule for the memory: second order, and the same backwards.
-  drift_coordinates(state, 0.5 * h);
+  drift_coordinates(state, 0.5 * h, moving);
   dynamics_->update(state, work_);
   dynamics_->memory_rates(state, work_, rates_);
   for (std::size_t i = 0; i < state.z.size(); ++i)
     state.z[i] += h * rates_.z[i];
-  drift_coordinates(state, 0.5 * h);
+  drift_coordinates(state, 0.5 * h, moving);
 }
 
 void RigidBodySystem::kick(State& state, double h) {

@@ -37,6 +37,8 @@ class RigidBodySystem {
   void affine_piece(const State& state, AffinePiece& out) const { dynamics_->affine_piece(state, work_, out); }
   bool keeps_accounts() const { return ledger_; }
   void wake_all(State& state) const { dynamics_->wake_all(state); }
+  /// Coordinates behind the first so many were of bodies that slept in the last state that was looked at.
+  std::size_t moving() const { return work_.waking.moving; }
 
   const Dynamics& dynamics() const { return *dynamics_; }
   /// Force evaluations so far: one for each kick, derivative or evaluate.

@@ -16,9 +16,12 @@ struct Waking {
   bool summed{false};       ///< and the pulls at all joints have been summed from them: the next may leave out sleepers
   std::vector<char> awake;  ///< one for each body
   bool any_asleep{};        ///< whether one of them is not
+  std::size_t moving{};     ///< coordinates before the last sleepers, behind whom none is awake
+  std::size_t reached{};    ///< bodies up to the last that is worked out, or at the other end of a cable that is
   std::vector<BodyRun> bodies;                ///< the awake free bodies
   std::vector<JointRun> joints;               ///< joints to work out
   std::vector<std::vector<CableRun>> cables;  ///< for each law, cables to work out
+  std::vector<std::size_t> borders;           ///< of these, the ones with a sleeping body at one end only
 };
 
 /// Cables that go on as one through broken hangers: straight from the first joint to the last, with one tension.

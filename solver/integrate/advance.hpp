@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 
@@ -7,11 +8,17 @@
 
 namespace talus {
 
-/// Moves the coordinates with the velocities of the same state: q += h v.
+/// Moves the first `moving` coordinates with the velocities of the same state: q += h v.
+template <class Scalar>
+void drift_coordinates(StateOf<Scalar>& state, std::type_identity_t<Scalar> h, std::size_t moving) {
+  for (std::size_t i = 0; i < moving; ++i)
+    state.q[i] += h * state.v[i];
+}
+
+/// The same with all of them.
 template <class Scalar>
 void drift_coordinates(StateOf<Scalar>& state, std::type_identity_t<Scalar> h) {
-  for (std::size_t i = 0; i < state.q.size(); ++i)
-    state.q[i] += h * state.v[i];
+  drift_coordinates(state, h, state.q.size());
 }
 
 /// Advances work and impulse by h times their rates.
@@ -26,7 +33,7 @@ void book_rates(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::type_
 /// Advances velocities, work and impulse by h times their rates.
 template <class Scalar>
 void kick_velocities(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::type_identity_t<Scalar> h) {
-  for (std::size_t i = 0; i < state.v.size(); ++i)
+  for (std::size_t i = 0, moving = std::min(rates.moving, state.v.size()); i < moving; ++i)
     state.v[i] += h * rates.v[i];
   book_rates(state, rates, h);
 }

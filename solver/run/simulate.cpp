@@ -14,15 +14,15 @@
 namespace talus {
 namespace {
 
-/// Index of the first coordinate that is not finite, in position or velocity; the number of coordinates if all are.
-std::size_t first_not_finite(const State& state) {
+/// Index of the first of so many coordinates that is not finite, in position or velocity; their number if all are.
+std::size_t first_not_finite(const State& state, std::size_t count) {
   // A finite number less itself is nought, without a bit set; any other is not. All at once, as whole numbers.
   std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < state.q.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     bits |= std::bit_cast<std::uint64_t>(state.q[i] - state.q[i]);
     bits |= std::bit_cast<std::uint64_t>(state.v[i] - state.v[i]);
   }
-  if (bits == 0) return state.q.size();
+  if (bits == 0) return count;
   std::size_t first = 0;
   while (std::isfinite(state.q[first]) && std::isfinite(state.v[first]))
     ++first;
@@ -64,7 +64,8 @@ Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const R
     standing.evaluations = before + system.evaluations();
     // n h rather than a sum of h: the time of a step does not collect round-off.
     state.t = start + static_cast<double>(n) * plan.step;
-    if (const std::size_t bad = first_not_finite(state); bad < state.q.size())
+    const std::size_t moving = system.moving();
+    if (const std::size_t bad = first_not_finite(state, moving); bad < moving)
       return diverged(system, state, bad, plan.step);
     standing.step = n;
     if (observers.empty() && !stop) continue;

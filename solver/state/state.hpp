@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -48,7 +49,10 @@ struct StateOf {
 /// Rates of change of a state in its present modes; dq/dt is v itself.
 template <class Scalar>
 struct RatesOf {
+  static constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+
   std::vector<Scalar> v;                       ///< accelerations
+  std::size_t moving{all};                     ///< those behind the first so many are nought, of bodies that sleep
   std::vector<Scalar> z;                       ///< memory rates
   std::array<Scalar, mechanism_count> work{};  ///< powers dissipated [F L/T]
   Impulse<Scalar> impulse{};                   ///< forces and moment from outside
