@@ -23,24 +23,26 @@ struct Named {
   bool ledger{};
 };
 
-/// Table 2's fence with another number of columns: the same spacing, end segments and share of sag.
-Scene fence(int columns, int layers, Sleep sleep = Sleep::off) {
+}  // namespace
+
+scenes::Fence long_fence(int columns, int layers, Sleep sleep, Sag sag) {
   scenes::Fence deck = read_deck(TALUS_CASES "/fence/table_2.DAT");
-  const double widening = (columns - deck.columns) * deck.spacing;
-  deck.sag *= (deck.span + widening) / deck.span;
-  deck.span += widening;
+  const double ratio = 1.0 + (columns - deck.columns) * deck.spacing / deck.span;
+  deck.sag *= sag == Sag::as_tight ? ratio * ratio : ratio;
+  deck.span *= ratio;
   deck.columns = columns;
   deck.layers = layers;
   deck.layer_spacing = 2.6;
   deck.layer_overlap = 0.5;
   deck.options.sleep = sleep;
-  return scenes::fence_scene(deck).scene;
+  return deck;
 }
-
-}  // namespace
 
 void print_fence_costs() {
   std::vector<Named> fences;
+  const auto fence = [](int columns, int layers, Sleep sleep = Sleep::off) {
+    return scenes::fence_scene(long_fence(columns, layers, sleep)).scene;
+  };
   for (const int layers : {1, 2})
     fences.push_back({fmt::format("13 columns, {} layer{}", layers, layers == 1 ? "" : "s"), fence(13, layers), false});
   fences.push_back({"13 columns, 1 layer, ledger", fence(13, 1), true});

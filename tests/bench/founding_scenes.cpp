@@ -14,6 +14,7 @@
 #include "solver/scenes/two_cable.hpp"
 #include "tests/bench/contact_search.hpp"
 #include "tests/bench/fences.hpp"
+#include "tests/bench/structure.hpp"
 #include "tests/bench/timing.hpp"
 #include "verification/reference/pendulum.hpp"
 #include "verification/reference/two_cable.hpp"
@@ -146,6 +147,7 @@ int main() {
   print_step_costs();
   bench::print_fence_costs();
   bench::print_search_costs();
+  bench::print_structure_savings();
 
   // Not 90 degrees: there the leapfrog's error of second order vanishes by a coincidence of the elliptic integrals.
   const scenes::Pendulum parameters{.amplitude = 2.0};

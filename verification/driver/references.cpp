@@ -27,6 +27,8 @@ std::vector<Reference> all_references() {
        "Mathematical Software 21 (1995) 327-344."},
       {"antypov2011", unseen("D. Antypov, J. A. Elliott: On an analytical solution for the damped Hertzian spring. EPL "
                              "94 (2011) 50004.")},
+      {"baraff1992", unseen("D. Baraff: Dynamic simulation of non-penetrating rigid bodies. PhD thesis, Cornell "
+                            "University, 1992.")},
       {"barnes1999", unseen("M. R. Barnes: Form finding and analysis of tension structures by dynamic relaxation. "
                             "International Journal of Space Structures 14 (1999) 89-104.")},
       {"barr1981", unseen("A. H. Barr: Superquadrics and angle-preserving transformations. IEEE Computer Graphics and "
