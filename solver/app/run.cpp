@@ -109,7 +109,7 @@ void write_files(const RunOrder& order, SceneRun& run, const RunRecord& record, 
 void print_result(const RunOptions& options, const RunOrder& order, const SceneRun& run, const RunRecord& record,
                   bool left) {
   const std::string resume = left ? fmt::format("talus run --resume {}", order.folder.string()) : "";
-  fmt::print("{}", options.json ? summary_json(record, resume) : run_summary(record));
+  fmt::print("{}", options.json ? summary_json(record, resume) : run_summary(record, run.parts()));
   if (options.json || order.folder.empty()) return;
   fmt::print("files: {}: {}{}\n", order.folder.string(), fmt::join(run.file_names(), ", "),
              left ? fmt::format(", {}", checkpoint_name) : "");

@@ -38,6 +38,21 @@ void head(Page& page, const RunRecord& record) {
             record.bodies.size(), record.coordinates, record.contacts, record.cables, record.laws);
 }
 
+/// Only of a run long enough to have been looked at.
+void step_parts(Page& page, const StepParts::Found& parts) {
+  if (parts.looks == 0) return;
+  page.line(
+      "  of these     {} pairs: {:.1f} within reach, {:.1f} touching; cables: {:.1f} awake, {:.1f} taut; {} values "
+      "kept "
+      "by laws (mean of {} looks)",
+      parts.pairs, parts.near, parts.touching, parts.awake, parts.taut, parts.memory, parts.looks);
+  const StepParts::Times& t = parts.times;
+  page.line(
+      "  a step       {:.0f} ns: contacts {:.0f}, cables {:.0f}, bodies {:.0f}, integration and watch {:.0f}, "
+      "observers {:.0f}",
+      t.step, t.contacts, t.cables, t.bodies, t.integration, t.observers);
+}
+
 void final_state(Page& page, const RunRecord& record) {
   const UnitSystem& units = record.units;
   const std::string length = symbol(units, dimension::length);
@@ -97,9 +112,10 @@ void ledger(Page& page, const RunRecord& record) {
 
 }  // namespace
 
-std::string run_summary(const RunRecord& record) {
+std::string run_summary(const RunRecord& record, const StepParts::Found& parts) {
   Page page;
   head(page, record);
+  step_parts(page, parts);
   final_state(page, record);
   failures(page, record);
   extremes(page, record);

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 
 #include "solver/io/atomic_file.hpp"
 #include "solver/io/csv.hpp"
@@ -56,7 +57,8 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       seen_{standing_.state},
       recorder_{dynamics_, standing_.state, file.scene.plan.ledger},
       failures_{dynamics_},
-      watch_{file.scene, dynamics_, standing_.state} {
+      watch_{file.scene, dynamics_, standing_.state},
+      parts_{dynamics_, file.scene.plan.ledger} {
   if (!folder.empty()) files_.emplace(file, dynamics_, folder, scene, frames);
   if (sheet) sheet_.emplace(file.fence->fence, file.fence->made, dynamics_);
 }
@@ -82,16 +84,29 @@ void SceneRun::bring_files(const std::filesystem::path& from) {
 
 Outcome SceneRun::go_on(const StopCondition& stop) {
   Progress progress{scene_->plan.end};
-  const Observer observers[] = {[&](const State& seen, const StepInfo& info) {
+  const auto observe = [&](const State& seen, const StepInfo& info) {
     recorder_(seen, info);
     failures_(seen, info);
     if (files_) (*files_)(seen, info);
     if (sheet_) (*sheet_)(seen, info);
     progress(seen.t, info.step);
     seen_ = seen;
+  };
+  using Clock = std::chrono::steady_clock;
+  const Observer observers[] = {[&](const State& seen, const StepInfo& info) {
+    if (!StepParts::timed(info.step)) {
+      observe(seen, info);
+    } else {
+      const Clock::time_point start = Clock::now();
+      observe(seen, info);
+      parts_.observed(Clock::now() - start);
+    }
+    parts_.look(seen, info);
   }};
   const auto broken = [&] { return !watch_.breach().empty(); };
-  long step = standing_.step;
+  const std::clock_t start = std::clock();
+  const long first = standing_.step, evaluations = standing_.evaluations;
+  long step = first;
   if (step == 0) watch_.look(standing_.state, step);
   if (broken()) {
     observers[0](standing_.state, {0, 0, true, true, true, &standing_.state});
@@ -101,6 +116,8 @@ Outcome SceneRun::go_on(const StopCondition& stop) {
     watch_.look(seen, ++step);
     return broken() || (stop && stop(seen));
   });
+  parts_.ended(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, standing_.step - first,
+               standing_.evaluations - evaluations);
   // Nobody is asked whether to stop with the last step.
   if (outcome.kind == Outcome::Kind::finished) watch_.look(seen_, ++step);
   if (outcome && broken()) return {Outcome::Kind::diverged, outcome.time, watch_.breach()};

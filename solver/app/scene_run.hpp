@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/app/scene_files.hpp"
+#include "solver/app/step_parts.hpp"
 #include "solver/calibrate/watch.hpp"
 #include "solver/io/run_record.hpp"
 #include "solver/run/history.hpp"
@@ -33,6 +34,8 @@ class SceneRun {
 
   const Standing& standing() const { return standing_; }
   const Dynamics& dynamics() const { return dynamics_; }
+  /// What its steps carried and cost in this process.
+  [[nodiscard]] StepParts::Found parts() const { return parts_.found(); }
   /// The run as it is reported.
   [[nodiscard]] RunRecord record(Outcome outcome) const;
   /// Writes all files but summary.json. Errors: IoError.
@@ -55,6 +58,7 @@ class SceneRun {
   Watch watch_;
   std::optional<SceneFiles> files_;
   std::optional<scenes::FenceWatch> sheet_;
+  StepParts parts_;
 };
 
 }  // namespace talus::app

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -197,6 +198,24 @@ BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
 }
 
 // Files of a run are JSON, XML and HTML, which are UTF-8: so is a deck's title once it is read, and names must be.
+// The counts are the scene's own; the times are this machine's, and in no file.
+BOOST_AUTO_TEST_CASE(a_run_says_what_its_steps_carried_and_cost) {
+  const Ended ended = talus_ran({"run", scene("fence/table_2.DAT"), "--end", "8 ms"});
+  BOOST_REQUIRE(ended.code == 0);
+  BOOST_TEST(holds(ended.out, "2 pairs: "));
+  BOOST_TEST(holds(ended.out, "cables: 13.0 awake, "));
+  BOOST_TEST(holds(ended.out, "13 values kept by laws (mean of 6 looks)"));
+  double whole = 0.0, contacts = 0.0, cables = 0.0, bodies = 0.0;
+  const std::size_t line = ended.out.find("  a step ");
+  BOOST_REQUIRE(line != std::string::npos);
+  BOOST_REQUIRE(std::sscanf(&ended.out[line], " a step %lf ns: contacts %lf, cables %lf, bodies %lf,", &whole,
+                            &contacts, &cables, &bodies) == 4);
+  BOOST_TEST(whole > 0.0);
+  BOOST_TEST(contacts > 0.0);
+  BOOST_TEST(cables > 0.0);
+  BOOST_TEST(!holds(talus_ran({"run", scene("fence/table_2.DAT"), "--end", "8 ms", "--json"}).out, "looks"));
+}
+
 BOOST_AUTO_TEST_CASE(titles_and_names_in_other_encodings) {
   const Folder folder;
   std::string deck = talus::read_text(scene("fence/sample2.DAT"));

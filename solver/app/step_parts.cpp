@@ -1,0 +1,106 @@
+#include "solver/app/step_parts.hpp"
+
+#include <algorithm>
+
+namespace talus::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// So often is each part worked out in a look, against the clock's own cost.
+constexpr int repetitions = 8;
+/// After the first looks, at every second as many steps as before, there is one in so many steps.
+constexpr long rare = 4096;
+
+}  // namespace
+
+StepParts::StepParts(const Dynamics& dynamics, bool ledger)
+    : dynamics_{&dynamics}, ledger_{ledger}, work_{dynamics.workspace()}, rates_{rest_state(dynamics.model())} {}
+
+/// One of the repetitions.
+template <class Work>
+std::chrono::duration<double, std::nano> StepParts::time(Work&& work) {
+  const Clock::time_point start = Clock::now();
+  for (int i = 0; i < repetitions; ++i)
+    work();
+  return std::chrono::duration<double, std::nano>{Clock::now() - start} / repetitions;
+}
+
+void StepParts::observed(Clock::duration taken) {
+  // A time much beyond those before it is that of another program, to which the machine has turned meanwhile.
+  if (observed_ >= 16) taken = std::min(taken, 16 * observers_ / observed_);
+  observers_ += taken;
+  ++observed_;
+}
+
+void StepParts::look(const State& state, const StepInfo& info) {
+  if (info.step < next_) return;
+  next_ = info.step + std::min(info.step, rare);
+  const Clock::time_point start = Clock::now();
+  State copy = state;
+  Rates* const accounts = ledger_ ? &rates_ : nullptr;
+  evaluation_ += time([&] {
+    dynamics_->update(copy, work_);
+    dynamics_->settle(copy, work_);
+    dynamics_->rates(copy, work_, rates_, ledger_);
+  });
+  count(copy);
+  contacts_ += time([&] {
+    dynamics_->contacts().update(copy, work_);
+    dynamics_->contacts().settle(copy, work_);
+    dynamics_->contacts().add(copy, work_, accounts);
+  });
+  cables_ += time([&] {
+    dynamics_->cables().update(copy, work_);
+    dynamics_->cables().settle(copy, work_);
+    dynamics_->cables().add(copy, work_, accounts);
+  });
+  ++sums_.looks;
+  looking_ += Clock::now() - start;
+}
+
+void StepParts::count(const State& state) {
+  const Layout& layout = dynamics_->layout();
+  sums_.near += static_cast<double>(std::count(work_.near.begin(), work_.near.end(), char{1}));
+  for (std::size_t c = 0; c < layout.contact_slots.size(); ++c) {
+    const auto first = state.mode.begin() + static_cast<std::ptrdiff_t>(layout.contact_slots[c].mode);
+    const auto last = first + static_cast<std::ptrdiff_t>(layout.contact_instances[c]);
+    if (std::any_of(first, last, [](Mode mode) { return mode != 0; })) sums_.touching += 1.0;
+  }
+  for (const std::vector<CableRun>& runs : work_.waking.cables) {
+    for (const CableRun& run : runs) {
+      sums_.awake += static_cast<double>(run.count);
+      const auto first = work_.paths.tension.begin() + static_cast<std::ptrdiff_t>(run.cable);
+      sums_.taut += static_cast<double>(std::count_if(first, first + static_cast<std::ptrdiff_t>(run.count),
+                                                      [](double tension) { return tension > 0.0; }));
+    }
+  }
+}
+
+void StepParts::ended(double seconds, long steps, long evaluations) {
+  run_ += std::chrono::duration<double>{seconds};
+  steps_ += steps;
+  evaluations_ += evaluations;
+}
+
+StepParts::Found StepParts::found() const {
+  Found found = sums_;
+  found.pairs = dynamics_->contacts().candidates();
+  found.cables = dynamics_->cables().size();
+  found.memory = dynamics_->layout().memory_count;
+  if (found.looks == 0 || observed_ == 0 || steps_ == 0) return found;
+  const auto looks = static_cast<double>(found.looks), steps = static_cast<double>(steps_);
+  for (double* const sum : {&found.near, &found.touching, &found.awake, &found.taut})
+    *sum /= looks;
+  const double each = static_cast<double>(evaluations_) / steps / looks;  // evaluations a step, of a mean look
+  Times& times = found.times;
+  times.step = (run_ - looking_).count() / steps;
+  times.contacts = each * contacts_.count();
+  times.cables = each * cables_.count();
+  times.bodies = std::max(0.0, each * evaluation_.count() - times.contacts - times.cables);
+  times.observers = std::chrono::duration<double, std::nano>{observers_}.count() / static_cast<double>(observed_);
+  times.integration = std::max(0.0, times.step - times.contacts - times.cables - times.bodies - times.observers);
+  return found;
+}
+
+}  // namespace talus::app
