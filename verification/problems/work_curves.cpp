@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "solver/base/error.hpp"
+#include "solver/dynamics/closed_form.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -89,27 +89,25 @@ const std::vector<WorkMethod>& work_methods() {
                                                {"odeint_dopri5", StepChoice::by_tolerance},
                                                {"odeint_fehlberg78", StepChoice::by_tolerance},
                                                {"odeint_bulirsch_stoer", StepChoice::by_tolerance},
-                                               {"stormer_cowell", StepChoice::by_tolerance}};
+                                               {"stormer_cowell", StepChoice::by_tolerance},
+                                               {"exact", StepChoice::none}};
   return methods;
 }
 
 WorkCurve work_curve(const WorkScene& scene, const WorkMethod& method, Findings& findings) {
   WorkCurve curve{method.name, {}};
+  if (needs_closed_form(method.name) && obstacle_to_closed_form(scene.scenes.front().model)) return curve;
   double steps = 1.0, tolerance = coarsest_tolerance;
   double cost = 0.0;
-  try {
-    while (cost <= scene.budget && tolerance * (spread(scene) ? scene.tolerance_ratio : 1.0) >= finest_tolerance) {
-      const bool by_steps = method.steps == StepChoice::by_length;
-      curve.points.push_back(by_steps ? by_length(scene, method, steps, findings)
-                                      : by_tolerance(scene, method, tolerance, findings));
-      const CurvePoint& last = curve.points.back();
-      if (at_floor(scene, last)) break;
-      steps *= 2.0;
-      if (!by_steps) tolerance *= scene.tolerance_ratio;
-      cost = (by_steps ? 2.0 : 1.0) * last.evaluations * scene.runs;
-    }
-  } catch (const InputError&) {
-    curve.points.clear();
+  while (cost <= scene.budget && tolerance * (spread(scene) ? scene.tolerance_ratio : 1.0) >= finest_tolerance) {
+    const bool by_steps = method.steps != StepChoice::by_tolerance;
+    curve.points.push_back(by_steps ? by_length(scene, method, steps, findings)
+                                    : by_tolerance(scene, method, tolerance, findings));
+    const CurvePoint& last = curve.points.back();
+    if (method.steps == StepChoice::none || at_floor(scene, last)) break;
+    steps *= 2.0;
+    if (!by_steps) tolerance *= scene.tolerance_ratio;
+    cost = (by_steps ? 2.0 : 1.0) * last.evaluations * scene.runs;
   }
   return curve;
 }

@@ -13,6 +13,7 @@ namespace talus::verification::problems {
 enum class StepChoice {
   by_length,     ///< halved from point to point
   by_tolerance,  ///< multiplied by the scene's ratio from point to point
+  none,          ///< one point: the method has neither
 };
 
 struct WorkMethod {
@@ -20,7 +21,8 @@ struct WorkMethod {
   StepChoice steps;
 };
 
-/// The methods that are compared: one line for each. A method that refuses a scene (InputError) has no curve there.
+/// The methods that are compared: one line for each. A method that needs motion in closed form has no
+/// curve on a scene that has none.
 [[nodiscard]] const std::vector<WorkMethod>& work_methods();
 
 /// One point of a curve.

@@ -30,12 +30,12 @@ struct Timed {
 
 /// One run; its first coordinate is returned so that nothing of it can be left out.
 double run(const WorkScene& scene, const Dynamics& dynamics, const Timed& timed) {
-  const bool by_length = timed.steps == StepChoice::by_length;
+  const bool by_tolerance = timed.steps == StepChoice::by_tolerance;
   const double span = scene.duration / static_cast<double>(scene.spans);
-  const double steps = by_length ? std::max(1.0, std::round(span / timed.point->setting)) : 1.0;
+  const double steps = by_tolerance ? 1.0 : std::max(1.0, std::round(span / timed.point->setting));
   RigidBodySystem system{dynamics, false};
   State state = scene.scenes.front().initial;
-  Integrator integrator = make_integrator(timed.curve->method, by_length ? 0.0 : timed.point->setting);
+  Integrator integrator = make_integrator(timed.curve->method, by_tolerance ? timed.point->setting : 0.0);
   const Outcome outcome = simulate(system, integrator, state, {span / steps, scene.duration, scene.duration, false});
   return outcome ? state.q[0] : 0.0;
 }
