@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "solver/base/error.hpp"
+#include "solver/calibrate/watch.hpp"
 
 namespace talus {
 namespace {
@@ -73,14 +74,11 @@ State PilotRuns::start(const Nudge& nudge) const {
 Pilot PilotRuns::run(const RunMethod& method, long most, const Nudge& nudge) {
   Pilot pilot;
   try {
-    const Integrator integrator = choose_integrator(scene_->model, method.integrator, method.tolerance).integrator;
-    RunPlan plan = scene_->plan;
-    plan.step = (plan.end - scene_->initial.t) / static_cast<double>(method.steps);
-    plan.interval = plan.end;
-    RigidBodySystem system{dynamics_, plan.ledger || quantity_->ledger};
+    const Scene scene = with_method(*scene_, method);
+    RigidBodySystem system{dynamics_, scene.plan.ledger || quantity_->ledger};
     system.allow(std::max(0L, most));
     try {
-      take(system, standing_at_start(integrator, start(nudge)), plan, pilot);
+      take(system, scene, start(nudge), pilot);
     } catch (const TooManyEvaluations&) {
       pilot.failure = fmt::format("given up after {} evaluations", system.evaluations());
     }
@@ -92,12 +90,14 @@ Pilot PilotRuns::run(const RunMethod& method, long most, const Nudge& nudge) {
   return pilot;
 }
 
-void PilotRuns::take(RigidBodySystem& system, Standing standing, const RunPlan& plan, Pilot& pilot) const {
-  system.begin(standing.state);
-  Recorder recorder{dynamics_, standing.state, quantity_->ledger};
+void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, Pilot& pilot) const {
+  system.begin(start);
+  Recorder recorder{dynamics_, start, quantity_->ledger};
+  Watch watch{scene, dynamics_, start};
   LargestBetween largest, least;
   const std::vector<double> lengths = dynamics_.lengths();
   const Observer observer = [&](const State& seen, const StepInfo& info) {
+    watch.look(seen, info.step);
     recorder(seen, info);
     const double value = recorder.row()[quantity_->column];
     pilot.values.push_back(value);
@@ -105,13 +105,12 @@ void PilotRuns::take(RigidBodySystem& system, Standing standing, const RunPlan& 
     least(-value);
     pilot.speed = std::max(pilot.speed, largest_speed(seen, lengths));
   };
-  StopCondition there;
-  if (scene_->early_end) there = [this](const State& seen) { return reached(*scene_->early_end, scene_->model, seen); };
-  const Outcome outcome = simulate(system, standing, plan, {&observer, 1}, there);
-  if (!outcome) {
-    pilot.failure = outcome.words;
-    return;
-  }
+  Integrator integrator = scene.integrator;
+  const Outcome outcome = simulate(system, integrator, start, scene.plan, {&observer, 1}, [&](const State& seen) {
+    return !watch.breach().empty() || (scene.early_end && reached(*scene.early_end, scene.model, seen));
+  });
+  pilot.failure = outcome ? watch.breach() : outcome.words;
+  if (!pilot.failure.empty()) return;
   const Recorder::Extreme& extreme = recorder.extremes()[quantity_->column];
   pilot.printed = quantity_->of(extreme.least, extreme.largest, pilot.values.back());
   pilot.between = quantity_->of(-least.largest(), largest.largest(), pilot.values.back());

@@ -42,8 +42,8 @@ struct Pilot {
 /// would else eat what others are to have.
 constexpr long most_of(long cost) { return 64 * (cost + 100); }
 
-/// Runs of one scene by any method for the sake of one quantity, with the accounts kept where the scene keeps them:
-/// they may cost evaluations.
+/// Runs of one scene by any method for the sake of one quantity. The accounts are kept where the scene keeps them, for
+/// they may cost evaluations; and the run is watched as `talus run` watches it: what that would end has failed.
 class PilotRuns {
  public:
   /// Both must outlive it.
@@ -64,7 +64,7 @@ class PilotRuns {
 
  private:
   [[nodiscard]] State start(const Nudge& nudge) const;
-  void take(RigidBodySystem& system, Standing standing, const RunPlan& plan, Pilot& pilot) const;
+  void take(RigidBodySystem& system, const Scene& scene, State start, Pilot& pilot) const;
 
   const Scene* scene_;
   const Quantity* quantity_;
