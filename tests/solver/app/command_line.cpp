@@ -20,7 +20,8 @@
 namespace fs = std::filesystem;
 
 BOOST_AUTO_TEST_CASE(help_and_version) {
-  for (const std::string command : {"run", "check", "calibrate", "convert", "plot", "snapshot", "animate", "list"}) {
+  for (const std::string command :
+       {"run", "check", "advise", "calibrate", "convert", "plot", "snapshot", "animate", "list"}) {
     const Ended help = talus_ran({command, "--help"});
     BOOST_TEST(help.code == 0);
     BOOST_TEST(holds(help.out, "Example"));
@@ -32,10 +33,12 @@ BOOST_AUTO_TEST_CASE(help_and_version) {
 BOOST_AUTO_TEST_CASE(wrong_command_lines) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{},
-       "talus: a command is missing; known: run, check, calibrate, convert, plot, snapshot, animate, list\nhelp: talus "
+       "talus: a command is missing; known: run, check, advise, calibrate, convert, plot, snapshot, animate, "
+       "list\nhelp: talus "
        "--help\n"},
       {{"rnu"},
-       "talus: command 'rnu' is not known; nearest: run; known: run, check, calibrate, convert, plot, snapshot, "
+       "talus: command 'rnu' is not known; nearest: run; known: run, check, advise, calibrate, convert, plot, "
+       "snapshot, "
        "animate, list\n"
        "help: talus --help\n"},
       {{"run"}, "talus: SCENE is required, or --resume DIR\nhelp: talus run --help\n"},

@@ -1,0 +1,131 @@
+#define BOOST_TEST_MODULE advise
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "solver/io/scene_file.hpp"
+#include "tests/solver/app/program.hpp"
+
+// `talus advise` from end to end.
+
+namespace {
+
+Ended advised(const std::string& scene_file, const std::string& accuracy, const std::string& quantity,
+              const std::string& out, std::vector<std::string> more = {}) {
+  std::vector<std::string> arguments{"advise", scene_file, "--accuracy", accuracy, "--of", quantity, "--out", out};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return talus_ran(arguments);
+}
+
+nlohmann::json summary_of(const std::string& scene_file, std::vector<std::string> more = {}) {
+  std::vector<std::string> arguments{"run", scene_file, "--json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Ended ended = talus_ran(arguments);
+  BOOST_TEST(ended.code == 0);
+  return nlohmann::json::parse(ended.out);
+}
+
+double largest(const nlohmann::json& summary, const std::string& column) {
+  for (const auto& item : summary.at("extremes")) {
+    if (item.at("name") == column) return item.at("largest");
+  }
+  BOOST_TEST_REQUIRE(false);
+  return 0.0;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_advised_scene_keeps_the_promise_at_the_cost_that_was_said) {
+  const Folder folder;
+  const std::string out = (folder.path / "advised.toml").string();
+  const Ended ended = advised(scene("two_cable.toml"), "1e-3", "body.particle.x.max", out, {"--json"});
+  BOOST_TEST(ended.code == 0);
+  BOOST_TEST(ended.err.empty());
+  const auto told = nlohmann::json::parse(ended.out);
+  const auto summary = summary_of(out);
+  BOOST_TEST(summary.at("evaluations") == told.at("advice").at("evaluations"));
+  BOOST_TEST(summary.at("integrator") == told.at("advice").at("integrator"));
+  // By a method that is not advised, at a step a thousandth of the contact's time.
+  const auto fine = summary_of(scene("two_cable.toml"), {"--integrator", "rk4", "--step", "40 us"});
+  BOOST_TEST(std::abs(largest(summary, "particle.x") / largest(fine, "particle.x") - 1.0) < 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(comments_and_order_of_a_scene_stay) {
+  const Folder folder;
+  const std::string out = (folder.path / "advised.toml").string();
+  BOOST_TEST(advised(scene("pendulum.toml"), "1e-3", "rod.spin.end", out, {"--among", "velocity_verlet"}).code == 0);
+  const std::string before = talus::read_text(scene("pendulum.toml")), after = talus::read_text(out);
+  const std::size_t run = before.find("[run]");
+  BOOST_TEST(after.substr(0, run) == before.substr(0, run));
+  const std::string changed = after.substr(run);
+  BOOST_TEST(holds(changed, "[run]\nintegrator = \"velocity_verlet\"\nstep = \""));
+  BOOST_TEST(!holds(changed, "tolerance = "));
+  BOOST_TEST(holds(changed, " s\"\nend = \"10 s\"\n# talus advise: rod.spin.end to 0.001: velocity_verlet, step "));
+}
+
+BOOST_AUTO_TEST_CASE(a_deck_is_advised_as_a_scene_with_the_same_end) {
+  const Folder folder;
+  const std::string out = (folder.path / "advised.toml").string();
+  const Ended ended = advised(scene("fence/table_2.DAT"), "0.05", "rock.vx.end", out);
+  BOOST_TEST(ended.code == 0);
+  BOOST_TEST(holds(ended.out, "\nadvice: "));
+  const talus::Scene before = talus::read_scene(fs::path{scene("fence/table_2.DAT")});
+  const talus::Scene after = talus::read_scene(fs::path{out});
+  BOOST_TEST(after.plan.end == before.plan.end, boost::test_tools::tolerance(1e-13));
+  BOOST_TEST(talus::name(after.integrator) != talus::name(before.integrator));
+}
+
+BOOST_AUTO_TEST_CASE(a_refusal_has_its_own_exit_code_and_leaves_no_file) {
+  const Folder folder;
+  const std::string out = (folder.path / "advised.toml").string();
+  const Ended nought = advised(scene("two_cable.toml"), "1e-3", "particle.y.max", out);
+  BOOST_TEST(nought.code == 5);
+  BOOST_TEST(nought.err.empty());
+  BOOST_TEST(holds(nought.out, "\nno advice (vanishing): particle.y.max is 0e+00, less than 1e-09 of the largest"));
+  const Ended dear = advised(scene("two_cable.toml"), "1e-3", "particle.x.max", out, {"--evaluations", "100"});
+  BOOST_TEST(dear.code == 5);
+  BOOST_TEST(holds(dear.out, "\nno advice (stiff): "));
+  BOOST_TEST(folder.files() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_requests_are_refused_before_any_pilot) {
+  const Folder folder;
+  const std::string out = (folder.path / "advised.toml").string();
+  const std::string file = scene("two_cable.toml");
+  const auto says = [&](const Ended& ended, int code, const std::string& words) {
+    BOOST_TEST(ended.code == code);
+    BOOST_TEST(holds(ended.err, words));
+    BOOST_TEST(ended.out.empty());
+  };
+  says(advised(file, "1e-3", "cable.upper.tensoin.max", out), 2,
+       "--of: column 'cable.upper.tensoin' is not known; nearest: cable.upper.tension; known: body.particle.x, ");
+  says(advised(file, "1e-3", "cable.upper.tension.most", out), 2, "--of: reduction 'most' is not known; nearest: ");
+  says(advised(file, "0", "cable.upper.tension.max", out), 2, "accuracy: found 0; it must be in [1e-10, 0.5]");
+  says(advised(file, "1e-3", "cable.upper.tension.max", out, {"--among", "rk5"}), 2, "integrator 'rk5' is not known");
+  says(advised(file, "1e-3", "cable.upper.tension.max", (folder.path / "a.DAT").string()), 2,
+       "it must be a scene file");
+  says(advised(file, "1e-3", "cable.upper.tension.max", (folder.path / "no/a.toml").string()), 4, "does not exist");
+  BOOST_TEST(folder.files() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_written_in_one_line_is_changed_where_it_stands) {
+  const Folder folder;
+  const std::string text = talus::read_text(scene("pendulum.toml"));
+  const std::string head = text.substr(0, text.find("[run]"));
+  const std::string out = (folder.path / "advised.toml").string();
+  const auto rewritten = [&](const std::string& run, const std::string& method) {
+    const std::size_t body = head.find("# Half");
+    const fs::path file = folder.file("scene.toml", head.substr(0, body) + run + head.substr(body));
+    BOOST_TEST(advised(file.string(), "1e-3", "rod.spin.end", out, {"--among", method}).code == 0);
+    return talus::read_text(out);
+  };
+  const std::string in_line = "run = { integrator = \"rk4\", step = \"10 ms\", end = \"10 s\" } # äöü\n";
+  BOOST_TEST(holds(rewritten(in_line, "stormer_cowell"), "\nrun = { integrator = \"stormer_cowell\", tolerance = "));
+  const std::string controlled =
+      "run = { integrator = \"odeint_dopri5\", tolerance = 1e-3, step = \"10 ms\", end = \"10 s\" }\n";
+  BOOST_TEST(holds(rewritten(controlled, "rk4"), "\nrun = { integrator = \"rk4\", step = \""));
+  const std::string dotted = "run.integrator = \"rk4\" # ä\n  run.step = \"10 ms\"\nrun.end = \"10 s\"\n";
+  BOOST_TEST(holds(rewritten(dotted, "stormer_cowell"), "\nrun.integrator = \"stormer_cowell\" # ä\nrun.tolerance = "));
+}
