@@ -36,6 +36,7 @@ class RigidBodySystem {
   /// The linear piece of the state whose derivative was the last.
   void affine_piece(const State& state, AffinePiece& out) const { dynamics_->affine_piece(state, work_, out); }
   bool keeps_accounts() const { return ledger_; }
+  bool moves_memory() const { return dynamics_->follows_motion(); }
   void wake_all(State& state) const { dynamics_->wake_all(state); }
   /// Coordinates behind the first so many were of bodies that slept in the last state that was looked at.
   std::size_t moving() const { return work_.waking.moving; }

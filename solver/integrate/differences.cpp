@@ -36,6 +36,15 @@ void Differences::add(double t, std::span<const double> rates) {
 }
 
 void Differences::basis(double t, std::size_t terms, std::span<Basis> out) const {
+  // What integrating a power once and twice divides by; as factors, for a division takes ten times as long.
+  static constexpr auto divisors = [] {
+    std::array<std::array<double, 2>, most + 2> made{};
+    for (std::size_t p = 0; p < made.size(); ++p) {
+      const double below = static_cast<double>(p) + 1.0;
+      made[p] = {1.0 / below, 1.0 / (below * (below + 1.0))};
+    }
+    return made;
+  }();
   // N_i in powers of s/h, with s = t - t_0 and h the interval: all its zeros are at s <= 0, so that no coefficient is
   // negative and nothing cancels in the integrals.
   const double h = t - times_.front();
@@ -43,10 +52,9 @@ void Differences::basis(double t, std::size_t terms, std::span<Basis> out) const
   for (std::size_t i = 0; i < terms; ++i) {
     Basis sum;
     for (std::size_t p = i + 1; p-- > 0;) {
-      const double below = static_cast<double>(p) + 1.0;
       sum.value += power[p];
-      sum.once += power[p] / below;
-      sum.twice += power[p] / (below * (below + 1.0));
+      sum.once += power[p] * divisors[p][0];
+      sum.twice += power[p] * divisors[p][1];
     }
     out[i] = {sum.value, h * sum.once, h * h * sum.twice};
     if (i + 1 == terms) break;

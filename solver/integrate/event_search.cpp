@@ -35,11 +35,10 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
   system.guards(near_end, same, guards_);
   bool near = false, worse = false;
   for (std::size_t i = 0; i < guards_.size(); ++i) {
-    if (dormant_[i] != 0.0 && guards_[i] > 0.0) dormant_[i] = 0.0;
     if (dormant_[i] == 0.0) {
       near = near || may_have_ended(i);
     } else {
-      worse = worse || (dormant_[i] == 1.0 && guards_[i] < before_[i]);
+      worse = worse || (dormant_[i] == 1.0 && guards_[i] <= 0.0 && guards_[i] < before_[i]);
     }
   }
   std::optional<double> last = near ? std::optional{end} : dip(begin.t, end);
@@ -51,6 +50,9 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
   if (after > 0.0) {
     // A mode that began at its very end, and goes on past it, ends with the first short step.
     if (worse) return end;
+    // What has come out of its end is looked at from the next step on.
+    for (std::size_t i = 0; i < guards_.size(); ++i)
+      dormant_[i] = guards_[i] > 0.0 ? 0.0 : dormant_[i];
     std::swap(earlier_, before_);
     earlier_time_ = begin.t;
     return std::nullopt;

@@ -40,8 +40,10 @@ struct EventfulSystem {
   std::function<std::vector<double>(const State&)> lengths;
   /// The linear piece that the state is in: none if the system has no such pieces.
   std::function<void(const State&, AffinePiece&)> affine_piece;
-  /// Whether work and impulse are kept.
-  bool keeps_accounts{};
+  /// Whether work and impulse are kept; if not they have no rates.
+  bool keeps_accounts{true};
+  /// Whether some memory has a rate.
+  bool moves_memory{true};
 };
 
 /// The system behind functions. It must outlive them.
@@ -61,6 +63,7 @@ EventfulSystem eventful(System& system) {
   if constexpr (requires(AffinePiece & out) { system.affine_piece(State{}, out); })
     asked.affine_piece = [&system](const State& at, AffinePiece& out) { system.affine_piece(at, out); };
   if constexpr (requires { system.keeps_accounts(); }) asked.keeps_accounts = system.keeps_accounts();
+  if constexpr (requires { system.moves_memory(); }) asked.moves_memory = system.moves_memory();
   return asked;
 }
 

@@ -111,8 +111,9 @@ class LocatedSteps {
   }
 
   void settle_event(EventfulSystem& system) {
+    const std::vector<Mode> modes = end_.mode;
     search_.settle(system, end_);
-    ++events_;
+    if (end_.mode != modes) ++events_;
     crowd_ = end_.t - event_time_ <= 1e-3 * motion_.usual_step() ? crowd_ + 1 : 0;
     event_time_ = end_.t;
     fresh_ = true;

@@ -33,14 +33,22 @@ PolynomialMotion::PolynomialMotion(const State& state, double tolerance)
 
 void PolynomialMotion::flatten(const Rates& rates) {
   new_.assign(rates.v.begin(), rates.v.end());
-  new_.insert(new_.end(), rates.z.begin(), rates.z.end());
+  if (moves_memory_) new_.insert(new_.end(), rates.z.begin(), rates.z.end());
+  if (!keeps_accounts_) return;
   new_.insert(new_.end(), rates.work.begin(), rates.work.end());
   new_.insert(new_.end(), rates.impulse.begin(), rates.impulse.end());
+}
+
+/// Numbers that flatten() makes.
+std::size_t PolynomialMotion::width(const State& like) const {
+  return like.v.size() + (moves_memory_ ? like.z.size() : 0) +
+         (keeps_accounts_ ? like.work.size() + like.impulse.size() : 0);
 }
 
 /// The first step of a piece knows the rates at one time alone.
 void PolynomialMotion::begin(EventfulSystem& system, const State& start, double interval) {
   if (lengths_.empty()) lengths_ = system.lengths(start);
+  moves_memory_ = system.moves_memory, keeps_accounts_ = system.keeps_accounts;
   system.derivative(start, found_);
   flatten(found_);
   rates_.begin(start.t, new_);
@@ -90,11 +98,15 @@ void PolynomialMotion::try_step(EventfulSystem& system, const State& begin, doub
 
 /// Adds rates, by their integral over time and the integral of that.
 void PolynomialMotion::add(std::span<const double> rates, double once, double twice, State& to) const {
-  auto rate = rates.begin();
-  for (std::size_t i = 0; i < to.v.size(); ++i, ++rate)
-    to.v[i] += *rate * once, to.q[i] += *rate * twice;
-  for (double& z : to.z)
-    z += *rate++ * once;
+  const std::size_t n = to.v.size();
+  for (std::size_t i = 0; i < n; ++i)
+    to.v[i] += rates[i] * once, to.q[i] += rates[i] * twice;
+  auto rate = rates.begin() + static_cast<std::ptrdiff_t>(n);
+  if (moves_memory_) {
+    for (double& z : to.z)
+      z += *rate++ * once;
+  }
+  if (!keeps_accounts_) return;
   for (double& work : to.work)
     work += *rate++ * once;
   for (double& impulse : to.impulse)
@@ -140,24 +152,29 @@ void PolynomialMotion::measure(double h, const State& begin, const State& end) {
 /// prediction and correction.
 double PolynomialMotion::error_with(std::size_t terms, const State& like) const {
   const double once = basis_[terms].once / basis_[terms].value, twice = basis_[terms].twice / basis_[terms].value;
-  const std::size_t n = like.v.size(), m = like.z.size();
-  // Of a motion that has not begun no error is too small.
-  const double speed_share = std::abs(once) / speed_now_, way_share = std::abs(twice) / way_now_;
-  const double memory_share = std::abs(once) / way_now_;
+  const std::size_t n = like.v.size(), m = moves_memory_ ? like.z.size() : 0;
   // The terms between are missed as well, or no longer.
   const std::size_t low = std::min(terms, used_), high = std::max(terms, used_);
   const double sign = terms < used_ ? 1.0 : -1.0;
-  double error = 0.0;
-  for (std::size_t c = 0; c < n + m; ++c) {
-    double miss = miss_[c];
+  const auto miss = [&](std::size_t c) {
+    double sum = miss_[c];
     for (std::size_t i = low; i < high; ++i)
-      miss += sign * rates_[i][c] * basis_[i].value;
-    miss = std::abs(c < n ? lengths_[c] * miss : miss);
-    // Written so that what is not a number is too large.
-    if (const double of_speed = c < n ? miss * speed_share : 0.0; !(of_speed <= error)) error = of_speed;
-    if (const double of_way = miss * (c < n ? way_share : memory_share); !(of_way <= error)) error = of_way;
-  }
-  return speed_now_ > 0.0 || error > 0.0 ? error / tolerance_ : 0.0;
+      sum += sign * rates_[i][c] * basis_[i].value;
+    return std::abs(sum);
+  };
+  // What is not a number is the largest.
+  const auto raise = [](double& most, double x) { most = x > most || x != x ? x : most; };
+  double motion = 0.0, memory = 0.0;
+  for (std::size_t c = 0; c < n; ++c)
+    raise(motion, lengths_[c] * miss(c));
+  for (std::size_t c = n; c < n + m; ++c)
+    raise(memory, miss(c));
+  // Of a motion that has not begun no error is too small.
+  const auto share = [](double x, double of) { return x == 0.0 ? 0.0 : x / of; };
+  double error = share(motion * std::abs(once), speed_now_);
+  raise(error, share(motion * std::abs(twice), way_now_));
+  raise(error, share(memory * std::abs(once), way_now_));
+  return error / tolerance_;
 }
 
 /// The step failed: how long the next attempt may be.
@@ -191,7 +208,9 @@ void PolynomialMotion::choose_next(double h, double error, const State& like) {
 }
 
 void PolynomialMotion::remember(Memory& memory, const State& like) {
-  new_.resize(like.v.size() + like.z.size() + like.work.size() + like.impulse.size());
+  memory.flag("moves_memory", moves_memory_);
+  memory.flag("keeps_accounts", keeps_accounts_);
+  new_.resize(width(like));
   miss_.resize(new_.size());
   memory.part("rates", [&] { rates_.remember(memory, new_.size()); });
   memory.numbers("new_rates", new_);

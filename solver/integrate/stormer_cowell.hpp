@@ -45,15 +45,19 @@ class PolynomialMotion {
   void correct(const Basis& last, State& to) const;
   void add(std::span<const double> rates, double once, double twice, State& to) const;
   void flatten(const Rates& rates);
+  std::size_t width(const State& like) const;
 
-  Differences rates_;         ///< up to the beginning of the last step: accelerations, memory rates, powers, impulses
-  std::vector<double> new_;   ///< the same at its end
-  std::vector<double> miss_;  ///< how much of it the prediction missed
-  double last_value_{};       ///< at the end of the last step, of the first term that it left out
-  std::size_t order_{1};      ///< terms that predict the next step
-  std::size_t used_{1};       ///< and the last
-  double step_{};             ///< length of the next step [T]
-  double usual_{};            ///< the last that was not held short by an event [T]
+  Differences rates_;  ///< up to the beginning of the last step: accelerations, and memory rates, powers and impulses
+                       ///< if there are any
+  std::vector<double> new_;    ///< the same at its end
+  std::vector<double> miss_;   ///< how much of it the prediction missed
+  double last_value_{};        ///< at the end of the last step, of the first term that it left out
+  std::size_t order_{1};       ///< terms that predict the next step
+  std::size_t used_{1};        ///< and the last
+  double step_{};              ///< length of the next step [T]
+  double usual_{};             ///< the last that was not held short by an event [T]
+  bool moves_memory_{true};    ///< see EventfulSystem
+  bool keeps_accounts_{true};  ///< likewise
   double tolerance_{};
   double way_{};                 ///< longest way of a coordinate so far [L]
   double speed_{};               ///< largest speed so far [L/T]

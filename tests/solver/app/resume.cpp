@@ -67,7 +67,9 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
 BOOST_AUTO_TEST_CASE(every_integrator_goes_on_to_the_same_files) {
   for (const std::string& integrator : talus::integrator_names()) {
     BOOST_TEST_CONTEXT(integrator) {
-      const char* file = talus::needs_closed_form(integrator) ? "damped_disc.toml" : "two_cable.toml";
+      // Euler's method and Taylor's grow where nothing damps, and the watch would end them.
+      const bool damped = talus::needs_closed_form(integrator) || integrator == "euler" || integrator == "taylor";
+      const char* file = damped ? "damped_disc.toml" : "two_cable.toml";
       std::vector<std::string> command{"run",   scene(file),    "--step",   "1 ms",     "--end",
                                        "0.4 s", "--integrator", integrator, "--frames", "7"};
       if (talus::needs_tolerance(integrator)) command.insert(command.end(), {"--tolerance", "1e-9"});

