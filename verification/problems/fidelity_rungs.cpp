@@ -218,8 +218,8 @@ void check_rungs(Findings& findings, const Setup& setup) {
   const double moved =
       std::abs(passage(fence_of(0.02, 1, scenes::FenceSymmetry::half), tight, findings).exit - full.exit);
   findings.expect("steps: speed at .2 s by 1e-7 from that by 1e-10, largest of all levels", own, 0.0,
-                  Tolerance::model(0.01 * moved,
-                                   "a hundredth of what the rock .02 ft higher changes; nobody sets it up "
+                  Tolerance::model(0.002 * moved,
+                                   "a five-hundredth of what the rock .02 ft higher changes; nobody sets it up "
                                    "better than that"),
                   "ft/s");
   const auto digits_gained = [&](std::size_t beside) {
