@@ -346,7 +346,7 @@ Case work_precision() {
                  {"late_events", "Dormand-Prince under step control in the place of stormer_cowell",
                   "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, pinned column"}},
       .tier = Tier::quick,
-      .time_limit = 300.0,
+      .time_limit = 600.0,
       .run = run};
 }
 

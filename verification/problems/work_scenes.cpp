@@ -173,7 +173,7 @@ std::vector<WorkScene> work_scenes(const Setup& setup, bool fence) {
   }
   for (WorkScene& scene : all) {
     scene.tolerance_ratio = full || scene.runs == 1 ? std::sqrt(0.1) : 0.1;
-    if (full) scene.budget *= scene.name == "fence" ? 100.0 : scene.runs == 1 ? 8.0 : 20.0;
+    if (full) scene.budget *= scene.name == "fence" ? 50.0 : scene.runs == 1 ? 8.0 : 10.0;
   }
   return all;
 }
