@@ -83,8 +83,16 @@ void Watch::look(const State& seen, long step) {
   }
   if (changed && fixed_step_ && rules.accuracy != Breach::off) look_at_contacts(seen);
   if (changed) modes_ = seen.mode;
-  if (rules.tunnelling != Breach::off || rules.accuracy != Breach::off) look_at_pairs(seen);
+  if ((rules.tunnelling != Breach::off || rules.accuracy != Breach::off) && (step % 8 == 0 || touches(seen)))
+    look_at_pairs(seen);
   if (turn && scene_->plan.ledger && rules.accuracy != Breach::off) look_at_drift(seen);
+}
+
+/// Whether some contact acts.
+bool Watch::touches(const State& seen) const {
+  const auto first = seen.mode.begin();
+  return std::any_of(first, first + static_cast<std::ptrdiff_t>(dynamics_->contacts().size()),
+                     [](Mode mode) { return mode != 0; });
 }
 
 void Watch::look_at_frequency(const State& seen) {

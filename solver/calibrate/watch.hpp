@@ -23,7 +23,8 @@ inline constexpr std::size_t watched_count = 5;
 /// Watches over a run: how near each number came to its limit, and when. Nothing that it does changes the run.
 /// - frequency is looked at where contacts or cables begin or end to act, at most 512 times a run, and 64 times in any
 ///   case, of scenes of up to 150 coordinates and methods whose limit is known (linear_limit());
-/// - passing and overlap after every step (of methods that locate events passing is their own affair);
+/// - passing and overlap after every step in which something touches, else after every eighth (of methods that locate
+///   events passing is their own affair);
 /// - contact where one is touched, for methods of fixed step;
 /// - drift 64 times, with the ledger on.
 class Watch {
@@ -52,6 +53,7 @@ class Watch {
   void remember(Memory& memory);
 
  private:
+  bool touches(const State& seen) const;
   void look_at_frequency(const State& seen);
   void look_at_pairs(const State& seen);
   void look_at_contacts(const State& seen);

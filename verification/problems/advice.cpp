@@ -273,7 +273,7 @@ Case advice() {
                  {"differences_not_followed", "small differences of the start are not followed",
                   "gas: refused because its differences grow"}},
       .tier = Tier::quick,
-      .time_limit = 60.0,
+      .time_limit = 300.0,
       .run = run};
 }
 
