@@ -16,7 +16,7 @@ struct TimedPoint {
   double median{}, fastest{}, slowest{};  ///< [ns]
 };
 
-/// Of all points of the curves of one scene that did not fail and take at most a million evaluations.
+/// Of all points of the curves of one scene that did not fail and take at most 100,000 evaluations.
 [[nodiscard]] std::vector<TimedPoint> timed_points(const SceneCurves& curves);
 
 /// One row for each point.
