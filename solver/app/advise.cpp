@@ -1,15 +1,14 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "solver/app/command.hpp"
+#include "solver/app/progress.hpp"
 #include "solver/base/error.hpp"
 #include "solver/calibrate/method_advice.hpp"
 #include "solver/io/atomic_file.hpp"
@@ -27,32 +26,6 @@ struct AdviseOptions {
   std::string out;
   bool json{false};
   AdviceRules rules;
-};
-
-/// Shows on a terminal how many evaluations the pilots have taken, once they take longer than a second.
-class Progress {
- public:
-  explicit Progress(long most) : most_{most}, shown_to_terminal_{::isatty(STDERR_FILENO) == 1} {}
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  ~Progress() {
-    if (written_) fmt::print(stderr, "\r{:60}\r", "");
-  }
-
-  void operator()(long evaluations) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!shown_to_terminal_ || now < next_) return;
-    next_ = now + std::chrono::milliseconds{200};
-    written_ = true;
-    fmt::print(stderr, "\rpilots: {} of at most {} force evaluations", evaluations, most_);
-    std::fflush(stderr);
-  }
-
- private:
-  long most_;
-  bool shown_to_terminal_;
-  bool written_{false};
-  std::chrono::steady_clock::time_point next_{std::chrono::steady_clock::now() + std::chrono::seconds{1}};
 };
 
 std::string_view name_of(Refusal::Kind kind) { return Names<Refusal::Kind>::list[static_cast<std::size_t>(kind)]; }
@@ -173,10 +146,13 @@ int advise(AdviseOptions& options) {
       throw InputError{fmt::format("--of: {}", error.what())};
     }
   }();
-  const auto progress = std::make_shared<Progress>(options.rules.evaluations);
-  options.rules.progress = [progress](long evaluations) { (*progress)(evaluations); };
-  Advice advice = advise_method(file.scene, quantity, options.rules);
-  options.rules.progress = {};
+  std::optional<Progress> progress{std::in_place};
+  options.rules.progress = [&](long evaluations) {
+    if (progress->due())
+      progress->show(fmt::format("pilots: {} of at most {} force evaluations", evaluations, options.rules.evaluations));
+  };
+  const Advice advice = advise_method(file.scene, quantity, options.rules);
+  progress.reset();
   const double duration = file.scene.plan.end - file.scene.initial.t;
   if (advice.best) {
     const std::string comment = fmt::format(

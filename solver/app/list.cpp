@@ -64,7 +64,7 @@ void list_integrators() {
     if constexpr (requires { T::has_step_control; }) {
       if (T::has_step_control) control = T::needs_tolerance ? "needs a tolerance" : "fixed step, or a tolerance";
     }
-    if constexpr (requires { T::needs_closed_form; }) {
+    if (needs_closed_form(T::name)) {
       fmt::print("  {:<23} no error  where motion between events is linear: particles, discs on planes, no cables\n",
                  T::name);
     } else {

@@ -109,7 +109,6 @@ RunOrder resumed_order(const RunOptions& options) {
                     file.string(), checkpoint.scene_fnv1a, scene.string(), fnv1a(order.text))};
   }
   order.file = read_scene_file(scene);
-  order.file.scene.integrator_why.clear();
   order.file.scene.integrator = make_integrator(checkpoint.integrator, checkpoint.tolerance);
   order.file.scene.plan.step = checkpoint.step;
   order.file.scene.plan.end = checkpoint.end;

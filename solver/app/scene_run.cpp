@@ -1,12 +1,11 @@
 #include "solver/app/scene_run.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
 #include <ctime>
 
+#include "solver/app/progress.hpp"
 #include "solver/io/atomic_file.hpp"
 #include "solver/io/csv.hpp"
 #include "solver/io/fence_sheet.hpp"
@@ -15,36 +14,6 @@
 #include "solver/state/state_memory.hpp"
 
 namespace talus::app {
-namespace {
-
-/// Shows on a terminal how far a run has come, once it takes longer than a second.
-class Progress {
- public:
-  explicit Progress(double end) : end_{end}, shown_to_terminal_{::isatty(STDERR_FILENO) == 1} {}
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  ~Progress() {
-    if (written_) fmt::print(stderr, "\r{:40}\r", "");
-  }
-
-  void operator()(double time, long step) {
-    if (!shown_to_terminal_ || step % 256 != 0) return;
-    const auto now = std::chrono::steady_clock::now();
-    if (now < next_) return;
-    next_ = now + std::chrono::milliseconds{200};
-    written_ = true;
-    fmt::print(stderr, "\rt = {:.5g} of {:.5g}  ({:3.0f} %)", time, end_, 100.0 * time / end_);
-    std::fflush(stderr);
-  }
-
- private:
-  double end_;
-  bool shown_to_terminal_;
-  bool written_{false};
-  std::chrono::steady_clock::time_point next_{std::chrono::steady_clock::now() + std::chrono::seconds{1}};
-};
-
-}  // namespace
 
 SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene,
                    long frames, bool sheet)
@@ -55,6 +24,7 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       system_{dynamics_, file.scene.plan.ledger},
       standing_{standing_at_start(file.scene.integrator, begun(file.scene.initial))},
       seen_{standing_.state},
+      integrator_why_{file.scene.integrator_why},
       recorder_{dynamics_, standing_.state, file.scene.plan.ledger},
       failures_{dynamics_},
       watch_{file.scene, dynamics_, standing_.state},
@@ -71,6 +41,7 @@ State SceneRun::begun(State state) {
 void SceneRun::remember(Memory& memory) {
   memory.part("run", [&] { standing_.remember(memory); });
   memory.part("seen", [&] { talus::remember(memory, seen_); });
+  memory.text("integrator_why", integrator_why_);
   memory.part("recorder", [&] { recorder_.remember(memory); });
   memory.part("failures", [&] { failures_.remember(memory); });
   memory.part("watch", [&] { watch_.remember(memory); });
@@ -83,13 +54,16 @@ void SceneRun::bring_files(const std::filesystem::path& from) {
 }
 
 Outcome SceneRun::go_on(const StopCondition& stop) {
-  Progress progress{scene_->plan.end};
+  Progress progress;
   const auto observe = [&](const State& seen, const StepInfo& info) {
     recorder_(seen, info);
     failures_(seen, info);
     if (files_) (*files_)(seen, info);
     if (sheet_) (*sheet_)(seen, info);
-    progress(seen.t, info.step);
+    if (info.step % 256 == 0 && progress.due()) {
+      const double end = scene_->plan.end;
+      progress.show(fmt::format("t = {:.5g} of {:.5g}  ({:3.0f} %)", seen.t, end, 100.0 * seen.t / end));
+    }
     seen_ = seen;
   };
   using Clock = std::chrono::steady_clock;
@@ -130,7 +104,7 @@ RunRecord SceneRun::record(Outcome outcome) const {
   record.title = scene_->title;
   record.units = scene_->model.units;
   record.integrator = name(scene_->integrator);
-  record.integrator_why = scene_->integrator_why;
+  record.integrator_why = integrator_why_;
   record.events = located_events(standing_.integrator);
   record.plan = scene_->plan;
   record.steps = standing_.step;

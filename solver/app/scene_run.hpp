@@ -52,7 +52,8 @@ class SceneRun {
   Dynamics dynamics_;
   RigidBodySystem system_;
   Standing standing_;
-  State seen_;  ///< by the observers, last
+  State seen_;                  ///< by the observers, last
+  std::string integrator_why_;  ///< the scene's, or that of the run that is taken on
   Recorder recorder_;
   FailureLog failures_;
   Watch watch_;

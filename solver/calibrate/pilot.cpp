@@ -121,15 +121,12 @@ long PilotRuns::cost(const RunMethod& method) {
   constexpr long looked_at = 32, most_looked_at = 10'000;
   if (method.steps <= looked_at) return method.steps;
   try {
-    RigidBodySystem system{dynamics_, scene_->plan.ledger || quantity_->ledger};
-    Integrator integrator = choose_integrator(scene_->model, method.integrator, method.tolerance).integrator;
-    State state = scene_->initial;
-    RunPlan plan = scene_->plan;
-    plan.step = (plan.end - state.t) / static_cast<double>(method.steps);
-    plan.end = state.t + static_cast<double>(looked_at) * plan.step;
+    Scene scene = with_method(*scene_, method);
+    RigidBodySystem system{dynamics_, scene.plan.ledger || quantity_->ledger};
+    scene.plan.end = scene.initial.t + static_cast<double>(looked_at) * scene.plan.step;
     system.allow(most_looked_at);
     try {
-      static_cast<void>(simulate(system, integrator, state, plan));
+      static_cast<void>(simulate(system, scene.integrator, scene.initial, scene.plan));
     } catch (const TooManyEvaluations&) {
       // So dear already: what is known is enough.
     }

@@ -62,8 +62,8 @@ void Watch::take(Watched which, double value, double limit, Breach breach, const
   const bool beyond = !(fewest ? value >= limit : value <= limit);
   if (!extreme.seen || !(fewest ? value >= extreme.value : value <= extreme.value))
     extreme = {value, seen.t, contact, true};
-  if (!beyond || reported_[place]) return;
-  reported_[place] = true;
+  if (!beyond || reported_[place] >= limit) return;
+  reported_[place] = limit;
   const std::string said = fmt::format("at t = {:.6g} {}", seen.t, words());
   if (breach == Breach::error) {
     breach_ = said;
@@ -129,8 +129,6 @@ void Watch::look_at_pairs(const State& seen) {
   if (overlap.share == 0.0) return;
   const bool through = overlap.share > deepest_share && rules.tunnelling != Breach::off;
   if (!through && rules.accuracy == Breach::off) return;
-  // A warning said before does not stand in the way of the error.
-  if (through) reported_[static_cast<std::size_t>(Watched::overlap)] = false;
   take(Watched::overlap, overlap.share, through ? deepest_share : deep_share,
        through ? rules.tunnelling : rules.accuracy, seen, overlap.contact, [&] {
          return fmt::format(
@@ -174,8 +172,8 @@ void Watch::remember(Memory& memory) {
   std::vector<double> numbers;
   for (std::size_t i = 0; i < watched_count; ++i) {
     const Extreme& e = extremes_[i];
-    numbers.insert(numbers.end(), {e.value, e.time, static_cast<double>(index(e.contact)), e.seen ? 1.0 : 0.0,
-                                   reported_[i] ? 1.0 : 0.0});
+    numbers.insert(numbers.end(),
+                   {e.value, e.time, static_cast<double>(index(e.contact)), e.seen ? 1.0 : 0.0, reported_[i]});
   }
   memory.numbers("extremes", numbers);
   std::string said = fmt::format("{}", fmt::join(warnings_, "\n"));
@@ -187,7 +185,7 @@ void Watch::remember(Memory& memory) {
     if (!(at[2] >= 0.0 && at[2] < contacts && at[2] == std::floor(at[2])))
       throw InputError{fmt::format("extremes: found contact {}; there are {}", at[2], contacts)};
     extremes_[i] = {at[0], at[1], static_cast<ContactId>(at[2]), at[3] != 0.0};
-    reported_[i] = at[4] != 0.0;
+    reported_[i] = at[4];
   }
   warnings_.clear();
   for (std::size_t from = 0; from < said.size();) {

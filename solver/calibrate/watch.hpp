@@ -25,14 +25,14 @@ inline constexpr std::size_t watched_count = 5;
 ///   case, of scenes of up to 150 coordinates and methods whose limit is known (linear_limit());
 /// - passing and overlap after every step in which something touches, else after every eighth (of methods that locate
 ///   events passing is their own affair);
-/// - contact where one is touched, for methods of fixed step;
+/// - contact where one is touched, for methods of fixed step and scenes of as many coordinates;
 /// - drift 64 times, with the ledger on.
 class Watch {
  public:
   /// The extreme of one number so far.
   struct Extreme {
     double value{};
-    double time{};        ///< [T]; of a breach the first time beyond the limit
+    double time{};        ///< [T]
     ContactId contact{};  ///< where it belongs to one
     bool seen{};          ///< there was something to look at
   };
@@ -58,7 +58,8 @@ class Watch {
   void look_at_pairs(const State& seen);
   void look_at_contacts(const State& seen);
   void look_at_drift(const State& seen);
-  /// Takes a number into its extreme; a limit that it is beyond for the first time is a breach, with the words.
+  /// Takes a number into its extreme; a limit that it is beyond for the first time is a breach, with the words. A
+  /// number may have two, the larger of which is the graver.
   template <class Words>
   void take(Watched which, double value, double limit, Breach breach, const State& seen, ContactId contact,
             const Words& words);
@@ -74,7 +75,7 @@ class Watch {
   std::vector<Mode> modes_;            ///< at the last look
   long looked_{};                      ///< step of the last look at the frequency
   std::array<Extreme, watched_count> extremes_{};
-  std::array<bool, watched_count> reported_{};
+  std::array<double, watched_count> reported_{};  ///< the limits beyond which each was said to be; 0: none yet
   std::string breach_;
   std::vector<std::string> warnings_;
 };

@@ -48,33 +48,29 @@ std::string LinearMotion::advance(EventfulSystem& system, const State& begin, St
   if (!system.affine_piece) return "the system does not say where its motion is linear";
   const double h = std::min(share_ * step_, longest);
   share_ = 1.0;
-  find_accelerations(begin);
   sum_series(begin, h, end);
   end.t = begin.t + h;
   end.mode = begin.mode;
   return {};
 }
 
-/// By the piece's own line, from its beginning: nothing gathers from step to step.
-void LinearMotion::find_accelerations(const State& begin) {
-  a_ = a0_;
-  for (const AffinePiece::Term& term : piece_.terms) {
-    const std::size_t j = term.column;
-    a_[term.row] -= term.stiffness * (begin.q[j] - q0_[j]) + term.damping * (begin.v[j] - v0_[j]);
-  }
-}
-
 /// With P_k = q^(k) h^k/k!, q^(k+2) = -K q^(k) - C q^(k+1) for k > 0:
 ///   P_(k+2) = -(h^2 K P_k + h (k+1) C P_(k+1))/((k+1) (k+2)),   q = sum P_k,   v = sum k P_k/h.
+/// The accelerations at the step's beginning are of the piece's own line, so that nothing gathers from step to step.
 void LinearMotion::sum_series(const State& begin, double h, State& out) const {
-  const std::size_t n = a_.size();
+  const std::size_t n = a0_.size();
   out.q = begin.q, out.v = begin.v, out.z = begin.z, out.work = begin.work, out.impulse = begin.impulse;
   if (h == 0.0) return;
   const std::size_t count = piece_.terms.empty() ? 3 : term_count;
   terms_.assign(count * n, 0.0);
   const auto power = [this, n](std::size_t k) { return &terms_[k * n]; };
+  std::copy(a0_.begin(), a0_.end(), power(2));
+  for (const AffinePiece::Term& term : piece_.terms) {
+    const std::size_t j = term.column;
+    power(2)[term.row] -= term.stiffness * (begin.q[j] - q0_[j]) + term.damping * (begin.v[j] - v0_[j]);
+  }
   for (std::size_t i = 0; i < n; ++i)
-    power(1)[i] = h * begin.v[i], power(2)[i] = 0.5 * h * h * a_[i];
+    power(1)[i] = h * begin.v[i], power(2)[i] *= 0.5 * h * h;
   for (std::size_t k = 1; k + 2 < count; ++k) {
     const double first = static_cast<double>(k) + 1.0, second = first + 1.0;
     for (const AffinePiece::Term& term : piece_.terms) {
@@ -113,11 +109,10 @@ void LinearMotion::complete(EventfulSystem& system, const State& begin, State& e
 }
 
 void LinearMotion::remember(Memory& memory, const State& like) {
-  q0_.resize(like.q.size()), v0_.resize(like.q.size()), a0_.resize(like.q.size()), a_.resize(like.q.size());
+  q0_.resize(like.q.size()), v0_.resize(like.q.size()), a0_.resize(like.q.size());
   memory.numbers("piece_coordinates", q0_);
   memory.numbers("piece_velocities", v0_);
   memory.numbers("piece_accelerations", a0_);
-  memory.numbers("accelerations", a_);
   memory.number("step", step_);
   memory.number("share", share_);
   std::vector<double> numbers;

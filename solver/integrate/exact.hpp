@@ -4,7 +4,6 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/integrate/concepts.hpp"
 #include "solver/integrate/located_steps.hpp"
 
 namespace talus {
@@ -17,8 +16,13 @@ namespace talus {
 /// evaluation.
 class LinearMotion {
  public:
+  static constexpr std::string_view name = "exact";
+  static constexpr int order = 0;  ///< has no error to be of an order
+  static constexpr bool needs_tolerance = false;
+  static constexpr bool needs_closed_form = true;
+
   LinearMotion() = default;
-  explicit LinearMotion(const State& state) : found_{state}, along_{state} {}
+  LinearMotion(const State& state, double) : found_{state}, along_{state} {}
 
   void begin(EventfulSystem& system, const State& start, double interval);
   void hesitate() { share_ = 1e-4; }
@@ -31,7 +35,6 @@ class LinearMotion {
   void remember(Memory& memory, const State& like);
 
  private:
-  void find_accelerations(const State& begin);
   void sum_series(const State& begin, double h, State& out) const;
 
   AffinePiece piece_;
@@ -40,47 +43,12 @@ class LinearMotion {
   double share_{1.0};                 ///< of it that the next step is to take
 
   // Scratch of a step.
-  std::vector<double> a_;              ///< accelerations at its beginning
   mutable std::vector<double> terms_;  ///< of the series, power by power
   Rates found_;
   State along_;
 };
 
-/// The exact propagator as a Talus integrator, with located events: for scenes whose motion is linear between events
-/// (see obstacle_to_closed_form()). The step h is the interval between outputs, and costs nothing by itself.
-class Exact {
- public:
-  static constexpr std::string_view name = "exact";
-  static constexpr int order = 0;  ///< has no error to be of an order
-  static constexpr bool needs_closed_form = true;
-
-  template <Differentiable System>
-  void start(System& system, State& state, double) {
-    if constexpr (requires { system.wake_all(state); }) system.wake_all(state);
-    system.settle(state);
-    steps_ = {state, LinearMotion{state}};
-  }
-
-  template <Differentiable System>
-  void step(System& system, State& state, double h) {
-    steps_.advance(system, state, h);
-  }
-
-  template <class System>
-  const State& synchronized(System&, const State& state, double) const {
-    return state;
-  }
-
-  long events() const { return steps_.events(); }
-  const std::string& failure() const { return steps_.failure(); }
-
-  void remember(Memory& memory, const State& like) {
-    if (memory.puts_back()) steps_ = {like, LinearMotion{like}};
-    steps_.remember(memory);
-  }
-
- private:
-  LocatedSteps<LinearMotion> steps_;
-};
+/// The exact propagator, for scenes whose motion is linear between events: see obstacle_to_closed_form().
+using Exact = LocatedSteps<LinearMotion>;
 
 }  // namespace talus

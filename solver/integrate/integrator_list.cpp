@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "solver/base/error.hpp"
@@ -46,18 +48,17 @@ Integrator with_tolerance(T integrator, double tolerance) {
   return integrator;
 }
 
-/// Calls visit with the integrator of that name; false if there is none.
+/// What visit says of the integrator of that name. Errors: InputError if there is none.
 template <class Visit>
-bool with(std::string_view wanted, Visit&& visit) {
-  bool known = false;
+auto asked(std::string_view wanted, Visit&& visit) {
+  std::optional<std::decay_t<decltype(visit(VelocityVerlet{}))>> found;
   for_each(
       [&](const auto& integrator) {
-        if (integrator.name != wanted) return;
-        visit(integrator);
-        known = true;
+        if (integrator.name == wanted) found = visit(integrator);
       },
       std::make_index_sequence<count>{});
-  return known;
+  if (!found) throw unknown_name("integrator", wanted, integrator_names());
+  return *found;
 }
 
 }  // namespace
@@ -69,35 +70,22 @@ std::vector<std::string> integrator_names() {
 }
 
 bool needs_tolerance(std::string_view wanted) {
-  bool needed = false;
-  const bool known = with(wanted, [&]<class T>(const T&) { needed = must_have_tolerance<T>(); });
-  if (!known) throw unknown_name("integrator", wanted, integrator_names());
-  return needed;
+  return asked(wanted, []<class T>(const T&) { return must_have_tolerance<T>(); });
 }
 
 bool needs_closed_form(std::string_view wanted) {
-  bool needed = false;
-  const bool known = with(wanted, [&]<class T>(const T&) {
-    needed = requires { T::needs_closed_form; };
+  return asked(wanted, []<class T>(const T&) {
+    if constexpr (requires { T::needs_closed_form; }) return T::needs_closed_form;
+    return false;
   });
-  if (!known) throw unknown_name("integrator", wanted, integrator_names());
-  return needed;
 }
 
 bool has_step_control(std::string_view wanted) {
-  bool can = false;
-  const bool known = with(wanted, [&]<class T>(const T&) {
-    if constexpr (requires { T::has_step_control; }) can = T::has_step_control;
-  });
-  if (!known) throw unknown_name("integrator", wanted, integrator_names());
-  return can;
+  return asked(wanted, []<class T>(const T&) { return has_step_control<T>(); });
 }
 
 Integrator make_integrator(std::string_view wanted, double tolerance) {
-  Integrator made;
-  const bool known = with(wanted, [&](const auto& integrator) { made = with_tolerance(integrator, tolerance); });
-  if (!known) throw unknown_name("integrator", wanted, integrator_names());
-  return made;
+  return asked(wanted, [&](const auto& integrator) { return with_tolerance(integrator, tolerance); });
 }
 
 std::string_view name(const Integrator& integrator) {

@@ -4,9 +4,11 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "solver/integrate/concepts.hpp"
 #include "solver/integrate/event_search.hpp"
 #include "solver/state/state_memory.hpp"
 
@@ -18,7 +20,8 @@ struct NearEnd {
   bool same{};  ///< its derivative was the last that the system was asked for
 };
 
-/// Steps of a motion, each cut at its first event, to round-off; there modes change, and the motion begins anew.
+/// A method of integration: steps of a motion, each cut at its first event, to round-off; there modes change, and the
+/// motion begins anew.
 ///
 /// Motion: how a state goes on in its modes from the beginning of a step.
 ///   begin(system, start, interval)       a piece begins, one force evaluation; `interval` between outputs [T]
@@ -30,16 +33,32 @@ struct NearEnd {
 ///   ends_at_outputs(system)              whether no step may go beyond an output
 ///   usual_step()                         length of a step that no event holds short [T]
 ///   remember(memory, like)               its parts
+///   name, order, needs_tolerance, needs_closed_form   of the method that it makes
+///   Motion(like, tolerance)                           of a state of the scene
+///
+/// The step h of the method is the interval between outputs, and costs nothing by itself. Of a system without guards it
+/// is a method for smooth motion. Bodies do not sleep: a step is longer than a wave takes to the next body.
 template <class Motion>
 class LocatedSteps {
  public:
-  LocatedSteps() = default;
-  LocatedSteps(const State& state, Motion motion)
-      : begin_{state}, end_{state}, motion_{std::move(motion)}, search_{state}, cut_{state} {}
+  static constexpr std::string_view name = Motion::name;
+  static constexpr int order = Motion::order;
+  static constexpr bool needs_tolerance = Motion::needs_tolerance;
+  static constexpr bool has_step_control = Motion::needs_tolerance;
+  static constexpr bool needs_closed_form = Motion::needs_closed_form;
+
+  double tolerance{};  ///< as the motion takes it; 0 where it takes none
+
+  template <Differentiable System>
+  void start(System& system, State& state, double) {
+    if constexpr (requires { system.wake_all(state); }) system.wake_all(state);
+    system.settle(state);
+    set_out(state);
+  }
 
   /// Takes the state on by h, or says why it cannot: see failure().
-  template <class System>
-  void advance(System& system, State& state, double h) {
+  template <Differentiable System>
+  void step(System& system, State& state, double h) {
     EventfulSystem asked = eventful(system);
     const double t = state.t + h;
     while (failure_.empty() && end_.t < t) {
@@ -50,13 +69,18 @@ class LocatedSteps {
     state.t = t;
   }
 
+  template <class System>
+  const State& synchronized(System&, const State& state, double) const {
+    return state;
+  }
+
   /// Events located so far.
   long events() const { return events_; }
   /// Why there are no more steps; empty while there are.
   const std::string& failure() const { return failure_; }
 
-  /// Names its parts; one that is put back was made from a state of the same scene.
-  void remember(Memory& memory) {
+  void remember(Memory& memory, const State& like) {
+    if (memory.puts_back()) set_out(like);
     memory.part("begin", [&] { talus::remember(memory, begin_); });
     memory.part("end", [&] { talus::remember(memory, end_); });
     memory.flag("fresh", fresh_);
@@ -68,6 +92,16 @@ class LocatedSteps {
   }
 
  private:
+  /// All that a run carries, as at its start.
+  void set_out(const State& like) {
+    const double kept = tolerance;
+    *this = {};
+    tolerance = kept;
+    begin_ = end_ = cut_ = like;
+    motion_ = Motion{like, tolerance};
+    search_ = EventSearch{like};
+  }
+
   /// The system at a time within the last step.
   void state_at(double t, State& out) const {
     if (t >= end_.t) {

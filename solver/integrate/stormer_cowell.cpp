@@ -216,13 +216,13 @@ void PolynomialMotion::remember(Memory& memory, const State& like) {
   memory.numbers("new_rates", new_);
   memory.numbers("miss", miss_);
   memory.number("last_value", last_value_);
-  const auto count = [&](const char* name, std::size_t& value) {
+  const auto count = [&](const char* part, std::size_t& value) {
     long whole = static_cast<long>(value);
-    memory.count(name, whole);
+    memory.count(part, whole);
     value = static_cast<std::size_t>(whole);
     const std::size_t allowed = std::clamp<std::size_t>(rates_.count() + 1, 1, most_terms);
     if (value < 1 || value > allowed)
-      throw InputError{fmt::format("{}: found {}; it must lie in [1, {}]", name, value, allowed)};
+      throw InputError{fmt::format("{}: found {}; it must lie in [1, {}]", part, value, allowed)};
   };
   count("order", order_);
   count("used", used_);

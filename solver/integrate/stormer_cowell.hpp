@@ -5,7 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/integrate/concepts.hpp"
 #include "solver/integrate/differences.hpp"
 #include "solver/integrate/located_steps.hpp"
 
@@ -20,6 +19,11 @@ namespace talus {
 /// the run so far.
 class PolynomialMotion {
  public:
+  static constexpr std::string_view name = "stormer_cowell";
+  static constexpr int order = 12;
+  static constexpr bool needs_tolerance = true;
+  static constexpr bool needs_closed_form = false;
+
   PolynomialMotion() = default;
   PolynomialMotion(const State& state, double tolerance);
 
@@ -71,45 +75,7 @@ class PolynomialMotion {
   Rates found_;
 };
 
-/// Stoermer-Cowell with located events as a Talus integrator: the step h is the interval between outputs, and costs
-/// nothing by itself. Of a system without guards it is a method for smooth motion. Bodies do not sleep: a step is
-/// longer than a wave takes to the next body.
-class StormerCowell {
- public:
-  static constexpr std::string_view name = "stormer_cowell";
-  static constexpr int order = 12;
-  static constexpr bool needs_tolerance = true;
-  static constexpr bool has_step_control = true;
-
-  double tolerance{};  ///< of a step: see PolynomialMotion
-
-  template <Differentiable System>
-  void start(System& system, State& state, double) {
-    if constexpr (requires { system.wake_all(state); }) system.wake_all(state);
-    system.settle(state);
-    steps_ = {state, {state, tolerance}};
-  }
-
-  template <Differentiable System>
-  void step(System& system, State& state, double h) {
-    steps_.advance(system, state, h);
-  }
-
-  template <class System>
-  const State& synchronized(System&, const State& state, double) const {
-    return state;
-  }
-
-  long events() const { return steps_.events(); }
-  const std::string& failure() const { return steps_.failure(); }
-
-  void remember(Memory& memory, const State& like) {
-    if (memory.puts_back()) steps_ = {like, {like, tolerance}};
-    steps_.remember(memory);
-  }
-
- private:
-  LocatedSteps<PolynomialMotion> steps_;
-};
+/// Stoermer-Cowell with located events.
+using StormerCowell = LocatedSteps<PolynomialMotion>;
 
 }  // namespace talus

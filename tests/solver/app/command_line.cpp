@@ -1,14 +1,9 @@
 #define BOOST_TEST_MODULE command_line
-#include <sys/resource.h>
-
-#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,8 +11,6 @@
 #include "tests/solver/app/program.hpp"
 
 // The built program from end to end: exit codes, messages, files.
-
-namespace fs = std::filesystem;
 
 BOOST_AUTO_TEST_CASE(help_and_version) {
   for (const std::string command :
@@ -103,42 +96,6 @@ BOOST_AUTO_TEST_CASE(decks_and_their_scenes_run_alike) {
     BOOST_TEST(talus::read_text(by_deck + file) == talus::read_text(by_scene + file));
 }
 
-BOOST_AUTO_TEST_CASE(a_fence_leaves_its_listing_histories_and_geometry) {
-  const Folder folder;
-  const std::string by_deck = (folder.path / "deck").string();
-  const std::string by_scene = (folder.path / "scene").string();
-  const Ended ended = talus_ran({"run", scene("fence/sample2.DAT"), "--end", "10 ms", "--out", by_deck});
-  BOOST_TEST(ended.code == 0);
-  const std::string left_out = "element 2: codes 51, 52, 48 left out: no cable begins at it\n";
-  BOOST_TEST(holds(ended.out, "\nnote: " + left_out));
-  BOOST_TEST(holds(ended.out, "plot.json, sample2.OUT, sample2.history.csv, sample2.history.json, sample2.pvd\n"));
-  BOOST_TEST(talus::read_text(by_deck + "/sample2.history.csv").rfind("# " + left_out + "time [s],element2.vx", 0) ==
-             0U);
-  const auto summary = nlohmann::json::parse(talus::read_text(by_deck + "/summary.json"));
-  BOOST_TEST(summary.at("notes").size() == 1U);
-  BOOST_TEST(holds(talus::read_text(by_deck + "/sample2.OUT"), "\ntime = .993E-02 secs\n"));
-  BOOST_TEST(fs::exists(by_deck + "/sample2_geometry/sample2_00000120.vtp"));
-  BOOST_TEST(talus_ran({"run", scene("fence/sample2.toml"), "--end", "10 ms", "--out", by_scene}).code == 0);
-  for (const char* file : {"/sample2.OUT", "/sample2.history.csv", "/sample2.history.json", "/sample2.pvd",
-                           "/sample2_geometry/sample2_00000120.vtp"})
-    BOOST_TEST(talus::read_text(by_deck + file) == talus::read_text(by_scene + file));
-}
-
-BOOST_AUTO_TEST_CASE(history_codes_that_are_none_stop_a_run_at_its_start) {
-  const Folder folder;
-  std::string text = talus::read_text(scene("fence/sample2.DAT"));
-  text.replace(text.find("51 52 48"), 8, "51 28 48");
-  const std::string deck = (folder.path / "old.DAT").string();
-  std::ofstream{deck} << text;
-  const Ended ended = talus_ran({"run", deck, "--out", (folder.path / "run").string()});
-  BOOST_TEST(ended.code == 2);
-  BOOST_TEST(ended.err.rfind("talus: " + deck +
-                                 ": history_codes (variab): found 28 (OLD ELEMENT VELOCITY AT CENTROID "
-                                 "ROT.): ",
-                             0) == 0U);
-  BOOST_TEST(!fs::exists(folder.path / "run" / "history.csv"));
-}
-
 BOOST_AUTO_TEST_CASE(fences_that_cannot_be_built) {
   const Folder folder;
   for (const char* name : {"fence/sample2.DAT", "fence/sample2.toml"}) {
@@ -162,61 +119,6 @@ BOOST_AUTO_TEST_CASE(files_that_cannot_be_read_or_written) {
   BOOST_TEST(unwritable.err == "talus: /dev/full/out: Not a directory\n");
   BOOST_TEST(talus_ran({"run", scene("pendulum.toml")}, "/dev/full").code == 4);
   BOOST_TEST(talus_ran({"plot", "/nowhere"}).code == 4);
-}
-
-// Files may hold 4096 bytes here; a state of the geometry needs more.
-BOOST_AUTO_TEST_CASE(a_full_disk_leaves_nothing_behind) {
-  const Folder folder;
-  const std::string out = (folder.path / "run").string();
-  rlimit before{};
-  BOOST_REQUIRE(::getrlimit(RLIMIT_FSIZE, &before) == 0);
-  const rlimit small{4096, before.rlim_max};
-  BOOST_REQUIRE(::setrlimit(RLIMIT_FSIZE, &small) == 0);
-  const Ended ended = talus_ran({"run", scene("two_cable.toml"), "--out", out});
-  BOOST_REQUIRE(::setrlimit(RLIMIT_FSIZE, &before) == 0);
-  BOOST_TEST(ended.code == 4);
-  BOOST_TEST(ended.err == "talus: " + out + "/two_cable_geometry/two_cable_00000000.vtp: File too large\n");
-  for (const auto& entry : fs::recursive_directory_iterator(out))
-    BOOST_TEST(entry.is_directory(), "left behind: " << entry.path());
-}
-
-BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
-  const Folder folder;
-  const std::string out = (folder.path / "run").string();
-  const Ended text = talus_ran({"run", scene("two_cable.toml"), "--out", out});
-  BOOST_TEST(text.code == 0);
-  BOOST_TEST(text.err.empty());
-  BOOST_TEST(holds(text.out, "finished at t = 3 s"));
-  for (const char* file : {"history.csv", "final_state.json", "summary.json", "plot.json"})
-    BOOST_TEST(fs::exists(folder.path / "run" / file));
-  const std::string history = talus::read_text(folder.path / "run" / "history.csv");
-  BOOST_TEST(history.rfind("time [s],particle.x [m],", 0) == 0U);
-  // 3 s in records of 10 ms, the start, and the header.
-  BOOST_TEST(std::count(history.begin(), history.end(), '\n') == 302);
-  const Ended json = talus_ran({"run", scene("two_cable.toml"), "--json"});
-  BOOST_TEST(json.out == talus::read_text(folder.path / "run" / "summary.json"));
-  const auto summary = nlohmann::json::parse(json.out);
-  BOOST_TEST(summary.at("steps").get<long>() == 150000);
-  BOOST_TEST(summary.at("outcome").at("kind").get<std::string>() == "finished");
-}
-
-// Files of a run are JSON, XML and HTML, which are UTF-8: so is a deck's title once it is read, and names must be.
-// The counts are the scene's own; the times are this machine's, and in no file.
-BOOST_AUTO_TEST_CASE(a_run_says_what_its_steps_carried_and_cost) {
-  const Ended ended = talus_ran({"run", scene("fence/table_2.DAT"), "--end", "8 ms"});
-  BOOST_REQUIRE(ended.code == 0);
-  BOOST_TEST(holds(ended.out, "2 pairs: "));
-  BOOST_TEST(holds(ended.out, "cables: 13.0 awake, "));
-  BOOST_TEST(holds(ended.out, "13 values kept by laws (mean of 6 looks)"));
-  double whole = 0.0, contacts = 0.0, cables = 0.0, bodies = 0.0;
-  const std::size_t line = ended.out.find("  a step ");
-  BOOST_REQUIRE(line != std::string::npos);
-  BOOST_REQUIRE(std::sscanf(&ended.out[line], " a step %lf ns: contacts %lf, cables %lf, bodies %lf,", &whole,
-                            &contacts, &cables, &bodies) == 4);
-  BOOST_TEST(whole > 0.0);
-  BOOST_TEST(contacts > 0.0);
-  BOOST_TEST(cables > 0.0);
-  BOOST_TEST(!holds(talus_ran({"run", scene("fence/table_2.DAT"), "--end", "8 ms", "--json"}).out, "looks"));
 }
 
 BOOST_AUTO_TEST_CASE(titles_and_names_in_other_encodings) {
@@ -246,63 +148,6 @@ BOOST_AUTO_TEST_CASE(titles_and_names_in_other_encodings) {
     BOOST_TEST(ended.code == 2);
     BOOST_TEST(holds(ended.err, "/\xc3\xa9.DAT\"" + words));
   }
-}
-
-// Without a ledger the same rows end before the first column of the accounts, and no file speaks of them.
-BOOST_AUTO_TEST_CASE(a_run_without_a_ledger_keeps_no_accounts) {
-  const Folder folder;
-  const std::string plain = talus::read_text(scene("pendulum.toml"));  // [run] is its last table
-  std::ofstream{folder.path / "off.toml"} << plain << "ledger = \"off\"\n";
-  const std::string with = (folder.path / "with").string();
-  const std::string without = (folder.path / "without").string();
-  BOOST_REQUIRE(talus_ran({"run", scene("pendulum.toml"), "--out", with}).code == 0);
-  const Ended off = talus_ran({"run", (folder.path / "off.toml").string(), "--out", without});
-  BOOST_REQUIRE(off.code == 0);
-  BOOST_TEST(holds(off.out, "\nledger: off; no energies, losses and closures were kept\n"));
-  const auto summary = nlohmann::json::parse(talus::read_text(without + "/summary.json"));
-  BOOST_TEST(summary.at("ledger").get<std::string>() == "off");
-  for (const char* file : {"/summary.json", "/history.csv", "/plot.json"}) {
-    for (const char* part : {"energy.", "lost.", "closure."})
-      BOOST_TEST(!holds(talus::read_text(without + file), part));
-  }
-  std::istringstream all{talus::read_text(with + "/history.csv")}, motion{talus::read_text(without + "/history.csv")};
-  int lines = 0;
-  for (std::string longer, shorter; std::getline(all, longer) && std::getline(motion, shorter); ++lines)
-    BOOST_TEST(longer.rfind(shorter + ',', 0) == 0U);
-  BOOST_TEST(lines == 1002);  // 10 s in records of 10 ms, the start, and the header
-}
-
-BOOST_AUTO_TEST_CASE(the_command_line_changes_the_plan) {
-  const auto summary =
-      nlohmann::json::parse(talus_ran({"run", scene("two_cable.toml"), "--json", "--end", "0.1 s", "--step", "1 ms",
-                                       "--integrator", "odeint_dopri5", "--tolerance", "1e-9"})
-                                .out);
-  BOOST_TEST(summary.at("integrator").get<std::string>() == "odeint_dopri5");
-  BOOST_TEST(summary.at("steps").get<long>() == 100);
-}
-
-// A particle between two pretensioned cables, stepped far beyond the linear limit, grows until it is no longer finite.
-BOOST_AUTO_TEST_CASE(a_diverged_run_is_recorded) {
-  const Folder folder;
-  const std::string out = (folder.path / "run").string();
-  const std::string scene_file = std::string{TALUS_TEST_SCENES} + "/unstable.toml";
-  // Its step is beyond the linear limit: said before the run, and the watch ends it at once.
-  const Ended watched = talus_ran({"run", scene_file, "--out", out});
-  BOOST_TEST(watched.code == 3);
-  BOOST_TEST(watched.err.rfind("talus: warning: h omega = ", 0) == 0U);
-  BOOST_TEST(holds(watched.err, "\ntalus: at t = 0 h omega = "));
-  // Without the watch it goes on until numbers are no longer finite, and the limit is said again as the reason.
-  const std::string alone = (folder.path / "alone.toml").string();
-  std::ofstream{alone} << talus::read_text(scene_file) << "watch = { instability = \"off\", accuracy = \"off\" }\n";
-  const Ended ended = talus_ran({"run", alone, "--out", out});
-  BOOST_TEST(ended.code == 3);
-  BOOST_TEST(holds(ended.err, "\ntalus: diverged at t = "));
-  const auto summary = nlohmann::json::parse(talus::read_text(folder.path / "run" / "summary.json"));
-  BOOST_TEST(summary.at("outcome").at("kind").get<std::string>() == "diverged");
-  const std::string history = talus::read_text(folder.path / "run" / "history.csv");
-  BOOST_TEST(std::count(history.begin(), history.end(), '\n') > 10);
-  BOOST_TEST(!holds(history, "nan"));
-  BOOST_TEST(!holds(history, "inf"));
 }
 
 BOOST_AUTO_TEST_CASE(check_says_what_a_scene_carries) {
@@ -363,46 +208,4 @@ BOOST_AUTO_TEST_CASE(lists_hold_the_closed_lists) {
     BOOST_TEST(holds(all.out, name));
   for (const char* topic : {"integrators", "laws", "shapes", "units", "fields"})
     BOOST_TEST(talus_ran({"list", topic}).code == 0);
-}
-
-BOOST_AUTO_TEST_CASE(the_next_rock_meets_the_cables_of_the_last) {
-  const Folder folder;
-  const auto in = [&](const char* name) { return (folder.path / name).string(); };
-  std::string text = talus::read_text(scene("fence/table_2.toml"));
-  const std::size_t limit = text.find("limit_top = ");
-  text.replace(limit, text.find('\n', limit) - limit, "limit_top = \"60000 lbf\"");
-  std::ofstream{in("fence.toml")} << text;
-  const Ended first = talus_ran({"run", in("fence.toml"), "--end", "10 ms", "--out", in("first")});
-  BOOST_TEST(first.code == 0);
-  BOOST_TEST(holds(first.out, "cable 'top1' yields"));
-  BOOST_TEST(talus_ran({"convert", in("fence.toml"), in("second.toml"), "--after", in("first")}).code == 0);
-  BOOST_TEST(holds(talus::read_text(in("second.toml")), "[[fence.stretched_cable]]\ncable = \"top1\"\nstretch = "));
-  BOOST_TEST(talus_ran({"run", in("second.toml"), "--end", "1 ms"}).code == 0);
-
-  std::ofstream{in("weak.toml")} << text << "\n[fence.options]\nhanger_strength = \"10000 lbf\"\n";
-  const Ended weak = talus_ran({"run", in("weak.toml"), "--end", "10 ms", "--out", in("broken")});
-  BOOST_TEST(holds(weak.out, "hanger 'hanger1' breaks"));
-  const Ended refused = talus_ran({"convert", in("weak.toml"), in("third.toml"), "--after", in("broken")});
-  BOOST_TEST(refused.code == 2);
-  BOOST_TEST(holds(refused.err, "final_state.json: hanger 'hanger1': found it broken; a fence is mended before the"));
-  BOOST_TEST(talus_ran({"convert", in("weak.toml"), in("third.toml"), "--after", in("none")}).code == 4);
-
-  // A run ends where its rock has gone: at 65 ft/s and slower 2 ft take 30 ms and more.
-  std::ofstream{in("exit.toml")} << text << "\n[fence.options]\nend = \"exit\"\nexit_x = \"1 ft\"\n";
-  const Ended gone = talus_ran({"run", in("exit.toml"), "--json"});
-  BOOST_TEST(gone.code == 0);
-  const auto summary = nlohmann::json::parse(gone.out);
-  BOOST_TEST(summary["outcome"]["kind"] == "finished");
-  BOOST_TEST(summary["outcome"]["time"].get<double>() > 1.2 / 65.0);
-  BOOST_TEST(summary["outcome"]["time"].get<double>() < 0.1);
-}
-
-BOOST_AUTO_TEST_CASE(a_step_of_its_own) {
-  const Ended step = talus_ran({"run", scene("two_cable.toml"), "--step", "auto", "--end", "10 ms", "--json"});
-  BOOST_TEST(step.code == 0);
-  const double chosen = nlohmann::json::parse(step.out)["step"];
-  BOOST_TEST(chosen > 0.0);
-  const std::string words = nlohmann::json(chosen).dump() + " s";
-  const Ended same = talus_ran({"run", scene("two_cable.toml"), "--step", words, "--end", "10 ms", "--json"});
-  BOOST_TEST(same.out == step.out);
 }

@@ -80,6 +80,14 @@ BOOST_AUTO_TEST_CASE(every_integrator_goes_on_to_the_same_files) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(why_auto_chose_is_still_said_at_the_end) {
+  stops_and_goes_on({"run", scene("damped_disc.toml"), "--integrator", "auto", "--tolerance", "1e-9"}, "7 ms", "0.1 s");
+  const Folder folder;
+  const std::string out = (folder.path / "run").string();
+  runs({"run", scene("damped_disc.toml"), "--integrator", "auto", "--tolerance", "1e-9", "--out", out});
+  BOOST_TEST(!nlohmann::json::parse(talus::read_text(out + "/summary.json")).at("integrator_why").empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_fence_goes_on_to_the_same_listing_histories_and_geometry) {
   for (const char* file : {"fence/sample2.DAT", "fence/sample2.toml"})
     stops_and_goes_on({"run", scene(file), "--end", "20 ms"}, "5 ms", "11.1 ms");

@@ -130,6 +130,11 @@ BOOST_AUTO_TEST_CASE(overlaps_are_measured_against_the_smaller_body) {
   const WatchedRun through = run(impact(0.501), 1e-4, 3.0);
   BOOST_TEST(says(through.breach, "the bodies may slip through each other"));
   BOOST_TEST(through.time < 1.4);
+  // Where both sides of the second limit only warn, each is said once, at whatever many steps.
+  const WatchedRun warned =
+      run(impact(0.501), 1e-4, 3.0, "velocity_verlet", {.tunnelling = Breach::warning, .accuracy = Breach::warning});
+  BOOST_TEST(warned.breach.empty());
+  BOOST_TEST(warned.warnings.size() == 2U);
 }
 
 BOOST_AUTO_TEST_CASE(contacts_of_few_steps_are_warned_of_where_they_touch) {
