@@ -50,10 +50,15 @@ void print_counts() {
 
 template <class Enum>
 void print_names(std::string_view title) {
-  fmt::print("  {:<15}", title);
+  fmt::print("  {:<17}", title);
   for (const std::string_view name : Names<Enum>::list)
     fmt::print(" {}", name);
   fmt::print("\n");
+}
+
+void print_watch() {
+  for (const WatchRules::Choice& choice : WatchRules::choices())
+    print_names<Breach>(fmt::format("watch.{}", choice.name));
 }
 
 void list_integrators() {
@@ -127,8 +132,9 @@ void list_fence_fields() {
   print_fields<scenes::ChangedColumn>();
   fmt::print("[[fence.stretched_cable]]  cable, and\n");
   print_fields<scenes::StretchedCable>();
-  fmt::print("[fence.options] integrator  table, and\n");
+  fmt::print("[fence.options] integrator  table  watch, and\n");
   print_fields<scenes::FenceOptions>();
+  print_watch();
   for_each_choice(scenes::FenceOptions{},
                   [](std::string_view name, auto choice) { print_names<decltype(choice)>(name); });
 }
@@ -142,7 +148,8 @@ void list_fields() {
   fmt::print(
       "[[contact]] name  between  law  end_rule  method  nodes  restitution  restitution_rule, and the law's fields\n"
       "[[cable]]  name  from  to  law  rest_length  slack, and the law's fields\n"
-      "[run]      integrator  tolerance  step  end  interval  ledger\n");
+      "[run]      integrator  tolerance  step  end  interval  ledger  watch\n");
+  print_watch();
   list_laws();
   list_shapes();
   list_fence_fields();

@@ -14,10 +14,11 @@ inline constexpr std::array<std::string_view, 3> held_axes{"x", "y", "rotation"}
 /// struct apart by all its members lets none be forgotten.)
 template <class Options, class Visit>
 void for_each_choice(Options&& options, Visit&& visit) {
-  // What is not visited are numbers, which have their fields, the integrator, which has its list, and the table.
+  // What is not visited are numbers, which have their fields, the integrator, which has its list, what is watched,
+  // which has its choices, and the table.
   [[maybe_unused]] auto& [symmetry, even_centre, contact, calibration, end_rule, start, bottom_end, column_ground, end,
-                          sleep, integrator, tolerance, shear_ratio, hanger_strength, strength_top, strength_bottom,
-                          hardening, rupture, table, exit_x] = options;
+                          sleep, watch, integrator, tolerance, shear_ratio, hanger_strength, strength_top,
+                          strength_bottom, hardening, rupture, table, exit_x] = options;
   visit("symmetry", symmetry);
   visit("even_centre", even_centre);
   visit("contact", contact);

@@ -67,6 +67,10 @@ std::string option_lines(const scenes::FenceOptions& options, const UnitSystem& 
   for_each_choice(options, [&](std::string_view name, auto choice) {
     text += fmt::format("{} = \"{}\"\n", name, choice_name(choice));
   });
+  std::vector<std::string> watched;
+  for (const WatchRules::Choice& choice : WatchRules::choices())
+    watched.push_back(fmt::format("{} = \"{}\"", choice.name, choice_name(options.watch.*choice.member)));
+  text += fmt::format("watch = {{ {} }}\n", fmt::join(watched, ", "));
   text += fmt::format("integrator = \"{}\"\n", options.integrator) + number_lines(options, units);
   if (options.table.empty()) return text;
   std::vector<std::string> points;

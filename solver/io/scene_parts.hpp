@@ -55,6 +55,9 @@ struct SceneHanger {
 [[nodiscard]] std::vector<SceneCable> read_cables(SceneTable& file, const Model& bodies);
 [[nodiscard]] std::vector<SceneHanger> read_hangers(SceneTable& file, const Model& bodies);
 
+/// What is watched during a run: `watch = { instability = "error", .. }`.
+[[nodiscard]] WatchRules read_watch(SceneTable table);
+
 /// The body of that name, wanted by `key` of a table. Errors: an unknown name, with the nearest known.
 [[nodiscard]] BodyId body_named(const SceneTable& table, std::string_view key, const Model& bodies,
                                 const std::string& name);

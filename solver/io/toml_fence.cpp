@@ -7,6 +7,7 @@
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/fence_names.hpp"
 #include "solver/io/fence_rules.hpp"
+#include "solver/io/scene_parts.hpp"
 #include "solver/scenes/fence_scene.hpp"
 
 namespace talus {
@@ -51,6 +52,7 @@ FenceElement read_element(SceneTable& table, ElementType type) {
 scenes::FenceOptions read_options(SceneTable table) {
   scenes::FenceOptions options;
   for_each_choice(options, [&](std::string_view name, auto& choice) { choice = table.choice_or(name, choice); });
+  if (table.has("watch")) options.watch = read_watch(table.table("watch"));
   if (table.has("integrator")) options.integrator = table.choice("integrator", integrator_names());
   table.read_fields(options);
   if (table.has("table")) {

@@ -76,15 +76,6 @@ Parts read_parts(SceneTable& file) {
   return parts;
 }
 
-WatchRules read_watch(SceneTable table) {
-  table.allow({"instability", "tunnelling", "accuracy"});
-  WatchRules rules;
-  rules.instability = table.choice_or("instability", rules.instability);
-  rules.tunnelling = table.choice_or("tunnelling", rules.tunnelling);
-  rules.accuracy = table.choice_or("accuracy", rules.accuracy);
-  return rules;
-}
-
 void read_run(SceneTable table, Scene& scene) {
   table.allow({"integrator", "tolerance", "step", "end", "interval", "ledger", "watch"});
   const std::string integrator = table.choice("integrator", integrator_choices());
@@ -110,6 +101,14 @@ State start_state(const Parts& parts, const Model& model) {
 }
 
 }  // namespace
+
+WatchRules read_watch(SceneTable table) {
+  WatchRules rules;
+  for (const WatchRules::Choice& choice : WatchRules::choices())
+    rules.*choice.member = table.choice_or(choice.name, rules.*choice.member);
+  table.allow({});
+  return rules;
+}
 
 SceneFile read_scene_file(std::string_view text, std::string_view name) {
   const TomlValue document = parse_toml(text, name);

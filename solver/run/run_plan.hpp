@@ -23,6 +23,18 @@ struct WatchRules {
   Breach instability{Breach::error};  ///< the springs that act are beyond the linear limit of the method
   Breach tunnelling{Breach::error};   ///< bodies may pass each other in a step, or press half-way into each other
   Breach accuracy{Breach::warning};   ///< contacts of few steps, deep overlaps, a ledger that does not close
+
+  /// A kind of breach, by its name in scenes.
+  struct Choice {
+    std::string_view name;
+    Breach WatchRules::*member;
+  };
+  static constexpr std::array<Choice, 3> choices() {
+    return {{{"instability", &WatchRules::instability},
+             {"tunnelling", &WatchRules::tunnelling},
+             {"accuracy", &WatchRules::accuracy}}};
+  }
+  friend bool operator==(const WatchRules&, const WatchRules&) = default;
 };
 
 /// How long a scene runs, in which steps, and how often it is looked at.

@@ -10,6 +10,7 @@
 #include "solver/base/vec.hpp"
 #include "solver/laws/unilateral_spring.hpp"
 #include "solver/model/model.hpp"
+#include "solver/run/run_plan.hpp"
 
 namespace talus::scenes {
 
@@ -174,6 +175,7 @@ struct FenceOptions {
   ColumnGround column_ground{ColumnGround::none};
   FenceEnd end{FenceEnd::steps};
   Sleep sleep{Sleep::exact};  ///< of columns that nothing has moved; `on` forgoes the smallest digits of the listing
+  WatchRules watch{};         ///< what ends a run, or is warned of
   std::string integrator{"lagged_central_difference"};
   double tolerance{};  ///< step control of the integrator; 0: none (1993)
 

@@ -83,6 +83,7 @@ void FenceMaker::plan() {
   plan.step = fence_.step_factor == 0.0 ? made_.critical_step : fence_.step_factor * made_.critical_step;
   plan.end = static_cast<double>(fence_.steps) * plan.step;
   plan.interval = static_cast<double>(fence_.history_every) * plan.step;
+  plan.watch = fence_.options.watch;
   made_.scene.integrator =
       choose_integrator(made_.scene.model, fence_.options.integrator, fence_.options.tolerance).integrator;
   if (fence_.options.end == FenceEnd::exit) made_.scene.early_end = EarlyEnd{rocks_, fence_.options.exit_x, 0.0};
