@@ -24,17 +24,23 @@ Vec2 extent(const Bounds& bounds, Rotation R) {
   return {c * bounds.half_width + s * bounds.half_height, s * bounds.half_width + c * bounds.half_height};
 }
 
-/// Whether box A lies beyond a side of box B: the test of separating axes with B's axes.
-bool beyond(const Bounds& a, const Pose& A, const Bounds& b, const Pose& B) {
+/// Whether box A lies beyond a side of box B, by more than a margin: the test of separating axes with B's axes.
+bool beyond(const Bounds& a, const Pose& A, const Bounds& b, const Pose& B, double margin) {
   const Placement seen = placement(A, B);
   const Vec2 reach = extent(a, seen.R);
-  return std::abs(seen.p.x) > b.half_width + reach.x || std::abs(seen.p.y) > b.half_height + reach.y;
+  return std::abs(seen.p.x) > b.half_width + reach.x + margin || std::abs(seen.p.y) > b.half_height + reach.y + margin;
 }
 
-bool above(const Bounds& bounds, const Pose& body, const Pose& plane) {
+bool above(const Bounds& bounds, const Pose& body, const Pose& plane, double margin) {
   const Vec2 n = plane.R_WB * Vec2{0.0, 1.0};
   const Vec2 reach = extent(bounds, body.R_WB);
-  return dot(body.p_WB - plane.p_WB, n) > std::abs(n.x) * reach.x + std::abs(n.y) * reach.y;
+  return dot(body.p_WB - plane.p_WB, n) > std::abs(n.x) * reach.x + std::abs(n.y) * reach.y + margin;
+}
+
+/// Distance of its furthest point from the centre of mass, or more [L]; of endless ground, which does not turn, nought.
+double furthest(const Bounds& bounds) {
+  if (endless(bounds)) return 0.0;
+  return bounds.round ? bounds.half_width : bounds.half_width + bounds.half_height;
 }
 
 }  // namespace
@@ -45,12 +51,17 @@ Bounds bounds(const Shape& shape) {
 
 bool endless(const Bounds& bounds) { return bounds.plane || bounds.half_width > 1e100; }
 
-bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B) {
-  if (pair.bounds_b.plane) return above(pair.bounds_a, A, B);
-  if (pair.bounds_a.plane) return above(pair.bounds_b, B, A);
-  if (pair.bounds_b.round) return beyond(pair.bounds_b, B, pair.bounds_a, A);
-  return beyond(pair.bounds_a, A, pair.bounds_b, B) ||
-         (!pair.bounds_a.round && beyond(pair.bounds_b, B, pair.bounds_a, A));
+bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B, double margin) {
+  if (pair.bounds_b.plane) return above(pair.bounds_a, A, B, margin);
+  if (pair.bounds_a.plane) return above(pair.bounds_b, B, A, margin);
+  if (pair.bounds_b.round) return beyond(pair.bounds_b, B, pair.bounds_a, A, margin);
+  return beyond(pair.bounds_a, A, pair.bounds_b, B, margin) ||
+         (!pair.bounds_a.round && beyond(pair.bounds_b, B, pair.bounds_a, A, margin));
+}
+
+double largest_closing_speed(const Candidate& pair, const Pose& A, const Pose& B) {
+  return norm(B.v_WB - A.v_WB) + std::abs(A.w_WB) * furthest(pair.bounds_a) +
+         std::abs(B.w_WB) * furthest(pair.bounds_b);
 }
 
 namespace {

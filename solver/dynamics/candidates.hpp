@@ -32,9 +32,12 @@ struct Candidate {
   std::size_t last{};   ///< one past its last
 };
 
-/// Whether a side of one of the boxes separates the two shapes (a half-plane: whether the other's box lies above it).
-/// Never says so of bodies that touch.
-[[nodiscard]] bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B);
+/// Whether a side of one of the boxes separates the two shapes by more than a margin [L] >= 0 (a half-plane: whether
+/// the other's box lies above it). Never says so of bodies that touch.
+[[nodiscard]] bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B, double margin = 0.0);
+
+/// No point of one of the two bodies nears the other faster than this [L/T].
+[[nodiscard]] double largest_closing_speed(const Candidate& pair, const Pose& A, const Pose& B);
 
 /// Where a swept body lies along x [L].
 struct Stretch {

@@ -107,7 +107,7 @@ void add_pair(Workspace& work, const ContactGroup& group, const Gap& gap, Vec2 o
 template <class Array>
 void update_gaps(const Array& array, const State* state, Workspace& work) {
   for (const ContactGroup& group : array.groups) {
-    if (!work.near[group.candidate]) continue;
+    if (work.near[group.candidate] != Workspace::wanted) continue;
     const Pose A = work.poses[index(group.a)];
     const Pose B = work.poses[index(group.b)];
     [[maybe_unused]] const Placement A_in_B = placement(A, B);
@@ -169,15 +169,24 @@ void ContactForces::update(const State& state, Workspace& work) const {
 }
 
 void ContactForces::update_all(Workspace& work) const {
-  std::fill(work.near.begin(), work.near.end(), char{1});
+  std::fill(work.near.begin(), work.near.end(), Workspace::wanted);
   for_each_array(laws_, [&](const auto& array) { update_gaps(array, nullptr, work); });
 }
 
-void ContactForces::update_far(Workspace& work) const {
-  for (char& near : work.near)
-    near = near ? 0 : 1;
-  for_each_array(laws_, [&](const auto& array) { update_gaps(array, nullptr, work); });
-  std::fill(work.near.begin(), work.near.end(), char{1});
+void ContactForces::update_far(double ahead, Workspace& work) const {
+  bool any = false;
+  for (std::size_t c = 0; c < candidates(); ++c) {
+    char& near = work.near[c];
+    const Candidate& pair = search_.pairs()[c];
+    const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
+    if (near) {
+      near = Workspace::known;
+    } else if (!out_of_reach(pair, A, B, ahead * largest_closing_speed(pair, A, B))) {
+      near = Workspace::wanted;
+      any = true;
+    }
+  }
+  if (any) for_each_array(laws_, [&](const auto& array) { update_gaps(array, nullptr, work); });
 }
 
 void ContactForces::begin(State& state, const Workspace& work) const {
@@ -273,10 +282,8 @@ ContactForces::Passing ContactForces::passing(const Workspace& work, double pull
   for (std::size_t c = 0; c < candidates(); ++c) {
     const Candidate& pair = search_.pairs()[c];
     if (endless(pair.bounds_a) || endless(pair.bounds_b)) continue;
-    const auto most = [](const Bounds& b) { return std::max(b.half_width, b.half_height); };
     const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
-    const double speed =
-        norm(B.v_WB - A.v_WB) + std::abs(A.w_WB) * most(pair.bounds_a) + std::abs(B.w_WB) * most(pair.bounds_b);
+    const double speed = largest_closing_speed(pair, A, B);
     const double way = 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b));
     // way = speed h + pull h^2/2, solved so that nothing cancels.
     const double step = 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * pull * way));

@@ -37,9 +37,9 @@ void RigidBodySystem::settle(State& state) {
   dynamics_->settle(state, work_);
 }
 
-void RigidBodySystem::guards(const State& state, bool same, std::vector<double>& out) {
+void RigidBodySystem::guards(const State& state, bool same, double ahead, std::vector<double>& out) {
   if (!same) dynamics_->update(state, work_);
-  dynamics_->update_far(work_);
+  dynamics_->update_far(ahead, work_);
   out.resize(state.mode.size());
   dynamics_->guards(state, work_, out);
 }

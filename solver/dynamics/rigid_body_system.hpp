@@ -28,8 +28,9 @@ class RigidBodySystem {
   void derivative(const State& state, Rates& out);
   void evaluate(State& state, Rates& out);
 
-  /// Guards in the state's modes; `same`: of the state whose derivative was the last. No force evaluation.
-  void guards(const State& state, bool same, std::vector<double>& out);
+  /// Guards in the state's modes; `same`: of the state whose derivative was the last. Of bodies that at their speed do
+  /// not touch in the time ahead [T] they are infinite. No force evaluation.
+  void guards(const State& state, bool same, double ahead, std::vector<double>& out);
   bool follows(const State& state) const { return dynamics_->follows(state); }
   double longest_step(const State& state) { return dynamics_->longest_step(state, work_); }
   std::vector<double> lengths() const { return dynamics_->lengths(); }

@@ -58,8 +58,11 @@ struct Workspace {
   std::vector<double> rates;  ///< their depth rates [L/T]
   Waking waking;
   Rigging rigging;
-  Sweep sweep;             ///< of the contact search
-  std::vector<char> near;  ///< one for each pair of the contact search: whether its gaps were worked out
+  Sweep sweep;  ///< of the contact search
+  /// What is said of a pair of the contact search.
+  static constexpr char wanted = 1;  ///< its gaps are worked out with this evaluation
+  static constexpr char known = 2;   ///< they have been
+  std::vector<char> near;            ///< one for each pair; 0: it has none, out of reach
 };
 
 }  // namespace talus

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -25,8 +26,6 @@ class Differences {
 
   std::size_t count() const { return times_.size(); }
   double newest() const { return times_.front(); }
-  /// d_i of all quantities.
-  std::span<const double> operator[](std::size_t i) const { return {&table_[i * width_], width_}; }
 
   /// N_i at a time, and its integrals from the newest time to that one: once, and twice.
   struct Basis {
@@ -37,13 +36,27 @@ class Differences {
   /// Those of N_0 .. N_(terms - 1); terms <= count() + 1.
   void basis(double t, std::size_t terms, std::span<Basis> out) const;
 
+  /// Adds sum_i d_i weight_i of neighbouring quantities, the first of which is told, i < weights.size(). The terms are
+  /// added one by one, i rising.
+  void add_to(std::span<double> sums, std::size_t first, std::span<const double> weights) const;
+  /// A term that is added, or none.
+  struct Term {
+    std::size_t i{};
+    double weight{};
+  };
+  /// The largest size of factor x, of factor (x + d_i weight) with the first term, and with the second instead, among
+  /// neighbouring quantities; NaN if one is. Without factors: 1.
+  std::array<double, 3> largest(std::span<const double> x, std::size_t first, const std::array<Term, 2>& terms,
+                                std::span<const double> factors) const;
+
   /// Names its parts; one that puts back is told its width. Errors when putting back: InputError if they do not fit.
   void remember(Memory& memory, std::size_t width);
 
  private:
   std::vector<double> times_;  ///< newest first
-  std::vector<double> table_;  ///< d_0, d_1, ..., each of all quantities
-  std::size_t width_{};
+  std::vector<double> table_;  ///< d_0, d_1, ..., each of all quantities and of noughts up to a whole row of packs
+  std::size_t width_{};        ///< quantities
+  std::size_t stride_{};       ///< from row to row
   std::vector<double> above_;  ///< scratch: the next row
 };
 

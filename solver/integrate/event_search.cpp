@@ -16,10 +16,20 @@ std::string crowd_failure(double t) {
   return fmt::format("{} events follow each other with hardly any time between them at t = {:.6g}", crowd_limit, t);
 }
 
+namespace {
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+/// Guards are asked for as far ahead as this many times the last step, which is as long as the next may be, so that
+/// none comes to its end in the first step that looks at it.
+constexpr double steps_ahead = 16.0;
+
+}  // namespace
+
 bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const std::vector<Mode>& before) {
   earlier_.clear();
-  system.guards(start, true, guards_);
+  system.guards(start, true, endless, guards_);
   dormant_.resize(guards_.size());
+  ended_.reserve(guards_.size());
   bool in_doubt = false;
   for (std::size_t i = 0; i < guards_.size(); ++i) {
     const bool lasted = dormant_[i] != 0.0 && before[i] == start.mode[i];
@@ -32,9 +42,11 @@ bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const 
 std::optional<double> EventSearch::find(EventfulSystem& system, const State& begin, double end, const State& near_end,
                                         bool same, const Motion& motion) {
   std::swap(before_, guards_);
-  system.guards(near_end, same, guards_);
+  ahead_ = steps_ahead * (end - begin.t);
+  system.guards(near_end, same, ahead_, guards_);
   bool near = false, worse = false;
   for (std::size_t i = 0; i < guards_.size(); ++i) {
+    if (guards_[i] == endless) continue;
     if (dormant_[i] == 0.0) {
       near = near || may_have_ended(i);
     } else {
@@ -42,12 +54,17 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
     }
   }
   std::optional<double> last = near ? std::optional{end} : dip(begin.t, end);
-  double after = last ? least_guard(system, begin, *last, motion) : 1.0;
-  if (near && after > 0.0) {
+  const auto ends_by = [&](const std::optional<double>& t) {
+    if (!t) return false;
+    look_at(system, begin, *t, motion);
+    return find_ended();
+  };
+  bool ends = ends_by(last);
+  if (near && !ends) {
     last = dip(begin.t, end);
-    if (last) after = least_guard(system, begin, *last, motion);
+    ends = ends_by(last);
   }
-  if (after > 0.0) {
+  if (!ends) {
     // A mode that began at its very end, and goes on past it, ends with the first short step.
     if (worse) return end;
     // What has come out of its end is looked at from the next step on.
@@ -57,12 +74,16 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
     earlier_time_ = begin.t;
     return std::nullopt;
   }
-  const double before = least_guard(system, begin, begin.t, motion);
+  const double after = least_share();
+  const auto share_at = [&](double t) {
+    look_at(system, begin, t, motion);
+    return least_share();
+  };
+  const double before = share_at(begin.t);
   if (!(before > 0.0)) return begin.t;
   std::uintmax_t evaluations = 200;
-  const auto found =
-      boost::math::tools::toms748_solve([&](double t) { return least_guard(system, begin, t, motion); }, begin.t, *last,
-                                        before, after, boost::math::tools::eps_tolerance<double>(52), evaluations);
+  const auto found = boost::math::tools::toms748_solve(share_at, begin.t, *last, before, after,
+                                                       boost::math::tools::eps_tolerance<double>(52), evaluations);
   return found.second;
 }
 
@@ -80,7 +101,8 @@ std::optional<double> EventSearch::dip(double begin, double end) const {
   const double b = end - begin;
   const double per_a = 1.0 / (begin - earlier_time_), per_b = 1.0 / b, per_both = 1.0 / (end - earlier_time_);
   for (std::size_t i = 0; i < guards_.size(); ++i) {
-    // Guards that nothing can end from here are infinite: no comparison holds for what follows from them.
+    // What nothing could end before or after is infinite: nothing holds of what follows from it.
+    if (guards_[i] == endless) continue;
     const double from = (before_[i] - earlier_[i]) * per_a, to = (guards_[i] - before_[i]) * per_b;
     const double curvature = (to - from) * per_both;  // half the second derivative
     if (!(curvature > 0.0) || !std::isfinite(curvature) || dormant_[i] != 0.0) continue;
@@ -95,15 +117,27 @@ std::optional<double> EventSearch::dip(double begin, double end) const {
   return found;
 }
 
-/// The least guard of those that are not past their end since the piece began, at a time in the last step; each as a
-/// share of what it was at the beginning of the step, so that no unit decides which is the least.
-double EventSearch::least_guard(EventfulSystem& system, const State& begin, double t, const Motion& motion) {
+/// The guards at a time in the last step.
+void EventSearch::look_at(EventfulSystem& system, const State& begin, double t, const Motion& motion) {
   motion(t, looked_at_);
   looked_at_.mode = begin.mode;
-  system.guards(looked_at_, false, looked_);
-  double least = std::numeric_limits<double>::max();
+  system.guards(looked_at_, false, ahead_, looked_);
+}
+
+/// Lists the guards that are past their end where they were looked at, of those that were not since the piece began.
+bool EventSearch::find_ended() {
+  ended_.clear();
   for (std::size_t i = 0; i < looked_.size(); ++i) {
-    if (dormant_[i] != 0.0) continue;
+    if (dormant_[i] == 0.0 && looked_[i] <= 0.0) ended_.push_back(i);
+  }
+  return !ended_.empty();
+}
+
+/// The least of these guards; each as a share of what it was at the beginning of the step, so that no unit decides
+/// which is the least.
+double EventSearch::least_share() const {
+  double least = std::numeric_limits<double>::max();
+  for (const std::size_t i : ended_) {
     const bool measured = before_[i] > 0.0 && std::isfinite(before_[i]);
     least = std::min(least, measured ? looked_[i] / before_[i] : looked_[i] > 0.0 ? 1.0 : -1.0);
   }
@@ -111,13 +145,13 @@ double EventSearch::least_guard(EventfulSystem& system, const State& begin, doub
 }
 
 void EventSearch::settle(EventfulSystem& system, State& at) {
-  const std::vector<Mode> modes = at.mode;
+  modes_ = at.mode;
   system.settle(at);
   // What slid is at first brought to its limit, and only then seen to stick.
-  system.guards(at, false, looked_);
+  system.guards(at, false, endless, looked_);
   bool lasts = true;
   for (std::size_t i = 0; i < looked_.size(); ++i)
-    lasts = lasts && (looked_[i] > 0.0 || dormant_[i] != 0.0 || at.mode[i] != modes[i]);
+    lasts = lasts && (looked_[i] > 0.0 || dormant_[i] != 0.0 || at.mode[i] != modes_[i]);
   if (!lasts) system.settle(at);
 }
 

@@ -45,7 +45,9 @@ class EventSearch {
  private:
   bool may_have_ended(std::size_t guard) const;
   std::optional<double> dip(double begin, double end) const;
-  double least_guard(EventfulSystem& system, const State& begin, double t, const Motion& motion);
+  void look_at(EventfulSystem& system, const State& begin, double t, const Motion& motion);
+  bool find_ended();
+  double least_share() const;
 
   std::vector<double> guards_;   ///< at the end of the last step
   std::vector<double> earlier_;  ///< at the beginning of the last step; empty in the first of a piece
@@ -55,7 +57,10 @@ class EventSearch {
 
   // Scratch of a step.
   std::vector<double> before_, looked_;
+  std::vector<std::size_t> ended_;  ///< guards that are past their end at the end of the search
+  double ahead_{};                  ///< for how long guards are asked for [T]
   State looked_at_;
+  std::vector<Mode> modes_;
 };
 
 }  // namespace talus

@@ -27,9 +27,9 @@ struct AffinePiece {
 struct EventfulSystem {
   /// Rates in the state's present modes: one force evaluation.
   std::function<void(const State&, Rates&)> derivative;
-  /// Guards in the state's present modes, one for each mode; `same`: of the state whose derivative was the last. None:
-  /// the motion is smooth.
-  std::function<void(const State&, bool same, std::vector<double>&)> guards;
+  /// Guards in the state's present modes, one for each mode; `same`: of the state whose derivative was the last. One
+  /// that at the present speeds cannot end in the time `ahead` [T] may be infinite. None: the motion is smooth.
+  std::function<void(const State&, bool same, double ahead, std::vector<double>&)> guards;
   /// Brings modes and memory up to date.
   std::function<void(State&)> settle;
   /// Whether some memory must be settled as the motion goes on, in the present modes.
@@ -52,8 +52,10 @@ EventfulSystem eventful(System& system) {
   EventfulSystem asked;
   asked.derivative = [&system](const State& at, Rates& out) { system.derivative(at, out); };
   asked.settle = [&system](State& at) { system.settle(at); };
-  if constexpr (requires(std::vector<double> & out) { system.guards(State{}, true, out); }) {
-    asked.guards = [&system](const State& at, bool same, std::vector<double>& out) { system.guards(at, same, out); };
+  if constexpr (requires(std::vector<double> & out) { system.guards(State{}, true, 0.0, out); }) {
+    asked.guards = [&system](const State& at, bool same, double ahead, std::vector<double>& out) {
+      system.guards(at, same, ahead, out);
+    };
     asked.follows = [&system](const State& at) { return system.follows(at); };
     asked.longest_step = [&system](const State& at) { return system.longest_step(at); };
     asked.lengths = [&system](const State&) { return system.lengths(); };

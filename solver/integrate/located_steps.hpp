@@ -133,9 +133,9 @@ class LocatedSteps {
     motion_.complete(system, begin_, end_);
     if (event) return settle_event(system);
     if (!system.follows || !system.follows(end_)) return;
-    const std::vector<Mode> modes = end_.mode;
+    modes_ = end_.mode;
     system.settle(end_);
-    if (end_.mode != modes) ++events_, fresh_ = true;
+    if (end_.mode != modes_) ++events_, fresh_ = true;
   }
 
   std::optional<double> find_event(EventfulSystem& system) {
@@ -145,9 +145,9 @@ class LocatedSteps {
   }
 
   void settle_event(EventfulSystem& system) {
-    const std::vector<Mode> modes = end_.mode;
+    modes_ = end_.mode;
     search_.settle(system, end_);
-    if (end_.mode != modes) ++events_;
+    if (end_.mode != modes_) ++events_;
     crowd_ = end_.t - event_time_ <= 1e-3 * motion_.usual_step() ? crowd_ + 1 : 0;
     event_time_ = end_.t;
     fresh_ = true;
@@ -163,7 +163,10 @@ class LocatedSteps {
   long events_{};
   long crowd_{};  ///< events in a row with hardly any time between
   std::string failure_;
-  State cut_;  ///< scratch
+
+  // Scratch.
+  State cut_;
+  std::vector<Mode> modes_;
 };
 
 }  // namespace talus

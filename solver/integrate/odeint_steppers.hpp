@@ -87,7 +87,8 @@ class Odeint {
       system.settle(state);
       pack(state, x);
     };
-    stepper_->advance(derivative, accepted, x_, state.t, h);
+    // By reference: functions that hold so much would take memory at each step.
+    stepper_->advance(std::cref(derivative), std::cref(accepted), x_, state.t, h);
   }
 
   template <class System>

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "solver/base/error.hpp"
 
@@ -65,12 +67,12 @@ std::string PolynomialMotion::advance(EventfulSystem& system, const State& begin
   for (int attempt = 0; attempt < 60 && begin.t + h > begin.t; ++attempt) {
     used_ = std::min(order_, rates_.count());
     try_step(system, begin, h, end);
-    const double error = error_with(used_, end);
-    if (error <= 1.0) {
-      choose_next(h, error, end);
+    const Errors found = errors(end);
+    if (found.now <= 1.0) {
+      choose_next(h, found);
       return {};
     }
-    shorten(h, error, end);
+    shorten(h, found);
     h = step_;
   }
   return fmt::format("no step is short enough for the tolerance at t = {:.6g}", begin.t);
@@ -86,22 +88,43 @@ void PolynomialMotion::try_step(EventfulSystem& system, const State& begin, doub
   system.derivative(predicted_, found_);
   flatten(found_);
   miss_ = new_;
-  for (std::size_t i = 0; i < used_; ++i) {
-    const auto d = rates_[i];
-    for (std::size_t c = 0; c < miss_.size(); ++c)
-      miss_[c] -= d[c] * basis_[i].value;
-  }
+  std::array<double, most_terms> weights;
+  for (std::size_t i = 0; i < used_; ++i)
+    weights[i] = -basis_[i].value;
+  rates_.add_to(miss_, 0, {weights.data(), used_});
   end = predicted_;
   correct(basis_[used_], end);
   measure(h, begin, end);
 }
 
-/// Adds rates, by their integral over time and the integral of that.
-void PolynomialMotion::add(std::span<const double> rates, double once, double twice, State& to) const {
+/// The state at a time by the first terms of the polynomial.
+void PolynomialMotion::move(const State& begin, double t, std::span<const Basis> basis, State& to) const {
+  const double h = t - begin.t;
+  to.t = t;
+  to.q = begin.q, to.v = begin.v;
+  for (std::size_t i = 0; i < to.q.size(); ++i)
+    to.q[i] += h * begin.v[i];
+  std::array<double, most_terms> once, twice;
+  for (std::size_t i = 0; i < basis.size(); ++i)
+    once[i] = basis[i].once, twice[i] = basis[i].twice;
+  const std::span<const double> weights{once.data(), basis.size()};
+  rates_.add_to(to.q, 0, {twice.data(), basis.size()});
+  rates_.add_to(to.v, 0, weights);
+  to.z = begin.z, to.work = begin.work, to.impulse = begin.impulse;
+  std::size_t first = to.v.size();
+  if (moves_memory_) rates_.add_to(to.z, std::exchange(first, first + to.z.size()), weights);
+  if (!keeps_accounts_) return;
+  rates_.add_to(to.work, std::exchange(first, first + to.work.size()), weights);
+  rates_.add_to(to.impulse, first, weights);
+}
+
+/// Adds the term of what the prediction missed: its integral over time, and the integral of that.
+void PolynomialMotion::correct(const Basis& last, State& to) const {
+  const double once = last.once / last_value_, twice = last.twice / last_value_;
   const std::size_t n = to.v.size();
   for (std::size_t i = 0; i < n; ++i)
-    to.v[i] += rates[i] * once, to.q[i] += rates[i] * twice;
-  auto rate = rates.begin() + static_cast<std::ptrdiff_t>(n);
+    to.v[i] += miss_[i] * once, to.q[i] += miss_[i] * twice;
+  auto rate = miss_.begin() + static_cast<std::ptrdiff_t>(n);
   if (moves_memory_) {
     for (double& z : to.z)
       z += *rate++ * once;
@@ -111,22 +134,6 @@ void PolynomialMotion::add(std::span<const double> rates, double once, double tw
     work += *rate++ * once;
   for (double& impulse : to.impulse)
     impulse += *rate++ * once;
-}
-
-/// The state at a time by the first terms of the polynomial.
-void PolynomialMotion::move(const State& begin, double t, std::span<const Basis> basis, State& to) const {
-  const double h = t - begin.t;
-  to.t = t;
-  to.q = begin.q, to.v = begin.v, to.z = begin.z, to.work = begin.work, to.impulse = begin.impulse;
-  for (std::size_t i = 0; i < to.q.size(); ++i)
-    to.q[i] += h * begin.v[i];
-  for (std::size_t i = 0; i < basis.size(); ++i)
-    add(rates_[i], basis[i].once, basis[i].twice, to);
-}
-
-/// Adds the term of what the prediction missed.
-void PolynomialMotion::correct(const Basis& last, State& to) const {
-  add(miss_, last.once / last_value_, last.twice / last_value_, to);
 }
 
 void PolynomialMotion::state_at(const State& begin, const State&, double t, State& out) const {
@@ -148,57 +155,56 @@ void PolynomialMotion::measure(double h, const State& begin, const State& end) {
   way_now_ = std::max(way_, std::max(way, h * speed_now_));
 }
 
-/// What the last step's error would be with so many terms, as a multiple of the tolerance: the difference between
-/// prediction and correction.
-double PolynomialMotion::error_with(std::size_t terms, const State& like) const {
-  const double once = basis_[terms].once / basis_[terms].value, twice = basis_[terms].twice / basis_[terms].value;
+/// The last step's errors as multiples of the tolerance: the difference between prediction and correction.
+PolynomialMotion::Errors PolynomialMotion::errors(const State& like) const {
   const std::size_t n = like.v.size(), m = moves_memory_ ? like.z.size() : 0;
-  // The terms between are missed as well, or no longer.
-  const std::size_t low = std::min(terms, used_), high = std::max(terms, used_);
-  const double sign = terms < used_ ? 1.0 : -1.0;
-  const auto miss = [&](std::size_t c) {
-    double sum = miss_[c];
-    for (std::size_t i = low; i < high; ++i)
-      sum += sign * rates_[i][c] * basis_[i].value;
-    return std::abs(sum);
-  };
+  const bool less = used_ > 1, more = used_ < rates_.count() && used_ < most_terms;
+  // With one term less that is missed as well; with one more that is missed no longer.
+  const std::array<Differences::Term, 2> terms{
+      less ? Differences::Term{used_ - 1, basis_[used_ - 1].value} : Differences::Term{},
+      more ? Differences::Term{used_, -basis_[used_].value} : Differences::Term{}};
+  const std::span<const double> missed{miss_};
+  const std::array<double, 3> motion = rates_.largest(missed.first(n), 0, terms, lengths_);
+  std::array<double, 3> memory{};
+  if (m > 0) memory = rates_.largest(missed.subspan(n, m), n, terms, {});
   // What is not a number is the largest.
   const auto raise = [](double& most, double x) { most = x > most || x != x ? x : most; };
-  double motion = 0.0, memory = 0.0;
-  for (std::size_t c = 0; c < n; ++c)
-    raise(motion, lengths_[c] * miss(c));
-  for (std::size_t c = n; c < n + m; ++c)
-    raise(memory, miss(c));
   // Of a motion that has not begun no error is too small.
   const auto share = [](double x, double of) { return x == 0.0 ? 0.0 : x / of; };
-  double error = share(motion * std::abs(once), speed_now_);
-  raise(error, share(motion * std::abs(twice), way_now_));
-  raise(error, share(memory * std::abs(once), way_now_));
-  return error / tolerance_;
+  const auto error = [&](std::size_t place, std::size_t used) {
+    const Basis& left_out = basis_[used];
+    const double once = std::abs(left_out.once / left_out.value), twice = std::abs(left_out.twice / left_out.value);
+    double most = share(motion[place] * once, speed_now_);
+    raise(most, share(motion[place] * twice, way_now_));
+    raise(most, share(memory[place] * once, way_now_));
+    return most / tolerance_;
+  };
+  constexpr double none = std::numeric_limits<double>::infinity();
+  return {error(0, used_), less ? error(1, used_ - 1) : none, more ? error(2, used_ + 1) : none};
 }
 
 /// The step failed: how long the next attempt may be.
-void PolynomialMotion::shorten(double h, double error, const State& like) {
-  const double share = std::isfinite(error) ? 0.8 * inverse_root(error, used_ + 1) : 0.0;
+void PolynomialMotion::shorten(double h, const Errors& errors) {
+  const double share = std::isfinite(errors.now) ? 0.8 * inverse_root(errors.now, used_ + 1) : 0.0;
   step_ = h * std::clamp(share, used_ == 1 ? 1e-3 : 0.1, 0.8);
-  if (used_ > 1 && error_with(used_ - 1, like) < error) order_ = used_ - 1;
+  if (errors.fewer < errors.now) order_ = used_ - 1;
 }
 
 /// The step was good: takes over its scales, and chooses the order that allows the longest next step, and that step.
-void PolynomialMotion::choose_next(double h, double error, const State& like) {
+void PolynomialMotion::choose_next(double h, const Errors& errors) {
   speed_ = speed_now_, way_ = way_now_;
   const auto growth = [](double e, std::size_t terms) { return e > 0.0 ? 0.9 * inverse_root(e, terms + 1) : 10.0; };
-  double best = growth(error, used_);
+  double best = growth(errors.now, used_);
   order_ = used_;
   if (used_ > 1) {
-    const double lower = growth(error_with(used_ - 1, like), used_ - 1);
+    const double lower = growth(errors.fewer, used_ - 1);
     if (lower > best) best = lower, order_ = used_ - 1;
   }
   if (order_ == used_ && used_ < most_terms) {
     if (rates_.count() == used_) {
       ++order_;  // all that is known served: the next step knows more
     } else {
-      const double higher = growth(error_with(used_ + 1, like), used_ + 1);
+      const double higher = growth(errors.more, used_ + 1);
       if (higher > best) best = higher, ++order_;
     }
   }

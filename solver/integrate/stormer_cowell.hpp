@@ -41,13 +41,18 @@ class PolynomialMotion {
   using Basis = Differences::Basis;
 
   void try_step(EventfulSystem& system, const State& begin, double h, State& end);
-  void shorten(double h, double error, const State& like);
-  void choose_next(double h, double error, const State& like);
-  double error_with(std::size_t terms, const State& like) const;
+  /// Of the last step; what it would have been with one term less, and one more; infinite where there is none.
+  struct Errors {
+    double now{};
+    double fewer{};
+    double more{};
+  };
+  Errors errors(const State& like) const;
+  void shorten(double h, const Errors& errors);
+  void choose_next(double h, const Errors& errors);
   void measure(double h, const State& begin, const State& end);
   void move(const State& begin, double t, std::span<const Basis> basis, State& to) const;
   void correct(const Basis& last, State& to) const;
-  void add(std::span<const double> rates, double once, double twice, State& to) const;
   void flatten(const Rates& rates);
   std::size_t width(const State& like) const;
 

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+// Marks a function that is compiled for several instruction sets, of which the loader takes the best that the
+// processor has: the same arithmetic on more lanes at once, and so the same bits.
+#if defined(__x86_64__) && !defined(__clang__)
+#define TALUS_CLONES [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#else
+#define TALUS_CLONES
+#endif
+
+namespace talus {
+
+/// Eight numbers that are worked out side by side, each as it would be alone.
+using Pack [[gnu::vector_size(64)]] = double;
+inline constexpr std::size_t pack_size = 8;
+
+/// The next numbers of a row of which `left` are left; nought in lanes beyond its end.
+[[gnu::always_inline]] inline void load(Pack& pack, const double* row, std::size_t left = pack_size) {
+  if (left >= pack_size) {
+    std::memcpy(&pack, row, sizeof(Pack));
+  } else {
+    pack = Pack{};
+    std::memcpy(&pack, row, left * sizeof(double));
+  }
+}
+
+/// Puts them back.
+[[gnu::always_inline]] inline void store(const Pack& pack, double* row, std::size_t left = pack_size) {
+  if (left >= pack_size) {
+    std::memcpy(row, &pack, sizeof(Pack));
+  } else {
+    std::memcpy(row, &pack, left * sizeof(double));
+  }
+}
+
+/// The largest size in each lane so far. Sizes have the order of their bits as whole numbers, in which what is not a
+/// number is above all others, and stays.
+using Sizes [[gnu::vector_size(64)]] = std::int64_t;
+
+[[gnu::always_inline]] inline void raise(Sizes& most, const Sizes& other) { most = other > most ? other : most; }
+[[gnu::always_inline]] inline void raise(Sizes& most, const Pack& x) {
+  Sizes bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  raise(most, bits & std::numeric_limits<std::int64_t>::max());
+}
+
+/// The largest of all lanes.
+[[gnu::always_inline]] inline double largest(Sizes most) {
+  raise(most, __builtin_shufflevector(most, most, 4, 5, 6, 7, 0, 1, 2, 3));
+  raise(most, __builtin_shufflevector(most, most, 2, 3, 0, 1, 6, 7, 4, 5));
+  raise(most, __builtin_shufflevector(most, most, 1, 0, 3, 2, 5, 4, 7, 6));
+  return std::bit_cast<double>(static_cast<std::int64_t>(most[0]));
+}
+
+}  // namespace talus

@@ -1,0 +1,42 @@
+#define BOOST_TEST_MODULE pack
+#include "solver/base/pack.hpp"
+
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+
+using namespace talus;
+
+BOOST_AUTO_TEST_CASE(a_row_that_ends_within_a_pack_is_left_alone_behind_its_end) {
+  for (std::size_t left = 1; left <= pack_size + 1; ++left) {
+    std::array<double, 10> row{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, out{};
+    Pack pack;
+    load(pack, row.data(), left);
+    store(pack, out.data(), left);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      BOOST_TEST(out[i] == (i < std::min(left, pack_size) ? row[i] : 0.0));
+    for (std::size_t lane = left; lane < pack_size; ++lane)
+      BOOST_TEST(static_cast<double>(pack[lane]) == 0.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_largest_size_of_all_lanes) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const auto of = [](double special, std::size_t lane) {
+    Pack pack{0.5, -1.5, 1e-310, -0.0, 0.0, 1.25, -1.0, 1.0};
+    pack[lane] = special;
+    Sizes most{};
+    raise(most, Pack{} + 0.25);
+    raise(most, pack);
+    raise(most, Pack{} - 0.125);
+    return largest(most);
+  };
+  for (std::size_t lane = 0; lane < pack_size; ++lane) {
+    BOOST_TEST(of(-7.0, lane) == 7.0);
+    BOOST_TEST(of(-inf, lane) == inf);
+    BOOST_TEST(std::isnan(of(nan, lane)));
+    BOOST_TEST(std::isnan(of(-nan, lane)));
+    BOOST_TEST(of(0.0, lane) == (lane == 1 ? 1.25 : 1.5));
+  }
+}

@@ -1,0 +1,84 @@
+/// Divided differences (solver/integrate/differences.hpp) of polynomials, whose integrals are known.
+#define BOOST_TEST_MODULE differences
+#include "solver/integrate/differences.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <vector>
+
+using namespace talus;
+
+namespace {
+
+/// Quantity c is (t - c/16)^power, and its integrals over time from t0, once and twice.
+constexpr int power = 5;
+struct Known {
+  double c{}, t0{};
+  double at(double t, int p) const { return std::pow(t - c / 16.0, p); }
+  double value(double t) const { return at(t, power); }
+  double once(double t) const { return (at(t, power + 1) - at(t0, power + 1)) / (power + 1); }
+  double twice(double t) const {
+    return (at(t, power + 2) - at(t0, power + 2)) / ((power + 1) * (power + 2)) -
+           (t - t0) * at(t0, power + 1) / (power + 1);
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(polynomials_are_integrated_exactly) {
+  // Widths about that of a pack; times of uneven distance.
+  for (const std::size_t width : {1U, 7U, 8U, 9U, 24U}) {
+    Differences differences;
+    const auto rates = [&](double t) {
+      std::vector<double> all;
+      for (std::size_t c = 0; c < width; ++c)
+        all.push_back(Known{static_cast<double>(c), 0.0}.value(t));
+      return all;
+    };
+    differences.begin(0.0, rates(0.0));
+    for (const double t : {0.1, 0.25, 0.3, 0.5, 0.55, 0.8})
+      differences.add(t, rates(t));
+    BOOST_TEST(differences.count() == 7U);
+    const double t = 1.1;
+    std::vector<Differences::Basis> basis(7);
+    differences.basis(t, 7, basis);
+    std::vector<double> value, once, twice;
+    for (const auto& b : basis)
+      value.push_back(b.value), once.push_back(b.once), twice.push_back(b.twice);
+    std::vector<double> values(width, 1.0), integrals(width, 2.0), second(width, 3.0);
+    differences.add_to(values, 0, value);
+    differences.add_to(integrals, 0, once);
+    differences.add_to(second, 0, twice);
+    for (std::size_t c = 0; c < width; ++c) {
+      const Known known{static_cast<double>(c), 0.8};
+      BOOST_TEST(values[c] == 1.0 + known.value(t), boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(integrals[c] == 2.0 + known.once(t), boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(second[c] == 3.0 + known.twice(t), boost::test_tools::tolerance(1e-12));
+    }
+    // From a quantity on; and of the largest sums.
+    if (width < 3) continue;
+    std::vector<double> last(1, 0.0);
+    differences.add_to(last, width - 1, value);
+    BOOST_TEST(1.0 + last.front() == values[width - 1], boost::test_tools::tolerance(1e-12));
+    std::vector<double> x(width, 0.0), factors(width, 1.0);
+    x[width - 1] = -2.0, factors[width - 1] = 3.0;
+    const auto most = differences.largest(x, 0, {Differences::Term{0, 0.0}, Differences::Term{6, 1e3}}, factors);
+    BOOST_TEST(most[0] == 6.0);
+    BOOST_TEST(most[1] == 6.0);
+    BOOST_TEST(most[2] == 6.0, boost::test_tools::tolerance(1e-8));  // of degree 5: the seventh difference vanishes
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_oldest_times_are_forgotten) {
+  Differences differences;
+  differences.begin(0.0, std::vector<double>{1.0});
+  for (int n = 1; n < 40; ++n)
+    differences.add(0.1 * n, std::vector<double>{1.0 + 0.1 * n});
+  BOOST_TEST(differences.count() == Differences::most);
+  BOOST_TEST(differences.newest() == 0.1 * 39);
+  std::vector<Differences::Basis> basis(2);
+  differences.basis(5.0, 2, basis);
+  std::vector<double> line{0.0};
+  differences.add_to(line, 0, std::vector<double>{basis[0].value, basis[1].value});
+  BOOST_TEST(line.front() == 6.0, boost::test_tools::tolerance(1e-12));
+}
