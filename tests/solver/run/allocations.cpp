@@ -1,0 +1,93 @@
+/// A step takes no memory from the heap, once it has what it keeps from one to the next.
+#define BOOST_TEST_MODULE allocations
+#include <boost/test/unit_test.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+#include <string>
+
+#include "solver/io/dat_deck.hpp"
+#include "solver/io/scene_file.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/fence_scene.hpp"
+
+namespace {
+
+long taken = 0;
+
+void* take(std::size_t size) {
+  ++taken;
+  if (void* const memory = std::malloc(size)) return memory;
+  throw std::bad_alloc{};
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return take(size); }
+void* operator new[](std::size_t size) { return take(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+using namespace talus;
+
+namespace {
+
+/// Pieces of memory taken in so many steps, after as many.
+long taken_in_steps(const Scene& scene, Integrator integrator, double step, int count) {
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, false};
+  State state = scene.initial;
+  system.begin(state);
+  return std::visit(
+      [&](auto& method) {
+        method.start(system, state, step);
+        for (int n = 0; n < count; ++n)
+          method.step(system, state, step);
+        const long before = taken;
+        for (int n = 0; n < count; ++n)
+          method.step(system, state, step);
+        return taken - before;
+      },
+      integrator);
+}
+
+Scene fence(const char* file, Sleep sleep) {
+  scenes::Fence fence = read_deck(std::string{TALUS_CASES "/fence/"} + file);
+  fence.options.sleep = sleep;
+  return scenes::fence_scene(fence).scene;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(what_is_taken_is_counted) {
+  const long before = taken;
+  delete new int{};
+  BOOST_TEST(taken == before + 1);
+}
+
+BOOST_AUTO_TEST_CASE(steps_of_a_fence_take_no_memory) {
+  for (const char* file : {"table_2.DAT", "sample2.DAT"}) {
+    const Scene scene = fence(file, Sleep::off);
+    for (const std::string& name : integrator_names()) {
+      // The library's extrapolation takes three pieces a step itself.
+      if (needs_closed_form(name) || name == "odeint_bulirsch_stoer") continue;
+      // The rock hits from the first step on; the second count goes on to cables that come taut.
+      const double tolerance = needs_tolerance(name) ? 1e-7 : 0.0;
+      const long found = taken_in_steps(scene, make_integrator(name, tolerance), 4e-6, 2000);
+      BOOST_TEST(found == 0, file << ", " << name << ": " << found);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(exact_pieces_take_no_memory) {
+  const Scene scene = read_scene_file(std::filesystem::path{TALUS_CASES "/damped_disc.toml"}).scene;
+  BOOST_TEST(taken_in_steps(scene, make_integrator("exact"), 1e-2, 200) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(columns_that_wake_take_little) {
+  // Only where a column wakes are the lists of what is awake laid anew.
+  const Scene scene = fence("table_2.DAT", Sleep::on);
+  BOOST_TEST(taken_in_steps(scene, scene.integrator, 2e-6, 5000) < 5000);
+}
