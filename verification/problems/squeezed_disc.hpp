@@ -51,13 +51,13 @@ class SqueezedRuns {
   explicit SqueezedRuns(const SqueezedDisc& disc)
       : frequency_{disc.frequency}, scene_{squeezed_disc(disc)}, dynamics_{scene_.model} {}
 
-  /// The deviations at the start, at rest at the distance `start`, and after each of so many steps of length eta/w; the
-  /// run ends sooner
-  /// where the disc has come .01 from the middle: a stage of the next may lie far beyond, and at .5 a contact opens.
-  std::vector<Deviation> run(Integrator integrator, double eta, long steps, double start) const {
+  /// The deviations at the start and after each of so many steps of length eta/w; the run ends sooner where the disc
+  /// has come .01 from the middle: a stage of the next may lie far beyond, and at .5 a contact opens.
+  std::vector<Deviation> run(Integrator integrator, double eta, long steps, const Deviation& start) const {
     RigidBodySystem system{dynamics_, false};
     State state = scene_.initial;
-    state.q[1] = start;
+    state.q[1] = start[0];
+    state.v[1] = start[1] * frequency_;
     std::vector<Deviation> all;
     const Observer watch = [&](const State& seen, const StepInfo&) {
       all.push_back({seen.q[1], seen.v[1] / frequency_});

@@ -76,7 +76,24 @@ double ln_radius(int size, const std::function<Eigen::VectorXd(const Eigen::Vect
   return std::log(matrix.eigenvalues().cwiseAbs().maxCoeff());
 }
 
-/// Leapfrogs and velocity Verlet in q, u = h v and, as the third, what is kept: an old u or h^2 a. `d` = 2 xi eta.
+/// One step of SRKN_6^b (Blanes & Moan 2002, Table 3) in q, u = h v and h^2 a of the last kick: six drifts, each
+/// followed by a kick, whose dashpot sees the velocity of before it; the first kick takes the acceleration of the step
+/// before.
+Eigen::Vector3d composed(double q, double u, double a, double k, double d) {
+  constexpr double a1 = 0.245298957184271, a2 = 0.604872665711080, a3 = 0.5 - a1 - a2;
+  constexpr double b1 = 0.0829844064174052, b2 = 0.396309801498368, b3 = -0.0390563049223486;
+  constexpr std::array drifts{a1, a2, a3, a3, a2, a1}, kicks{b2, b3, 1.0 - 2.0 * (b1 + b2 + b3), b3, b2, b1};
+  u += b1 * a;
+  for (std::size_t i = 0; i < drifts.size(); ++i) {
+    q += drifts[i] * u;
+    a = -k * q - d * u;
+    u += kicks[i] * a;
+  }
+  return {q, u, a};
+}
+
+/// Leapfrogs, velocity Verlet, Taylor and compositions in q, u = h v and, as the third, what is kept: an old u or h^2
+/// a. `d` = 2 xi eta.
 double ln_staggered(Scheme scheme, double eta, double xi) {
   const double k = eta * eta, d = 2.0 * xi * eta;
   using Vector = Eigen::VectorXd;
@@ -103,6 +120,12 @@ double ln_staggered(Scheme scheme, double eta, double xi) {
         break;
       case Scheme::verlet_old:
         verlet(u);
+        break;
+      case Scheme::taylor:
+        next << q + u + 0.5 * (-k * q - d * u), u - k * q - d * u, 0.0;
+        break;
+      case Scheme::blanes_moan4:
+        next = composed(q, u, kept, k, d);
         break;
       default:
         verlet(u + kept);
@@ -174,6 +197,7 @@ double ln_growth(Scheme scheme, double eta, double xi) {
   const Complex root = std::sqrt(Complex{xi * xi - 1.0, 0.0});
   double largest = -std::numeric_limits<double>::infinity();
   for (const double sign : {1.0, -1.0}) {
+    if (sign < 0.0 && xi <= 1.0) break;  // the conjugate, whose moduli are the same
     const Complex z = eta * (-xi + sign * root);
     if (scheme == Scheme::abm8) {
       largest = std::max(largest, ln_adams(z));
@@ -187,9 +211,8 @@ double ln_growth(Scheme scheme, double eta, double xi) {
   return largest;
 }
 
-std::vector<double> limits(Scheme scheme, double xi, double most) {
+std::vector<double> limits(Scheme scheme, double xi, double most, int parts) {
   const auto grows = [&](double eta) { return ln_growth(scheme, eta, xi) > 1e-10; };
-  constexpr int parts = 200;
   std::vector<double> found;
   double low = most / parts;
   bool before = grows(low);
@@ -210,24 +233,27 @@ std::vector<double> limits(Scheme scheme, double xi, double most) {
   return found;
 }
 
-double ln_multiplier(std::span<const std::array<double, 2>> states, int dimension, double noise) {
+double ln_multiplier(std::span<const Motion> runs, int dimension, double noise) {
   const int lags = (dimension + 1) / 2;  // of two numbers each
-  const auto columns = static_cast<Eigen::Index>(states.size()) - lags;
+  Eigen::Index columns = 0;
+  for (const Motion& states : runs)
+    columns += std::max<Eigen::Index>(0, static_cast<Eigen::Index>(states.size()) - lags);
   if (columns < dimension) return std::numeric_limits<double>::quiet_NaN();
   Eigen::MatrixXd now(2 * lags, columns), next(2 * lags, columns);
   double least = std::numeric_limits<double>::infinity();
-  for (Eigen::Index c = 0; c < columns; ++c) {
-    for (Eigen::Index l = 0; l < lags; ++l) {
-      for (Eigen::Index i = 0; i < 2; ++i) {
-        now(2 * l + i, c) = states[static_cast<std::size_t>(c + l)][static_cast<std::size_t>(i)];
-        next(2 * l + i, c) = states[static_cast<std::size_t>(c + l + 1)][static_cast<std::size_t>(i)];
+  Eigen::Index c = 0;
+  for (const Motion& states : runs) {
+    for (auto first = states.begin(); states.end() - first > lags; ++first, ++c) {
+      for (Eigen::Index l = 0; l < lags; ++l) {
+        now.col(c).segment<2>(2 * l) << first[l][0], first[l][1];
+        next.col(c).segment<2>(2 * l) << first[l + 1][0], first[l + 1][1];
       }
+      const double size = now.col(c).norm();
+      if (!(size > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+      least = std::min(least, size);
+      now.col(c) /= size;
+      next.col(c) /= size;
     }
-    const double size = now.col(c).norm();
-    if (!(size > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-    least = std::min(least, size);
-    now.col(c) /= size;
-    next.col(c) /= size;
   }
   // The map on the space that the states fill: next = A now, by least squares in that space.
   const Eigen::JacobiSVD<Eigen::MatrixXd> split{now, Eigen::ComputeThinU | Eigen::ComputeThinV};
@@ -235,6 +261,7 @@ double ln_multiplier(std::span<const std::array<double, 2>> states, int dimensio
   Eigen::Index rank = 0;
   while (rank < std::min<Eigen::Index>(dimension, sizes.size()) && sizes[rank] > noise / least * sizes[0])
     ++rank;
+  if (rank == 0) return std::numeric_limits<double>::quiet_NaN();
   const Eigen::MatrixXd basis = split.matrixU().leftCols(rank);
   const Eigen::MatrixXd map =
       basis.transpose() * next * split.matrixV().leftCols(rank) * sizes.head(rank).cwiseInverse().asDiagonal();

@@ -106,17 +106,111 @@ BOOST_AUTO_TEST_CASE(adams_eigenvalue_is_the_growth_of_a_run) {
                1e-3);
 }
 
+BOOST_AUTO_TEST_CASE(euler_and_taylor_grow_by_their_determinants_where_they_turn) {
+  // [[1, 1], [-k, 1 - d]] and [[1 - k/2, 1 - d/2], [-k, 1 - d]] in q and h v, k = eta^2, d = 2 xi eta.
+  for (const double xi : {0.0, 0.1, 0.4}) {
+    for (const double eta : {1e-3, 0.05, 0.3, 0.9}) {
+      const double k = eta * eta, d = 2.0 * xi * eta;
+      BOOST_TEST(std::abs(ref::ln_growth(Scheme::euler, eta, xi) - 0.5 * std::log1p(k - d)) < 1e-15);
+      BOOST_TEST(std::abs(ref::ln_growth(Scheme::taylor, eta, xi) - 0.5 * std::log1p(0.5 * k - d)) < 1e-15);
+    }
+  }
+  // Its end: the determinant is one up to xi = 1/2, from there on an eigenvalue is -1.
+  for (const double xi : {0.1, 0.4, 0.49, 0.51, 1.0, 1.5, 2.0}) {
+    BOOST_TEST(first_limit(Scheme::taylor, xi, 4.0) == (xi < 0.5 ? 4.0 * xi : 1.0 / xi),
+               boost::test_tools::tolerance(1e-7));
+  }
+  BOOST_TEST(ref::ln_growth(Scheme::euler, 1e-3, 0.0) > 0.0);
+  BOOST_TEST(ref::ln_growth(Scheme::taylor, 1e-3, 0.0) > 0.0);
+}
+
+namespace {
+
+/// SRKN_6^b as tabulated with all its digits, kicks b and drifts a in turn.
+constexpr std::array kicks{0.082984406417405200, 0.39630980149836800, -0.039056304922348600, 0.1195241940131508};
+constexpr std::array drifts{0.24529895718427100, 0.60487266571108000, -0.35017162289535100};
+
+/// Half the trace of a step without damping: 1 + 2 q_v v_q, of half a step's matrix ((q_q, q_v), (v_q, v_v)), for the
+/// other half is its mirror image.
+double half_trace(double eta) {
+  const double k = eta * eta;
+  double qq = 1.0, qv = 0.0, vq = 0.0, vv = 1.0;
+  for (std::size_t i = 0; i < drifts.size(); ++i) {
+    vq -= kicks[i] * k * qq, vv -= kicks[i] * k * qv;
+    qq += drifts[i] * vq, qv += drifts[i] * vv;
+  }
+  vq -= 0.5 * kicks[3] * k * qq, vv -= 0.5 * kicks[3] * k * qv;
+  return 1.0 + 2.0 * qv * vq;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(tabulated_kicks_and_drifts_hold_the_conditions_of_order_four) {
+  // Of Nystroem methods, all sums over kicks at the times c: b = 1, b c = 1/2, b c^2 = 1/3, b_i b_j (c_i - c_j) = 1/6,
+  // i > j; of order four by symmetry.
+  const std::array b{kicks[0], kicks[1], kicks[2], kicks[3], kicks[2], kicks[1], kicks[0]};
+  const std::array a{drifts[0], drifts[1], drifts[2], drifts[2], drifts[1], drifts[0]};
+  double time = 0.0, once = 0.0, squared = 0.0, weights = 0.0, twice = 0.0;
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    twice += b[i] * (time * weights - once);
+    weights += b[i], once += b[i] * time, squared += b[i] * time * time;
+    if (i < a.size()) time += a[i];
+  }
+  BOOST_TEST(std::abs(time - 1.0) < 1e-14);
+  BOOST_TEST(std::abs(weights - 1.0) < 1e-14);
+  BOOST_TEST(std::abs(once - 1.0 / 2.0) < 1e-14);
+  BOOST_TEST(std::abs(squared - 1.0 / 3.0) < 1e-14);
+  BOOST_TEST(std::abs(twice - 1.0 / 6.0) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(blanes_and_moans_method_grows_by_its_trace_where_nothing_damps) {
+  for (const double eta : {0.3, 1.0, 2.0, 3.0, 4.0, 5.0}) {
+    BOOST_TEST(std::abs(half_trace(eta)) < 1.0);
+    BOOST_TEST(std::abs(ref::ln_growth(Scheme::blanes_moan4, eta, 0.0)) < 1e-13);
+  }
+  for (const double eta : {3.1663, 5.1, 6.0, 7.0}) {
+    BOOST_TEST(std::abs(half_trace(eta)) > 1.0);
+    BOOST_TEST(ref::ln_growth(Scheme::blanes_moan4, eta, 0.0) == std::acosh(std::abs(half_trace(eta))),
+               boost::test_tools::tolerance(1e-9));
+  }
+  // A narrow window, then growth for good (up to 7.6).
+  const std::vector<double> ends = ref::limits(Scheme::blanes_moan4, 0.0, 7.0, 5000);
+  BOOST_REQUIRE(ends.size() == 3);
+  for (const double end : ends)
+    BOOST_TEST(std::abs(half_trace(end)) == 1.0, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(ref::limits(Scheme::blanes_moan4, 0.0, 7.0, 70).size() == 1);  // the window is not seen
+}
+
+BOOST_AUTO_TEST_CASE(blanes_and_moans_method_dies_by_its_determinant_where_it_turns) {
+  // A kick takes b d of the velocity of before it; the last of a step and the first of the next are one.
+  for (const double xi : {0.02, 0.1, 0.2}) {
+    for (const double eta : {0.1, 0.7, 1.5}) {
+      const double d = 2.0 * xi * eta;
+      const double ends = 1.0 - 2.0 * kicks[0] * d, middle = 1.0 - kicks[3] * d;
+      const double between = (1.0 - kicks[1] * d) * (1.0 - kicks[2] * d);
+      BOOST_TEST(ref::ln_growth(Scheme::blanes_moan4, eta, xi) == 0.5 * std::log(ends * middle * between * between),
+                 boost::test_tools::tolerance(1e-11));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(multipliers_of_a_made_up_motion_are_found) {
   // Three eigenvalues: a complex pair of modulus .8 and a real one of .95, mixed in both numbers.
-  std::vector<std::array<double, 2>> states;
+  ref::Motion states;
   for (int n = 0; n < 30; ++n) {
     const double pair = std::pow(0.8, n), real = std::pow(-0.95, n);
     states.push_back({pair * std::cos(1.1 * n) + 0.3 * real, pair * std::sin(1.1 * n) - 0.7 * real});
   }
-  BOOST_TEST(std::abs(ref::ln_multiplier(states, 3, 1e-15) - std::log(0.95)) < 1e-9);
-  std::vector<std::array<double, 2>> pair;
+  BOOST_TEST(std::abs(ref::ln_multiplier({&states, 1}, 3, 1e-15) - std::log(0.95)) < 1e-9);
+  ref::Motion pair;
   for (int n = 0; n < 10; ++n)
     pair.push_back({1e-9 * std::pow(3.0, n) * std::cos(0.4 * n), 1e-9 * std::pow(3.0, n) * std::sin(0.4 * n + 0.2)});
-  BOOST_TEST(std::abs(ref::ln_multiplier(pair, 2, 1e-22) - std::log(3.0)) < 1e-9);
-  BOOST_TEST(std::isnan(ref::ln_multiplier({pair.data(), 2}, 2, 1e-22)));
+  BOOST_TEST(std::abs(ref::ln_multiplier({&pair, 1}, 2, 1e-22) - std::log(3.0)) < 1e-9);
+  const ref::Motion two{pair[0], pair[1]}, others{pair[4], pair[5]};
+  BOOST_TEST(std::isnan(ref::ln_multiplier({&two, 1}, 2, 1e-22)));
+  // Two runs of one step each tell as much as one of two.
+  const std::array both{two, others};
+  BOOST_TEST(std::abs(ref::ln_multiplier(both, 2, 1e-22) - std::log(3.0)) < 1e-9);
+  // Nothing but noise.
+  BOOST_TEST(std::isnan(ref::ln_multiplier(both, 2, 1.0)));
 }
