@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/geometry/gap.hpp"
+#include "solver/geometry/penetration.hpp"
 #include "solver/run/simulate.hpp"
 
 namespace talus {
@@ -39,11 +41,17 @@ ContactId contact_of(const Dynamics& dynamics, std::size_t instance) {
   return static_cast<ContactId>(contact);
 }
 
+Rectangle box_around(const Bounds& bounds) { return {bounds.half_width, bounds.half_height}; }
+
 }  // namespace
 
 Watch::Watch(const Scene& scene, const Dynamics& dynamics, const State& start)
     : scene_{&scene}, dynamics_{&dynamics}, work_{dynamics.workspace()}, ledger_{dynamics, start}, modes_{start.mode} {
   fixed_step_ = tolerance(scene.integrator) == 0.0 && !located_events(scene.integrator);
+  const std::vector<Contact>& contacts = scene.model.contacts;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (contacts[c].method == ContactMethod::nodes) by_nodes_.push_back(static_cast<ContactId>(c));
+  }
   const long steps = step_count(scene.plan);
   every_ = std::max(1L, steps / looks);
   apart_ = std::max(1L, steps / frequency_looks);
@@ -83,8 +91,10 @@ void Watch::look(const State& seen, long step) {
   }
   if (changed && fixed_step_ && rules.accuracy != Breach::off) look_at_contacts(seen);
   if (changed) modes_ = seen.mode;
-  if ((rules.tunnelling != Breach::off || rules.accuracy != Breach::off) && (step % 8 == 0 || touches(seen)))
+  if ((rules.tunnelling != Breach::off || rules.accuracy != Breach::off) && (step % 8 == 0 || touches(seen))) {
     look_at_pairs(seen);
+    if (step % 8 == 0) look_at_unseen(seen);
+  }
   if (turn && scene_->plan.ledger && rules.accuracy != Breach::off) look_at_drift(seen);
 }
 
@@ -126,17 +136,51 @@ void Watch::look_at_pairs(const State& seen) {
     }
   }
   const auto overlap = dynamics_->contacts().deepest_overlap(work_);
-  if (overlap.share == 0.0) return;
-  const bool through = overlap.share > deepest_share && rules.tunnelling != Breach::off;
+  take_overlap(Watched::overlap, overlap.share, seen, overlap.contact, [](bool through) {
+    return fmt::format("{}; it needs a stiffer contact (overlaps go with 1/sqrt(k)) or a slower impact",
+                       through ? "the bodies may slip through each other" : "its shapes are no longer the scene's");
+  });
+}
+
+/// Outlines may cross where no node of either is in the other: sides of two bars laid across, a peak of the ground.
+void Watch::look_at_unseen(const State& seen) {
+  for (const ContactId contact : by_nodes_) {
+    const std::size_t c = index(contact);
+    const Candidate& pair = dynamics_->contacts().pair(contact);
+    const auto none_in = [&] {
+      const auto gaps = work_.gaps.begin();
+      return std::none_of(gaps + static_cast<std::ptrdiff_t>(pair.first), gaps + static_cast<std::ptrdiff_t>(pair.last),
+                          [](const Gap& gap) { return gap.depth > 0.0; });
+    };
+    if (!work_.near[c] || !none_in()) continue;
+    const Pose A = work_.poses[index(pair.a)], B = work_.poses[index(pair.b)];
+    const double size = smaller_size(pair);
+    // Boxes around the outlines cost little and overlap at least as far.
+    if (!endless(pair.bounds_a) && !endless(pair.bounds_b) &&
+        !(gap(box_around(pair.bounds_a), A, box_around(pair.bounds_b), B).depth > deep_share * size))
+      continue;
+    const std::vector<Body>& bodies = dynamics_->model().bodies;
+    const double share = penetration(bodies[index(pair.a)].shape, A, bodies[index(pair.b)].shape, B) / size;
+    // Between two nodes of a curved outline there is always a little.
+    if (share <= deep_share) continue;
+    take_overlap(Watched::unseen, share, seen, contact, [](bool) {
+      return "no node of either is in the other, so that no force acts; it needs more nodes, or the method resultant";
+    });
+  }
+}
+
+template <class Words>
+void Watch::take_overlap(Watched which, double share, const State& seen, ContactId contact, const Words& words) {
+  if (!(share > 0.0)) return;
+  const WatchRules& rules = scene_->plan.watch;
+  const bool through = share > deepest_share && rules.tunnelling != Breach::off;
   if (!through && rules.accuracy == Breach::off) return;
-  take(Watched::overlap, overlap.share, through ? deepest_share : deep_share,
-       through ? rules.tunnelling : rules.accuracy, seen, overlap.contact, [&] {
-         return fmt::format(
-             "contact '{}' overlaps by {:.3g} of half the least width of its smaller body, more than "
-             "{:g}: {}; it needs a stiffer contact (overlaps go with 1/sqrt(k)) or a slower impact",
-             contact_name(overlap.contact), overlap.share, through ? deepest_share : deep_share,
-             through ? "the bodies may slip through each other" : "its shapes are no longer the scene's");
-       });
+  const double limit = through ? deepest_share : deep_share;
+  take(which, share, limit, through ? rules.tunnelling : rules.accuracy, seen, contact, [&] {
+    return fmt::format(
+        "contact '{}' overlaps by {:.3g} of half the least width of its smaller body, more than {:g}: {}",
+        dynamics_->model().contacts[index(contact)].name, share, limit, words(through));
+  });
 }
 
 void Watch::look_at_contacts(const State& seen) {
@@ -207,6 +251,7 @@ std::vector<std::string> watch_lines(const Watch& watch, const Scene& scene) {
   line(Watched::frequency, "step over its linear limit", 1.0, "  ", false);
   line(Watched::passing, "step over the longest unseen pass", 1.0, "  ", true);
   line(Watched::overlap, "largest overlap over half width", 100.0, " %", true);
+  line(Watched::unseen, "largest overlap unseen by nodes", 100.0, " %", true);
   line(Watched::contact, "steps in the shortest contact", 1.0, "  ", true);
   line(Watched::drift, "largest drift of the ledger", 100.0, " %", false);
   return lines;

@@ -15,16 +15,17 @@ enum class Watched : std::size_t {
   frequency,  ///< h omega of the mode of the acting springs that is nearest to the method's linear limit, over it
   passing,    ///< step over the longest in which no body can pass another unseen
   overlap,    ///< largest overlap over half the least width of the smaller body
+  unseen,     ///< the same of outlines in contact by nodes, none of which is in the other; only where beyond its limit
   contact,    ///< time of the shortest contact that was touched, in steps
   drift,      ///< largest energy closure of the ledger over its scale
 };
-inline constexpr std::size_t watched_count = 5;
+inline constexpr std::size_t watched_count = 6;
 
 /// Watches over a run: how near each number came to its limit, and when. Nothing that it does changes the run.
 /// - frequency is looked at where contacts or cables begin or end to act, at most 512 times a run, and 64 times in any
 ///   case, of scenes of up to 150 coordinates and methods whose limit is known (linear_limit());
 /// - passing and overlap after every step in which something touches, else after every eighth (of methods that locate
-///   events passing is their own affair);
+///   events passing is their own affair); unseen after every eighth;
 /// - contact where one is touched, for methods of fixed step and scenes of as many coordinates;
 /// - drift 64 times, with the ledger on.
 class Watch {
@@ -56,6 +57,10 @@ class Watch {
   bool touches(const State& seen) const;
   void look_at_frequency(const State& seen);
   void look_at_pairs(const State& seen);
+  void look_at_unseen(const State& seen);
+  /// Takes an overlap as a share of the size, with both its limits.
+  template <class Words>
+  void take_overlap(Watched which, double share, const State& seen, ContactId contact, const Words& words);
   void look_at_contacts(const State& seen);
   void look_at_drift(const State& seen);
   /// Takes a number into its extreme; a limit that it is beyond for the first time is a breach, with the words. A
@@ -71,6 +76,7 @@ class Watch {
   bool fixed_step_{};
   long every_{};                       ///< steps between two looks at all
   long apart_{};                       ///< least number of steps between two looks at the frequency
+  std::vector<ContactId> by_nodes_;    ///< contacts whose outlines no force looks at
   std::vector<double> contact_times_;  ///< of each contact instance [T]
   std::vector<Mode> modes_;            ///< at the last look
   long looked_{};                      ///< step of the last look at the frequency

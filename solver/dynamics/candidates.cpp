@@ -51,6 +51,14 @@ Bounds bounds(const Shape& shape) {
 
 bool endless(const Bounds& bounds) { return bounds.plane || bounds.half_width > 1e100; }
 
+double least_half_width(const Bounds& bounds) {
+  return endless(bounds) ? std::numeric_limits<double>::infinity() : std::min(bounds.half_width, bounds.half_height);
+}
+
+double smaller_size(const Candidate& pair) {
+  return std::min(least_half_width(pair.bounds_a), least_half_width(pair.bounds_b));
+}
+
 bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B, double margin) {
   if (pair.bounds_b.plane) return above(pair.bounds_a, A, B, margin);
   if (pair.bounds_a.plane) return above(pair.bounds_b, B, A, margin);

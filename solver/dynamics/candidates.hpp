@@ -22,6 +22,9 @@ struct Bounds {
 /// Whether it is ground that goes on for ever.
 [[nodiscard]] bool endless(const Bounds& bounds);
 
+/// Half the least width [L]; infinite of ground.
+[[nodiscard]] double least_half_width(const Bounds& bounds);
+
 /// Two bodies that may touch, and their law instances in the state.
 struct Candidate {
   BodyId a{};
@@ -31,6 +34,9 @@ struct Candidate {
   std::size_t first{};  ///< first mode slot of the contact
   std::size_t last{};   ///< one past its last
 };
+
+/// Half the least width of the smaller of the two [L].
+[[nodiscard]] double smaller_size(const Candidate& pair);
 
 /// Whether a side of one of the boxes separates the two shapes by more than a margin [L] >= 0 (a half-plane: whether
 /// the other's box lies above it). Never says so of bodies that touch.

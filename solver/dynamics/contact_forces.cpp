@@ -26,10 +26,6 @@ void for_each_array(Laws& laws, Visit&& visit) {
   std::apply([&visit_law](auto&... law) { (visit_law(law), ...); }, laws);
 }
 
-double least_half_width(const Bounds& bounds) {
-  return endless(bounds) ? std::numeric_limits<double>::infinity() : std::min(bounds.half_width, bounds.half_height);
-}
-
 Kinematics kinematics(const Workspace& work, std::size_t instance) {
   return {work.gaps[instance].depth, work.rates[instance]};
 }
@@ -297,7 +293,7 @@ ContactForces::Overlap ContactForces::deepest_overlap(const Workspace& work) con
   for (std::size_t c = 0; c < candidates(); ++c) {
     if (!work.near[c]) continue;
     const Candidate& pair = search_.pairs()[c];
-    const double size = std::min(least_half_width(pair.bounds_a), least_half_width(pair.bounds_b));
+    const double size = smaller_size(pair);
     for (std::size_t i = pair.first; i < pair.last; ++i) {
       if (work.gaps[i].depth > found.share * size) found = {work.gaps[i].depth / size, static_cast<ContactId>(c)};
     }

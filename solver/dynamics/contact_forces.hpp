@@ -61,6 +61,8 @@ class ContactForces {
   std::size_t size() const { return pairs_.size(); }
   /// Number of pairs that the search looks at: the length of Workspace::near.
   std::size_t candidates() const { return search_.pairs().size(); }
+  /// The pair of a contact, as the search sees it.
+  const Candidate& pair(ContactId contact) const { return search_.pairs()[index(contact)]; }
 
   /// Gaps of the pairs within reach, and of those that still act in this state.
   void update(const State& state, Workspace& work) const;

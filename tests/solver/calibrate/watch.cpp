@@ -79,6 +79,23 @@ Scene shot(double speed) {
   return scene;
 }
 
+/// A bar that stands across a fixed one; their corners are far from each other where `height` is nought.
+Scene crossed(double height, ContactMethod method) {
+  ModelBuilder builder;
+  const BodyId level =
+      builder.add(Body{.name = "level", .mobility = Mobility::fixed, .shape = Rectangle{1.0, 0.1}, .p_WB = {0.0, 0.0}});
+  const BodyId upright = builder.add(
+      Body{.name = "upright", .mass = 1.0, .inertia = 1.0, .shape = Rectangle{0.1, 1.0}, .p_WB = {0.0, height}});
+  builder.add(Contact{.name = "across",
+                      .a = upright,
+                      .b = level,
+                      .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
+                      .method = method});
+  Scene scene{.title = "crossed", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  return scene;
+}
+
 /// Overlap v/w of an impact at v = 1 on a disc of radius 1, in steps of so many a contact.
 Scene impact(double overlap) {
   const double w = 1.0 / overlap;
@@ -135,6 +152,24 @@ BOOST_AUTO_TEST_CASE(overlaps_are_measured_against_the_smaller_body) {
       run(impact(0.501), 1e-4, 3.0, "velocity_verlet", {.tunnelling = Breach::warning, .accuracy = Breach::warning});
   BOOST_TEST(warned.breach.empty());
   BOOST_TEST(warned.warnings.size() == 2U);
+}
+
+BOOST_AUTO_TEST_CASE(outlines_that_cross_where_no_node_is_in_the_other) {
+  const WatchRules rules{.accuracy = Breach::off};
+  const WatchedRun across = run(crossed(0.0, ContactMethod::nodes), 1e-3, 0.1, "velocity_verlet", rules);
+  BOOST_TEST(across.time == 0.0);
+  BOOST_TEST(says(across.breach, "no node of either is in the other"));
+  BOOST_TEST(says(across.breach, "'across' overlaps by 11 of half the least width"));
+  // With corners in the other bar, and by the one resultant, a force acts.
+  const WatchedRun corners = run(crossed(1.08, ContactMethod::nodes), 1e-3, 0.1);
+  BOOST_TEST(corners.breach.empty());
+  BOOST_TEST(corners.share == 0.2, boost::test_tools::tolerance(1e-12));
+  const WatchedRun resultant = run(crossed(0.0, ContactMethod::resultant), 1e-3, 0.1, "velocity_verlet", rules);
+  BOOST_TEST(says(resultant.breach, "the bodies may slip through each other"));
+  // Apart, or told not to look, it says nothing.
+  BOOST_TEST(run(crossed(1.2, ContactMethod::nodes), 1e-3, 0.1, "velocity_verlet", rules).breach.empty());
+  const WatchRules off{.tunnelling = Breach::off, .accuracy = Breach::off};
+  BOOST_TEST(run(crossed(0.0, ContactMethod::nodes), 1e-3, 0.1, "velocity_verlet", off).breach.empty());
 }
 
 BOOST_AUTO_TEST_CASE(contacts_of_few_steps_are_warned_of_where_they_touch) {
