@@ -152,46 +152,9 @@ Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
   return sum;
 }
 
-/// The path of a body round the corner of another: its centre on a circle about the corner, its angle to and fro.
-struct Loop {
-  double work{};    ///< of the contact's forces on the body, once round [F L]
-  double energy{};  ///< largest on the way [F L]
-  std::vector<double> angle, stored;
-};
-
-constexpr double corner_x = 0.5, corner_y = 0.35, loop_radius = 0.36;
-
-Loop slide(const Model& model, int steps, const Setup& setup) {
-  Potential potential{model};
-  State state = rest_state(model);
-  Loop loop;
-  std::vector<double> before, forces;
-  std::array<double, 3> from{};
-  for (int i = 0; i <= steps; ++i) {
-    const double round = 2.0 * std::numbers::pi * i / steps;
-    const std::array place{corner_x + loop_radius * std::cos(round), corner_y + loop_radius * std::sin(round),
-                           0.2 + 0.4 * std::sin(round)};
-    std::copy(place.begin(), place.end(), state.q.begin());
-    potential.stand(state);
-    forces = potential.forces(state);
-    if (setup.has("moments_halved")) forces[2] *= 0.5;
-    for (std::size_t k = 0; k < 3 && i > 0; ++k)
-      loop.work += 0.5 * (before[k] + forces[k]) * (place[k] - from[k]);
-    const double stored = potential.energy(state);
-    loop.energy = std::max(loop.energy, stored);
-    if (i % (steps / 200) == 0) {
-      loop.angle.push_back(round * 180.0 / std::numbers::pi);
-      loop.stored.push_back(stored);
-    }
-    before = forces;
-    from = place;
-  }
-  return loop;
-}
-
 std::vector<TouchingPair> sliding_pairs() {
-  const Rectangle square{0.3, 0.3}, box{corner_x, corner_y};
-  const Superquadric rounded{0.3, 0.3, 20.0}, column{corner_x, corner_y, 20.0};
+  const Rectangle square{0.3, 0.3}, box{CornerLoop::corner.x, CornerLoop::corner.y};
+  const Superquadric rounded{0.3, 0.3, 20.0}, column{CornerLoop::corner.x, CornerLoop::corner.y, 20.0};
   const auto by_nodes = ContactMethod::nodes;
   return {{"rectangles", square, box},
           {"nodes: rectangles", square, box, by_nodes},
@@ -215,15 +178,16 @@ void check_loops(Findings& findings, const Setup& setup) {
                 .y = {.label = "energy", .unit = "J"},
                 .series = {}};
   double worst = 0.0;
+  const double moments = setup.has("moments_halved") ? 0.5 : 1.0;
   for (const TouchingPair& pair : sliding_pairs()) {
     if (setup.coarse && std::holds_alternative<Superquadric>(pair.a)) continue;
     const int steps = setup.coarse ? 500 : 800;
-    const Loop loop = slide(pair_model(pair, stiffness), steps, setup),
-               half = slide(pair_model(pair, stiffness), steps / 2, setup);
+    const CornerLoop loop = round_corner(pair_model(pair, stiffness), steps, moments),
+                     half = round_corner(pair_model(pair, stiffness), steps / 2, moments);
     table.rows.push_back(
         {pair.name, fmt::format("{:.1e}", loop.work / loop.energy), fmt::format("{:.1e}", half.work / half.energy)});
     figure.series.push_back({pair.name, loop.angle, loop.stored, Style::lines});
-    const double step = 2.0 * std::numbers::pi * loop_radius / steps;
+    const double step = 2.0 * std::numbers::pi * CornerLoop::radius / steps;
     const double depth = std::sqrt(2.0 * loop.energy / stiffness);
     if (has_potential(pair)) worst = std::max(worst, std::abs(loop.work / loop.energy) / (2.0 * step / depth));
   }

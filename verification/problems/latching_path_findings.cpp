@@ -4,67 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "solver/dynamics/rigid_body_system.hpp"
-#include "solver/scenes/bouncing_disc.hpp"
+#include "verification/problems/pressed_disc.hpp"
 #include "verification/reference/latching_impact.hpp"
 
 namespace talus::verification::problems {
-namespace {
-
-/// A disc moved by hand: at each place the force is read off the acceleration. All numbers are multiples of powers of
-/// two, and so are their sums and products.
-class PressedDisc {
- public:
-  explicit PressedDisc(bool forgets)
-      : scene_{scenes::bouncing_disc(
-            {.radius = 1.0, .gap = 0.0625, .contact = ContactLaw{LatchingSpring{64.0, 256.0, 0.0}}})},
-        dynamics_{scene_.model},
-        system_{dynamics_},
-        state_{scene_.initial},
-        forgets_{forgets} {
-    state_.v = {0.0, 0.0};
-    look();
-  }
-
-  void press(double to) {
-    constexpr double step = 0x1p-10;
-    const double way = to > path_.back() ? 1.0 : -1.0;
-    state_.v[1] = -way;
-    for (long count = std::lround(std::abs(to - path_.back()) / step); count > 0; --count) {
-      system_.drift(state_, step);
-      const double before = forces_.back();
-      look();
-      work_ += 0.5 * (before + forces_.back()) * way * step;
-    }
-  }
-
-  const std::vector<double>& path() const { return path_; }
-  const std::vector<double>& forces() const { return forces_; }
-  double work() const { return work_; }  ///< put in so far
-
- private:
-  void look() {
-    Rates rates{state_};
-    system_.evaluate(state_, rates);
-    if (forgets_ && state_.mode[0] == LatchingSpring::slack) {
-      state_.mode[0] = LatchingSpring::open;
-      state_.z[0] = 0.0;
-    }
-    path_.push_back(1.0 - state_.q[1]);
-    forces_.push_back(rates.v[1]);
-  }
-
-  Scene scene_;
-  Dynamics dynamics_;
-  RigidBodySystem system_;
-  State state_;
-  bool forgets_;
-  std::vector<double> path_, forces_;
-  double work_{};
-};
-
-}  // namespace
-
 void check_latching_path(Findings& findings, const Setup& setup) {
   PressedDisc disc{setup.has("forgets_at_zero_force")};
   const char* exact = "all overlaps, forces and their products are short sums of powers of two";

@@ -45,4 +45,18 @@ class Potential {
   Workspace work_;
 };
 
+/// The way of body "a" of a pair round the corner of "b" and back: its centre on a circle about the corner, its angle
+/// to and fro.
+struct CornerLoop {
+  static constexpr Vec2 corner{0.5, 0.35};
+  static constexpr double radius = 0.36;
+  double work{};                      ///< of the contact's forces on the body, once round [F L]
+  double energy{};                    ///< largest on the way [F L]
+  std::vector<double> angle, stored;  ///< at some 200 places [degrees, F L]
+};
+
+/// The work by trapezia between `steps` places, 200 at least. `moments`: a fault, the share of the moment that is
+/// counted.
+[[nodiscard]] CornerLoop round_corner(const Model& model, int steps, double moments = 1.0);
+
 }  // namespace talus::verification::problems

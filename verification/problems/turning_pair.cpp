@@ -8,6 +8,7 @@
 #include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/late_slip.hpp"
+#include "verification/problems/turned_pair.hpp"
 
 namespace talus::verification::problems {
 
@@ -55,96 +56,13 @@ s^2$: nothing is made or lost.
 of the slip; a stiffness along the contact that follows the overlap.
 )";
 
-constexpr double radius_a = 1.0, radius_b = 0.5, overlap = 0.0625, distance = radius_a + radius_b - overlap;
-constexpr double normal_stiffness = 64.0, slip_stiffness = 32.0, first_stretch = 0.0078125;
+using namespace turned_pair;
+
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-Model pair_model() {
-  ModelBuilder builder;
-  const BodyId a = builder.add(Body{.name = "a", .mass = 1.0, .inertia = 0.5, .shape = Circle{radius_a}});
-  const BodyId b =
-      builder.add(Body{.name = "b", .mass = 1.0, .inertia = 0.125, .shape = Circle{radius_b}, .p_WB = {distance, 0.0}});
-  builder.add(Contact{.name = "touch",
-                      .a = a,
-                      .b = b,
-                      .law = LinearSpringDashpot{normal_stiffness, 0.0},
-                      .friction = CoulombFriction{10.0, slip_stiffness}});
-  return builder.build();
-}
-
-/// What a turn of so many steps left: changes of the stretch, and the largest of force and energy on the way.
-struct Turn {
-  double stretch{};       ///< at the end
-  double force{};         ///< on B, in the pair's own directions: along the line of centres
-  double drag{};          ///< and across it, less what the change of stretch explains
-  double energy{};        ///< stored, at the end
-  double stretch_back{};  ///< after the turn and the same turn back
-};
-
-/// The pair at some angle, of a step that takes it on by `turn`.
-void place(State& state, double angle, double turn, bool b_spins) {
-  constexpr Vec2 from_pivot_a{-0.3, 0.7};
-  const auto centre = [&](Vec2 p, double at) {
-    return Vec2{p.x * std::cos(at) - p.y * std::sin(at), p.x * std::sin(at) + p.y * std::cos(at)};
-  };
-  for (std::size_t body = 0; body < 2; ++body) {
-    const Vec2 p = from_pivot_a + Vec2{body == 0 ? 0.0 : distance, 0.0};
-    const Vec2 now = centre(p, angle), next = centre(p, angle + turn);
-    const double spin = body == 1 && !b_spins ? 0.0 : 1.0;
-    const std::size_t i = 3 * body;
-    state.q[i] = now.x, state.q[i + 1] = now.y, state.q[i + 2] = spin * angle;
-    state.v[i] = next.x - now.x, state.v[i + 1] = next.y - now.y, state.v[i + 2] = spin * turn;
-  }
-}
-
-/// Turns the pair by steps of unit time, forth and, without looking, back.
-template <class System>
-Turn turned(long steps, const Setup& setup) {
-  const Dynamics dynamics{pair_model()};
-  System system{dynamics};
-  Workspace work = dynamics.workspace();
-  State state = rest_state(dynamics.model());
-  const double turn = 2.0 * std::numbers::pi / static_cast<double>(steps);
-  const bool b_spins = !setup.has("one_disc_that_does_not_spin");
-  place(state, 0.0, turn, b_spins);
-  state.z[0] = first_stretch;
-  system.begin(state);
-  const auto force_at = [&](double angle) {
-    const double frame = setup.has("spring_left_behind") ? 0.0 : angle;
-    Rates rates{state};
-    system.evaluate(state, rates);
-    const Vec2 f{rates.v[3], rates.v[4]};
-    return Vec2{f.x * std::cos(frame) + f.y * std::sin(frame), f.y * std::cos(frame) - f.x * std::sin(frame)};
-  };
-  const Vec2 first = force_at(0.0);
-  dynamics.update(state, work);
-  const double energy = dynamics.energies(state, work).contacts;
-  Turn found;
-  for (long n = 0; n < steps; ++n) {
-    place(state, turn * static_cast<double>(n), turn, b_spins);
-    system.drift(state, 1.0);
-    const Vec2 change = force_at(turn * static_cast<double>(n + 1)) - first;
-    found.force = std::max(found.force, std::abs(change.x));
-    found.drag = std::max(found.drag, std::abs(change.y + slip_stiffness * (state.z[0] - first_stretch)));
-  }
-  found.stretch = state.z[0] - first_stretch;
-  dynamics.update(state, work);
-  found.energy = dynamics.energies(state, work).contacts - energy;
-  for (long n = steps; n > 0; --n) {
-    place(state, turn * static_cast<double>(n), -turn, b_spins);
-    system.drift(state, 1.0);
-  }
-  found.stretch_back = state.z[0] - first_stretch;
-  return found;
-}
-
 Turn turned_as_told(long steps, const Setup& setup) {
-  return setup.has("late_slip") ? turned<LateSlipSystem>(steps, setup) : turned<RigidBodySystem>(steps, setup);
-}
-
-double exact_drift(long steps) {
-  const double half = std::numbers::pi / static_cast<double>(steps);
-  return 2.0 * static_cast<double>(steps) * distance * (std::sin(half) - half * std::cos(half));
+  const turned_pair::Faults told{setup.has("one_disc_that_does_not_spin"), setup.has("spring_left_behind")};
+  return setup.has("late_slip") ? turned<LateSlipSystem>(steps, told) : turned<RigidBodySystem>(steps, told);
 }
 
 void check_turn(Findings& findings, const Setup& setup) {

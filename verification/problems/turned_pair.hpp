@@ -1,0 +1,82 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/dynamics/dynamics.hpp"
+
+/// Two discs that touch and hold each other by friction, turned as one.
+namespace talus::verification::problems::turned_pair {
+
+inline constexpr double radius_a = 1.0, radius_b = 0.5, overlap = 0.0625, distance = radius_a + radius_b - overlap;
+inline constexpr double normal_stiffness = 64.0, slip_stiffness = 32.0, first_stretch = 0.0078125;
+
+/// Bodies "a" and "b", contact "touch".
+[[nodiscard]] Model model();
+
+/// Puts the pair at some angle, of a step of unit time that takes it on by `turn`.
+void place(State& state, double angle, double turn, bool b_spins);
+
+/// What a turn of so many steps left: changes of the stretch, and the largest of force and energy on the way.
+struct Turn {
+  double stretch{};       ///< at the end
+  double force{};         ///< on B, in the pair's own directions: along the line of centres
+  double drag{};          ///< and across it, less what the change of stretch explains
+  double energy{};        ///< stored, at the end
+  double stretch_back{};  ///< after the turn and the same turn back
+};
+
+/// What a fault makes of a turn.
+struct Faults {
+  bool b_stands{};           ///< one disc does not spin
+  bool looked_from_world{};  ///< forces are looked at in directions that do not turn
+};
+
+/// Turns the pair once round by steps of unit time, forth and, without looking, back.
+template <class System>
+Turn turned(long steps, const Faults& faults) {
+  const Dynamics dynamics{model()};
+  System system{dynamics};
+  Workspace work = dynamics.workspace();
+  State state = rest_state(dynamics.model());
+  const double turn = 2.0 * std::numbers::pi / static_cast<double>(steps);
+  place(state, 0.0, turn, !faults.b_stands);
+  state.z[0] = first_stretch;
+  system.begin(state);
+  const auto force_at = [&](double angle) {
+    const double frame = faults.looked_from_world ? 0.0 : angle;
+    Rates rates{state};
+    system.evaluate(state, rates);
+    const Vec2 f{rates.v[3], rates.v[4]};
+    return Vec2{f.x * std::cos(frame) + f.y * std::sin(frame), f.y * std::cos(frame) - f.x * std::sin(frame)};
+  };
+  const Vec2 first = force_at(0.0);
+  dynamics.update(state, work);
+  const double energy = dynamics.energies(state, work).contacts;
+  Turn found;
+  for (long n = 0; n < steps; ++n) {
+    place(state, turn * static_cast<double>(n), turn, !faults.b_stands);
+    system.drift(state, 1.0);
+    const Vec2 change = force_at(turn * static_cast<double>(n + 1)) - first;
+    found.force = std::max(found.force, std::abs(change.x));
+    found.drag = std::max(found.drag, std::abs(change.y + slip_stiffness * (state.z[0] - first_stretch)));
+  }
+  found.stretch = state.z[0] - first_stretch;
+  dynamics.update(state, work);
+  found.energy = dynamics.energies(state, work).contacts - energy;
+  for (long n = steps; n > 0; --n) {
+    place(state, turn * static_cast<double>(n), -turn, !faults.b_stands);
+    system.drift(state, 1.0);
+  }
+  found.stretch_back = state.z[0] - first_stretch;
+  return found;
+}
+
+/// The stretch that a turn of so many steps adds: centres go along chords, over which the spins roll.
+[[nodiscard]] inline double exact_drift(long steps) {
+  const double half = std::numbers::pi / static_cast<double>(steps);
+  return 2.0 * static_cast<double>(steps) * distance * (std::sin(half) - half * std::cos(half));
+}
+
+}  // namespace talus::verification::problems::turned_pair
