@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "solver/base/vec.hpp"
+
+namespace talus {
+
+/// The plane, or a strip or rectangle of it that repeats itself. The rectangle above may slide over the one below at a
+/// constant rate (Lees & Edwards 1972): uniform shear without walls.
+struct PeriodicBox {
+  static constexpr double endless = std::numeric_limits<double>::infinity();
+
+  double width{endless};   ///< period along x [L] > 0
+  double height{endless};  ///< period along y [L] > 0
+  double shear_rate{};     ///< du/dy of the mean flow [1/T]; needs a height
+
+  bool repeats_x() const { return width < endless; }
+  bool repeats_y() const { return height < endless; }
+  /// Velocity of the box above over this one [L/T].
+  double sliding() const { return repeats_y() ? shear_rate * height : 0.0; }
+  /// How far the box above has slid at a time, less whole widths: within half a width [L].
+  double offset(double t) const {
+    if (sliding() == 0.0) return 0.0;
+    const double way = sliding() * t;
+    return way - width * std::round(way / width);
+  }
+
+  /// An image of a point: so many boxes to the right and up.
+  struct Image {
+    double right{};
+    double up{};
+  };
+  /// The image of a point that is nearest to another, by their difference d = point - other.
+  Image nearest(Vec2 d, double at_offset) const {
+    Image image;
+    if (repeats_y()) image.up = -std::round(d.y / height);
+    if (repeats_x()) image.right = -std::round((d.x + image.up * at_offset) / width);
+    return image;
+  }
+  /// From a point to its image [L].
+  Vec2 shift(Image image, double at_offset) const {
+    return {(image.right == 0.0 ? 0.0 : image.right * width) + (image.up == 0.0 ? 0.0 : image.up * at_offset),
+            image.up == 0.0 ? 0.0 : image.up * height};
+  }
+};
+
+}  // namespace talus

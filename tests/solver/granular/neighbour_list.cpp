@@ -1,0 +1,124 @@
+#define BOOST_TEST_MODULE neighbour_list
+#include "solver/granular/neighbour_list.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "solver/base/error.hpp"
+
+using namespace talus;
+
+namespace {
+
+struct Packing {
+  DiscShapes shapes;
+  Discs discs;
+};
+
+/// Discs anywhere in a box, of radii between .5 and 1, some of them held.
+Packing scattered(std::size_t count, double width, double height, unsigned seed) {
+  std::mt19937 random{seed};
+  std::uniform_real_distribution<double> unit{0.0, 1.0};
+  Packing packing;
+  for (std::size_t i = 0; i < count; ++i) {
+    packing.shapes.add(0.5 + 0.5 * unit(random), i % 5 == 0 ? 0.0 : 1.0);
+    packing.discs.add(width * (unit(random) - 0.5), height * (unit(random) - 0.5), 0.0, 0.0);
+  }
+  return packing;
+}
+
+/// Distance between surfaces of the nearest images, by trying many.
+double gap(const Packing& p, const PeriodicBox& box, std::size_t i, std::size_t j) {
+  double least = 1e300;
+  for (int up = -2; up <= 2; ++up) {
+    for (int right = -3; right <= 3; ++right) {
+      if ((up != 0 && !box.repeats_y()) || (right != 0 && !box.repeats_x())) continue;
+      const double dx = p.discs.x[j] - p.discs.x[i] + (right == 0 ? 0.0 : right * box.width) +
+                        (up == 0 ? 0.0 : up * box.sliding() * p.discs.t);
+      const double dy = p.discs.y[j] - p.discs.y[i] + (up == 0 ? 0.0 : up * box.height);
+      least = std::min(least, std::hypot(dx, dy));
+    }
+  }
+  return least - p.shapes.radius[i] - p.shapes.radius[j];
+}
+
+const std::array boxes{PeriodicBox{}, PeriodicBox{.width = 20.0}, PeriodicBox{.width = 20.0, .height = 12.0},
+                       PeriodicBox{.width = 20.0, .height = 12.0, .shear_rate = 0.7},
+                       PeriodicBox{.width = 9.0, .height = 30.0, .shear_rate = -2.0}};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(all_pairs_within_the_skin_and_no_others_are_listed_in_order) {
+  for (const PeriodicBox& box : boxes) {
+    for (const double t : {0.0, 0.3, 1.1, 1.9}) {
+      Packing p = scattered(120, std::min(box.width, 30.0), std::min(box.height, 25.0), 3);
+      p.discs.t = t;
+      if (box.shear_rate * box.height * t > 1.5 * box.width) continue;  // as far as gap() tries
+      NeighbourList list{box, 0.3};
+      list.build(p.shapes, p.discs);
+      std::size_t pair = 0;
+      std::array<NeighbourList::Shift, NeighbourList::images> shifts;
+      list.shifts(t, shifts);
+      for (std::size_t i = 0; i < p.discs.size(); ++i) {
+        for (std::size_t j = i + 1; j < p.discs.size(); ++j) {
+          const double apart = gap(p, box, i, j);
+          const bool held = p.shapes.inverse_mass[i] == 0.0 && p.shapes.inverse_mass[j] == 0.0;
+          if (apart >= 0.3 || held) {
+            BOOST_TEST(list.find(i, j) == list.size());
+            continue;
+          }
+          BOOST_TEST(list.find(i, j) == pair);
+          const NeighbourList::Shift& shift = shifts[list.image(pair)];
+          const double distance =
+              std::hypot(p.discs.x[j] - p.discs.x[i] + shift.x, p.discs.y[j] - p.discs.y[i] + shift.y);
+          BOOST_TEST(std::abs(distance - p.shapes.radius[i] - p.shapes.radius[j] - apart) < 1e-12);
+          ++pair;
+        }
+      }
+      BOOST_TEST(list.size() == pair);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_list_lasts_as_long_as_its_skin) {
+  Packing p = scattered(30, 20.0, 20.0, 5);
+  NeighbourList list{PeriodicBox{}, 0.5};
+  list.build(p.shapes, p.discs);
+  list.use(0.3);
+  BOOST_TEST(list.valid());
+  list.use(0.3);
+  BOOST_TEST(!list.valid());
+  list.build(p.shapes, p.discs);
+  BOOST_TEST(list.valid());
+}
+
+BOOST_AUTO_TEST_CASE(what_leaves_the_box_comes_back_into_it) {
+  const PeriodicBox box{.width = 20.0, .height = 12.0, .shear_rate = 0.5};
+  Discs discs;
+  discs.t = 1.5;  // the box above is 9 to the right
+  discs.add(10.5, 0.0, 1.0, 2.0);
+  discs.add(0.0, 6.5, 1.0, 2.0);
+  discs.add(-9.0, -6.5, 1.0, 2.0);
+  discs.add(3.0, 4.0, 1.0, 2.0);
+  wrap(box, discs);
+  BOOST_TEST(discs.x[0] == -9.5);
+  BOOST_TEST(discs.x[1] == -9.0);
+  BOOST_TEST(discs.y[1] == -5.5);
+  BOOST_TEST(discs.vx[1] == -5.0);
+  BOOST_TEST(discs.x[2] == 0.0);
+  BOOST_TEST(discs.y[2] == 5.5);
+  BOOST_TEST(discs.vx[2] == 7.0);
+  BOOST_TEST(discs.x[3] == 3.0);
+  BOOST_TEST(discs.vx[3] == 1.0);
+}
+
+BOOST_AUTO_TEST_CASE(boxes_that_are_too_small_are_refused) {
+  Packing p = scattered(5, 4.0, 4.0, 1);
+  NeighbourList list{PeriodicBox{.width = 4.0}, 0.3};
+  BOOST_CHECK_THROW(list.build(p.shapes, p.discs), InputError);
+}
