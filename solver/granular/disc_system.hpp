@@ -34,10 +34,11 @@ class DiscSystem {
   /// skin [L] > 0: how far beyond contact the neighbour list reaches.
   DiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin)
       : shapes_{std::move(shapes)}, law_{law}, list_{box, skin} {
-    std::size_t groups = 0;
-    for (const std::size_t group : shapes_.group)
-      groups = std::max(groups, group + 1);
-    group_forces_.resize(groups);
+    wall_forces_.resize(shapes_.walls.size() + 1);
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      const std::size_t wall = shapes_.wall[i];
+      if (wall != DiscShapes::free && shapes_.walls[wall - 1].mass > 0.0) moved_.push_back(i);
+    }
   }
 
   const DiscShapes& shapes() const { return shapes_; }
@@ -46,8 +47,8 @@ class DiscSystem {
   /// Times that the list was built.
   long builds() const { return builds_; }
   long evaluations() const { return evaluations_; }
-  /// Sum of the contact forces on each group at the last evaluation [F].
-  const std::vector<Vec2>& group_forces() const { return group_forces_; }
+  /// Sum of the contact forces on a wall at the last evaluation [F].
+  Vec2 wall_force(std::size_t wall) const { return wall_forces_[wall]; }
 
   /// Before the first step: contacts that are there have no past.
   void begin(Discs& discs) {
@@ -80,6 +81,8 @@ class DiscSystem {
       discs.vx[j] += b * force.x, discs.vy[j] += b * force.y;
     });
     discs.dissipated += h * power;
+    for (const std::size_t i : moved_)
+      discs.vy[i] += h * wall_acceleration(shapes_.wall[i]);
   }
 
   /// Brings the modes up to date and sums the accelerations.
@@ -91,6 +94,8 @@ class DiscSystem {
       out.ax[i] -= a * force.x, out.ay[i] -= a * force.y;
       out.ax[j] += b * force.x, out.ay[j] += b * force.y;
     });
+    for (const std::size_t i : moved_)
+      out.ay[i] = wall_acceleration(shapes_.wall[i]);
   }
 
   /// A pair that touches, as it stands.
@@ -106,7 +111,7 @@ class DiscSystem {
   void for_each_contact(const Discs& discs, Visit&& visit) const {
     std::array<NeighbourList::Shift, NeighbourList::images> shifts;
     list_.shifts(discs.t, shifts);
-    for (std::size_t a = 0; a < discs.size(); ++a) {
+    for (std::size_t a = 0; a < list_.discs(); ++a) {
       for (std::size_t pair = list_.begin(a); pair < list_.end(a); ++pair) {
         if (modes_[pair] == 0) continue;
         const std::size_t b = list_.second(pair);
@@ -129,7 +134,7 @@ class DiscSystem {
   template <class Act>
   double evaluate_pairs(Discs& discs, Act&& act) {
     ++evaluations_;
-    std::fill(group_forces_.begin(), group_forces_.end(), Vec2{});
+    std::fill(wall_forces_.begin(), wall_forces_.end(), Vec2{});
     std::array<NeighbourList::Shift, NeighbourList::images> shifts;
     list_.shifts(discs.t, shifts);
     double power = 0.0;
@@ -151,13 +156,19 @@ class DiscSystem {
         if (mode == 0) continue;
         const LawForce force = law_(kinematics, memory, mode);
         const Vec2 on_second = force.total() * n;
-        if (shapes_.group[i] != 0) group_forces_[shapes_.group[i]] -= on_second;
-        if (shapes_.group[j] != 0) group_forces_[shapes_.group[j]] += on_second;
+        if (shapes_.wall[i] != DiscShapes::free) wall_forces_[shapes_.wall[i]] -= on_second;
+        if (shapes_.wall[j] != DiscShapes::free) wall_forces_[shapes_.wall[j]] += on_second;
         power += force.dissipative * closing;
         act(i, j, on_second);
       }
     }
     return power;
+  }
+
+  /// Of a wall with a mass, along y [L/T^2].
+  double wall_acceleration(std::size_t wall) const {
+    const DiscWall& moved = shapes_.walls[wall - 1];
+    return wall_forces_[wall].y / moved.mass - moved.gravity;
   }
 
   /// Lists the pairs anew; what contacts remember goes with them.
@@ -188,10 +199,11 @@ class DiscSystem {
   DiscShapes shapes_;
   L law_;
   NeighbourList list_;
-  double reach_{};              ///< of the list, between centres [L]
-  std::vector<Mode> modes_;     ///< one for each pair
-  std::vector<double> memory_;  ///< of each pair, as much as the law keeps
-  std::vector<Vec2> group_forces_;
+  double reach_{};                       ///< of the list, between centres [L]
+  std::vector<Mode> modes_;              ///< one for each pair
+  std::vector<double> memory_;           ///< of each pair, as much as the law keeps
+  std::vector<Vec2> wall_forces_;        ///< the first of no wall
+  std::vector<std::size_t> moved_;       ///< discs of walls with a mass
   std::vector<double> old_vx_, old_vy_;  ///< from before the kick
   long builds_{};
   long evaluations_{};
