@@ -169,7 +169,7 @@ void ContactForces::update_all(Workspace& work) const {
   for_each_array(laws_, [&](const auto& array) { update_gaps(array, nullptr, work); });
 }
 
-void ContactForces::update_far(double ahead, Workspace& work) const {
+void ContactForces::update_far(double ahead, double pull, Workspace& work) const {
   bool any = false;
   for (std::size_t c = 0; c < candidates(); ++c) {
     char& near = work.near[c];
@@ -177,7 +177,7 @@ void ContactForces::update_far(double ahead, Workspace& work) const {
     const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
     if (near) {
       near = Workspace::known;
-    } else if (!out_of_reach(pair, A, B, ahead * largest_closing_speed(pair, A, B))) {
+    } else if (!out_of_reach(pair, A, B, ahead * (largest_closing_speed(pair, A, B) + 0.5 * pull * ahead))) {
       near = Workspace::wanted;
       any = true;
     }

@@ -68,9 +68,9 @@ class ContactForces {
   void update(const State& state, Workspace& work) const;
   /// Gaps of all pairs.
   void update_all(Workspace& work) const;
-  /// After update(): the gaps that it left out, but of bodies that at their present speed do not come within reach of
-  /// each other in the time ahead [T].
-  void update_far(double ahead, Workspace& work) const;
+  /// After update(): the gaps that it left out, but of bodies that at their present speed, and under this pull [L/T^2],
+  /// do not come within reach of each other in the time ahead [T].
+  void update_far(double ahead, double pull, Workspace& work) const;
   /// Before the first settle() of a run: friction within reach sticks, so that what pushes keeps the stretch it has.
   void begin(State& state, const Workspace& work) const;
   void settle(State& state, const Workspace& work) const;

@@ -42,8 +42,7 @@ bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const 
 std::optional<double> EventSearch::find(EventfulSystem& system, const State& begin, double end, const State& near_end,
                                         bool same, const Motion& motion) {
   std::swap(before_, guards_);
-  ahead_ = steps_ahead * (end - begin.t);
-  system.guards(near_end, same, ahead_, guards_);
+  system.guards(near_end, same, steps_ahead * (end - begin.t), guards_);
   bool near = false, worse = false;
   for (std::size_t i = 0; i < guards_.size(); ++i) {
     if (guards_[i] == endless) continue;
@@ -121,7 +120,7 @@ std::optional<double> EventSearch::dip(double begin, double end) const {
 void EventSearch::look_at(EventfulSystem& system, const State& begin, double t, const Motion& motion) {
   motion(t, looked_at_);
   looked_at_.mode = begin.mode;
-  system.guards(looked_at_, false, ahead_, looked_);
+  system.guards(looked_at_, false, endless, looked_);
 }
 
 /// Lists the guards that are past their end where they were looked at, of those that were not since the piece began.

@@ -58,7 +58,6 @@ class EventSearch {
   // Scratch of a step.
   std::vector<double> before_, looked_;
   std::vector<std::size_t> ended_;  ///< guards that are past their end at the end of the search
-  double ahead_{};                  ///< for how long guards are asked for [T]
   State looked_at_;
   std::vector<Mode> modes_;
 };

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -56,10 +57,11 @@ Growth growth(double e, double eta, Findings& findings) {
   const double xi = reference::damping_ratio(e, reference::EndRule::clamped);
   const SqueezedRuns disc{{.frequency = 100.0, .damping_ratio = xi}};
   const double start = eta < 0.3 ? 1e-3 : 1e-4;
-  std::vector<Deviation> all = disc.run(VelocityVerlet{}, eta, 6, start);
+  std::vector<Deviation> all = disc.run(VelocityVerlet{}, eta, 6, {start, 0.0});
   all.erase(all.begin());
   findings.count(6);
-  return {reference::ln_multiplier(all, 2, 1e-9), reference::ln_growth(reference::Scheme::half_step, eta, xi)};
+  return {reference::ln_multiplier(std::array{all}, 2, 1e-9),
+          reference::ln_growth(reference::Scheme::half_step, eta, xi)};
 }
 
 }  // namespace

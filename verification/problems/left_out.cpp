@@ -202,7 +202,7 @@ Case left_out() {
                   "columns awake in .05 s, as tight: with 1,001 over with 101"},
                  {"pair_forgotten", "one of the yard's pairs never found",
                   "yard: state at the end from that with every pair, largest difference"},
-                 {"no_time_ahead", "located events without the guards of bodies that are not near yet",
+                 {"no_time_ahead", "located events without the guards of what does not act yet",
                   "yard, located events: state from that with every guard, largest difference"},
                  {"line_of_another", "one cable's law stiffer by 1e-15",
                   "tensions of rows of cables from those of the laws, one by one, largest difference over a run"}},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -67,10 +68,12 @@ class EveryPair {
   Rates rates_;
 };
 
-/// Asks for no guard of bodies out of each other's reach, however fast they come.
+/// Looks out for nothing that does not act yet.
 struct ShortSighted : RigidBodySystem {
-  void guards(const State& state, bool same, double, std::vector<double>& out) {
-    RigidBodySystem::guards(state, same, 0.0, out);
+  void guards(const State& state, bool same, double ahead, std::vector<double>& out) {
+    RigidBodySystem::guards(state, same, ahead, out);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] = state.mode[i] == 0 ? std::numeric_limits<double>::infinity() : out[i];
   }
 };
 
