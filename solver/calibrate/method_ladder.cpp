@@ -39,7 +39,7 @@ double resolving_steps(const Dynamics& dynamics, const Scene& scene) {
   }
   Workspace work = dynamics.workspace();
   dynamics.update_all(scene.initial, work);
-  const double passing = duration / dynamics.longest_step(scene.initial, work);
+  const double passing = duration / dynamics.longest_step(work);
   return std::ceil(std::max({64.0, 4.0 * duration * fastest / std::numbers::pi, passing}));
 }
 

@@ -333,9 +333,12 @@ bool CableForces::follows(const State& state) const {
   return found;
 }
 
-void CableForces::guards(const State& state, const Workspace& work, std::span<double> out) const {
-  for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    out[slot.mode] = law.guard(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);
+void CableForces::guards(const State& state, const Workspace& work, double ahead, std::span<double> out) const {
+  for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, const CableRun& run) {
+    if (run.quiet && stays_straight(run, &rest_lengths_[run.cable], work.lines, work.paths, ahead)) return;
+    for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
+      out[slot.mode] = law.guard(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);
+    });
   });
   for (std::size_t h = 0; h < holders_.size(); ++h) {
     if (state.mode[first_hanger_ + h] == 0)

@@ -199,17 +199,15 @@ void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledge
   bodies_.rates(work, out, ledger);
 }
 
-void Dynamics::guards(const State& state, const Workspace& work, std::span<double> out) const {
+void Dynamics::guards(const State& state, const Workspace& work, std::span<double> out, double ahead) const {
   std::fill(out.begin(), out.end(), std::numeric_limits<double>::infinity());
   contacts_.guards(state, work, out);
-  cables_.guards(state, work, out);
+  cables_.guards(state, work, ahead, out);
 }
 
 bool Dynamics::follows(const State& state) const { return contacts_.follows(state) || cables_.follows(state); }
 
-double Dynamics::longest_step(const State& state, Workspace& work) const {
-  if (contacts_.candidates() == 0) return std::numeric_limits<double>::infinity();
-  bodies_.update(state, work);
+double Dynamics::longest_step(const Workspace& work) const {
   return contacts_.passing(work, norm(model_.gravity)).longest_step;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -60,13 +61,15 @@ class Dynamics {
   /// Rates of change in the state's modes; with `ledger` off the powers and impulses are left at zero.
   void rates(const State& state, Workspace& work, Rates& out, bool ledger = true) const;
   /// Guards of all law instances and hangers in the state's modes, by mode slot; positive while the mode lasts, and
-  /// infinite where nothing can end it from here.
-  void guards(const State& state, const Workspace& work, std::span<double> out) const;
+  /// infinite where nothing can end it from here, or, for rows of cables on straight lines, at their rates nothing does
+  /// in the time ahead [T].
+  void guards(const State& state, const Workspace& work, std::span<double> out,
+              double ahead = std::numeric_limits<double>::infinity()) const;
 
   /// Whether some memory is taken along by settle() alone, in the state's modes.
   [[nodiscard]] bool follows(const State& state) const;
-  /// The longest step [T] from here in which no body can pass another unseen; infinite where none can.
-  [[nodiscard]] double longest_step(const State& state, Workspace& work) const;
+  /// After update(): the longest step [T] from here in which no body can pass another unseen; infinite where none can.
+  [[nodiscard]] double longest_step(const Workspace& work) const;
   /// Of each coordinate, the length [L] by which one unit moves its body: 1, or the radius of gyration.
   [[nodiscard]] std::vector<double> lengths() const;
   /// After update(): the linear piece that the state is in, of a model without obstacle_to_closed_form().

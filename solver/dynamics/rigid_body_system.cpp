@@ -41,7 +41,7 @@ void RigidBodySystem::guards(const State& state, bool same, double ahead, std::v
   if (!same) dynamics_->update(state, work_);
   dynamics_->update_far(ahead, work_);
   out.resize(state.mode.size());
-  dynamics_->guards(state, work_, out);
+  dynamics_->guards(state, work_, out, ahead);
 }
 
 void RigidBodySystem::count() {

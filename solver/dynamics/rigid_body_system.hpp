@@ -32,7 +32,8 @@ class RigidBodySystem {
   /// not touch in the time ahead [T] they are infinite. No force evaluation.
   void guards(const State& state, bool same, double ahead, std::vector<double>& out);
   bool follows(const State& state) const { return dynamics_->follows(state); }
-  double longest_step(const State& state) { return dynamics_->longest_step(state, work_); }
+  /// From the state that was looked at last.
+  double longest_step() const { return dynamics_->longest_step(work_); }
   std::vector<double> lengths() const { return dynamics_->lengths(); }
   /// The linear piece of the state whose derivative was the last.
   void affine_piece(const State& state, AffinePiece& out) const { dynamics_->affine_piece(state, work_, out); }

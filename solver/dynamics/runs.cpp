@@ -1,5 +1,6 @@
 #include "solver/dynamics/runs.hpp"
 
+#include <cmath>
 #include <cstddef>
 
 #include "solver/base/pack.hpp"
@@ -110,6 +111,17 @@ TALUS_CLONES bool pull_straight(const CableRun& run, const double* across_square
     const double extent = length - rest_length[i];
     tension[i] = stiffness[i] * (extent - natural[i]);
     return (extent > low[i]) & (extent < high[i]);
+  });
+  return left == 0;
+}
+
+TALUS_CLONES bool stays_straight(const CableRun& run, const double* rest_length, const CableLines& lines,
+                                 const Paths& paths, double ahead) {
+  const double *const low = &lines.low[run.cable], *const high = &lines.high[run.cable];
+  const double *const length = &paths.length[run.cable], *const rate = &paths.length_rate[run.cable];
+  const std::size_t left = count_lanes(run.count, [&](std::size_t i) {
+    const double extent = length[i] - rest_length[i], way = ahead * std::abs(rate[i]);
+    return !((extent - low[i] > way) & (high[i] - extent > way));
   });
   return left == 0;
 }

@@ -19,6 +19,10 @@ void lay_paths(const CableRun& run, const double* across_squared, const JointPoi
 bool pull_straight(const CableRun& run, const double* across_squared, const double* rest_length,
                    const CableLines& lines, const JointPoints& joints, Paths& paths);
 
+/// Whether, after pull_straight(), all of them stay on their lines for the time ahead [T] at the rates they have.
+bool stays_straight(const CableRun& run, const double* rest_length, const CableLines& lines, const Paths& paths,
+                    double ahead);
+
 /// Adds the tensions of neighbouring cables, times the share of each end, to the joints at both ends.
 void sum_pulls(const CableRun& run, const double* share_a, const double* share_b, const Paths& paths,
                JointPoints& joints);

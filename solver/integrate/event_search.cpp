@@ -29,12 +29,14 @@ bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const 
   earlier_.clear();
   system.guards(start, true, endless, guards_);
   dormant_.resize(guards_.size());
-  ended_.reserve(guards_.size());
+  ended_.reserve(guards_.size()), finite_.reserve(guards_.size());
   bool in_doubt = false;
+  any_dormant_ = false;
   for (std::size_t i = 0; i < guards_.size(); ++i) {
     const bool lasted = dormant_[i] != 0.0 && before[i] == start.mode[i];
     dormant_[i] = guards_[i] > 0.0 ? 0.0 : lasted ? 2.0 : 1.0;
     in_doubt = in_doubt || dormant_[i] == 1.0;
+    any_dormant_ = any_dormant_ || dormant_[i] != 0.0;
   }
   return in_doubt;
 }
@@ -43,9 +45,9 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
                                         bool same, const Motion& motion) {
   std::swap(before_, guards_);
   system.guards(near_end, same, steps_ahead * (end - begin.t), guards_);
+  list_finite();
   bool near = false, worse = false;
-  for (std::size_t i = 0; i < guards_.size(); ++i) {
-    if (guards_[i] == endless) continue;
+  for (const std::size_t i : finite_) {
     if (dormant_[i] == 0.0) {
       near = near || may_have_ended(i);
     } else {
@@ -67,7 +69,7 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
     // A mode that began at its very end, and goes on past it, ends with the first short step.
     if (worse) return end;
     // What has come out of its end is looked at from the next step on.
-    for (std::size_t i = 0; i < guards_.size(); ++i)
+    for (std::size_t i = 0; any_dormant_ && i < guards_.size(); ++i)
       dormant_[i] = guards_[i] > 0.0 ? 0.0 : dormant_[i];
     std::swap(earlier_, before_);
     earlier_time_ = begin.t;
@@ -86,6 +88,17 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
   return found.second;
 }
 
+/// Lists the guards that are finite at the end of the last step: the others have not ended and did not dip.
+void EventSearch::list_finite() {
+  finite_.resize(guards_.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < guards_.size(); ++i) {
+    finite_[count] = i;
+    count += guards_[i] != endless ? 1 : 0;
+  }
+  finite_.resize(count);
+}
+
 bool EventSearch::may_have_ended(std::size_t guard) const {
   const double change = std::abs(before_[guard] - guards_[guard]);
   return guards_[guard] <= (std::isfinite(change) ? 1e-3 * change : 0.0);
@@ -99,9 +112,8 @@ std::optional<double> EventSearch::dip(double begin, double end) const {
   double least = std::numeric_limits<double>::infinity();
   const double b = end - begin;
   const double per_a = 1.0 / (begin - earlier_time_), per_b = 1.0 / b, per_both = 1.0 / (end - earlier_time_);
-  for (std::size_t i = 0; i < guards_.size(); ++i) {
-    // What nothing could end before or after is infinite: nothing holds of what follows from it.
-    if (guards_[i] == endless) continue;
+  for (const std::size_t i : finite_) {
+    // What nothing could end before is infinite: nothing holds of what follows from it.
     const double from = (before_[i] - earlier_[i]) * per_a, to = (guards_[i] - before_[i]) * per_b;
     const double curvature = (to - from) * per_both;  // half the second derivative
     if (!(curvature > 0.0) || !std::isfinite(curvature) || dormant_[i] != 0.0) continue;
@@ -159,6 +171,7 @@ void EventSearch::remember(Memory& memory, std::size_t modes) {
   memory.list("earlier", earlier_);
   memory.number("earlier_time", earlier_time_);
   memory.list("dormant", dormant_);
+  memory.flag("any_dormant", any_dormant_);
   if (guards_.size() != dormant_.size() || (!guards_.empty() && guards_.size() != modes))
     throw InputError{fmt::format("guards: found {}, of which {} may be dormant; there must be {}", guards_.size(),
                                  dormant_.size(), modes)};

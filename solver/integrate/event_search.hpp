@@ -43,6 +43,7 @@ class EventSearch {
   void remember(Memory& memory, std::size_t modes);
 
  private:
+  void list_finite();
   bool may_have_ended(std::size_t guard) const;
   std::optional<double> dip(double begin, double end) const;
   void look_at(EventfulSystem& system, const State& begin, double t, const Motion& motion);
@@ -54,10 +55,12 @@ class EventSearch {
   double earlier_time_{};        ///< and when that was
   std::vector<double> dormant_;  ///< of guards that are past their end since the piece began: 1, or 2 where the mode
                                  ///< was seen to last all the same (a slider whose limit falls)
+  bool any_dormant_{};           ///< one was, when the piece began
 
   // Scratch of a step.
   std::vector<double> before_, looked_;
-  std::vector<std::size_t> ended_;  ///< guards that are past their end at the end of the search
+  std::vector<std::size_t> finite_;  ///< guards that something may end
+  std::vector<std::size_t> ended_;   ///< guards that are past their end at the end of the search
   State looked_at_;
   std::vector<Mode> modes_;
 };

@@ -32,10 +32,10 @@ struct EventfulSystem {
   std::function<void(const State&, bool same, double ahead, std::vector<double>&)> guards;
   /// Brings modes and memory up to date.
   std::function<void(State&)> settle;
-  /// Whether some memory must be settled as the motion goes on, in the present modes.
+  /// Whether some memory must be settled as the motion goes on, in the state's modes.
   std::function<bool(const State&)> follows;
-  /// The longest step [T] in which no body can pass another unseen.
-  std::function<double(const State&)> longest_step;
+  /// The longest step [T] in which no body can pass another unseen, from the state that was looked at last.
+  std::function<double()> longest_step;
   /// Of each coordinate of a state, the length [L] that one unit of it moves its body by: the same at all times.
   std::function<std::vector<double>(const State&)> lengths;
   /// The linear piece that the state is in: none if the system has no such pieces.
@@ -57,7 +57,7 @@ EventfulSystem eventful(System& system) {
       system.guards(at, same, ahead, out);
     };
     asked.follows = [&system](const State& at) { return system.follows(at); };
-    asked.longest_step = [&system](const State& at) { return system.longest_step(at); };
+    asked.longest_step = [&system] { return system.longest_step(); };
     asked.lengths = [&system](const State&) { return system.lengths(); };
   } else {
     asked.lengths = [](const State& at) { return std::vector<double>(at.q.size(), 1.0); };

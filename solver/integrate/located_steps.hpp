@@ -86,6 +86,8 @@ class LocatedSteps {
     memory.flag("fresh", fresh_);
     motion_.remember(memory, end_);
     search_.remember(memory, end_.mode.size());
+    memory.number("longest_step", longest_);
+    memory.flag("follows", follows_);
     memory.number("event_time", event_time_);
     memory.count("events", events_);
     memory.count("crowd", crowd_);
@@ -114,15 +116,17 @@ class LocatedSteps {
 
   void begin_piece(EventfulSystem& system, double interval) {
     motion_.begin(system, end_, interval);
-    if (system.guards && search_.begin_piece(system, end_, begin_.mode)) motion_.hesitate();
     fresh_ = false;
+    if (!system.guards) return;
+    if (search_.begin_piece(system, end_, begin_.mode)) motion_.hesitate();
+    longest_ = system.longest_step();
+    follows_ = system.follows(end_);  // as long as no mode changes
   }
 
   void take_step(EventfulSystem& system, double t) {
     std::swap(begin_, end_);
-    double longest = system.longest_step ? system.longest_step(begin_) : std::numeric_limits<double>::infinity();
-    if (motion_.ends_at_outputs(system)) longest = std::min(longest, t - begin_.t);
-    failure_ = motion_.advance(system, begin_, end_, longest);
+    const double to_output = motion_.ends_at_outputs(system) ? t - begin_.t : longest_;
+    failure_ = motion_.advance(system, begin_, end_, std::min(longest_, to_output));
     if (!failure_.empty()) return std::swap(begin_, end_);
     const std::optional<double> event = system.guards ? find_event(system) : std::nullopt;
     if (event && *event < end_.t) {
@@ -132,7 +136,7 @@ class LocatedSteps {
     }
     motion_.complete(system, begin_, end_);
     if (event) return settle_event(system);
-    if (!system.follows || !system.follows(end_)) return;
+    if (!follows_) return;
     modes_ = end_.mode;
     system.settle(end_);
     if (end_.mode != modes_) ++events_, fresh_ = true;
@@ -140,8 +144,10 @@ class LocatedSteps {
 
   std::optional<double> find_event(EventfulSystem& system) {
     const auto near_end = motion_.near_end(end_);
-    return search_.find(system, begin_, end_.t, *near_end.state, near_end.same,
-                        [this](double t, State& out) { state_at(t, out); });
+    const std::optional<double> event = search_.find(system, begin_, end_.t, *near_end.state, near_end.same,
+                                                     [this](double t, State& out) { state_at(t, out); });
+    longest_ = system.longest_step();
+    return event;
   }
 
   void settle_event(EventfulSystem& system) {
@@ -158,7 +164,9 @@ class LocatedSteps {
   State end_;    ///< ... and at its end, in the modes after it
   Motion motion_;
   EventSearch search_;
-  bool fresh_{true};     ///< the motion is to begin anew from the end of the last step
+  bool fresh_{true};  ///< the motion is to begin anew from the end of the last step
+  double longest_{std::numeric_limits<double>::infinity()};  ///< the next step may be [T]
+  bool follows_{};       ///< some memory is to be settled after each step of the piece
   double event_time_{};  ///< of the last event
   long events_{};
   long crowd_{};  ///< events in a row with hardly any time between
