@@ -51,7 +51,8 @@ using Sizes [[gnu::vector_size(64)]] = std::int64_t;
 }
 
 /// The largest of all lanes.
-[[gnu::always_inline]] inline double largest(Sizes most) {
+[[gnu::always_inline]] inline double largest(const Sizes& sizes) {
+  Sizes most = sizes;
   raise(most, __builtin_shufflevector(most, most, 4, 5, 6, 7, 0, 1, 2, 3));
   raise(most, __builtin_shufflevector(most, most, 2, 3, 0, 1, 6, 7, 4, 5));
   raise(most, __builtin_shufflevector(most, most, 1, 0, 3, 2, 5, 4, 7, 6));
