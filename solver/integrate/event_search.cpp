@@ -19,8 +19,8 @@ std::string crowd_failure(double t) {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-/// Guards are asked for as far ahead as this many times the last step, which is as long as the next may be, so that
-/// none comes to its end in the first step that looks at it.
+/// Guards are asked for as far ahead as this many times the last step; the next is at most eight times as long, so that
+/// none should come to its end in the first step that looks at it. One that does is found there all the same.
 constexpr double steps_ahead = 16.0;
 
 }  // namespace
