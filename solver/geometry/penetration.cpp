@@ -60,7 +60,11 @@ double convex(const S& a, const Pose& A, const T& b, const Pose& B) {
   double low = best - part, high = best + part;
   for (int i = 0; i < 16; ++i) {
     const double left = high - golden * (high - low), right = low + golden * (high - low);
-    (towards(left) < towards(right) ? high : low) = towards(left) < towards(right) ? right : left;
+    if (towards(left) < towards(right)) {
+      high = right;
+    } else {
+      low = left;
+    }
   }
   return std::min({least, lowest, towards(0.5 * (low + high))});
 }

@@ -21,9 +21,12 @@ namespace talus {
 /// Forces that depend on velocity take that of before their kick: then the order is 1, and with the dashpot of an
 /// oscillator the error at equal work twice that of velocity Verlet. Some of its drifts and kicks go back in time: what
 /// a slider, a latch or a contact does on a way back is undone by no way forth.
-template <class Scalar>
+template <class StateType>
 class BlanesMoan4Of {
  public:
+  using Scalar = typename StateType::Number;
+  using Rates = typename StateType::Rates;
+
   static constexpr std::string_view name = "blanes_moan4";
   static constexpr int order = 4;
   static constexpr std::size_t stages = 6;
@@ -41,14 +44,14 @@ class BlanesMoan4Of {
     return {b1, b2, b3, b4, b3, b2, b1};
   }
 
-  template <Differentiable<Scalar> System>
-  void start(System& system, StateOf<Scalar>& state, Scalar) {
-    rates_ = RatesOf<Scalar>{state};
+  template <Evaluable<StateType> System>
+  void start(System& system, StateType& state, Scalar) {
+    rates_ = Rates{state};
     system.evaluate(state, rates_);
   }
 
-  template <Differentiable<Scalar> System>
-  void step(System& system, StateOf<Scalar>& state, Scalar h) {
+  template <Evaluable<StateType> System>
+  void step(System& system, StateType& state, Scalar h) {
     const auto kick = kicks();
     const auto drift = drifts();
     kick_velocities(state, rates_, kick[0] * h);
@@ -61,19 +64,20 @@ class BlanesMoan4Of {
   }
 
   template <class System>
-  const StateOf<Scalar>& synchronized(System&, const StateOf<Scalar>& state, Scalar) const {
+  const StateType& synchronized(System&, const StateType& state, Scalar) const {
     return state;
   }
 
-  void remember(Memory& memory, const State& like) requires std::same_as<Scalar, double> {
+  void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
     if (memory.puts_back()) rates_ = Rates{like};
-    memory.part("rates", [&] { talus::remember(memory, rates_); });
+    using talus::remember;
+    memory.part("rates", [&] { remember(memory, rates_); });
   }
 
  private:
-  RatesOf<Scalar> rates_;
+  Rates rates_;
 };
 
-using BlanesMoan4 = BlanesMoan4Of<double>;
+using BlanesMoan4 = BlanesMoan4Of<State>;
 
 }  // namespace talus

@@ -14,18 +14,20 @@ namespace talus {
 ///
 /// Between steps the state holds v at t and q at t + h/2. Dashpots see the velocity of before the kick (lagged), which
 /// makes the linear limit omega h < 2 (sqrt(1 + xi^2) - xi).
-template <class Scalar>
+template <class StateType>
 struct CentralDifferenceOf {
+  using Scalar = typename StateType::Number;
+
   static constexpr std::string_view name = "central_difference";
   static constexpr int order = 2;
 
-  template <Splittable<Scalar> System>
-  void start(System& system, StateOf<Scalar>& state, Scalar h) const {
+  template <Splittable<StateType> System>
+  void start(System& system, StateType& state, Scalar h) const {
     system.drift(state, h / 2);
   }
 
-  template <Splittable<Scalar> System>
-  void step(System& system, StateOf<Scalar>& state, Scalar h) const {
+  template <Splittable<StateType> System>
+  void step(System& system, StateType& state, Scalar h) const {
     system.kick(state, h);
     system.drift(state, h);
     state.t += h;
@@ -34,16 +36,16 @@ struct CentralDifferenceOf {
   /// Coordinates, and the memory that follows them, taken back by half a step with the present velocity: second order,
   /// and exact where no force acts.
   template <class System>
-  StateOf<Scalar> synchronized(System& system, const StateOf<Scalar>& state, Scalar h) const {
-    StateOf<Scalar> same_time = state;
+  StateType synchronized(System& system, const StateType& state, Scalar h) const {
+    StateType same_time = state;
     system.drift(same_time, -h / 2);
     return same_time;
   }
 
   /// Nothing: the stagger is in the state.
-  void remember(Memory&, const StateOf<Scalar>&) const {}
+  void remember(Memory&, const StateType&) const {}
 };
 
-using CentralDifference = CentralDifferenceOf<double>;
+using CentralDifference = CentralDifferenceOf<State>;
 
 }  // namespace talus

@@ -7,31 +7,39 @@
 
 namespace talus {
 
-/// A system whose motion can be advanced in two halves, each of them exact for its own part, in numbers of type Scalar.
+/// A system whose motion can be advanced in two halves, each of them exact for its own part. Its states are numbers of
+/// type StateType::Number.
 ///   drift(state, h)  moves the coordinates, and the memory that follows the motion, with the present velocities; no
 ///                    force is evaluated
 ///   kick(state, h)   brings the modes up to date, evaluates the forces once, advances velocities, work and impulse
-template <class S, class Scalar = double>
-concept Splittable = requires(S& system, StateOf<Scalar>& state, Scalar h) {
+template <class S, class StateType = State>
+concept Splittable = requires(S& system, StateType& state, typename StateType::Number h) {
   system.drift(state, h);
   system.kick(state, h);
 };
 
 /// A system that gives its rates of change, and drifts as above.
-///   settle(state)           brings the modes up to date with coordinates and velocities
-///   derivative(state, out)  rates in the state's present modes; one force evaluation; the same bits each time
-///   evaluate(state, out)    both at once, for one force evaluation
-template <class S, class Scalar = double>
-concept Differentiable = requires(S& system, StateOf<Scalar>& state, const StateOf<Scalar>& fixed,
-                                  RatesOf<Scalar>& rates, Scalar h) {
+///   settle(state)         brings the modes up to date with coordinates and velocities
+///   evaluate(state, out)  the same and the rates then, for one force evaluation
+template <class S, class StateType = State>
+concept Evaluable = requires(S& system, StateType& state, typename StateType::Rates& rates,
+                             typename StateType::Number h) {
   system.drift(state, h);
   system.settle(state);
-  system.derivative(fixed, rates);
   system.evaluate(state, rates);
 };
 
+/// One that also gives them for a state that it leaves as it is.
+///   derivative(state, out)  rates in the state's present modes; one force evaluation; the same bits each time
+template <class S, class StateType = State>
+concept Differentiable = Evaluable<S, StateType> &&
+    requires(S& system, const StateType& fixed, typename StateType::Rates& rates) {
+  system.derivative(fixed, rates);
+};
+
 /// A method of integration: it knows its system by one of the concepts above and nothing of bodies, files or observers.
-/// Methods of a fixed step are templates on the numbers that they step in; runs of scenes take them in double.
+/// Methods of a fixed step are templates on the states that they step, rigid bodies' or discs', in numbers of any kind
+/// (`StateType::Number`, `StateType::Rates`, and a function kick_velocities(state, rates, h)).
 /// Every method brings the modes up to date before each force evaluation: the classical way, and that of 1993.
 ///   name, order                     its name in scenes; its order on smooth motion
 ///   start(system, state, h)         once before the first step of length h (a staggered method shifts the state here)

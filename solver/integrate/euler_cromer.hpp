@@ -8,29 +8,31 @@ namespace talus {
 
 /// Semi-implicit (symplectic) Euler: v += h a(q, v), then q += h v (Cromer 1981). First order; the same map as the
 /// leapfrog methods but for the time at which its velocities are read.
-template <class Scalar>
+template <class StateType>
 struct EulerCromerOf {
+  using Scalar = typename StateType::Number;
+
   static constexpr std::string_view name = "euler_cromer";
   static constexpr int order = 1;
 
-  template <Splittable<Scalar> System>
-  void start(System&, StateOf<Scalar>&, Scalar) const {}
+  template <Splittable<StateType> System>
+  void start(System&, StateType&, Scalar) const {}
 
-  template <Splittable<Scalar> System>
-  void step(System& system, StateOf<Scalar>& state, Scalar h) const {
+  template <Splittable<StateType> System>
+  void step(System& system, StateType& state, Scalar h) const {
     system.kick(state, h);
     system.drift(state, h);
     state.t += h;
   }
 
   template <class System>
-  const StateOf<Scalar>& synchronized(System&, const StateOf<Scalar>& state, Scalar) const {
+  const StateType& synchronized(System&, const StateType& state, Scalar) const {
     return state;
   }
 
-  void remember(Memory&, const StateOf<Scalar>&) const {}
+  void remember(Memory&, const StateType&) const {}
 };
 
-using EulerCromer = EulerCromerOf<double>;
+using EulerCromer = EulerCromerOf<State>;
 
 }  // namespace talus

@@ -31,12 +31,10 @@ bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const 
   dormant_.resize(guards_.size());
   ended_.reserve(guards_.size()), finite_.reserve(guards_.size());
   bool in_doubt = false;
-  any_dormant_ = false;
   for (std::size_t i = 0; i < guards_.size(); ++i) {
     const bool lasted = dormant_[i] != 0.0 && before[i] == start.mode[i];
     dormant_[i] = guards_[i] > 0.0 ? 0.0 : lasted ? 2.0 : 1.0;
     in_doubt = in_doubt || dormant_[i] == 1.0;
-    any_dormant_ = any_dormant_ || dormant_[i] != 0.0;
   }
   return in_doubt;
 }
@@ -69,7 +67,7 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
     // A mode that began at its very end, and goes on past it, ends with the first short step.
     if (worse) return end;
     // What has come out of its end is looked at from the next step on.
-    for (std::size_t i = 0; any_dormant_ && i < guards_.size(); ++i)
+    for (std::size_t i = 0; i < guards_.size(); ++i)
       dormant_[i] = guards_[i] > 0.0 ? 0.0 : dormant_[i];
     std::swap(earlier_, before_);
     earlier_time_ = begin.t;
@@ -171,7 +169,6 @@ void EventSearch::remember(Memory& memory, std::size_t modes) {
   memory.list("earlier", earlier_);
   memory.number("earlier_time", earlier_time_);
   memory.list("dormant", dormant_);
-  memory.flag("any_dormant", any_dormant_);
   if (guards_.size() != dormant_.size() || (!guards_.empty() && guards_.size() != modes))
     throw InputError{fmt::format("guards: found {}, of which {} may be dormant; there must be {}", guards_.size(),
                                  dormant_.size(), modes)};

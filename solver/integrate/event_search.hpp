@@ -55,7 +55,6 @@ class EventSearch {
   double earlier_time_{};        ///< and when that was
   std::vector<double> dormant_;  ///< of guards that are past their end since the piece began: 1, or 2 where the mode
                                  ///< was seen to last all the same (a slider whose limit falls)
-  bool any_dormant_{};           ///< one was, when the piece began
 
   // Scratch of a step.
   std::vector<double> before_, looked_;

@@ -21,21 +21,24 @@ namespace talus {
 /// (inferred: the report's Eqs. 23-24 leave open which velocity a dashpot sees, its program kept an "old element
 /// velocity", and of the choices tried this one reproduces the printed states best). Not for new work: it damps less
 /// than it should and its limit of stability is lower than that of `central_difference`.
-template <class Scalar>
+template <class StateType>
 class LaggedCentralDifferenceOf {
  public:
+  using Scalar = typename StateType::Number;
+  using Rates = typename StateType::Rates;
+
   static constexpr std::string_view name = "lagged_central_difference";
   static constexpr int order = 2;
 
-  template <Differentiable<Scalar> System>
-  void start(System& system, StateOf<Scalar>& state, Scalar h) {
+  template <Evaluable<StateType> System>
+  void start(System& system, StateType& state, Scalar h) {
     old_velocity_ = state.v;
-    rates_ = RatesOf<Scalar>{state};
+    rates_ = Rates{state};
     system.drift(state, h / 2);
   }
 
-  template <Differentiable<Scalar> System>
-  void step(System& system, StateOf<Scalar>& state, Scalar h) {
+  template <Evaluable<StateType> System>
+  void step(System& system, StateType& state, Scalar h) {
     // Afterwards the state has the velocities of one step before, and those of this step are the old ones of the next.
     std::swap(state.v, old_velocity_);
     system.evaluate(state, rates_);
@@ -48,20 +51,20 @@ class LaggedCentralDifferenceOf {
 
   /// As for the central difference.
   template <class System>
-  StateOf<Scalar> synchronized(System& system, const StateOf<Scalar>& state, Scalar h) const {
-    return CentralDifferenceOf<Scalar>{}.synchronized(system, state, h);
+  StateType synchronized(System& system, const StateType& state, Scalar h) const {
+    return CentralDifferenceOf<StateType>{}.synchronized(system, state, h);
   }
 
-  void remember(Memory& memory, const State& like) requires std::same_as<Scalar, double> {
+  void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
     if (memory.puts_back()) rates_ = Rates{like}, old_velocity_ = like.v;
     memory.numbers("old_velocity", old_velocity_);
   }
 
  private:
   std::vector<Scalar> old_velocity_;
-  RatesOf<Scalar> rates_;
+  Rates rates_;
 };
 
-using LaggedCentralDifference = LaggedCentralDifferenceOf<double>;
+using LaggedCentralDifference = LaggedCentralDifferenceOf<State>;
 
 }  // namespace talus

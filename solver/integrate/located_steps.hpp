@@ -125,8 +125,8 @@ class LocatedSteps {
 
   void take_step(EventfulSystem& system, double t) {
     std::swap(begin_, end_);
-    const double to_output = motion_.ends_at_outputs(system) ? t - begin_.t : longest_;
-    failure_ = motion_.advance(system, begin_, end_, std::min(longest_, to_output));
+    const double longest = motion_.ends_at_outputs(system) ? std::min(longest_, t - begin_.t) : longest_;
+    failure_ = motion_.advance(system, begin_, end_, longest);
     if (!failure_.empty()) return std::swap(begin_, end_);
     const std::optional<double> event = system.guards ? find_event(system) : std::nullopt;
     if (event && *event < end_.t) {

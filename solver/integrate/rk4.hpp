@@ -12,20 +12,23 @@ namespace talus {
 
 /// The classical Runge-Kutta method of order 4 (Kutta 1901) with four force evaluations a step. Modes settle at every
 /// stage, so that across a change of mode it is a method of order 2 at best.
-template <class Scalar>
+template <class StateType>
 class RungeKutta4Of {
  public:
+  using Scalar = typename StateType::Number;
+  using Rates = typename StateType::Rates;
+
   static constexpr std::string_view name = "rk4";
   static constexpr int order = 4;
 
-  template <Differentiable<Scalar> System>
-  void start(System& system, StateOf<Scalar>& state, Scalar) {
-    rates_.fill(RatesOf<Scalar>{state});
+  template <Evaluable<StateType> System>
+  void start(System& system, StateType& state, Scalar) {
+    rates_.fill(Rates{state});
     system.settle(state);
   }
 
-  template <Differentiable<Scalar> System>
-  void step(System& system, StateOf<Scalar>& state, Scalar h) {
+  template <Evaluable<StateType> System>
+  void step(System& system, StateType& state, Scalar h) {
     const Scalar one{1};
     const std::array<Scalar, 4> node{Scalar{0}, one / 2, one / 2, one};
     const std::array<Scalar, 4> weight{one / 6, one / 3, one / 3, one / 6};
@@ -51,21 +54,21 @@ class RungeKutta4Of {
   }
 
   template <class System>
-  const StateOf<Scalar>& synchronized(System&, const StateOf<Scalar>& state, Scalar) const {
+  const StateType& synchronized(System&, const StateType& state, Scalar) const {
     return state;
   }
 
   /// Nothing but room for the stages.
-  void remember(Memory& memory, const State& like) requires std::same_as<Scalar, double> {
+  void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
     if (memory.puts_back()) rates_.fill(Rates{like});
   }
 
  private:
-  StateOf<Scalar> stage_;
-  std::array<RatesOf<Scalar>, 4> rates_;
+  StateType stage_;
+  std::array<Rates, 4> rates_;
   std::array<std::vector<Scalar>, 4> velocity_;
 };
 
-using RungeKutta4 = RungeKutta4Of<double>;
+using RungeKutta4 = RungeKutta4Of<State>;
 
 }  // namespace talus

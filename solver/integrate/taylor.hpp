@@ -12,21 +12,24 @@ namespace talus {
 /// of a constant acceleration come out exact; on all else it is of first order, as explicit Euler. Not for use but to
 /// compare with: without a dashpot its energy grows by 1 + (omega h)^2/2 a step, however short the step; with one of
 /// the damping ratio xi the limit is omega h < 4 xi (xi < 1/2), 1/xi beyond.
-template <class Scalar>
+template <class StateType>
 class TaylorOf {
  public:
+  using Scalar = typename StateType::Number;
+  using Rates = typename StateType::Rates;
+
   static constexpr std::string_view name = "taylor";
   static constexpr int order = 1;
 
-  template <Differentiable<Scalar> System>
-  void start(System& system, StateOf<Scalar>& state, Scalar) {
-    rates_ = RatesOf<Scalar>{state};
+  template <Evaluable<StateType> System>
+  void start(System& system, StateType& state, Scalar) {
+    rates_ = Rates{state};
     system.settle(state);
   }
 
   /// Two half kicks around the drift: the second half is of the same acceleration.
-  template <Differentiable<Scalar> System>
-  void step(System& system, StateOf<Scalar>& state, Scalar h) {
+  template <Evaluable<StateType> System>
+  void step(System& system, StateType& state, Scalar h) {
     system.evaluate(state, rates_);
     kick_velocities(state, rates_, h / 2);
     system.drift(state, h);
@@ -35,19 +38,19 @@ class TaylorOf {
   }
 
   template <class System>
-  const StateOf<Scalar>& synchronized(System&, const StateOf<Scalar>& state, Scalar) const {
+  const StateType& synchronized(System&, const StateType& state, Scalar) const {
     return state;
   }
 
   /// Nothing but room for the rates.
-  void remember(Memory& memory, const State& like) requires std::same_as<Scalar, double> {
+  void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
     if (memory.puts_back()) rates_ = Rates{like};
   }
 
  private:
-  RatesOf<Scalar> rates_;
+  Rates rates_;
 };
 
-using Taylor = TaylorOf<double>;
+using Taylor = TaylorOf<State>;
 
 }  // namespace talus

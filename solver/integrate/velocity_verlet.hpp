@@ -14,20 +14,23 @@ namespace talus {
 ///   v' = v + h/2 a_n;   q += h v';   a_{n+1} = a(q, v');   v = v' + h/2 a_{n+1}
 ///
 /// Its memory is a_n, evaluated at the half-step velocity v': dashpots see that velocity.
-template <class Scalar>
+template <class StateType>
 class VelocityVerletOf {
  public:
+  using Scalar = typename StateType::Number;
+  using Rates = typename StateType::Rates;
+
   static constexpr std::string_view name = "velocity_verlet";
   static constexpr int order = 2;
 
-  template <Differentiable<Scalar> System>
-  void start(System& system, StateOf<Scalar>& state, Scalar) {
-    rates_ = RatesOf<Scalar>{state};
+  template <Evaluable<StateType> System>
+  void start(System& system, StateType& state, Scalar) {
+    rates_ = Rates{state};
     system.evaluate(state, rates_);
   }
 
-  template <Differentiable<Scalar> System>
-  void step(System& system, StateOf<Scalar>& state, Scalar h) {
+  template <Evaluable<StateType> System>
+  void step(System& system, StateType& state, Scalar h) {
     kick_velocities(state, rates_, h / 2);
     system.drift(state, h);
     system.evaluate(state, rates_);
@@ -36,19 +39,20 @@ class VelocityVerletOf {
   }
 
   template <class System>
-  const StateOf<Scalar>& synchronized(System&, const StateOf<Scalar>& state, Scalar) const {
+  const StateType& synchronized(System&, const StateType& state, Scalar) const {
     return state;
   }
 
-  void remember(Memory& memory, const State& like) requires std::same_as<Scalar, double> {
+  void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
     if (memory.puts_back()) rates_ = Rates{like};
-    memory.part("rates", [&] { talus::remember(memory, rates_); });
+    using talus::remember;
+    memory.part("rates", [&] { remember(memory, rates_); });
   }
 
  private:
-  RatesOf<Scalar> rates_;
+  Rates rates_;
 };
 
-using VelocityVerlet = VelocityVerletOf<double>;
+using VelocityVerlet = VelocityVerletOf<State>;
 
 }  // namespace talus

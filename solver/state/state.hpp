@@ -32,9 +32,15 @@ inline constexpr std::size_t mechanism_count = mechanism_names.size();
 template <class Scalar>
 using Impulse = std::array<Scalar, 3>;
 
+template <class Scalar>
+struct RatesOf;
+
 /// All that changes during a run; numbers only, of type Scalar. What they belong to is known to the model's layout.
 template <class Scalar>
 struct StateOf {
+  using Number = Scalar;
+  using Rates = RatesOf<Scalar>;
+
   Scalar t{};                                  ///< time [T]
   std::vector<Scalar> q;                       ///< generalised coordinates [L or rad]
   std::vector<Scalar> v;                       ///< their rates [1/T of q]

@@ -56,14 +56,13 @@ struct Counts {
   long events{};
 };
 template <class System>
-Counts run(const Scene& scene, const Dynamics& dynamics, double tolerance, double end, int outputs) {
+Counts run(const Scene& scene, const Dynamics& dynamics, double tolerance, double end) {
   System system{dynamics};
   StormerCowell method;
   method.tolerance = tolerance;
   State state = scene.initial;
-  method.start(system, state, end / outputs);
-  for (int n = 0; n < outputs; ++n)
-    method.step(system, state, end / outputs);
+  method.start(system, state, end);
+  method.step(system, state, end);
   benchmark::DoNotOptimize(state);
   return {system.evaluations(), method.events()};
 }
@@ -100,12 +99,10 @@ void print_event_costs() {
   std::vector<std::array<Counts, 2>> counts;
   for (const Row& row : rows) {
     dynamics.push_back(std::make_unique<Dynamics>(row.scene.model));
-    const auto with = [&row, &by = *dynamics.back()] {
-      return run<NextGuards>(row.scene, by, row.tolerance, row.end, 1);
-    };
+    const auto with = [&row, &by = *dynamics.back()] { return run<NextGuards>(row.scene, by, row.tolerance, row.end); };
     const auto other = [&row, &by = *dynamics.back()] {
-      return row.without ? run<Unguarded>(row.scene, by, row.tolerance, row.end, 1)
-                         : run<AllGuards>(row.scene, by, row.tolerance, row.end, 1);
+      return row.without ? run<Unguarded>(row.scene, by, row.tolerance, row.end)
+                         : run<AllGuards>(row.scene, by, row.tolerance, row.end);
     };
     counts.push_back({with(), other()});
     tasks.push_back({row.what + "/located", [with] { with(); }});

@@ -63,7 +63,7 @@ Scene fence(const char* file, Sleep sleep) {
 
 BOOST_AUTO_TEST_CASE(what_is_taken_is_counted) {
   const long before = taken;
-  delete new int{};
+  ::operator delete(::operator new(8));  // called by name, which no compiler leaves out
   BOOST_TEST(taken == before + 1);
 }
 
@@ -89,5 +89,6 @@ BOOST_AUTO_TEST_CASE(exact_pieces_take_no_memory) {
 BOOST_AUTO_TEST_CASE(columns_that_wake_take_little) {
   // Only where a column wakes are the lists of what is awake laid anew.
   const Scene scene = fence("table_2.DAT", Sleep::on);
-  BOOST_TEST(taken_in_steps(scene, scene.integrator, 2e-6, 5000) < 5000);
+  const long found = taken_in_steps(scene, scene.integrator, 2e-6, 5000);
+  BOOST_TEST(found < 5000, found);
 }
