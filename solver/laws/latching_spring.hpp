@@ -48,8 +48,18 @@ struct LatchingSpring {
     if (mode != loading) return {};
     // What could be had back, (K1 d)^2/(2 K2), grows by this force; the rest of K1 d is lost.
     const double force = stiffness * x.extent, back = way_back(x.extent);
-    const double elastic = force * (stiffness / back) * (1.0 - 0.5 * growth * force / back);
-    return {elastic, force - elastic};
+    const double lost = force - force * (stiffness / back) * (1.0 - 0.5 * growth * force / back);
+    return {force - lost, lost};  // one of the differences is exact: both parts together are the force to the last bit
+  }
+
+  /// While the bodies overlap, loading, unloading and slack are one expression of the largest overlap (settled.hpp).
+  static constexpr bool needs_rate() { return false; }
+  template <class Number>
+  [[gnu::always_inline]] constexpr void settled(const Number& overlap, const Number&, Number& largest,
+                                                Number& force) const {
+    largest = overlap > largest ? overlap : largest;
+    force = stiffness * largest - (unloading_stiffness + growth * stiffness * largest) * (largest - overlap);
+    force = force > Number{} ? force : Number{};
   }
 
   constexpr double stored_energy(Kinematics x, std::span<const double> memory, Mode mode) const {
@@ -60,7 +70,8 @@ struct LatchingSpring {
 
   constexpr double guard(Kinematics x, std::span<const double> memory, Mode mode) const {
     if (mode == open) return -x.extent;
-    if (mode == loading) return x.extent > 0.0 ? x.extent_rate : x.extent;
+    // Rounded, an overlap may fall behind its largest while the bodies still close.
+    if (mode == loading) return x.extent > 0.0 && x.extent >= memory[0] ? x.extent_rate : x.extent - memory[0];
     const double left = unloading_force(x.extent, memory[0]) / unloading_stiffness;
     if (mode == slack) return std::min(x.extent, -left);
     return std::min(memory[0] - x.extent, left);

@@ -40,6 +40,15 @@ struct LinearSpringDashpot {
     return mode == UnilateralSpring::acting ? tangent() : Tangent{};
   }
 
+  /// While the bodies overlap nothing is remembered (settled.hpp).
+  constexpr bool needs_rate() const { return damping != 0.0; }
+  template <class Number>
+  [[gnu::always_inline]] constexpr void settled(const Number& overlap, const Number& rate, Number&,
+                                                Number& force) const {
+    force = stiffness * overlap + damping * rate;
+    if (end_rule == EndRule::clamped) force = force > Number{} ? force : Number{};
+  }
+
   friend constexpr bool operator==(const LinearSpringDashpot&, const LinearSpringDashpot&) = default;
 
  private:

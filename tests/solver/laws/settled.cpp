@@ -1,0 +1,99 @@
+#define BOOST_TEST_MODULE settled
+#include "solver/laws/settled.hpp"
+
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "solver/base/pack.hpp"
+#include "solver/laws/settling.hpp"
+
+using namespace talus;
+
+namespace {
+
+template <class Visit>
+void for_each_settled_law(Visit&& visit) {
+  visit(LinearSpringDashpot{4e3, 0.0, EndRule::clamped});
+  visit(LinearSpringDashpot{4e3, 3.0, EndRule::clamped});
+  visit(LinearSpringDashpot{4e3, 3.0, EndRule::attractive});
+  for (const double growth : {0.0, 0.3, 20.0}) {
+    visit(LatchingSpring{4e3, 4e3 / 0.49, growth});
+    visit(LatchingSpring{4e3, 4e3, growth});
+    visit(LatchingSpring{0.7, 17.3, growth});
+  }
+}
+
+/// A way of two bodies through touches and partings, with steps that turn at any overlap.
+std::vector<Kinematics> way(unsigned seed) {
+  std::mt19937 random{seed};
+  std::uniform_real_distribution<double> unit{-1.0, 1.0};
+  std::vector<Kinematics> points{{-0.1, 1.0}};
+  for (int n = 0; n < 4000; ++n) {
+    const double to = points.back().extent + 0.05 * unit(random) - 0.02 * points.back().extent;
+    // The rate need not be that of the way: rounding may part them.
+    points.push_back({std::round(1e3 * to) * 1e-3, 100.0 * unit(random)});
+  }
+  return points;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(settled_forces_are_those_of_settled_modes_to_the_last_bit) {
+  for_each_settled_law([](const auto& law) {
+    using L = std::decay_t<decltype(law)>;
+    static_assert(SettledLaw<L>);
+    long acting = 0;
+    bool same = true;
+    for (const unsigned seed : {1U, 2U, 3U}) {
+      Mode mode = 0;
+      std::array<double, 1> memory{};
+      double largest = 0.0;
+      for (const Kinematics& x : way(seed)) {
+        if (x.extent == 0.0) continue;
+        const std::span<double> remembered{memory.data(), L::memory_size};
+        settle(law, remembered, x, mode, [](double) {});
+        const double expected = mode == 0 ? 0.0 : law(x, remembered, mode).total();
+        double force = 0.0;
+        if (x.extent > 0.0) {
+          law.settled(x.extent, x.extent_rate, largest, force);
+        } else {
+          largest = 0.0;
+        }
+        same = same && force == expected && largest == memory[0];
+        acting += expected > 0.0 ? 1 : 0;
+      }
+    }
+    BOOST_TEST(same);
+    BOOST_TEST(acting > 1000);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(packs_are_worked_out_as_their_lanes_would_be_alone) {
+  for_each_settled_law([](const auto& law) {
+    std::mt19937 random{7};
+    std::uniform_real_distribution<double> unit{0.0, 1.0};
+    bool same = true;
+    for (int n = 0; n < 500; ++n) {
+      Pack overlap, rate, largest, force;
+      for (std::size_t l = 0; l < pack_size; ++l)
+        overlap[l] = 0.1 * unit(random), rate[l] = 40.0 * unit(random) - 20.0, largest[l] = 0.12 * unit(random);
+      Pack after = largest;
+      law.settled(overlap, rate, after, force);
+      for (std::size_t l = 0; l < pack_size; ++l) {
+        double one = largest[l], alone = 0.0;
+        law.settled(double{overlap[l]}, double{rate[l]}, one, alone);
+        same = same && one == after[l] && alone == force[l];
+      }
+    }
+    BOOST_TEST(same);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(rates_have_a_part_where_a_dashpot_is) {
+  BOOST_TEST(!(LinearSpringDashpot{4e3, 0.0}).needs_rate());
+  BOOST_TEST((LinearSpringDashpot{4e3, 3.0}).needs_rate());
+  BOOST_TEST(!LatchingSpring::needs_rate());
+}
