@@ -3,37 +3,45 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
+#include <limits>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "solver/base/error.hpp"
 #include "solver/base/vec.hpp"
 #include "solver/granular/discs.hpp"
 #include "solver/granular/neighbour_list.hpp"
+#include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/law_list.hpp"
 #include "solver/laws/settling.hpp"
 
 namespace talus {
 
-/// Accelerations of discs [L/T^2], and the power that their contacts keep [F L/T].
-struct DiscRates {
-  std::vector<double> ax, ay;
-  double dissipated{};
-
-  explicit DiscRates(std::size_t count = 0) : ax(count), ay(count) {}
+/// Discs without friction: they do not turn, and their contacts have no memory along the surface.
+struct Frictionless {
+  friend constexpr bool operator==(Frictionless, Frictionless) = default;
 };
 
-/// Many discs that push each other by one law, along the line of their centres.
+/// Many discs that push each other by one law along the line of their centres, and by friction across it if F is
+/// CoulombFriction: then they turn, each as a solid disc does.
 ///
 /// A kick goes through the pairs in their order and gives each disc its share of each force's impulse at once; what a
 /// law reads of velocities are those from before the kick. Between kicks the discs fly straight. That is the leapfrog.
 /// Methods that need accelerations ask for rates.
-template <Law L>
+///
+/// What contacts remember, and the modes they are in, stand beside the pairs of the list and go with them to the next
+/// list: a system goes with one state, and with methods of one evaluation a step.
+template <Law L, class F = Frictionless>
 class DiscSystem {
  public:
+  static constexpr bool turns = std::same_as<F, CoulombFriction>;
+
   /// skin [L] > 0: how far beyond contact the neighbour list reaches.
-  DiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin)
-      : shapes_{std::move(shapes)}, law_{law}, list_{box, skin} {
+  DiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin, const F& friction = {})
+      : shapes_{std::move(shapes)}, law_{law}, friction_{friction}, list_{box, skin} {
     wall_forces_.resize(shapes_.walls.size() + 1);
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       const std::size_t wall = shapes_.wall[i];
@@ -43,6 +51,7 @@ class DiscSystem {
 
   const DiscShapes& shapes() const { return shapes_; }
   const L& law() const { return law_; }
+  const F& friction() const { return friction_; }
   const NeighbourList& list() const { return list_; }
   /// Times that the list was built.
   long builds() const { return builds_; }
@@ -52,117 +61,274 @@ class DiscSystem {
 
   /// Before the first step: contacts that are there have no past.
   void begin(Discs& discs) {
-    modes_.clear(), memory_.clear();
+    contacts_ = Contacts{};
+    if constexpr (turns) discs.spin.resize(discs.size());
     rebuild(discs);
+    if constexpr (turns) {
+      list_.for_each_pair(discs, [&](std::size_t a, std::size_t b, std::size_t pair, Vec2 d, const auto&) {
+        if (norm(d) < shapes_.radius[a] + shapes_.radius[b]) contacts_.friction_mode[pair] = CoulombFriction::sticking;
+      });
+    }
   }
 
-  /// Moves all discs with their velocities.
+  /// Moves all discs with their velocities, and the stretch of friction's springs with the slip, of the middle of the
+  /// way.
   void drift(Discs& discs, double h) {
-    const double shear = list_.box().shear_rate;
+    if constexpr (turns) stretch(discs, h);
     double fastest = 0.0;
     for (std::size_t i = 0; i < discs.size(); ++i) {
-      // From the mean flow, so that no pair nears by more than twice this, and the flow across its own distance.
-      const double u = discs.vx[i] - shear * discs.y[i];
-      fastest = std::max(fastest, u * u + discs.vy[i] * discs.vy[i]);
-      discs.x[i] += h * discs.vx[i];
-      discs.y[i] += h * discs.vy[i];
+      const Vec2 v{discs.vx[i], discs.vy[i]};
+      fastest = std::max(fastest, list_.flow().own_speed_squared(v, discs.y[i]));
+      discs.x[i] += h * v.x;
+      discs.y[i] += h * v.y;
     }
-    discs.t += h;
-    list_.use(std::abs(h) * (2.0 * std::sqrt(fastest) + std::abs(shear) * reach_));
-    if (!list_.valid()) rebuild(discs);
+    discs.slid += h * list_.box().sliding();
+    list_.use(list_.approach(h, fastest));
+    if (!list_.holds(discs)) rebuild(discs);
+  }
+
+  /// Brings the modes up to date.
+  void settle(Discs& discs) {
+    const long evaluations = evaluations_;
+    DiscRates none{discs};
+    evaluate(discs, none);
+    evaluations_ = evaluations;
   }
 
   /// Brings the modes up to date and gives all discs the impulses of their forces over h.
   void kick(Discs& discs, double h) {
-    old_vx_ = discs.vx, old_vy_ = discs.vy;
-    const double power = evaluate_pairs(discs, [&](std::size_t i, std::size_t j, Vec2 force) {
-      const double a = h * shapes_.inverse_mass[i], b = h * shapes_.inverse_mass[j];
-      discs.vx[i] -= a * force.x, discs.vy[i] -= a * force.y;
-      discs.vx[j] += b * force.x, discs.vy[j] += b * force.y;
-    });
-    discs.dissipated += h * power;
+    old_vx_ = discs.vx, old_vy_ = discs.vy, old_spin_ = discs.spin;
+    std::array<double, mechanism_count> powers{};
+    evaluate_pairs(discs, {old_vx_, old_vy_, old_spin_}, powers, giving(discs.vx, discs.vy, discs.spin, h));
+    for (std::size_t k = 0; k < powers.size(); ++k)
+      discs.work[k] += h * powers[k];
     for (const std::size_t i : moved_)
       discs.vy[i] += h * wall_acceleration(shapes_.wall[i]);
   }
 
   /// Brings the modes up to date and sums the accelerations.
   void evaluate(Discs& discs, DiscRates& out) {
-    old_vx_ = discs.vx, old_vy_ = discs.vy;
-    out.ax.assign(discs.size(), 0.0), out.ay.assign(discs.size(), 0.0);
-    out.dissipated = evaluate_pairs(discs, [&](std::size_t i, std::size_t j, Vec2 force) {
-      const double a = shapes_.inverse_mass[i], b = shapes_.inverse_mass[j];
-      out.ax[i] -= a * force.x, out.ay[i] -= a * force.y;
-      out.ax[j] += b * force.x, out.ay[j] += b * force.y;
-    });
+    for (auto* rates : {&out.vx, &out.vy, &out.spin})
+      std::fill(rates->begin(), rates->end(), 0.0);
+    out.work.fill(0.0);
+    evaluate_pairs(discs, {discs.vx, discs.vy, discs.spin}, out.work, giving(out.vx, out.vy, out.spin, 1.0));
     for (const std::size_t i : moved_)
-      out.ay[i] = wall_acceleration(shapes_.wall[i]);
+      out.vy[i] = wall_acceleration(shapes_.wall[i]);
   }
 
   /// A pair that touches, as it stands.
   struct Contact {
     std::size_t a{}, b{};
-    double depth{};   ///< [L]
-    Vec2 n_ab;        ///< unit normal from a to b
-    double force{};   ///< [F], > 0 pushes apart
-    double stored{};  ///< energy [F L]
+    double depth{};     ///< [L]
+    Vec2 n_ab;          ///< unit normal from a to b
+    double distance{};  ///< of the centres [L]
+    double force{};     ///< [F], > 0 pushes apart
+    double friction{};  ///< force on a along the normal turned counter-clockwise, on b the opposite [F]
+    double stored{};    ///< energy [F L]
+
+    /// On b, and the opposite on a [F].
+    Vec2 force_on_b() const { return force * n_ab - friction * cross(1.0, n_ab); }
   };
   /// Calls visit(contact) for each pair whose law acts in the modes of the last evaluation.
   template <class Visit>
   void for_each_contact(const Discs& discs, Visit&& visit) const {
-    std::array<NeighbourList::Shift, NeighbourList::images> shifts;
-    list_.shifts(discs.t, shifts);
-    for (std::size_t a = 0; a < list_.discs(); ++a) {
-      for (std::size_t pair = list_.begin(a); pair < list_.end(a); ++pair) {
-        if (modes_[pair] == 0) continue;
-        const std::size_t b = list_.second(pair);
-        const NeighbourList::Shift& shift = shifts[list_.image(pair)];
-        const Vec2 d{discs.x[b] - discs.x[a] + shift.x, discs.y[b] - discs.y[a] + shift.y};
-        const Vec2 v{discs.vx[b] - discs.vx[a] + shift.vx, discs.vy[b] - discs.vy[a]};
-        const double distance = norm(d);
-        const Vec2 n = (1.0 / distance) * d;
-        const Kinematics x{shapes_.radius[a] + shapes_.radius[b] - distance, -dot(v, n)};
-        const auto memory = std::span{memory_}.subspan(pair * L::memory_size, L::memory_size);
-        visit(Contact{a, b, x.extent, n, law_(x, memory, modes_[pair]).total(),
-                      law_.stored_energy(x, memory, modes_[pair])});
+    for_each_acting(discs, contacts_.mode, 0.0,
+                    [&](std::size_t a, std::size_t b, std::size_t pair, const Touch& touch) {
+                      const auto memory = std::span{contacts_.memory}.subspan(pair * L::memory_size, L::memory_size);
+                      const Mode mode = contacts_.mode[pair];
+                      Contact contact{.a = a,
+                                      .b = b,
+                                      .depth = touch.x.extent,
+                                      .n_ab = touch.n,
+                                      .distance = touch.distance,
+                                      .force = law_(touch.x, memory, mode).total(),
+                                      .stored = law_.stored_energy(touch.x, memory, mode)};
+                      if constexpr (turns) {
+                        contact.friction = friction_(contacts_.stretch[pair], contact.force);
+                        contact.stored += friction_.stored_energy(contacts_.stretch[pair]);
+                      }
+                      visit(contact);
+                    });
+  }
+
+  /// Names all that a run of these discs carries from step to step besides their state: of each contact its discs,
+  /// mode and memory, and how much of the list's skin is used. `discs` are there already.
+  void remember(Memory& memory, const Discs& discs) {
+    memory.part("list", [&] { list_.remember(memory, shapes_); });
+    std::vector<double> firsts, seconds;
+    Contacts acting;
+    if (memory.puts_back()) {
+      contacts_ = Contacts{list_.size()};
+    } else {
+      for_each_acting(discs, contacts_.mode, 0.0, [&](std::size_t a, std::size_t b, std::size_t pair, const Touch&) {
+        firsts.push_back(static_cast<double>(a)), seconds.push_back(static_cast<double>(b));
+        acting.append(contacts_, pair);
+      });
+    }
+    memory.part("contact", [&] {
+      memory.list("first", firsts), memory.list("second", seconds);
+      acting.remember(memory, firsts.size());
+    });
+    if (memory.puts_back()) {
+      for (std::size_t k = 0; k < firsts.size(); ++k) {
+        const std::size_t pair = list_.find(static_cast<std::size_t>(firsts[k]), static_cast<std::size_t>(seconds[k]));
+        if (pair == list_.size()) {
+          throw InputError{"contact: found one of the discs " + std::to_string(firsts[k]) + " and " +
+                           std::to_string(seconds[k]) + "; they must be near each other"};
+        }
+        contacts_.take(pair, acting, k);
       }
     }
   }
 
  private:
-  /// Calls act(first, second, force on the second) for each pair whose law acts; the power that they keep [F L/T].
-  /// What changes of mode release is booked at once.
+  struct Velocities {
+    std::span<const double> x, y, spin;
+  };
+
+  /// Two discs that are d apart and move at v to each other; radii: their sum.
+  struct Touch {
+    Touch(Vec2 d, Vec2 v, double apart, double radii)
+        : distance{apart}, n{d.x / apart, d.y / apart}, v_ab{v}, x{radii - apart, -dot(v, n)} {}
+    double distance;
+    Vec2 n, v_ab;
+    Kinematics x;
+  };
+
+  /// What the first of a pair does to the second.
+  struct Push {
+    Vec2 force;         ///< [F]
+    double friction{};  ///< turns both [F], at
+    double arm_a{}, arm_b{};
+  };
+
+  /// What the pairs of the list carry.
+  struct Contacts {
+    std::vector<Mode> mode;
+    std::vector<double> memory;
+    std::vector<Mode> friction_mode;
+    std::vector<double> stretch;
+
+    explicit Contacts(std::size_t pairs = 0) : mode(pairs), memory(pairs * L::memory_size) {
+      if constexpr (turns) friction_mode.resize(pairs), stretch.resize(pairs);
+    }
+    void take(std::size_t pair, const Contacts& from, std::size_t was) {
+      mode[pair] = from.mode[was];
+      for (std::size_t k = 0; k < L::memory_size; ++k)
+        memory[pair * L::memory_size + k] = from.memory[was * L::memory_size + k];
+      if constexpr (turns) friction_mode[pair] = from.friction_mode[was], stretch[pair] = from.stretch[was];
+    }
+    void append(const Contacts& from, std::size_t was) {
+      const std::size_t pairs = mode.size() + 1;
+      mode.resize(pairs), memory.resize(pairs * L::memory_size);
+      if constexpr (turns) friction_mode.resize(pairs), stretch.resize(pairs);
+      take(pairs - 1, from, was);
+    }
+    void remember(Memory& to, std::size_t pairs) {
+      if (to.puts_back()) *this = Contacts{pairs};
+      to.numbers("mode", mode), to.numbers("memory", memory);
+      to.numbers("friction_mode", friction_mode), to.numbers("stretch", stretch);
+    }
+  };
+
+  /// 1/(inertia of a solid disc) over 1/mass [1/L^2].
+  double per_mass(std::size_t disc) const { return 2.0 / (shapes_.radius[disc] * shapes_.radius[disc]); }
+
+  /// Arms of a touch: from each centre to the middle of the overlap [L].
+  double arm(std::size_t disc, const Touch& touch) const { return shapes_.radius[disc] - 0.5 * touch.x.extent; }
+
+  /// Of the second past the first, along the normal turned counter-clockwise [L/T].
+  double slip_rate(const Touch& touch, double arm_a, double spin_a, double arm_b, double spin_b) const {
+    return dot(touch.v_ab, cross(1.0, touch.n)) - spin_a * arm_a - spin_b * arm_b;
+  }
+
+  /// Calls visit(first, second, pair, touch) for the listed pairs whose mode is not 0, as they stand so much later.
+  template <class Visit>
+  void for_each_acting(const Discs& discs, const std::vector<Mode>& modes, double later, Visit&& visit) const {
+    list_.for_each_pair(discs, [&](std::size_t a, std::size_t b, std::size_t pair, Vec2 d, const auto& shift) {
+      if (modes[pair] == 0) return;
+      const Vec2 v{(discs.vx[b] + shift.vx) - discs.vx[a], discs.vy[b] - discs.vy[a]};
+      const Vec2 then = d + later * v;
+      visit(a, b, pair, Touch{then, v, norm(then), shapes_.radius[a] + shapes_.radius[b]});
+    });
+  }
+
+  void stretch(const Discs& discs, double h) {
+    static_assert(CoulombFriction::open == 0);
+    for_each_acting(discs, contacts_.friction_mode, 0.5 * h,
+                    [&](std::size_t a, std::size_t b, std::size_t pair, const Touch& touch) {
+                      contacts_.stretch[pair] +=
+                          h * slip_rate(touch, arm(a, touch), discs.spin[a], arm(b, touch), discs.spin[b]);
+                    });
+  }
+
+  /// What the first of a pair does to the second, given to both over h: to velocities, or with h = 1 to rates.
+  auto giving(std::vector<double>& vx, std::vector<double>& vy, std::vector<double>& spin, double h) const {
+    return [&, h](std::size_t i, std::size_t j, const Push& push) {
+      const double a = h * shapes_.inverse_mass[i], b = h * shapes_.inverse_mass[j];
+      vx[i] -= a * push.force.x, vy[i] -= a * push.force.y;
+      vx[j] += b * push.force.x, vy[j] += b * push.force.y;
+      if constexpr (turns) {
+        spin[i] += a * push.friction * push.arm_a * per_mass(i);
+        spin[j] += b * push.friction * push.arm_b * per_mass(j);
+      }
+    };
+  }
+
+  /// Calls act(first, second, push) for each pair whose law acts, and sums the powers that they keep [F L/T].
+  /// What changes of mode release is booked at once. Laws see these velocities, which act() leaves as they are.
   template <class Act>
-  double evaluate_pairs(Discs& discs, Act&& act) {
+  void evaluate_pairs(Discs& discs, const Velocities& v, std::array<double, mechanism_count>& powers, Act&& act) {
     ++evaluations_;
     std::fill(wall_forces_.begin(), wall_forces_.end(), Vec2{});
     std::array<NeighbourList::Shift, NeighbourList::images> shifts;
-    list_.shifts(discs.t, shifts);
+    list_.shifts(discs.slid, shifts);
+    double& released = discs.work[static_cast<std::size_t>(L::release)];
     double power = 0.0;
     for (std::size_t i = 0; i < discs.size(); ++i) {
       const double x = discs.x[i], y = discs.y[i], radius = shapes_.radius[i];
       for (std::size_t pair = list_.begin(i), last = list_.end(i); pair < last; ++pair) {
         const std::size_t j = list_.second(pair);
         const NeighbourList::Shift& shift = shifts[list_.image(pair)];
-        const double dx = discs.x[j] - x + shift.x, dy = discs.y[j] - y + shift.y;
-        const double square = dx * dx + dy * dy, touch = radius + shapes_.radius[j];
-        Mode& mode = modes_[pair];
-        if (square >= touch * touch && mode == 0) continue;
-        const double distance = std::sqrt(square);
-        const Vec2 n{dx / distance, dy / distance};
-        const double closing = -((old_vx_[j] - old_vx_[i] + shift.vx) * n.x + (old_vy_[j] - old_vy_[i]) * n.y);
-        const Kinematics kinematics{touch - distance, closing};
-        const auto memory = std::span{memory_}.subspan(pair * L::memory_size, L::memory_size);
-        settle(law_, memory, kinematics, mode, [&](double released) { discs.dissipated += released; });
+        const Vec2 d{(discs.x[j] + shift.x) - x, (discs.y[j] + shift.y) - y};
+        const double square = dot(d, d), radii = radius + shapes_.radius[j];
+        Mode& mode = contacts_.mode[pair];
+        if (square >= radii * radii && mode == 0) continue;
+        Touch touch{d, {(v.x[j] + shift.vx) - v.x[i], v.y[j] - v.y[i]}, std::sqrt(square), radii};
+        // Discs that meet in a point are apart: a contact begins and ends with its overlap.
+        if (touch.x.extent == 0.0) touch.x.extent = -std::numeric_limits<double>::min();
+        const auto memory = std::span{contacts_.memory}.subspan(pair * L::memory_size, L::memory_size);
+        talus::settle(law_, memory, touch.x, mode, [&](double energy) { released += energy; });
+        const LawForce force = mode == 0 ? LawForce{} : law_(touch.x, memory, mode);
+        Push push{.force = force.total() * touch.n};
+        if constexpr (turns) rub(discs, v, {i, j, pair}, touch, force.total(), push);
         if (mode == 0) continue;
-        const LawForce force = law_(kinematics, memory, mode);
-        const Vec2 on_second = force.total() * n;
-        if (shapes_.wall[i] != DiscShapes::free) wall_forces_[shapes_.wall[i]] -= on_second;
-        if (shapes_.wall[j] != DiscShapes::free) wall_forces_[shapes_.wall[j]] += on_second;
-        power += force.dissipative * closing;
-        act(i, j, on_second);
+        if (shapes_.wall[i] != DiscShapes::free) wall_forces_[shapes_.wall[i]] -= push.force;
+        if (shapes_.wall[j] != DiscShapes::free) wall_forces_[shapes_.wall[j]] += push.force;
+        power += force.dissipative * touch.x.extent_rate;
+        act(i, j, push);
       }
     }
-    return power;
+    powers[static_cast<std::size_t>(L::dissipation)] += power;
+  }
+
+  struct PairOfDiscs {
+    std::size_t a, b, pair;
+  };
+  /// Takes the spring of friction back to its limit and adds its force to the push.
+  void rub(Discs& discs, const Velocities& v, PairOfDiscs of, const Touch& touch, double normal, Push& push) {
+    Mode& mode = contacts_.friction_mode[of.pair];
+    double& stretch = contacts_.stretch[of.pair];
+    push.arm_a = arm(of.a, touch), push.arm_b = arm(of.b, touch);
+    if (mode == CoulombFriction::open && normal > 0.0 && touch.x.extent_rate > 0.0) {
+      const double slip = slip_rate(touch, push.arm_a, v.spin[of.a], push.arm_b, v.spin[of.b]);
+      stretch = friction_.begin(slip * touch.x.extent / touch.x.extent_rate, normal);
+    }
+    const auto settled = friction_.settle(stretch, normal);
+    mode = settled.mode, stretch = settled.stretch;
+    discs.work[static_cast<std::size_t>(Mechanism::friction)] += settled.dissipated;
+    push.friction = friction_(stretch, normal);
+    push.force -= push.friction * cross(1.0, touch.n);
   }
 
   /// Of a wall with a mass, along y [L/T^2].
@@ -175,36 +341,29 @@ class DiscSystem {
   void rebuild(Discs& discs) {
     wrap(list_.box(), discs);
     const NeighbourList old = list_;
-    const std::vector<Mode> old_modes = std::move(modes_);
-    const std::vector<double> old_memory = std::move(memory_);
+    const Contacts were = std::move(contacts_);
     list_.build(shapes_, discs);
     ++builds_;
-    reach_ = 2.0 * *std::max_element(shapes_.radius.begin(), shapes_.radius.end()) + list_.skin();
-    modes_.assign(list_.size(), Mode{});
-    memory_.assign(list_.size() * L::memory_size, 0.0);
-    if (old_modes.empty()) return;
+    contacts_ = Contacts{list_.size()};
+    if (were.mode.empty()) return;
     for (std::size_t i = 0; i < old.discs(); ++i) {
       for (std::size_t was = old.begin(i); was < old.end(i); ++was) {
-        if (old_modes[was] == 0) continue;
+        if (were.mode[was] == 0) continue;
         // What acted touched a step ago, and has come apart by less than the skin since.
         const std::size_t is = list_.find(i, old.second(was));
-        if (is == list_.size()) continue;
-        modes_[is] = old_modes[was];
-        for (std::size_t k = 0; k < L::memory_size; ++k)
-          memory_[is * L::memory_size + k] = old_memory[was * L::memory_size + k];
+        if (is < list_.size()) contacts_.take(is, were, was);
       }
     }
   }
 
   DiscShapes shapes_;
   L law_;
+  F friction_;
   NeighbourList list_;
-  double reach_{};                       ///< of the list, between centres [L]
-  std::vector<Mode> modes_;              ///< one for each pair
-  std::vector<double> memory_;           ///< of each pair, as much as the law keeps
-  std::vector<Vec2> wall_forces_;        ///< the first of no wall
-  std::vector<std::size_t> moved_;       ///< discs of walls with a mass
-  std::vector<double> old_vx_, old_vy_;  ///< from before the kick
+  Contacts contacts_;
+  std::vector<Vec2> wall_forces_;                   ///< the first of no wall
+  std::vector<std::size_t> moved_;                  ///< discs of walls with a mass
+  std::vector<double> old_vx_, old_vy_, old_spin_;  ///< from before the kick
   long builds_{};
   long evaluations_{};
 };

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <numeric>
 #include <vector>
+
+#include "solver/base/memory.hpp"
+#include "solver/state/state.hpp"
 
 namespace talus {
 
@@ -12,7 +17,7 @@ struct DiscWall {
   double gravity{};  ///< acceleration of free fall, downwards [L/T^2]; of a wall with a mass
 };
 
-/// What discs are: constants of a run. Smooth discs do not turn.
+/// What discs are: constants of a run.
 struct DiscShapes {
   static constexpr std::size_t free = 0;  ///< the wall of discs that belong to none
 
@@ -34,19 +39,63 @@ struct DiscShapes {
   }
 };
 
-/// Where discs are and how they move: numbers only, one array for each.
+struct DiscRates;
+
+/// Where discs are and how they move: numbers only, one array for each. What contacts remember stands with the pairs
+/// (DiscSystem).
 struct Discs {
-  double t{};                  ///< time [T]
-  std::vector<double> x, y;    ///< centres [L]; may lie outside a periodic box, in an image of it
-  std::vector<double> vx, vy;  ///< [L/T]
-  double dissipated{};         ///< energy that the contacts have kept so far [F L]
+  using Number = double;
+  using Rates = DiscRates;
+
+  double t{};                                  ///< time [T]
+  double slid{};                               ///< how far the box above has slid over this one [L]
+  std::vector<double> x, y;                    ///< centres [L]; may lie outside a periodic box, in an image of it
+  std::vector<double> vx, vy;                  ///< [L/T]
+  std::vector<double> spin;                    ///< counter-clockwise > 0 [1/T]; none of discs that do not turn
+  std::array<double, mechanism_count> work{};  ///< energy that the contacts have kept so far, by mechanism [F L]
 
   std::size_t size() const { return x.size(); }
   void add(double at_x, double at_y, double with_vx, double with_vy) {
     x.push_back(at_x), y.push_back(at_y);
     vx.push_back(with_vx), vy.push_back(with_vy);
   }
+  /// Of all mechanisms [F L].
+  double dissipated() const { return std::accumulate(work.begin(), work.end(), 0.0); }
   friend bool operator==(const Discs&, const Discs&) = default;
 };
+
+/// Accelerations of discs [L/T^2, 1/T^2], and the powers that their contacts keep [F L/T].
+struct DiscRates {
+  std::vector<double> vx, vy, spin;
+  std::array<double, mechanism_count> work{};
+
+  explicit DiscRates(const Discs& like) : vx(like.size()), vy(like.size()), spin(like.spin.size()) {}
+  DiscRates() = default;
+};
+
+/// Advances velocities and work by h times their rates.
+inline void kick_velocities(Discs& discs, const DiscRates& rates, double h) {
+  for (std::size_t i = 0; i < discs.size(); ++i)
+    discs.vx[i] += h * rates.vx[i], discs.vy[i] += h * rates.vy[i];
+  for (std::size_t i = 0; i < discs.spin.size(); ++i)
+    discs.spin[i] += h * rates.spin[i];
+  for (std::size_t k = 0; k < discs.work.size(); ++k)
+    discs.work[k] += h * rates.work[k];
+}
+
+/// Names the parts of a state or of rates; what is put back has its sizes already.
+inline void remember(Memory& memory, Discs& discs) {
+  memory.number("t", discs.t);
+  memory.number("slid", discs.slid);
+  memory.numbers("x", discs.x), memory.numbers("y", discs.y);
+  memory.numbers("vx", discs.vx), memory.numbers("vy", discs.vy);
+  memory.numbers("spin", discs.spin);
+  memory.numbers("work", discs.work);
+}
+inline void remember(Memory& memory, DiscRates& rates) {
+  memory.numbers("vx", rates.vx), memory.numbers("vy", rates.vy);
+  memory.numbers("spin", rates.spin);
+  memory.numbers("work", rates.work);
+}
 
 }  // namespace talus

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "solver/base/vec.hpp"
 #include "solver/granular/discs.hpp"
 #include "solver/granular/periodic_box.hpp"
 
@@ -24,16 +27,43 @@ class NeighbourList {
   NeighbourList(PeriodicBox box, double skin) : box_{box}, skin_{skin} {}
 
   const PeriodicBox& box() const { return box_; }
-  double skin() const { return skin_; }
+  /// No two centres that are listed were further apart when it was built [L].
+  double reach() const { return reach_; }
 
   /// Lists the pairs of which at least one disc can move. Errors: InputError if a period is shorter than the discs
   /// and the skin need so that no disc meets two images of another.
   void build(const DiscShapes& shapes, const Discs& discs);
 
-  /// The rest of the skin after a step in which no pair has come nearer by more than this [L]; the list is to be built
-  /// anew once nothing is left.
-  bool valid() const { return used_ <= skin_; }
+  /// Names what the list is made of. The list that is put back is the one that was saved. Errors: as build().
+  void remember(Memory& memory, const DiscShapes& shapes);
+
+  /// A mean flow (x + rate y, y) [L/T] that discs near each other share: what they move from it is their own.
+  struct Flow {
+    double x{}, y{};
+    double rate{};  ///< [1/T]
+
+    double own_speed_squared(Vec2 v, double at_y) const {
+      const double own_x = v.x - (x + rate * at_y), own_y = v.y - y;
+      return own_x * own_x + own_y * own_y;
+    }
+  };
+  /// That of the discs when the list was built; where the box slides, with its rate, and where it repeats up and down
+  /// without sliding, with none.
+  const Flow& flow() const { return flow_; }
+  /// No listed pair comes nearer by more in a drift over h [L], if this is the largest square of an own speed.
+  double approach(double h, double fastest) const {
+    return std::abs(h) * (2.0 * std::sqrt(fastest) + std::abs(flow_.rate) * reach_);
+  }
+  /// Takes from the skin that no pair has come nearer by more than this in a step [L].
   void use(double approach) { used_ += approach; }
+  /// The rest of the skin [L].
+  double left() const { return skin_ - used_; }
+  /// Whether it may be used up; then holds() tells.
+  bool may_end() const { return used_ > (1.0 - round_off) * skin_; }
+  /// Whether still no pair that is not listed can touch. What the steps add up to is more than what discs that are hit
+  /// to and fro have moved: once it exceeds the skin it gives way to how far the discs are from where they were, as
+  /// long as that leaves enough for some steps.
+  bool holds(const Discs& discs);
 
   std::size_t size() const { return second_.size(); }
   std::size_t discs() const { return first_.empty() ? 0 : first_.size() - 1; }
@@ -46,21 +76,45 @@ class NeighbourList {
   /// The pair of two discs, the first of smaller number; size() if it is not listed.
   std::size_t find(std::size_t first, std::size_t second) const;
 
-  /// By image: how far it is shifted [L], and how much faster it moves [L/T].
+  /// By image: how far it is shifted [L], and how much faster it moves [L/T]. `slid`: that of the discs now.
   struct Shift {
     double x{}, y{}, vx{};
   };
   static constexpr std::size_t images = 9;
-  void shifts(double t, std::span<Shift, images> out) const;
+  void shifts(double slid, std::span<Shift, images> out) const;
+
+  /// Calls visit(first, second, pair, d, shift) for the pairs as the discs stand now: d from the first to the image of
+  /// the second [L], whose shift that is.
+  template <class Visit>
+  void for_each_pair(const Discs& discs, Visit&& visit) const {
+    std::array<Shift, images> by_image;
+    shifts(discs.slid, by_image);
+    for (std::size_t a = 0; a < this->discs(); ++a) {
+      for (std::size_t pair = begin(a); pair < end(a); ++pair) {
+        const std::size_t b = second(pair);
+        const Shift& shift = by_image[image(pair)];
+        visit(a, b, pair, Vec2{(discs.x[b] + shift.x) - discs.x[a], (discs.y[b] + shift.y) - discs.y[a]}, shift);
+      }
+    }
+  }
 
  private:
-  void check_periods(double reach) const;
+  void check_periods() const;
+  void find_pairs(const DiscShapes& shapes, const Discs& discs);
+  double furthest(const Discs& discs) const;
+  void find_flow(const Discs& discs);
+
+  static constexpr double round_off = 1e-9;  ///< share of the skin that sums of ways may be off by
+  static constexpr double worn = 0.9;        ///< share of the skin that is not worth going on with
 
   PeriodicBox box_;
   double skin_;
+  double reach_{};
   double used_{};
-  double built_{};   ///< when [T]
-  double offset_{};  ///< of the boxes above and below then [L]; goes on without a jump
+  double slid_{};              ///< Discs::slid when it was built [L]
+  double offset_{};            ///< of the boxes above and below then [L]; goes on without a jump
+  std::vector<double> x_, y_;  ///< of the discs then [L]
+  Flow flow_;
   std::vector<std::size_t> first_;
   std::vector<std::uint32_t> second_;
   std::vector<std::uint8_t> image_;

@@ -20,12 +20,8 @@ struct PeriodicBox {
   bool repeats_y() const { return height < endless; }
   /// Velocity of the box above over this one [L/T].
   double sliding() const { return repeats_y() ? shear_rate * height : 0.0; }
-  /// How far the box above has slid at a time, less whole widths: within half a width [L].
-  double offset(double t) const {
-    if (sliding() == 0.0) return 0.0;
-    const double way = sliding() * t;
-    return way - width * std::round(way / width);
-  }
+  /// What is left of a way that the box above has slid, less whole widths: within half a width [L].
+  double offset(double slid) const { return repeats_x() ? slid - width * std::round(slid / width) : slid; }
 
   /// An image of a point: so many boxes to the right and up.
   struct Image {

@@ -38,8 +38,8 @@ double gap(const Packing& p, const PeriodicBox& box, std::size_t i, std::size_t 
   for (int up = -2; up <= 2; ++up) {
     for (int right = -3; right <= 3; ++right) {
       if ((up != 0 && !box.repeats_y()) || (right != 0 && !box.repeats_x())) continue;
-      const double dx = p.discs.x[j] - p.discs.x[i] + (right == 0 ? 0.0 : right * box.width) +
-                        (up == 0 ? 0.0 : up * box.sliding() * p.discs.t);
+      const double dx =
+          p.discs.x[j] - p.discs.x[i] + (right == 0 ? 0.0 : right * box.width) + (up == 0 ? 0.0 : up * p.discs.slid);
       const double dy = p.discs.y[j] - p.discs.y[i] + (up == 0 ? 0.0 : up * box.height);
       least = std::min(least, std::hypot(dx, dy));
     }
@@ -57,13 +57,13 @@ BOOST_AUTO_TEST_CASE(all_pairs_within_the_skin_and_no_others_are_listed_in_order
   for (const PeriodicBox& box : boxes) {
     for (const double t : {0.0, 0.3, 1.1, 1.9}) {
       Packing p = scattered(120, std::min(box.width, 30.0), std::min(box.height, 25.0), 3);
-      p.discs.t = t;
+      p.discs.slid = box.sliding() * t;
       if (box.shear_rate * box.height * t > 1.5 * box.width) continue;  // as far as gap() tries
       NeighbourList list{box, 0.3};
       list.build(p.shapes, p.discs);
       std::size_t pair = 0;
       std::array<NeighbourList::Shift, NeighbourList::images> shifts;
-      list.shifts(t, shifts);
+      list.shifts(p.discs.slid, shifts);
       for (std::size_t i = 0; i < p.discs.size(); ++i) {
         for (std::size_t j = i + 1; j < p.discs.size(); ++j) {
           const double apart = gap(p, box, i, j);
@@ -85,22 +85,29 @@ BOOST_AUTO_TEST_CASE(all_pairs_within_the_skin_and_no_others_are_listed_in_order
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_list_lasts_as_long_as_its_skin) {
+BOOST_AUTO_TEST_CASE(the_list_lasts_until_discs_have_gone_half_its_skin) {
   Packing p = scattered(30, 20.0, 20.0, 5);
   NeighbourList list{PeriodicBox{}, 0.5};
   list.build(p.shapes, p.discs);
   list.use(0.3);
-  BOOST_TEST(list.valid());
+  BOOST_TEST(!list.may_end());
   list.use(0.3);
-  BOOST_TEST(!list.valid());
+  BOOST_TEST(list.may_end());
+  p.discs.x[7] += 0.1;
+  BOOST_TEST(list.holds(p.discs));
+  BOOST_TEST(!list.may_end());  // .2 of .5 are used
+  list.use(0.31);
+  BOOST_TEST(list.may_end());
+  p.discs.y[7] += 0.25;
+  BOOST_TEST(!list.holds(p.discs));
   list.build(p.shapes, p.discs);
-  BOOST_TEST(list.valid());
+  BOOST_TEST(list.holds(p.discs));
 }
 
 BOOST_AUTO_TEST_CASE(what_leaves_the_box_comes_back_into_it) {
   const PeriodicBox box{.width = 20.0, .height = 12.0, .shear_rate = 0.5};
   Discs discs;
-  discs.t = 1.5;  // the box above is 9 to the right
+  discs.slid = 9.0;  // the box above, to the right
   discs.add(10.5, 0.0, 1.0, 2.0);
   discs.add(0.0, 6.5, 1.0, 2.0);
   discs.add(-9.0, -6.5, 1.0, 2.0);
