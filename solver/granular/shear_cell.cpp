@@ -4,49 +4,69 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <random>
 
 #include "solver/base/error.hpp"
+#include "solver/granular/neighbour_list.hpp"
+#include "solver/granular/random_draw.hpp"
 
 namespace talus {
-namespace {
+namespace {}  // namespace
 
-void demand(bool holds, const char* field, double found, const char* allowed) {
-  if (!holds) throw InputError{fmt::format("{}: found {}; it must be {}", field, found, allowed)};
-}
-
-void check(const ShearCell& cell) {
-  demand(cell.law.stiffness > 0.0, "stiffness (K1)", cell.law.stiffness, "> 0");
-  demand(cell.law.unloading_stiffness >= cell.law.stiffness, "unloading_stiffness (K2)", cell.law.unloading_stiffness,
-         "at least the stiffness (K1)");
-  demand(cell.diameter > 0.0, "diameter (D)", cell.diameter, "> 0");
-  demand(cell.mass > 0.0, "mass (M)", cell.mass, "> 0");
-  demand(cell.gravity >= 0.0, "gravity (G)", cell.gravity, ">= 0");
-  demand(cell.block_mass > 0.0, "block_mass (MTOP)", cell.block_mass, "> 0");
-  demand(cell.rows > 0, "rows (NHT)", cell.rows, "> 0");
-  demand(cell.wall_discs >= 3, "wall_discs (TWID)", cell.wall_discs, "at least 3");
-  demand(cell.columns > 0 && cell.columns <= cell.wall_discs, "columns (NWID)", cell.columns,
-         "> 0 and at most the discs of a wall (TWID)");
-}
-
-/// Uniform in [-1, 1) from the generator's own bits: the library's distributions differ between libraries.
-double symmetric(std::mt19937_64& random) { return std::ldexp(static_cast<double>(random() >> 11), -52) - 1.0; }
-
-WallStress stress(const ShearCell& cell, Vec2 force) {
-  const double area = cell.wall_discs * cell.diameter * cell.diameter;
-  return {force.x / area, force.y / area};
-}
-
-}  // namespace
-
+double ShearCell::loading_frequency() const { return std::sqrt(2.0 * law.stiffness / mass); }
+double ShearCell::unloading_frequency() const { return std::sqrt(2.0 * law.unloading_stiffness / mass); }
 double ShearCell::contact_time() const {
-  return 0.5 * std::numbers::pi *
-         (std::sqrt(0.5 * mass / law.stiffness) + std::sqrt(0.5 * mass / law.unloading_stiffness));
+  return 0.5 * std::numbers::pi * (1.0 / loading_frequency() + 1.0 / unloading_frequency());
+}
+double ShearCell::restitution() const { return std::sqrt(law.stiffness / law.unloading_stiffness); }
+double ShearCell::density() const { return mass / (0.25 * std::numbers::pi * diameter * diameter * diameter); }
+
+std::vector<CellObjection> objections(const ShearCell& cell) {
+  std::vector<CellObjection> found;
+  const auto demand = [&](bool holds, std::string_view field, double value, std::string_view allowed) {
+    if (!holds) found.push_back({std::string{field}, fmt::format("found {}; it must be {}", value, allowed)});
+  };
+  for (const auto& field : LatchingSpring::fields())
+    demand(contains(field.range, cell.law.*field.member), field.name, cell.law.*field.member, words(field.range));
+  if (cell.law.unloading_stiffness < cell.law.stiffness) {
+    demand(false, "unloading_stiffness", cell.law.unloading_stiffness,
+           fmt::format("at least the stiffness while loading, {}: a contact gives back no more than it took",
+                       cell.law.stiffness));
+  }
+  for (const auto& field : ShearCell::fields())
+    demand(contains(field.range, cell.*field.member), field.name, cell.*field.member, words(field.range));
+  for (const auto& field : ShearCell::counts()) {
+    const int value = cell.*std::get<int ShearCell::*>(field.member);
+    demand(value >= field.least && value <= field.most, field.name, value,
+           fmt::format("a whole number between {} and {}", field.least, field.most));
+  }
+  if (cell.columns > cell.wall_discs) {
+    demand(false, "columns", cell.columns,
+           fmt::format("at most the discs of a wall, {}: more do not fit beside each other", cell.wall_discs));
+  }
+  return found;
+}
+
+ShearCell ice_cell(double overburden, double speed, std::uint64_t seed) {
+  ShearCell cell{.law = {1.7e4, 1.7e4 / 0.49, 0.0},
+                 .diameter = 1e-3,
+                 .mass = 7.2e-7,
+                 .gravity = 9.81,
+                 .block_mass = 0.0,
+                 .rows = 8,
+                 .columns = 10,
+                 .wall_discs = 11,
+                 .block_speed = 1e-3 * speed,
+                 .seed = seed};
+  cell.block_mass = overburden * cell.wall_discs * cell.diameter * cell.diameter / cell.gravity;
+  return cell;
 }
 
 FilledCell fill(const ShearCell& cell) {
-  check(cell);
+  if (const auto found = objections(cell); !found.empty())
+    throw InputError{fmt::format("{}: {}", found.front().field, found.front().words)};
   FilledCell filled{.shapes = {}, .discs = {}, .box = {.width = cell.width()}};
   const double radius = 0.5 * cell.diameter, left = -0.5 * cell.width();
   const double column = cell.width() / cell.columns, row = std::max(column, 1.05 * cell.diameter);
@@ -72,9 +92,12 @@ FilledCell fill(const ShearCell& cell) {
   return filled;
 }
 
+std::size_t first_block_disc(const ShearCell& cell) {
+  return cell.free_discs() + static_cast<std::size_t>(cell.wall_discs);
+}
+
 double depth(const ShearCell& cell, const Discs& discs) {
-  const std::size_t base = cell.free_discs(), block = base + static_cast<std::size_t>(cell.wall_discs);
-  return discs.y[block] - discs.y[base] - cell.diameter;
+  return discs.y[first_block_disc(cell)] - discs.y[cell.free_discs()] - cell.diameter;
 }
 
 double solid_fraction(const ShearCell& cell, const Discs& discs) {
@@ -82,14 +105,22 @@ double solid_fraction(const ShearCell& cell, const Discs& discs) {
   return static_cast<double>(cell.free_discs()) * disc / (cell.width() * depth(cell, discs));
 }
 
-WallStress block_stress(const ShearCell& cell, const DiscSystem<LatchingSpring>& system) {
-  const WallStress on_block = stress(cell, system.wall_force(block_wall));
-  return {-on_block.shear, on_block.normal};
-}
-
-WallStress base_stress(const ShearCell& cell, const DiscSystem<LatchingSpring>& system) {
-  const WallStress on_base = stress(cell, system.wall_force(base_wall));
-  return {on_base.shear, -on_base.normal};
+double sixfold_order(const ShearCell& cell, const FilledCell& filled, const Discs& discs) {
+  const double reach = 1.3 * cell.diameter;
+  NeighbourList list{filled.box, reach - cell.diameter};
+  list.build(filled.shapes, discs);
+  std::vector<std::complex<double>> sums(discs.size());
+  std::vector<int> neighbours(discs.size());
+  list.for_each_pair(discs, [&](std::size_t i, std::size_t j, std::size_t, Vec2 apart, const auto&) {
+    const std::complex<double> d{apart.x, apart.y};
+    const std::complex<double> square = d * d / std::norm(d), sixth = square * square * square;
+    sums[i] += sixth, sums[j] += sixth;
+    ++neighbours[i], ++neighbours[j];
+  });
+  double sum = 0.0;
+  for (std::size_t i = 0; i < cell.free_discs(); ++i)
+    if (neighbours[i] > 2) sum += std::abs(sums[i]) / neighbours[i];
+  return sum / static_cast<double>(cell.free_discs());
 }
 
 }  // namespace talus

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string>
+#include <vector>
 
-#include "solver/granular/disc_system.hpp"
+#include "solver/base/fields.hpp"
+#include "solver/granular/discs.hpp"
+#include "solver/granular/periodic_box.hpp"
 #include "solver/laws/latching_spring.hpp"
 
 namespace talus {
@@ -26,9 +31,43 @@ struct ShearCell {
   std::size_t free_discs() const { return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns); }
   /// Overburden by the thesis's definition, MTOP G/(TWID D^2) [F/L^2] (Lacy 1989, "Data Input and Parameters").
   double overburden() const { return block_mass * gravity / (wall_discs * diameter * diameter); }
-  /// How long two of its discs touch [T]: (pi/2) (sqrt(m/(2 K1)) + sqrt(m/(2 K2))) (Walton & Braun 1986).
+  /// Of two discs that touch [rad/T], loading and unloading: sqrt(2 K1/m), sqrt(2 K2/m).
+  double loading_frequency() const;
+  double unloading_frequency() const;
+  /// How long two of its discs touch [T]: (pi/2) (1/w1 + 1/w2) (Walton & Braun 1986).
   double contact_time() const;
+  /// Share of the speed that an impact of two of its discs keeps: sqrt(K1/K2).
+  double restitution() const;
+  /// Of the material, discs as thick as they are wide: M/(pi D^3/4) [M/L^3].
+  double density() const;
+
+  static constexpr std::array<Field<ShearCell>, 5> fields() {
+    return {{{"diameter", dimension::length, &ShearCell::diameter, Range::positive, "diameter D of a disc"},
+             {"mass", dimension::mass, &ShearCell::mass, Range::positive, "mass M of a disc"},
+             {"gravity", dimension::acceleration, &ShearCell::gravity, Range::non_negative,
+              "acceleration of free fall G, which acts on the block alone"},
+             {"block_mass", dimension::mass, &ShearCell::block_mass, Range::positive, "mass MTOP of the block"},
+             {"block_speed", dimension::velocity, &ShearCell::block_speed, Range::any,
+              "speed VXT at which the block is driven along x"}}};
+  }
+  static constexpr std::array<CountField<ShearCell>, 3> counts() {
+    return {{{"rows", &ShearCell::rows, 1, 100'000, "rows NHT of the array that the free discs start in"},
+             {"columns", &ShearCell::columns, 1, 100'000, "columns NWID of it, at most as many as wall_discs"},
+             {"wall_discs", &ShearCell::wall_discs, 3, 100'000, "discs TWID in the base and in the block"}}};
+  }
 };
+
+/// What is wrong with a field, as a message goes on after its name: "found 3; it must be ...".
+struct CellObjection {
+  std::string field;  ///< name among fields() and counts(), or of the law's
+  std::string words;
+};
+/// All that keeps a cell from being filled.
+[[nodiscard]] std::vector<CellObjection> objections(const ShearCell& cell);
+
+/// Talus's own choice of a cell in SI units, for the thesis's numbers are not known: 80 discs of ice of a millimetre,
+/// e = .7, 8 rows of 10 between walls of 11, the block driven at `speed` diameters a second under `overburden` [Pa].
+[[nodiscard]] ShearCell ice_cell(double overburden, double speed, std::uint64_t seed = 1);
 
 /// Its walls among DiscShapes::walls, as wall_force() takes them.
 inline constexpr std::size_t base_wall = 1, block_wall = 2;
@@ -45,19 +84,16 @@ struct FilledCell {
 };
 [[nodiscard]] FilledCell fill(const ShearCell& cell);
 
+/// Where the block's discs begin among the discs: after the free ones and the base's.
+[[nodiscard]] std::size_t first_block_disc(const ShearCell& cell);
 /// Depth of the field: between the centre lines of base and block, less one diameter [L].
 [[nodiscard]] double depth(const ShearCell& cell, const Discs& discs);
 /// Area of the free discs over that of the field.
 [[nodiscard]] double solid_fraction(const ShearCell& cell, const Discs& discs);
 
-/// Stresses on the walls, means over time weighed by the length of the steps [F/L^2], as overburden(): on the area
-/// TWID D^2. S along the motion of the block, with the sign of what the block drags; N pressing outwards.
-struct WallStress {
-  double shear{};
-  double normal{};
-};
-/// Of the forces at the last evaluation.
-[[nodiscard]] WallStress block_stress(const ShearCell& cell, const DiscSystem<LatchingSpring>& system);
-[[nodiscard]] WallStress base_stress(const ShearCell& cell, const DiscSystem<LatchingSpring>& system);
+/// How well the free discs stand in six-fold order: the mean over them of |sum exp(6 i angle)|/n over the n discs of
+/// any kind within 1.3 D of their centre; 1 in a perfect triangular array, 0 for one with fewer than three (Nelson &
+/// Halperin 1979).
+[[nodiscard]] double sixfold_order(const ShearCell& cell, const FilledCell& filled, const Discs& discs);
 
 }  // namespace talus

@@ -1,0 +1,325 @@
+#include "solver/granular/cell_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "solver/base/error.hpp"
+
+namespace talus {
+namespace {
+
+/// Steps in half a contact: the time between two samples of what is known of contacts.
+long steps_of_sample(const ShearCell& cell, const CellPlan& plan) {
+  return std::max(1L, std::lround(0.5 * cell.contact_time() / plan.step));
+}
+
+constexpr long samples_of_profile = 8;
+/// Share of a LOOP or step by which a sum of steps may fall short of it and still be all of it.
+constexpr double whole = 1e-12;
+
+/// Whole steps in a time; a time that is one but for its last digits counts as one.
+long steps_in(double time, double step) { return std::max(1L, std::lround(time / step)); }
+
+/// LOOPs in a run, the last one perhaps not whole.
+double loops(const CellPlan& plan) { return std::ceil(plan.end / plan.every * (1.0 - whole)); }
+
+std::size_t at(CellQuantity quantity) { return static_cast<std::size_t>(quantity); }
+
+/// What a free fall of n steps is longer by than n^2/2 g h^2, in n/2 g h^2.
+double fall_bias(std::string_view integrator) {
+  if (integrator == "euler") return -1.0;
+  return integrator == "euler_cromer" || integrator == "central_difference" ? 1.0 : 0.0;
+}
+
+FilledCell checked(const ShearCell& cell, const CellPlan& plan, FilledCell start) {
+  if (const auto found = objections(cell, plan); !found.empty())
+    throw InputError{fmt::format("{}: {}", found.front().field, found.front().words)};
+  return start;
+}
+
+}  // namespace
+
+std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& plan) {
+  std::vector<CellObjection> found = objections(cell);
+  for (const auto& field : CellPlan::fields()) {
+    if (!contains(field.range, plan.*field.member)) {
+      found.push_back(
+          {std::string{field.name}, fmt::format("found {}; it must be {}", plan.*field.member, words(field.range))});
+    }
+  }
+  if (!found.empty()) return found;
+  if (plan.step > plan.every) {
+    found.push_back(
+        {"step", fmt::format("found {}; it must be at most the time between outputs, {}", plan.step, plan.every)});
+  }
+  if (plan.every > plan.end) {
+    found.push_back({"every", fmt::format("found {}; it must be at most the time at which the run ends, {}", plan.every,
+                                          plan.end)});
+  }
+  const double steps = cell.contact_time() / plan.step;
+  if (swing_gain(plan.integrator) == 0.0 && steps < 10.0) {
+    found.push_back(
+        {"step", fmt::format("found {}; a contact lasts {:.4g}, and {} needs 10 steps of it: at most {:.4g}", plan.step,
+                             cell.contact_time(), plan.integrator, cell.contact_time() / 10.0)});
+  }
+  const double stepped = stepped_restitution(plan.integrator, cell.restitution(), cell.loading_frequency() * plan.step);
+  if (!plan.historical && std::abs(stepped - cell.restitution()) > 0.05) {
+    found.push_back(
+        {"step", fmt::format("found {}; with it {} makes a restitution of {:.4g} into {:.4g}. At most .05 is allowed "
+                             "but in a historical run: a smaller step, or a leapfrog",
+                             plan.step, plan.integrator, cell.restitution(), stepped)});
+  }
+  return found;
+}
+
+CellRun::CellRun(const ShearCell& cell, const CellPlan& plan) : CellRun{cell, plan, fill(cell)} {}
+
+CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
+    : cell_{cell},
+      plan_{plan},
+      start_{checked(cell, plan, std::move(start))},
+      system_{start_.shapes, start_.box, cell.law, 0.3 * cell.diameter},
+      method_{make_disc_method(plan.integrator)},
+      discs_{start_.discs},
+      last_step_{steps_in(plan.end, plan.step)},
+      sample_every_{steps_of_sample(cell, plan)},
+      means_{quantities, plan.end, blocks},
+      intervals_{quantities, plan.every * loops(plan), static_cast<std::size_t>(loops(plan))},
+      profile_{static_cast<std::size_t>(3 * cell.rows + 4), 0.5 * cell.diameter, cell.width()} {
+  system_.begin(discs_);
+  std::visit([&](auto& method) { method.start(system_, discs_, plan_.step); }, method_);
+  held_at_start_ = energies().held();
+}
+
+void CellRun::advance() {
+  const long ahead = plan_.jump ? free_steps() : 0, before = steps_;
+  if (ahead > 1) {
+    jump(ahead);
+  } else {
+    std::visit([&](auto& method) { method.step(system_, discs_, plan_.step); }, method_);
+    ++steps_;
+    ++since_sample_;
+    book_walls(plan_.step);
+    if (since_sample_ >= sample_every_ || finished()) sample();
+  }
+  due_ = loops_ended(steps_) > loops_ended(before) || finished();
+}
+
+/// LOOPs in so many steps.
+long CellRun::loops_ended(long steps) const {
+  return static_cast<long>(static_cast<double>(steps) * plan_.step / plan_.every * (1.0 + whole));
+}
+
+/// As many steps as nothing can touch in: discs fly straight, the block falls. Of a pair with the block its way along
+/// the line of centres is at most |v| t + G t^2/2 (its true path would be a root of fourth degree).
+long CellRun::free_steps() const {
+  bool acting = false;
+  system_.for_each_contact(discs_, [&](const System::Contact&) { acting = true; });
+  if (acting) return 0;
+  double time = std::numeric_limits<double>::infinity(), fastest = 0.0;
+  for (std::size_t i = 0; i < discs_.size(); ++i)
+    fastest = std::max(fastest, norm(Vec2{discs_.vx[i], discs_.vy[i]}));
+  const NeighbourList& list = system_.list();
+  list.for_each_pair(discs_, [&](std::size_t i, std::size_t j, std::size_t, Vec2 d, const auto& shift) {
+    const Vec2 v{discs_.vx[j] - discs_.vx[i] + shift.vx, discs_.vy[j] - discs_.vy[i]};
+    const double radii = cell_.diameter, nearing = -dot(d, v), room = dot(d, d) - radii * radii;
+    if (j >= first_block_disc(cell_)) {
+      const double gap = norm(d) - radii, speed = norm(v);
+      time = std::min(time, 2.0 * gap / (speed + std::sqrt(speed * speed + 2.0 * cell_.gravity * gap)));
+    } else if (nearing > 0.0) {
+      const double root = nearing * nearing - dot(v, v) * room;
+      if (root >= 0.0) time = std::min(time, room / (nearing + std::sqrt(root)));
+    }
+  });
+  const double left = list.left();
+  time = std::min(time, left / (fastest + std::sqrt(fastest * fastest + cell_.gravity * left)));
+  const auto next = static_cast<long>(
+      std::ceil(static_cast<double>(loops_ended(steps_) + 1) * plan_.every / plan_.step * (1.0 - whole)));
+  const auto free = static_cast<long>(std::clamp(time / plan_.step - 1.0, 0.0, 1e15));
+  return std::min({free, next - steps_, last_step_ - steps_});
+}
+
+void CellRun::jump(long steps) {
+  if (since_sample_ > 0) sample();
+  const auto n = static_cast<double>(steps);
+  const double h = plan_.step, fall = 0.5 * cell_.gravity * h * (n + fall_bias(plan_.integrator));
+  const double speed = discs_.vy.back();
+  const std::size_t block = first_block_disc(cell_);
+  std::fill(discs_.vy.begin() + static_cast<std::ptrdiff_t>(block), discs_.vy.end(), speed - fall);
+  system_.drift(discs_, n * h);
+  std::fill(discs_.vy.begin() + static_cast<std::ptrdiff_t>(block), discs_.vy.end(), speed - cell_.gravity * n * h);
+  discs_.t += n * h;
+  steps_ += steps;
+  jumped_ += steps;
+  book_walls(n * h);
+  sample();
+}
+
+/// What is known at each step, of the forces of its evaluation.
+void CellRun::book_walls(double time) {
+  const Vec2 block = system_.wall_force(block_wall), base = system_.wall_force(base_wall);
+  on_block_ += time * block, on_base_ += time * base;
+  const double forwards = std::signbit(cell_.block_speed) ? -1.0 : 1.0, area = cell_.width() * cell_.diameter;
+  const double height = discs_.y[first_block_disc(cell_)] - discs_.y[cell_.free_discs()];
+  const auto add = [&](CellQuantity quantity, double value) { walls_[at(quantity)] += time * value; };
+  add(CellQuantity::top_shear, -forwards * block.x / area);
+  add(CellQuantity::top_normal, block.y / area);
+  add(CellQuantity::bottom_shear, forwards * base.x / area);
+  add(CellQuantity::bottom_normal, -base.y / area);
+  add(CellQuantity::top_moment, -forwards * block.x / area * height);
+  add(CellQuantity::depth, height - cell_.diameter);
+  add(CellQuantity::depth_square, (height - cell_.diameter) * (height - cell_.diameter));
+  waiting_ += time;
+}
+
+void CellRun::sample() {
+  Values values;
+  for (std::size_t k = 0; k < quantities; ++k)
+    values[k] = walls_[k] / waiting_;
+  const auto value = [&](CellQuantity quantity) -> double& { return values[at(quantity)]; };
+  const double forwards = std::signbit(cell_.block_speed) ? -1.0 : 1.0, area = cell_.width() * cell_.diameter;
+  const std::size_t free = cell_.free_discs();
+  const std::vector<ActingContact> contacts = acting_contacts();
+  for (const ActingContact& contact : contacts) {
+    const Vec2 force = contact.force_on_b();
+    const double rise = contact.distance * contact.n_ab.y / area;
+    const double shear = -forwards * force.x * rise, normal = force.y * rise;
+    largest_overlap_ = std::max(largest_overlap_, contact.depth);
+    value(CellQuantity::shear_virial) += shear, value(CellQuantity::normal_virial) += normal;
+    if (contact.multiple) {
+      value(CellQuantity::multiple) += 1.0;
+      value(CellQuantity::multiple_shear_virial) += shear, value(CellQuantity::multiple_normal_virial) += normal;
+    }
+    for (const std::size_t disc : {contact.a, contact.b})
+      if (disc < free) value(CellQuantity::coordination) += 1.0 / static_cast<double>(free);
+  }
+  value(CellQuantity::contacts) = static_cast<double>(contacts.size());
+  value(CellQuantity::touching) = contacts.empty() ? 0.0 : 1.0;
+  for (std::size_t i = 0; i < free; ++i) {
+    value(CellQuantity::kinetic_shear) -= forwards * cell_.mass * discs_.vx[i] * discs_.vy[i] / area;
+  }
+  const double fraction = solid_fraction(cell_, discs_);
+  value(CellQuantity::solid_fraction) = fraction;
+  const double time = static_cast<double>(steps_) * plan_.step - 0.5 * waiting_;
+  profile_waiting_ += waiting_;
+  if (++profile_samples_ >= samples_of_profile || finished()) look_across(time);
+  means_.add(time, waiting_, values);
+  intervals_.add(time, waiting_, values);
+  walls_ = {};
+  waiting_ = 0.0;
+  since_sample_ = 0;
+  check(fraction);
+}
+
+/// Discs by height; after the start-up. They hardly move in some contact times.
+void CellRun::look_across(double time) {
+  if (time >= plan_.end * start_up / blocks) {
+    const std::size_t free = cell_.free_discs();
+    for (std::size_t i = 0; i < free; ++i) {
+      profile_.add({.y = discs_.y[i] - discs_.y[free],
+                    .vx = discs_.vx[i],
+                    .vy = discs_.vy[i],
+                    .radius = 0.5 * cell_.diameter,
+                    .mass = cell_.mass},
+                   profile_waiting_);
+    }
+    profile_.add_time(profile_waiting_);
+  }
+  profile_waiting_ = 0.0;
+  profile_samples_ = 0;
+}
+
+std::vector<CellRun::ActingContact> CellRun::acting_contacts() const {
+  const std::size_t free = cell_.free_discs();
+  std::vector<ActingContact> contacts;
+  std::vector<int> acting(discs_.size());
+  system_.for_each_contact(discs_, [&](const System::Contact& contact) {
+    if (!(contact.force > 0.0)) return;
+    contacts.push_back({contact, false});
+    ++acting[contact.a], ++acting[contact.b];
+  });
+  for (ActingContact& contact : contacts) {
+    for (const std::size_t disc : {contact.a, contact.b})
+      contact.multiple = contact.multiple || (disc < free && acting[disc] > 1);
+  }
+  return contacts;
+}
+
+void CellRun::check(double fraction) {
+  largest_fraction_ = std::max(largest_fraction_, fraction);
+  if (!failure_.empty()) return;
+  if (!(fraction > 0.0) || !(fraction < 2.0) || largest_overlap_ > 0.5 * cell_.diameter) {
+    failure_ = fmt::format(
+        "a solid fraction of {:.4g} and an overlap of {:.3g} diameters: discs pass through each other; "
+        "contacts are too soft for speed and load, or the step is too long",
+        fraction, largest_overlap_ / cell_.diameter);
+  }
+}
+
+Discs CellRun::discs() {
+  return std::visit([&](auto& method) -> Discs { return method.synchronized(system_, discs_, plan_.step); }, method_);
+}
+
+Estimate CellRun::mean(CellQuantity quantity) const { return means_.estimate(at(quantity), start_up); }
+Estimate CellRun::ratio(CellQuantity over, CellQuantity under) const {
+  return means_.ratio(at(over), at(under), start_up);
+}
+
+std::size_t CellRun::intervals() const {
+  return finished() ? intervals_.blocks() : static_cast<std::size_t>(loops_ended(steps_));
+}
+
+double CellRun::interval_mean(std::size_t interval, CellQuantity quantity) const {
+  return intervals_.block_mean(interval, at(quantity));
+}
+
+double CellRun::drift(CellQuantity quantity) const {
+  constexpr std::size_t middle = (start_up + blocks) / 2;
+  const double change = means_.mean(at(quantity), middle, blocks) - means_.mean(at(quantity), start_up, middle);
+  // Of means over halves the variance is twice that of the whole, of their difference four times.
+  const double error = 2.0 * mean(quantity).error;
+  return error > 0.0 ? change / error : 0.0;
+}
+
+CellRun::Ledger CellRun::energies() {
+  const Discs now = discs();
+  Ledger ledger;
+  ledger.kinetic = 0.5 * cell_.block_mass * now.vy.back() * now.vy.back();
+  for (std::size_t i = 0; i < cell_.free_discs(); ++i)
+    ledger.kinetic += 0.5 * cell_.mass * (now.vx[i] * now.vx[i] + now.vy[i] * now.vy[i]);
+  ledger.potential = cell_.block_mass * cell_.gravity * now.y[first_block_disc(cell_)];
+  system_.for_each_contact(now, [&](const System::Contact& contact) { ledger.stored += contact.stored; });
+  return ledger;
+}
+
+CellRun::Ledger CellRun::ledger() {
+  Ledger ledger = energies();
+  // The block has one speed, so that what drives it does the work of its impulse.
+  ledger.driven = -on_block_.x * cell_.block_speed;
+  ledger.dissipated = discs_.dissipated();
+  ledger.gained = ledger.held() + ledger.dissipated - ledger.driven - held_at_start_;
+  return ledger;
+}
+
+void CellRun::remember(Memory& memory) {
+  using talus::remember;
+  memory.part("discs", [&] { remember(memory, discs_); });
+  memory.part("system", [&] { system_.remember(memory, discs_); });
+  memory.part("method", [&] { std::visit([&](auto& method) { method.remember(memory, discs_); }, method_); });
+  memory.count("steps", steps_), memory.count("jumped", jumped_), memory.count("since_sample", since_sample_);
+  memory.number("waiting", waiting_);
+  memory.number("profile_waiting", profile_waiting_), memory.count("profile_samples", profile_samples_);
+  memory.numbers("walls", walls_);
+  memory.part("means", [&] { means_.remember(memory); });
+  memory.part("intervals", [&] { intervals_.remember(memory); });
+  memory.part("profile", [&] { profile_.remember(memory); });
+  memory.number("largest_overlap", largest_overlap_), memory.number("largest_fraction", largest_fraction_);
+  memory.vector("on_block", on_block_), memory.vector("on_base", on_base_);
+  memory.number("held_at_start", held_at_start_);
+}
+
+}  // namespace talus

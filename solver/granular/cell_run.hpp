@@ -1,0 +1,165 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "solver/granular/block_means.hpp"
+#include "solver/granular/cell_profile.hpp"
+#include "solver/granular/disc_method.hpp"
+#include "solver/granular/disc_system.hpp"
+#include "solver/granular/shear_cell.hpp"
+
+namespace talus {
+
+/// How a cell is run; the names of CNTRL.DAT stand beside. Times [T].
+struct CellPlan {
+  std::string integrator{"velocity_verlet"};
+  double step{};      ///< STEP > 0
+  double every{};     ///< LOOP: what is written, is written so often; >= step
+  double end{};       ///< TIME >= every
+  bool historical{};  ///< a run as that of 1989 may have been: steps that change the restitution are not refused
+  bool jump{};        ///< whether time in which nothing can touch is passed at once
+
+  static constexpr std::array<Field<CellPlan>, 3> fields() {
+    return {{{"step", dimension::time, &CellPlan::step, Range::positive, "step STEP"},
+             {"every", dimension::time, &CellPlan::every, Range::positive, "time LOOP between outputs"},
+             {"end", dimension::time, &CellPlan::end, Range::positive, "time TIME at which the run ends"}}};
+  }
+};
+
+/// All that keeps a cell from being run so. A leapfrog needs 10 steps in a contact; Euler and Taylor may move the
+/// restitution by .05, in a historical run by any amount.
+[[nodiscard]] std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& plan);
+
+/// What is averaged of a cell. Stresses as ShearCell::overburden() [F/L^2]; shear is positive where the block is
+/// dragged against its speed; virials are those stresses times the depth between the centre lines [F/L].
+enum class CellQuantity : std::size_t {
+  top_shear,     ///< S on the block
+  top_normal,    ///< N
+  bottom_shear,  ///< on the base
+  bottom_normal,
+  top_moment,    ///< S of the block times the height of its centre line over the base's [F/L]
+  depth,         ///< [L]
+  depth_square,  ///< [L^2]
+  solid_fraction,
+  touching,      ///< 1 while any contact acts, else 0
+  coordination,  ///< contacts that act of a free disc
+  contacts,      ///< contacts that act
+  multiple,      ///< those of which a free disc has another
+  shear_virial,  ///< of all contacts
+  multiple_shear_virial,
+  normal_virial,
+  multiple_normal_virial,
+  kinetic_shear,  ///< the same of momentum carried by the discs [F/L]
+  count,
+};
+
+/// A shear cell on its way, with what is measured of it. Contacts act while their force is not nought.
+class CellRun {
+ public:
+  using System = DiscSystem<LatchingSpring>;
+
+  /// Blocks of time in a run by which errors are told, and those at its start that no mean counts.
+  static constexpr std::size_t blocks = 100, start_up = 25;
+  /// Limits that a flow of hard discs keeps: all space that equal discs can fill, and a tenth of a diameter of overlap.
+  /// Beyond them a run goes on, until discs pass through each other.
+  static constexpr double fullest = 0.9069, deepest = 0.1;
+
+  /// Errors: InputError for the first of the objections.
+  CellRun(const ShearCell& cell, const CellPlan& plan);
+  /// The same from discs that are there already.
+  CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start);
+
+  /// Takes a step, or as many at once as nothing can touch in.
+  void advance();
+  bool finished() const { return steps_ >= last_step_; }
+  /// Whether something is to be written after this step: each LOOP, and at the end.
+  bool due() const { return due_; }
+  /// Why the run cannot go on; empty while it can.
+  const std::string& failure() const { return failure_; }
+
+  const ShearCell& cell() const { return cell_; }
+  const CellPlan& plan() const { return plan_; }
+  const FilledCell& start() const { return start_; }
+  const System& system() const { return system_; }
+  long steps() const { return steps_; }
+  long last_step() const { return last_step_; }
+  /// Steps that were passed at once.
+  long jumped() const { return jumped_; }
+  /// Discs, velocities of their time.
+  Discs discs();
+
+  /// Mean of a quantity after the start-up.
+  Estimate mean(CellQuantity quantity) const;
+  /// Mean of one over mean of the other.
+  Estimate ratio(CellQuantity over, CellQuantity under) const;
+  /// LOOPs that have ended, and the mean of a quantity in one of them, start-up or not.
+  std::size_t intervals() const;
+  double interval_mean(std::size_t interval, CellQuantity quantity) const;
+  /// How much the mean of the later half differs from that of the earlier, in standard errors of the difference.
+  double drift(CellQuantity quantity) const;
+  const CellProfile& profile() const { return profile_; }
+  double largest_overlap() const { return largest_overlap_; }  ///< [L]
+  double largest_fraction() const { return largest_fraction_; }
+
+  /// Where the energy is and has gone [F L], from the start on.
+  struct Ledger {
+    double kinetic{}, potential{}, stored{};  ///< now; potential of the block
+    double driven{};                          ///< work of what drives the block
+    double dissipated{};
+    /// What is there now.
+    double held() const { return kinetic + potential + stored; }
+    double gained{};  ///< what is there and what was kept, less what was put in: nought but for the method's error
+  };
+  Ledger ledger();
+  /// A contact whose force is not nought; multiple if one of its free discs has another.
+  struct ActingContact : System::Contact {
+    bool multiple{};
+  };
+  std::vector<ActingContact> acting_contacts() const;
+  /// Impulses of the discs on the block and the base so far [F T].
+  Vec2 impulse_on_block() const { return on_block_; }
+  Vec2 impulse_on_base() const { return on_base_; }
+
+  /// Names all that goes from one step to the next.
+  void remember(Memory& memory);
+
+ private:
+  static constexpr std::size_t quantities = static_cast<std::size_t>(CellQuantity::count);
+  using Values = std::array<double, quantities>;
+
+  long free_steps() const;
+  void jump(long steps);
+  void book_walls(double time);
+  void sample();
+  void look_across(double time);
+  long loops_ended(long steps) const;
+  Ledger energies();
+  void check(double fraction);
+
+  ShearCell cell_;
+  CellPlan plan_;
+  FilledCell start_;
+  System system_;
+  DiscMethod method_;
+  Discs discs_;
+  long steps_{}, last_step_{}, jumped_{};
+  bool due_{};
+  long sample_every_;
+  long since_sample_{};  ///< steps
+  double waiting_{};     ///< time that the next sample stands for [T]
+  Values walls_{};       ///< sums over that time of what is known at each step
+  BlockMeans means_;
+  BlockMeans intervals_;  ///< one block for each LOOP
+  CellProfile profile_;
+  double profile_waiting_{};  ///< time that the next look across the field stands for [T]
+  long profile_samples_{};    ///< since the last
+  double largest_overlap_{}, largest_fraction_{};
+  Vec2 on_block_, on_base_;
+  double held_at_start_{};
+  std::string failure_;
+};
+
+}  // namespace talus
