@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/base/error.hpp"
+#include "solver/io/json_number.hpp"
 #include "solver/io/toml_document.hpp"
 
 namespace talus {
@@ -18,15 +19,10 @@ using Json = nlohmann::json;
 constexpr int schema = 1;
 constexpr std::string_view hash_line = "\"fnv1a\": ";
 
-Json number(double value) {
-  if (std::isfinite(value)) return value;
-  return std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf";
-}
-
 Json item(const std::vector<double>& numbers) {
   Json list = Json::array();
   for (const double value : numbers)
-    list.push_back(number(value));
+    list.push_back(Json(json_number(value)));
   return list;
 }
 

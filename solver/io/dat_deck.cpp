@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <map>
 
 #include "solver/base/error.hpp"
 #include "solver/io/deck_records.hpp"
 #include "solver/io/fence_rules.hpp"
+#include "solver/io/fortran.hpp"
 #include "solver/io/list_directed.hpp"
 #include "solver/io/quantity_text.hpp"
 #include "solver/io/toml_document.hpp"
@@ -23,30 +23,8 @@ using scenes::Fence;
 /// Rocks, and elements of the histories, that a deck may have.
 constexpr long most_items = 1000;
 
-std::string quoted(std::string_view text) {
-  std::string shown;
-  for (const char c : text.substr(0, 40))
-    shown += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  return fmt::format("found \"{}{}\"", shown, text.size() > 40 ? "..." : "");
-}
-
 std::string words_for(Range range) {
   return range == Range::any ? "a number" : fmt::format("a number {}", words(range));
-}
-
-/// A Fortran real: the exponent may be marked by D. False if it is none.
-bool parse_real(std::string_view text, double& number) {
-  std::string digits{text.substr(text.front() == '+' ? 1 : 0)};
-  const std::size_t exponent = digits.find_first_of("dD");
-  if (exponent != std::string::npos) digits[exponent] = 'e';
-  const std::size_t first = !digits.empty() && digits.front() == '-' && text.front() == '-' ? 1 : 0;
-  if (first >= digits.size() || !((digits[first] >= '0' && digits[first] <= '9') || digits[first] == '.')) return false;
-  const char* end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, number);
-  if (error == std::errc::result_out_of_range && stop == end) {
-    throw InputError{quoted(text) + "; the number is too large or too small for a double"};
-  }
-  return error == std::errc{} && stop == end;
 }
 
 /// Reads what deck_records::pass goes through.
@@ -154,11 +132,11 @@ class DeckReader {
   double number(std::string_view name, std::string_view field, Dimension dimension, Range range) {
     const std::string_view text = value(name, field);
     double number = 0.0;
-    const bool is_number = placed(name, [&] { return parse_real(text, number); });
+    const bool is_number = placed(name, [&] { return parse_fortran_real(text, number); });
     const double result = consistent(number, deck_unit(dimension), dimension, us);
-    if (is_number && !std::isfinite(result)) fail(place_, name, quoted(text) + "; the number is too large");
+    if (is_number && !std::isfinite(result)) fail(place_, name, found_text(text) + "; the number is too large");
     if (!is_number || !contains(range, result)) {
-      fail(place_, name, fmt::format("{}; it must be {}", quoted(text), words_for(range)));
+      fail(place_, name, fmt::format("{}; it must be {}", found_text(text), words_for(range)));
     }
     return result;
   }
@@ -166,10 +144,10 @@ class DeckReader {
   long whole(std::string_view name, std::string_view field, long least, long most) {
     const std::string_view text = value(name, field);
     double number = 0.0;
-    const bool is_number = placed(name, [&] { return parse_real(text, number); });
+    const bool is_number = placed(name, [&] { return parse_fortran_real(text, number); });
     if (!is_number || number != std::floor(number) || number < static_cast<double>(least) ||
         number > static_cast<double>(most)) {
-      fail(place_, name, fmt::format("{}; it must be {}", quoted(text), whole_words(least, most)));
+      fail(place_, name, fmt::format("{}; it must be {}", found_text(text), whole_words(least, most)));
     }
     return static_cast<long>(number);
   }

@@ -45,4 +45,25 @@ std::string fortran_g(double value, int digits) {
   return r.sign + r.digits.substr(0, point) + "." + r.digits.substr(point);
 }
 
+std::string found_text(std::string_view text) {
+  std::string shown;
+  for (const char c : text.substr(0, 40))
+    shown += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+  return fmt::format("found \"{}{}\"", shown, text.size() > 40 ? "..." : "");
+}
+
+bool parse_fortran_real(std::string_view text, double& number) {
+  std::string digits{text.substr(text.front() == '+' ? 1 : 0)};
+  const std::size_t exponent = digits.find_first_of("dD");
+  if (exponent != std::string::npos) digits[exponent] = 'e';
+  const std::size_t first = !digits.empty() && digits.front() == '-' && text.front() == '-' ? 1 : 0;
+  if (first >= digits.size() || !((digits[first] >= '0' && digits[first] <= '9') || digits[first] == '.')) return false;
+  const char* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, number);
+  if (error == std::errc::result_out_of_range && stop == end) {
+    throw InputError{found_text(text) + "; the number is too large or too small for a double"};
+  }
+  return error == std::errc{} && stop == end;
+}
+
 }  // namespace talus

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -105,6 +106,43 @@ GeometryFrame read_geometry(const GeometryFile& file) {
       line.bodies.push_back(point_bodies[at]);
     }
     frame.lines.push_back(std::move(line));
+  }
+  return frame;
+}
+
+DiscFrame read_discs(const GeometryFile& file) {
+  const VtkFile vtk{file.path};
+  const auto points = vtk.array<double>("Points", "Points");
+  const auto ids = vtk.array<long>("PointData", "id");
+  const auto radii = vtk.array<double>("PointData", "radius");
+  const auto velocities = vtk.array<double>("PointData", "velocity");
+  const auto walls = vtk.array<int>("PointData", "wall");
+  const auto ends = vtk.array<std::size_t>("Lines", "connectivity");
+  const auto forces = vtk.array<double>("CellData", "force");
+  for (const std::size_t count : {points.size() / 3, radii.size(), velocities.size() / 3, walls.size()}) {
+    if (count != ids.size()) vtk.complain(fmt::format("found {} values for {} points", count, ids.size()));
+  }
+  DiscFrame frame{file.time, {}, {}};
+  // The discs by their numbers, then images of some of them.
+  for (std::size_t i = 0; i < ids.size() && ids[i] == static_cast<long>(i) + 1; ++i) {
+    frame.discs.push_back(
+        {{points[3 * i], points[3 * i + 1]}, radii[i], {velocities[3 * i], velocities[3 * i + 1]}, walls[i] != 0});
+  }
+  const std::size_t discs = frame.discs.size(), lines = ends.size() / 2;
+  if (discs == 0) vtk.complain("it holds no disc");
+  if (forces.size() != discs + lines) {
+    vtk.complain(fmt::format("found {} values for {} discs and {} lines", forces.size(), discs, lines));
+  }
+  for (std::size_t k = 0; k < lines; ++k) {
+    const std::size_t a = ends[2 * k], b = ends[2 * k + 1];
+    if (a >= discs || b >= ids.size() || static_cast<std::size_t>(std::abs(ids[b])) - 1 >= discs) {
+      vtk.complain(fmt::format("line {} joins no two of its {} discs", k, discs));
+    }
+    frame.contacts.push_back({a,
+                              static_cast<std::size_t>(std::abs(ids[b])) - 1,
+                              frame.discs[a].p,
+                              {points[3 * b], points[3 * b + 1]},
+                              forces[discs + k]});
   }
   return frame;
 }

@@ -29,11 +29,36 @@ struct GeometryFrame {
   std::vector<GeometryLine> lines;
 };
 
-/// Reads the index NAME.pvd that VtpSeries writes: its files in the order of time. Errors: IoError; InputError with the
-/// file and what is wrong in it.
+/// A disc at one time.
+struct SeenDisc {
+  Vec2 p;           ///< of its centre [L]
+  double radius{};  ///< [L]
+  Vec2 v;           ///< [L/T]
+  bool wall{};      ///< one of a wall's
+};
+
+/// Two discs that push each other.
+struct SeenContact {
+  std::size_t a{}, b{};  ///< their places in the list of discs
+  Vec2 from, to;         ///< centre of a, and of b or the image of it that touches [L]
+  double force{};        ///< [F]
+};
+
+/// Where discs stood at one time.
+struct DiscFrame {
+  double time{};
+  std::vector<SeenDisc> discs;
+  std::vector<SeenContact> contacts;
+};
+
+/// Reads the index NAME.pvd that VtpSeries and vtk_index write: its files in the order of time. Errors: IoError;
+/// InputError with the file and what is wrong in it.
 [[nodiscard]] std::vector<GeometryFile> read_geometry_index(const std::filesystem::path& file);
 
 /// Reads one file of the series. Errors: as read_geometry_index.
 [[nodiscard]] GeometryFrame read_geometry(const GeometryFile& file);
+
+/// Reads one file of a series of discs, as cell_state_vtp writes it. Errors: as read_geometry_index.
+[[nodiscard]] DiscFrame read_discs(const GeometryFile& file);
 
 }  // namespace talus

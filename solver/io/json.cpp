@@ -4,22 +4,18 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "solver/io/json_number.hpp"
+
 namespace talus {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no number for what is not finite.
-Json number(double value) {
-  if (std::isfinite(value)) return value;
-  return std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf";
-}
-
-Json vector(Vec2 value) { return Json::array({number(value.x), number(value.y)}); }
+Json vector(Vec2 value) { return Json::array({json_number(value.x), json_number(value.y)}); }
 
 Json outcome(const Outcome& outcome) {
   constexpr std::array kinds{"finished", "stopped", "diverged"};
-  Json json{{"kind", kinds.at(static_cast<std::size_t>(outcome.kind))}, {"time", number(outcome.time)}};
+  Json json{{"kind", kinds.at(static_cast<std::size_t>(outcome.kind))}, {"time", json_number(outcome.time)}};
   if (!outcome) json["words"] = outcome.words;
   return json;
 }
@@ -41,22 +37,22 @@ Json ledger(const RunRecord& record) {
   const Energies& e = accounts.energies;
   Json lost = Json::object();
   for (std::size_t i = 0; i < mechanism_count; ++i)
-    lost[std::string{mechanism_names[i]}] = number(accounts.lost[i]);
+    lost[std::string{mechanism_names[i]}] = json_number(accounts.lost[i]);
   return {{"energy",
-           {{"kinetic", number(e.kinetic)},
-            {"gravity", number(e.gravity)},
-            {"applied", number(e.applied)},
-            {"contacts", number(e.contacts)},
-            {"cables", number(e.cables)},
-            {"total", number(e.total())}}},
+           {{"kinetic", json_number(e.kinetic)},
+            {"gravity", json_number(e.gravity)},
+            {"applied", json_number(e.applied)},
+            {"contacts", json_number(e.contacts)},
+            {"cables", json_number(e.cables)},
+            {"total", json_number(e.total())}}},
           {"lost", lost},
-          {"energy_closure", number(accounts.energy_closure)},
-          {"largest_energy_closure", number(record.largest_energy_closure)},
-          {"energy_scale", number(record.energy_scale)},
+          {"energy_closure", json_number(accounts.energy_closure)},
+          {"largest_energy_closure", json_number(record.largest_energy_closure)},
+          {"energy_scale", json_number(record.energy_scale)},
           {"momentum", vector(accounts.momenta.linear)},
           {"momentum_closure", vector(accounts.momentum_closure)},
-          {"angular_momentum", number(accounts.momenta.angular)},
-          {"angular_momentum_closure", number(accounts.angular_momentum_closure)}};
+          {"angular_momentum", json_number(accounts.momenta.angular)},
+          {"angular_momentum_closure", json_number(accounts.angular_momentum_closure)}};
 }
 
 Json extremes(const RunRecord& record) {
@@ -64,10 +60,10 @@ Json extremes(const RunRecord& record) {
   for (const ExtremeRecord& item : record.extremes) {
     json.push_back({{"name", item.column.name},
                     {"unit", symbol(record.units, item.column.dimension)},
-                    {"least", number(item.extreme.least)},
-                    {"least_time", number(item.extreme.least_time)},
-                    {"largest", number(item.extreme.largest)},
-                    {"largest_time", number(item.extreme.largest_time)}});
+                    {"least", json_number(item.extreme.least)},
+                    {"least_time", json_number(item.extreme.least_time)},
+                    {"largest", json_number(item.extreme.largest)},
+                    {"largest_time", json_number(item.extreme.largest_time)}});
   }
   return json;
 }
@@ -75,14 +71,14 @@ Json extremes(const RunRecord& record) {
 Json failures(const RunRecord& record) {
   Json json = Json::array();
   for (const Failure& failure : record.failures)
-    json.push_back({{"time", number(failure.time)}, {"part", failure.part}, {"what", failure.what}});
+    json.push_back({{"time", json_number(failure.time)}, {"part", failure.part}, {"what", failure.what}});
   return json;
 }
 
 Json parts(const std::vector<PartState>& states) {
   Json json = Json::array();
   for (const PartState& state : states)
-    json.push_back({{"name", state.name}, {"mode", state.mode}, {"plastic_stretch", number(state.stretch)}});
+    json.push_back({{"name", state.name}, {"mode", state.mode}, {"plastic_stretch", json_number(state.stretch)}});
   return json;
 }
 
@@ -91,9 +87,9 @@ Json bodies(const RunRecord& record) {
   for (const BodyState& body : record.bodies) {
     json.push_back({{"name", body.name},
                     {"position", vector(body.p)},
-                    {"angle", number(body.angle)},
+                    {"angle", json_number(body.angle)},
                     {"velocity", vector(body.v)},
-                    {"spin", number(body.spin)}});
+                    {"spin", json_number(body.spin)}});
   }
   return json;
 }
@@ -106,8 +102,8 @@ std::string summary_json(const RunRecord& record, const std::string& resume) {
             {"units", units(record.units)},
             {"outcome", outcome(record.outcome)},
             {"integrator", record.integrator},
-            {"step", number(record.plan.step)},
-            {"end", number(record.plan.end)},
+            {"step", json_number(record.plan.step)},
+            {"end", json_number(record.plan.end)},
             {"steps", record.steps},
             {"evaluations", record.evaluations},
             {"carried",
@@ -136,7 +132,7 @@ std::string final_state_json(const RunRecord& record) {
                   {"title", record.title},
                   {"units", units(record.units)},
                   {"outcome", outcome(record.outcome)},
-                  {"time", number(record.outcome.time)},
+                  {"time", json_number(record.outcome.time)},
                   {"bodies", bodies(record)},
                   {"cables", parts(record.cables_left)},
                   {"hangers", parts(record.hangers_left)}};

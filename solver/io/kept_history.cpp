@@ -22,7 +22,7 @@ std::string_view taken(std::string_view& rest, char mark) {
 
 KeptColumn column(std::string_view header) {
   const std::size_t bracket = header.rfind(" [");
-  if (bracket == std::string_view::npos || header.back() != ']') return {std::string{header}, "1", {}};
+  if (bracket == std::string_view::npos || header.back() != ']') return {std::string{header}, "", {}};
   return {
       std::string{header.substr(0, bracket)}, std::string{header.substr(bracket + 2, header.size() - bracket - 3)}, {}};
 }

@@ -9,7 +9,7 @@ namespace talus {
 /// One quantity of a history as it stands in its file.
 struct KeptColumn {
   std::string name;            ///< "rock.vx", "element3.top_tension", "energy.kinetic", "time"
-  std::string unit;            ///< its symbol, e.g. "ft/s"
+  std::string unit;            ///< its symbol, e.g. "ft/s"; empty if the file has none
   std::vector<double> values;  ///< one for each row
 
   /// What the quantity is of: "rock", "element3", "energy"; empty for "time".

@@ -57,13 +57,6 @@ Json axis(std::string_view label, const UnitSystem& units, Dimension dimension) 
   return {{"label", label}, {"unit", symbol(units, dimension)}, {"log", false}};
 }
 
-Json geometry(const RunFiles& files) {
-  Json bodies = Json::array();
-  for (const DrawnBody& body : files.bodies)
-    bodies.push_back({{"name", body.name}, {"number", body.number}, {"kind", body.kind}});
-  return {{"index", files.geometry}, {"bodies", bodies}, {"cables", files.cables}, {"mirrored", files.mirrored}};
-}
-
 }  // namespace
 
 std::string plot_json(const RunRecord& record, const std::string& csv_file, const RunFiles& files) {
@@ -92,12 +85,8 @@ std::string plot_json(const RunRecord& record, const std::string& csv_file, cons
                        {"slopes", Json::array()},
                        {"lines", Json::array()}});
   }
-  const Json json{{"schema", 1},
-                  {"title", record.title},
-                  {"units", record.units.name},
-                  {"histories", files.histories},
-                  {"geometry", geometry(files)},
-                  {"figures", figures}};
+  Json json = run_folder_json(record.title, record.units, files);
+  json["figures"] = std::move(figures);
   return json.dump(2) + "\n";
 }
 

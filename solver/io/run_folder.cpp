@@ -9,6 +9,40 @@
 #include "solver/io/toml_document.hpp"
 
 namespace talus {
+namespace {
+
+void read_bodies(const nlohmann::json& geometry, const std::filesystem::path& file, RunFiles& files) {
+  for (const auto& body : geometry.at("bodies")) {
+    const std::string kind = body.at("kind").get<std::string>();
+    if (std::find(std::begin(body_kinds), std::end(body_kinds), kind) == std::end(body_kinds)) {
+      throw InputError{fmt::format("{}: body kind '{}' is not known", file.string(), kind)};
+    }
+    files.bodies.push_back({body.at("name").get<std::string>(), body.at("number").get<int>(), kind});
+  }
+  files.cables = geometry.at("cables").get<std::vector<std::string>>();
+  files.mirrored = geometry.at("mirrored").get<bool>();
+}
+
+nlohmann::ordered_json geometry_json(const RunFiles& files) {
+  if (files.period) return {{"index", files.geometry}, {"period", *files.period}};
+  auto bodies = nlohmann::ordered_json::array();
+  for (const DrawnBody& body : files.bodies)
+    bodies.push_back({{"name", body.name}, {"number", body.number}, {"kind", body.kind}});
+  return {{"index", files.geometry}, {"bodies", bodies}, {"cables", files.cables}, {"mirrored", files.mirrored}};
+}
+
+}  // namespace
+
+std::string RunFolder::unit(Dimension dimension) const { return units ? symbol(*units, dimension) : std::string{}; }
+
+nlohmann::ordered_json run_folder_json(const std::string& title, const std::optional<UnitSystem>& units,
+                                       const RunFiles& files) {
+  nlohmann::ordered_json json{{"schema", 1}, {"title", title}, {"units", nullptr}};
+  if (units) json["units"] = units->name;
+  json["histories"] = files.histories;
+  json["geometry"] = geometry_json(files);
+  return json;
+}
 
 RunFolder read_run_folder(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "plot.json";
@@ -17,21 +51,22 @@ RunFolder read_run_folder(const std::filesystem::path& folder) {
   try {
     const auto json = nlohmann::json::parse(text);
     run.title = json.at("title").get<std::string>();
-    run.units = unit_system(json.at("units").get<std::string>());
+    const auto& units = json.at("units");
+    run.units = units.is_null() ? std::optional<UnitSystem>{} : unit_system(units.get<std::string>());
     run.files.histories = json.at("histories").get<std::vector<std::string>>();
     const auto& geometry = json.at("geometry");
     run.files.geometry = geometry.at("index").get<std::string>();
-    for (const auto& body : geometry.at("bodies")) {
-      const std::string kind = body.at("kind").get<std::string>();
-      if (std::find(std::begin(body_kinds), std::end(body_kinds), kind) == std::end(body_kinds)) {
-        throw InputError{fmt::format("{}: body kind '{}' is not known", file.string(), kind)};
-      }
-      run.files.bodies.push_back({body.at("name").get<std::string>(), body.at("number").get<int>(), kind});
+    if (!geometry.contains("period")) {
+      read_bodies(geometry, file, run.files);
+      return run;
     }
-    run.files.cables = geometry.at("cables").get<std::vector<std::string>>();
-    run.files.mirrored = geometry.at("mirrored").get<bool>();
+    run.files.period = geometry.at("period").get<double>();
+    if (!(*run.files.period > 0.0)) {
+      throw InputError{fmt::format("{}: period: found {}; it must be > 0", file.string(), *run.files.period)};
+    }
   } catch (const nlohmann::json::exception& error) {
-    throw InputError{fmt::format("{}: it is not what `talus run --out` leaves: {}", file.string(), error.what())};
+    throw InputError{fmt::format("{}: it is not what `talus run --out` or `talus cell --out` leaves: {}", file.string(),
+                                 error.what())};
   }
   return run;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,24 +21,34 @@ struct DrawnBody {
 /// Kinds of bodies that pictures tell apart.
 inline constexpr std::string_view body_kinds[] = {"ground", "rock", "column", "body"};
 
-/// The files of a run that pictures are drawn from, by their names in its folder.
+/// The files of a run that pictures are drawn from, by their names in its folder. Its states are either of bodies and
+/// cables or of discs.
 struct RunFiles {
   std::vector<std::string> histories;  ///< CSV; where two hold a quantity, the first one counts
-  std::string geometry;                ///< index of the VTP series
+  std::string geometry;                ///< index of the VTP series; empty if the run left none
   std::vector<DrawnBody> bodies;       ///< in the order of the model
   std::vector<std::string> cables;     ///< names, in the order of the model
-  bool mirrored{};  ///< all off z = 0 stands for its mirror image too, as in the half model of a fence
+  bool mirrored{};                 ///< all off z = 0 stands for its mirror image too, as in the half model of a fence
+  std::optional<double> period{};  ///< of discs: after how far along x their field repeats itself [L] > 0
 };
 
 /// What a run left in its folder for those who draw it.
 struct RunFolder {
   std::filesystem::path folder;
   std::string title;
-  UnitSystem units{si};
+  std::optional<UnitSystem> units{si};  ///< none: the run named no system
   RunFiles files;
+
+  /// Symbol of the unit of a dimension; empty where the run named no system.
+  std::string unit(Dimension dimension) const;
 };
 
-/// Reads FOLDER/plot.json. Errors: IoError if it cannot be read; InputError if it is not one that `talus run` writes.
+/// The part of plot.json that read_run_folder reads.
+[[nodiscard]] nlohmann::ordered_json run_folder_json(const std::string& title, const std::optional<UnitSystem>& units,
+                                                     const RunFiles& files);
+
+/// Reads FOLDER/plot.json. Errors: IoError if it cannot be read; InputError if it is not one that `talus run` or
+/// `talus cell` writes.
 [[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& folder);
 
 }  // namespace talus

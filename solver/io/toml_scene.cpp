@@ -119,6 +119,7 @@ SceneFile read_scene_file(std::string_view text, std::string_view name) {
     const scenes::FenceScene made = file.table("fence").placed([&] { return scenes::fence_scene(fence); });
     return {made.scene, FenceInput{fence, made}};
   }
+  file.refuse("cell", "a shear cell is run by `talus cell`");
   file.allow({"title", "units", "gravity", "body", "contact", "cable", "hanger", "run"});
   source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
   Scene scene;

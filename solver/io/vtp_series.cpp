@@ -9,23 +9,11 @@
 
 #include "solver/io/atomic_file.hpp"
 #include "solver/io/toml_document.hpp"
+#include "solver/io/vtk_text.hpp"
 #include "solver/model/outline.hpp"
 
 namespace talus {
 namespace {
-
-/// Text as it may stand in an attribute of XML.
-std::string escaped(std::string_view text) {
-  std::string made;
-  for (const char c : text) {
-    if (c == '&' || c == '<' || c == '"') {
-      made += c == '&' ? "&amp;" : c == '<' ? "&lt;" : "&quot;";
-    } else {
-      made += c;
-    }
-  }
-  return made;
-}
 
 /// Poly lines with their data, as they go into a file.
 class PolyLines {
@@ -50,22 +38,17 @@ class PolyLines {
   bool finite() const { return finite_; }
 
   std::string xml() const {
-    const auto array = [](std::string_view type, std::string_view name, int components, const std::string& values) {
-      return fmt::format(
-          "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n{}\n</DataArray>\n", type,
-          name, components, values);
-    };
-    return fmt::format(
-               "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-               "<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" "
-               "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
-               count_, lines_) +
-           "<PointData>\n" + array("Int32", "body", 1, point_bodies_) + "</PointData>\n<CellData>\n" +
-           array("Int32", "body", 1, bodies_) + array("Int32", "cable", 1, cables_) +
-           array("Float64", "tension", 1, tensions_) + array("UInt8", "slack", 1, slacks_) + "</CellData>\n<Points>\n" +
-           array("Float64", "Points", 3, points_) + "</Points>\n<Lines>\n" +
-           array("Int64", "connectivity", 1, connectivity_) + array("Int64", "offsets", 1, offsets_) +
-           "</Lines>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+    return vtk_text(
+        {.points = count_,
+         .verts = 0,
+         .lines = lines_,
+         .point_data = vtk_array("Int32", "body", 1, point_bodies_),
+         .cell_data = vtk_array("Int32", "body", 1, bodies_) + vtk_array("Int32", "cable", 1, cables_) +
+                      vtk_array("Float64", "tension", 1, tensions_) + vtk_array("UInt8", "slack", 1, slacks_),
+         .coordinates = points_,
+         .vert_arrays = {},
+         .line_arrays =
+             vtk_array("Int64", "connectivity", 1, connectivity_) + vtk_array("Int64", "offsets", 1, offsets_)});
   }
 
  private:
@@ -163,14 +146,11 @@ void VtpSeries::bring_files(const std::filesystem::path& from) {
 }
 
 void VtpSeries::write_index() const {
-  std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-      "<Collection>\n";
-  std::vector<File> files = files_;
-  if (of_stop_) files.push_back(*of_stop_);
-  for (const File& file : files)
-    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", file.time, escaped(path(file)));
-  write_whole(folder_ / (name_ + ".pvd"), text + "</Collection>\n</VTKFile>\n");
+  std::vector<std::pair<double, std::string>> files;
+  for (const File& file : files_)
+    files.emplace_back(file.time, path(file));
+  if (of_stop_) files.emplace_back(of_stop_->time, path(*of_stop_));
+  write_whole(folder_ / (name_ + ".pvd"), vtk_index(files));
 }
 
 }  // namespace talus

@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "solver/base/error.hpp"
+#include "solver/io/cell_record.hpp"
 #include "solver/io/kept_history.hpp"
 #include "solver/io/run_folder.hpp"
 #include "solver/io/toml_document.hpp"
@@ -91,14 +93,88 @@ BOOST_AUTO_TEST_CASE(damaged_geometry_is_named) {
   BOOST_CHECK_THROW(static_cast<void>(read_geometry({0.0, folder.path / "none.vtp"})), IoError);
 }
 
+namespace {
+
+/// Five discs a row under a block, pressed together for some contact times: some push each other across the border.
+CellRun pressed_cell() {
+  const ShearCell cell{.law = {1e4, 2e4, 0.0},
+                       .diameter = 1.0,
+                       .mass = 1.0,
+                       .gravity = 9.81,
+                       .block_mass = 50.0,
+                       .rows = 3,
+                       .columns = 4,
+                       .wall_discs = 5,
+                       .block_speed = 2.0,
+                       .seed = 4};
+  const double step = cell.contact_time() / 20.0;
+  return {cell, {.step = step, .every = 4000.0 * step, .end = 4000.0 * step}};
+}
+
+}  // namespace
+
+// A cell's state against the run that it was written from, through many states so that some contacts cross the border.
+BOOST_AUTO_TEST_CASE(discs_are_read_as_they_stood) {
+  const Folder folder;
+  CellRun run = pressed_cell();
+  std::size_t contacts = 0, crossing = 0;
+  while (!run.finished()) {
+    run.advance();
+    if (run.steps() % 50 != 0) continue;
+    const DiscFrame frame = read_discs({run.discs().t, folder.file("s.vtp", cell_state_vtp(run))});
+    const Discs discs = run.discs();
+    BOOST_REQUIRE(frame.discs.size() == discs.size());
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+      const SeenDisc& seen = frame.discs[i];
+      BOOST_TEST((seen.p == Vec2{discs.x[i], discs.y[i]} && seen.v == Vec2{discs.vx[i], discs.vy[i]}));
+      BOOST_TEST((seen.radius == 0.5 && seen.wall == (i >= run.cell().free_discs())));
+    }
+    const auto acting = run.acting_contacts();
+    BOOST_REQUIRE(frame.contacts.size() == acting.size());
+    for (std::size_t k = 0; k < acting.size(); ++k) {
+      const SeenContact& seen = frame.contacts[k];
+      BOOST_TEST((seen.a == acting[k].a && seen.b == acting[k].b && seen.force == acting[k].force));
+      BOOST_TEST(norm(seen.to - seen.from) < 1.0);
+      const double periods = (seen.to.x - discs.x[seen.b]) / run.cell().width();
+      BOOST_TEST(std::abs(periods - std::round(periods)) < 1e-12);  // b itself, or an image of it
+      ++contacts;
+      if (std::round(periods) != 0.0) ++crossing;
+    }
+  }
+  BOOST_TEST(contacts > 100U);
+  BOOST_TEST(crossing > 5U);
+}
+
+BOOST_AUTO_TEST_CASE(damaged_discs_are_named) {
+  const Folder folder;
+  CellRun run = pressed_cell();
+  for (int i = 0; i < 3000; ++i)
+    run.advance();
+  const std::string good = cell_state_vtp(run);
+  const auto wrong = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    text.replace(text.find(from), from.size(), to);
+    return complaint([&] { static_cast<void>(read_discs({0.0, folder.file("x.vtp", text)})); });
+  };
+  BOOST_TEST(holds(wrong("Name=\"id\"", "Name=\"no\""), "x.vtp: PointData holds no array 'id'"));
+  BOOST_TEST(holds(wrong("\n0.5 ", "\n"), " values for "));
+  BOOST_TEST(holds(wrong("\n1 2 3 ", "\n2 1 3 "), "x.vtp: it holds no disc"));
+  const std::size_t lines = good.find("<Lines>");
+  const std::size_t first = good.find('\n', good.find("connectivity", lines)) + 1;
+  BOOST_TEST(holds(wrong(good.substr(lines, first - lines), good.substr(lines, first - lines) + "9999"),
+                   "x.vtp: line 0 joins no two of its 22 discs"));
+}
+
 BOOST_AUTO_TEST_CASE(histories_are_read_with_their_units) {
   const Folder folder;
-  const KeptHistory history =
-      read_history(folder.file("h.csv", "# left out\ntime [s],element3.top_tension [lbf],n [1]\n0,1e3,2\n.5,-2,3\n"));
-  BOOST_REQUIRE(history.columns.size() == 3U);
+  const KeptHistory history = read_history(
+      folder.file("h.csv", "# left out\ntime [s],element3.top_tension [lbf],n [1],bare\n0,1e3,2,0\n.5,-2,3,0\n"));
+  BOOST_REQUIRE(history.columns.size() == 4U);
   BOOST_TEST(history.columns[1].subject() == "element3");
   BOOST_TEST(history.columns[1].quantity() == "top_tension");
   BOOST_TEST(history.columns[1].unit == "lbf");
+  BOOST_TEST(history.columns[3].name == "bare");
+  BOOST_TEST(history.columns[3].unit == "");
   BOOST_TEST(history.find("time")->values[1] == 0.5);
   BOOST_TEST(history.find("nothing") == nullptr);
   const auto wrong = [&](const std::string& text) {
@@ -115,10 +191,13 @@ BOOST_AUTO_TEST_CASE(what_no_run_left_is_named) {
     static_cast<void>(folder.file("plot.json", text));
     return complaint([&] { static_cast<void>(read_run_folder(folder.path)); });
   };
-  BOOST_TEST(holds(wrong("{"), "plot.json: it is not what `talus run --out` leaves: "));
-  BOOST_TEST(holds(wrong("{\"title\": 3}"), "plot.json: it is not what `talus run --out` leaves: "));
+  BOOST_TEST(holds(wrong("{"), "plot.json: it is not what `talus run --out` or `talus cell --out` leaves: "));
+  BOOST_TEST(
+      holds(wrong("{\"title\": 3}"), "plot.json: it is not what `talus run --out` or `talus cell --out` leaves: "));
   BOOST_TEST(holds(wrong(R"({"title": "t", "units": "SI", "histories": [], "geometry": {"index": "g", "cables": [],
                             "bodies": [{"name": "b", "number": 1, "kind": "tree"}]}})"),
                    "plot.json: body kind 'tree' is not known"));
+  BOOST_TEST(holds(wrong(R"({"title": "t", "units": null, "histories": [], "geometry": {"index": "g", "period": 0}})"),
+                   "plot.json: period: found 0; it must be > 0"));
   BOOST_CHECK_THROW(static_cast<void>(read_run_folder(folder.path / "none")), IoError);
 }

@@ -1,0 +1,233 @@
+#include "solver/io/cell_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "solver/base/error.hpp"
+#include "solver/io/fortran.hpp"
+#include "solver/io/list_directed.hpp"
+#include "solver/io/scene_table.hpp"
+
+namespace talus {
+namespace {
+
+void choose(CellScene& scene, const CellChoices& choices) {
+  if (choices.integrator) scene.plan.integrator = *choices.integrator;
+  if (choices.seed) scene.cell.seed = *choices.seed;
+  if (choices.historical) scene.plan.historical = true;
+  if (choices.jump) scene.plan.jump = true;
+  static_cast<void>(make_disc_method(scene.plan.integrator));
+}
+
+/// A run as that of 1989 may have been: Euler, K1/K2 = .45 and a step of 1e-7 (both from the thesis; that the method is
+/// Euler's is inferred from them).
+std::vector<CellObjection> historical_objections(const CellScene& scene) {
+  std::vector<CellObjection> found;
+  if (!scene.plan.historical) return found;
+  const double ratio = scene.cell.law.stiffness / scene.cell.law.unloading_stiffness;
+  if (scene.plan.integrator != "euler")
+    throw InputError{fmt::format("historical: found the integrator {}; it must be euler", scene.plan.integrator)};
+  if (std::abs(ratio - 0.45) > 1e-9) {
+    found.push_back(
+        {"unloading_stiffness", fmt::format("found {}; a historical run has K1/K2 = .45: it must be {}",
+                                            scene.cell.law.unloading_stiffness, scene.cell.law.stiffness / 0.45)});
+  }
+  if (std::abs(scene.plan.step - 1e-7) > 1e-16)
+    found.push_back({"step", fmt::format("found {}; a historical run has a step of 1e-7", scene.plan.step)});
+  return found;
+}
+
+std::vector<CellObjection> all_objections(const CellScene& scene) {
+  std::vector<CellObjection> found = objections(scene.cell, scene.plan);
+  const auto more = historical_objections(scene);
+  found.insert(found.end(), more.begin(), more.end());
+  return found;
+}
+
+/// Reads the records of CNTRL.DAT and remembers where each number stands.
+class ControlReader {
+  struct Place {
+    int line{};
+    std::string record, name;
+  };
+
+  [[noreturn]] void fail(int line, std::string_view record, std::string_view name, std::string_view words) const {
+    throw InputError{fmt::format("{}:{}: {}: {}: {}", name_, std::max(line, 1), record, name, words)};
+  }
+
+  template <class Action>
+  auto placed(std::string_view name, Action&& action) {
+    try {
+      return action();
+    } catch (const InputError& error) {
+      fail(input_.line(), record_, name, error.what());
+    }
+  }
+
+  std::string_view value(std::string_view name) {
+    return placed(name, [&] { return input_.value(); });
+  }
+
+ public:
+  ControlReader(std::string_view text, std::string_view name) : input_{text}, name_{name} {}
+
+  void record(std::string_view names) {
+    input_.start_record();
+    record_ = names;
+  }
+
+  /// `field`: what objections call it.
+  double real(std::string_view name, std::string_view field) {
+    const std::string_view text = value(name);
+    places_[std::string{field}] = {input_.line(), std::string{record_}, std::string{name}};
+    double number = 0.0;
+    if (!placed(name, [&] { return parse_fortran_real(text, number); }))
+      fail(input_.line(), record_, name, found_text(text) + "; it must be a number");
+    return number;
+  }
+
+  int whole(std::string_view name, std::string_view field, int least, int most) {
+    const double number = real(name, field);
+    if (number != std::floor(number) || number < least || number > most) {
+      const std::string allowed = most - least == 1 ? fmt::format("{} or {}", least, most)
+                                                    : fmt::format("a whole number between {} and {}", least, most);
+      fail(input_.line(), record_, name, fmt::format("found {}; it must be {}", number, allowed));
+    }
+    return static_cast<int>(number);
+  }
+
+  [[noreturn]] void fail(const CellObjection& objection) const {
+    const auto& [line, record, name] = places_.at(objection.field);
+    fail(line, record, name, objection.words);
+  }
+
+ private:
+  ListDirected input_;
+  std::string name_;
+  std::string_view record_;
+  std::map<std::string, Place> places_;
+};
+
+template <std::size_t N>
+const CountField<ShearCell>& count(const std::array<CountField<ShearCell>, N>& fields, std::string_view name) {
+  for (const auto& field : fields)
+    if (field.name == name) return field;
+  TALUS_DEMAND(false);
+}
+
+CellScene read_control(std::string_view text, std::string_view name, const CellChoices& choices) {
+  ControlReader reader{text, name};
+  CellScene scene{.title = "Shear cell", .units = choices.units, .cell = {}, .plan = {}};
+  ShearCell& cell = scene.cell;
+  constexpr auto counts = ShearCell::counts();
+  const auto whole = [&](std::string_view deck_name, std::string_view field) {
+    const auto& range = count(counts, field);
+    return reader.whole(deck_name, field, static_cast<int>(range.least), static_cast<int>(range.most));
+  };
+  reader.record("RESTRT GRAPH");
+  scene.restart = reader.whole("RESTRT", "restart", 0, 1) == 1;
+  scene.pictures = reader.whole("GRAPH", "pictures", 0, 1) == 1;
+  reader.record("K1 K2 D M G MTOP");
+  cell.law.stiffness = reader.real("K1", "stiffness");
+  cell.law.unloading_stiffness = reader.real("K2", "unloading_stiffness");
+  cell.diameter = reader.real("D", "diameter");
+  cell.mass = reader.real("M", "mass");
+  cell.gravity = reader.real("G", "gravity");
+  cell.block_mass = reader.real("MTOP", "block_mass");
+  reader.record("NHT NWID TWID VXT");
+  cell.rows = whole("NHT", "rows");
+  cell.columns = whole("NWID", "columns");
+  cell.wall_discs = whole("TWID", "wall_discs");
+  cell.block_speed = reader.real("VXT", "block_speed");
+  reader.record("STEP LOOP TIME");
+  scene.plan.step = reader.real("STEP", "step");
+  scene.plan.every = reader.real("LOOP", "every");
+  scene.plan.end = reader.real("TIME", "end");
+  choose(scene, choices);
+  if (const auto found = all_objections(scene); !found.empty()) reader.fail(found.front());
+  return scene;
+}
+
+/// Exactly one of two keys.
+bool has_first(SceneTable& table, std::string_view first, std::string_view second) {
+  if (table.has(first) == table.has(second)) {
+    const bool both = table.has(first);
+    table.fail(both ? second : first, both ? fmt::format("found beside {}; only one of them may stand", first)
+                                           : fmt::format("it is missing; it, or else {}, must stand", second));
+  }
+  return table.has(first);
+}
+
+void read_law(SceneTable& table, LatchingSpring& law) {
+  constexpr auto fields = LatchingSpring::fields();
+  table.read_field(law, fields[0]);
+  if (has_first(table, "unloading_stiffness", "restitution")) {
+    table.read_field(law, fields[1]);
+  } else {
+    const double kept = table.number("restitution", Range::positive_fraction);
+    law.unloading_stiffness = law.stiffness / (kept * kept);
+  }
+  table.read_field(law, fields[2]);
+}
+
+void read_cell_table(SceneTable table, ShearCell& cell) {
+  read_law(table, cell.law);
+  for (const auto& field : ShearCell::fields())
+    if (field.name != "block_mass") table.read_field(cell, field);
+  for (const auto& field : ShearCell::counts())
+    table.read_count(cell, field);
+  if (has_first(table, "block_mass", "overburden")) {
+    cell.block_mass = table.quantity("block_mass", dimension::mass, Range::positive);
+  } else {
+    const double pressure = table.quantity("overburden", dimension::pressure, Range::positive);
+    if (cell.gravity == 0.0) table.fail("overburden", "found with gravity = 0; without it a mass presses nothing");
+    cell.block_mass = pressure * cell.wall_discs * cell.diameter * cell.diameter / cell.gravity;
+  }
+  if (table.has("seed")) {
+    const int seed = table.whole("seed");
+    if (seed < 0) table.fail("seed", fmt::format("found {}; it must be >= 0", seed));
+    cell.seed = static_cast<std::uint64_t>(seed);
+  }
+  table.allow({});
+  // What cannot be filled is told with this table's place; fields' ranges are told already.
+  for (const CellObjection& objection : objections(cell))
+    table.fail(objection.field, objection.words);
+}
+
+bool on(SceneTable& table, std::string_view key) { return table.has(key) && table.choice(key, {"on", "off"}) == "on"; }
+
+CellScene read_toml(std::string_view text, std::string_view name, const CellChoices& choices) {
+  const TomlValue document = parse_toml(text, name);
+  SceneSource source{std::string{name}, si};
+  SceneTable file{source, document, ""};
+  file.allow({"title", "units", "cell", "run"});
+  source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
+  if (choices.units) throw InputError{fmt::format("{}: a unit system is named in the file already", name)};
+  CellScene scene{.title = file.text("title"), .units = source.units, .cell = {}, .plan = {}};
+  read_cell_table(file.table("cell"), scene.cell);
+  SceneTable run = file.table("run");
+  if (run.has("integrator")) scene.plan.integrator = run.choice("integrator", disc_method_names());
+  run.read_fields(scene.plan);
+  scene.plan.jump = on(run, "jump");
+  scene.plan.historical = on(run, "historical");
+  scene.pictures = on(run, "pictures");
+  run.allow({});
+  choose(scene, choices);
+  if (const auto found = all_objections(scene); !found.empty()) run.fail(found.front().field, found.front().words);
+  return scene;
+}
+
+}  // namespace
+
+CellScene read_cell(std::string_view text, std::string_view name, const CellChoices& choices) {
+  const std::string end{name.substr(name.size() - std::min<std::size_t>(name.size(), 4))};
+  return end == ".DAT" || end == ".dat" ? read_control(text, name, choices) : read_toml(text, name, choices);
+}
+
+CellScene read_cell(const std::filesystem::path& file, const CellChoices& choices) {
+  return read_cell(read_text(file), file.string(), choices);
+}
+
+}  // namespace talus

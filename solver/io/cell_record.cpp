@@ -1,0 +1,249 @@
+#include "solver/io/cell_record.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "solver/io/json_number.hpp"
+#include "solver/io/vtk_text.hpp"
+
+namespace talus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Q = CellQuantity;
+
+std::string unit(const CellScene& scene, Dimension dimension) {
+  return scene.units ? symbol(*scene.units, dimension) : std::string{};
+}
+
+Json numbers(const CellScene& scene, const std::vector<CellNumber>& of) {
+  Json json = Json::object();
+  for (const CellNumber& each : of) {
+    Json entry{{"value", json_number(each.estimate.value)}};
+    if (each.estimate.error > 0.0) entry["error"] = json_number(each.estimate.error);
+    if (each.drift != 0.0) entry["drift"] = json_number(each.drift);
+    if (scene.units && each.dimension != dimension::number) entry["unit"] = unit(scene, each.dimension);
+    entry["meaning"] = each.meaning;
+    json[each.name] = std::move(entry);
+  }
+  return json;
+}
+
+Json parameters(const CellScene& scene) {
+  Json json = Json::object();
+  const ShearCell& cell = scene.cell;
+  for (const auto& field : LatchingSpring::fields())
+    json[std::string{field.name}] = cell.law.*field.member;
+  for (const auto& field : ShearCell::fields())
+    json[std::string{field.name}] = cell.*field.member;
+  for (const auto& field : ShearCell::counts())
+    json[std::string{field.name}] = cell.*std::get<int ShearCell::*>(field.member);
+  json["overburden"] = cell.overburden();
+  json["seed"] = cell.seed;
+  json["integrator"] = scene.plan.integrator;
+  for (const auto& field : CellPlan::fields())
+    json[std::string{field.name}] = scene.plan.*field.member;
+  json["historical"] = scene.plan.historical;
+  json["jump"] = scene.plan.jump;
+  return json;
+}
+
+struct HistoryColumn {
+  const char* name;
+  Dimension dimension;
+  Q quantity;
+};
+constexpr std::array history_columns{
+    HistoryColumn{"top_shear", dimension::pressure, Q::top_shear},
+    HistoryColumn{"top_normal", dimension::pressure, Q::top_normal},
+    HistoryColumn{"bottom_shear", dimension::pressure, Q::bottom_shear},
+    HistoryColumn{"bottom_normal", dimension::pressure, Q::bottom_normal},
+    HistoryColumn{"depth", dimension::length, Q::depth},
+    HistoryColumn{"solid_fraction", dimension::number, Q::solid_fraction},
+    HistoryColumn{"touching", dimension::number, Q::touching},
+    HistoryColumn{"coordination", dimension::number, Q::coordination},
+};
+
+double share(double part, double whole) { return whole != 0.0 ? part / whole : 0.0; }
+
+}  // namespace
+
+std::string cell_header(const CellScene& scene, std::string_view name, Dimension dimension) {
+  if (!scene.units || dimension == dimension::number) return std::string{name};
+  return fmt::format("{} [{}]", name, unit(scene, dimension));
+}
+
+std::vector<CellNumber> cell_groups(const CellScene& scene, CellRun& run) {
+  const ShearCell& cell = scene.cell;
+  const double mean_depth = run.mean(Q::depth).value, now = depth(cell, run.discs());
+  const double pressure = cell.overburden(), rate = std::abs(cell.block_speed) / (mean_depth > 0.0 ? mean_depth : now);
+  const auto group = [](const char* name, double value, const char* meaning) {
+    return CellNumber{name, dimension::number, {value, 0.0}, 0.0, meaning};
+  };
+  return {
+      group("restitution", cell.restitution(), "e = sqrt(K1/K2)"),
+      group("stepped_restitution",
+            stepped_restitution(scene.plan.integrator, cell.restitution(), cell.loading_frequency() * scene.plan.step),
+            "what the integrator makes of it with this step, in closed form"),
+      group("contact_steps", cell.contact_time() / scene.plan.step, "contact time over step"),
+      group("stiffness_number", cell.law.stiffness / (pressure * cell.diameter), "kappa = K1/(P D)"),
+      group("inertial_number", rate * cell.diameter * std::sqrt(cell.density() / pressure),
+            "I = (VXT/H) D sqrt(rho/P) with the mean depth H"),
+      group("contact_shear", cell.contact_time() * rate, "contact time times VXT/H"),
+      group("block_over_disc", cell.block_mass / cell.mass, "MTOP/M"),
+      group("columns_over_wall", static_cast<double>(cell.columns) / cell.wall_discs, "NWID/TWID"),
+  };
+}
+
+std::vector<CellNumber> cell_results(const CellRun& run) {
+  std::vector<CellNumber> results;
+  const auto mean = [&](const char* name, Dimension dimension, Q quantity, const char* meaning) {
+    results.push_back({name, dimension, run.mean(quantity), run.drift(quantity), meaning});
+  };
+  const auto ratio = [&](const char* name, Q over, Q under, const char* meaning) {
+    results.push_back({name, dimension::number, run.ratio(over, under), 0.0, meaning});
+  };
+  ratio("stress_ratio_top", Q::top_shear, Q::top_normal, "S/N on the block");
+  ratio("stress_ratio_bottom", Q::bottom_shear, Q::bottom_normal, "S/N on the base");
+  mean("top_shear", dimension::pressure, Q::top_shear, "S on the block");
+  mean("top_normal", dimension::pressure, Q::top_normal, "N on the block");
+  mean("bottom_shear", dimension::pressure, Q::bottom_shear, "S on the base");
+  mean("bottom_normal", dimension::pressure, Q::bottom_normal, "N on the base");
+  mean("depth", dimension::length, Q::depth, "between the walls' surfaces");
+  const double depth = run.mean(Q::depth).value;
+  results.push_back({"depth_deviation",
+                     dimension::length,
+                     {std::sqrt(std::max(0.0, run.mean(Q::depth_square).value - depth * depth)), 0.0},
+                     0.0,
+                     "standard deviation of the depth"});
+  mean("solid_fraction", dimension::number, Q::solid_fraction, "area of the free discs over that of the field");
+  mean("contact_time_share", dimension::number, Q::touching, "share of time with contacts");
+  ratio("multiple_share", Q::multiple, Q::contacts, "share of contact time in multiple contacts");
+  mean("coordination", dimension::number, Q::coordination, "contacts of a free disc");
+  ratio("multiple_shear_share", Q::multiple_shear_virial, Q::shear_virial,
+        "M/S read as the shear of contacts that multiple ones carry");
+  ratio("multiple_stress_ratio", Q::multiple_shear_virial, Q::multiple_normal_virial, "S/N of multiple contacts");
+  const auto binary = [&](Q all, Q multiple) { return run.mean(all).value - run.mean(multiple).value; };
+  results.push_back(
+      {"binary_stress_ratio",
+       dimension::number,
+       {share(binary(Q::shear_virial, Q::multiple_shear_virial), binary(Q::normal_virial, Q::multiple_normal_virial)),
+        0.0},
+       0.0,
+       "S/N of binary contacts"});
+  ratio("kinetic_shear_share", Q::kinetic_shear, Q::top_moment, "share of the shear that moving discs carry");
+  results.push_back(
+      {"shear_balance",
+       dimension::number,
+       {run.ratio(Q::shear_virial, Q::top_moment).value + run.ratio(Q::kinetic_shear, Q::top_moment).value, 0.0},
+       0.0,
+       "shear of contacts and moving discs over the block's; 1 in a steady flow"});
+  results.push_back({"largest_overlap",
+                     dimension::number,
+                     {run.largest_overlap() / run.cell().diameter, 0.0},
+                     0.0,
+                     "over a diameter"});
+  results.push_back({"largest_solid_fraction", dimension::number, {run.largest_fraction(), 0.0}, 0.0, "of all times"});
+  return results;
+}
+
+std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
+  std::string text = cell_header(scene, "time", dimension::time);
+  for (const HistoryColumn& column : history_columns)
+    text.append(",").append(cell_header(scene, column.name, column.dimension));
+  text += ",stress_ratio,multiple_share\n";
+  for (std::size_t k = 0; k < run.intervals(); ++k) {
+    const auto of = [&](Q quantity) { return run.interval_mean(k, quantity); };
+    fmt::format_to(std::back_inserter(text), "{}",
+                   std::min(static_cast<double>(k + 1) * scene.plan.every, scene.plan.end));
+    for (const HistoryColumn& column : history_columns)
+      fmt::format_to(std::back_inserter(text), ",{}", of(column.quantity));
+    fmt::format_to(std::back_inserter(text), ",{},{}\n", share(of(Q::top_shear), of(Q::top_normal)),
+                   share(of(Q::multiple), of(Q::contacts)));
+  }
+  return text;
+}
+
+std::vector<CellProfile::Layer> filled_layers(const CellRun& run) {
+  std::vector<CellProfile::Layer> layers = run.profile().layers();
+  while (!layers.empty() && layers.back().fraction == 0.0)
+    layers.pop_back();
+  return layers;
+}
+
+std::string cell_profile_csv(const CellScene& scene, const CellRun& run) {
+  std::string text = fmt::format("{},{},{},solid_fraction\n", cell_header(scene, "y", dimension::length),
+                                 cell_header(scene, "velocity", dimension::velocity),
+                                 cell_header(scene, "temperature", dimension::energy));
+  for (const CellProfile::Layer& layer : filled_layers(run))
+    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", layer.y, layer.velocity, layer.temperature,
+                   layer.fraction);
+  return text;
+}
+
+std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOutcome& outcome) {
+  const CellRun::Ledger ledger = run.ledger();
+  Json json{{"schema", 1},
+            {"title", scene.title},
+            {"units", nullptr},
+            {"outcome",
+             {{"kind", std::string{outcome.finished        ? "finished"
+                                   : outcome.words.empty() ? "stopped"
+                                                           : "diverged"}},
+              {"time", json_number(run.discs().t)}}}};
+  if (scene.units) json["units"] = std::string{scene.units->name};
+  if (!outcome.words.empty()) json["outcome"]["words"] = outcome.words;
+  json["warnings"] = outcome.warnings;
+  json["parameters"] = parameters(scene);
+  json["groups"] = numbers(scene, cell_groups(scene, run));
+  json["results"] = numbers(scene, cell_results(run));
+  json["energy"] = {{"kinetic", json_number(ledger.kinetic)},       {"potential", json_number(ledger.potential)},
+                    {"stored", json_number(ledger.stored)},         {"driven", json_number(ledger.driven)},
+                    {"dissipated", json_number(ledger.dissipated)}, {"gained", json_number(ledger.gained)}};
+  json["counts"] = {{"discs", run.cell().free_discs()},
+                    {"wall_discs", 2 * run.cell().wall_discs},
+                    {"steps", run.steps()},
+                    {"jumped", run.jumped()}};
+  return json.dump(1) + "\n";
+}
+
+std::string cell_state_vtp(CellRun& run) {
+  const Discs discs = run.discs();
+  const ShearCell& cell = run.cell();
+  PolyData data;
+  std::string ids, radii, velocities, walls, forces, kinds, verts, vert_ends, lines, line_ends;
+  const auto add = [](std::string& text, auto&&... values) {
+    (fmt::format_to(std::back_inserter(text), "{} ", values), ...);
+  };
+  const auto point = [&](std::size_t disc, Vec2 at, bool image) {
+    const auto number = static_cast<long>(disc) + 1;
+    add(data.coordinates, at.x, at.y, 0);
+    data.coordinates.back() = '\n';
+    add(ids, image ? -number : number), add(radii, 0.5 * cell.diameter);
+    add(velocities, discs.vx[disc], discs.vy[disc], 0), add(walls, run.start().shapes.wall[disc]);
+    return data.points++;
+  };
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    add(verts, point(i, {discs.x[i], discs.y[i]}, false));
+    add(vert_ends, ++data.verts), add(forces, 0), add(kinds, 0);
+  }
+  for (const CellRun::ActingContact& contact : run.acting_contacts()) {
+    // The second end is the image that touches.
+    const Vec2 b = Vec2{discs.x[contact.a], discs.y[contact.a]} + contact.distance * contact.n_ab;
+    const bool here = norm(Vec2{discs.x[contact.b], discs.y[contact.b]} - b) < 0.5 * cell.diameter;
+    add(lines, contact.a, here ? static_cast<long>(contact.b) : point(contact.b, b, true));
+    add(line_ends, 2 * ++data.lines), add(forces, contact.force), add(kinds, contact.multiple ? 1 : 0);
+  }
+  data.point_data = vtk_array("Int64", "id", 1, ids) + vtk_array("Float64", "radius", 1, radii) +
+                    vtk_array("Float64", "velocity", 3, velocities) + vtk_array("UInt8", "wall", 1, walls);
+  data.cell_data = vtk_array("Float64", "force", 1, forces) + vtk_array("UInt8", "multiple", 1, kinds);
+  data.vert_arrays = vtk_array("Int64", "connectivity", 1, verts) + vtk_array("Int64", "offsets", 1, vert_ends);
+  data.line_arrays = vtk_array("Int64", "connectivity", 1, lines) + vtk_array("Int64", "offsets", 1, line_ends);
+  return vtk_text(data);
+}
+
+}  // namespace talus

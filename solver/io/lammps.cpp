@@ -1,0 +1,129 @@
+#include "solver/io/lammps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "solver/base/error.hpp"
+#include "solver/io/atomic_file.hpp"
+
+namespace talus {
+namespace {
+
+/// Masses of discs of held walls do not matter, and must be there.
+constexpr double any_mass = 1.0;
+
+std::size_t type(const LammpsScene& scene, std::size_t disc) { return scene.shapes.wall[disc] + 1; }
+
+double mass(const LammpsScene& scene, std::size_t disc) {
+  const std::size_t wall = scene.shapes.wall[disc];
+  if (wall == DiscShapes::free) return 1.0 / scene.shapes.inverse_mass[disc];
+  const double whole = scene.shapes.walls[wall - 1].mass;
+  const auto discs = std::count(scene.shapes.wall.begin(), scene.shapes.wall.end(), wall);
+  return whole > 0.0 ? whole / static_cast<double>(discs) : any_mass;
+}
+
+/// Ends of the box along one axis; of what does not repeat, around all discs.
+std::pair<double, double> ends(const std::vector<double>& at, double period, double room) {
+  if (period < PeriodicBox::endless) return {-0.5 * period, 0.5 * period};
+  const auto [low, high] = std::minmax_element(at.begin(), at.end());
+  return {*low - room, *high + room};
+}
+
+/// Walls: no force along x; along y none, or the mean of all with their weight.
+std::string walls(const LammpsScene& scene) {
+  std::string text;
+  const std::size_t count = scene.shapes.walls.size();
+  for (std::size_t wall = 1; wall <= count; ++wall) {
+    const DiscWall& shape = scene.shapes.walls[wall - 1];
+    text += fmt::format("group wall{0} type {1}\n", wall, wall + 1);
+    for (std::size_t other = wall; other <= count; ++other)
+      text += fmt::format("neigh_modify exclude type {} {}\n", wall + 1, other + 1);
+    if (shape.mass == 0.0) {
+      text += fmt::format("fix hold{0} wall{0} setforce 0.0 0.0 0.0\n", wall);
+      continue;
+    }
+    text += fmt::format("fix guide{0} wall{0} setforce 0.0 NULL 0.0\n", wall);
+    if (shape.gravity != 0.0)
+      text += fmt::format("fix fall{0} wall{0} gravity {1:.17g} vector 0 -1 0\n", wall, shape.gravity);
+    text += fmt::format("fix together{0} wall{0} aveforce NULL 0.0 NULL\n", wall);
+  }
+  return text;
+}
+
+std::string pair_style(const LinearSpringDashpot& law, LammpsRun::Style style) {
+  if (style == LammpsRun::Style::gran_hooke) {
+    if (law.damping != 0.0)
+      throw InputError{
+          fmt::format("damping: found {:g}; the style gran/hooke takes none of a contact, only 0", law.damping)};
+    return fmt::format("pair_style gran/hooke {:.17g} 0 0 0 0 0\npair_coeff * *\n", law.stiffness);
+  }
+  const bool clamped = law.end_rule == EndRule::clamped && law.damping != 0.0;
+  return fmt::format(
+      "pair_style granular\npair_coeff * * hooke {:.17g} {:.17g} tangential linear_nohistory 0.0 0.0 damping "
+      "velocity{}\n",
+      law.stiffness, law.damping, clamped ? " limit_damping" : "");
+}
+
+}  // namespace
+
+std::string lammps_data(const LammpsScene& scene) {
+  if (scene.box.sliding() != 0.0) {
+    throw InputError{
+        fmt::format("shear_rate of the periodic box: found {:g}; for LAMMPS it must be 0", scene.box.shear_rate)};
+  }
+  const DiscShapes& shapes = scene.shapes;
+  const double room = 4.0 * *std::max_element(shapes.radius.begin(), shapes.radius.end());
+  const auto [left, right] = ends(scene.discs.x, scene.box.width, room);
+  const auto [bottom, top] = ends(scene.discs.y, scene.box.height, room);
+  std::string text =
+      fmt::format("Discs, written by Talus\n\n{} atoms\n{} atom types\n\n", shapes.size(), shapes.walls.size() + 1);
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{:.17g} {:.17g} xlo xhi\n{:.17g} {:.17g} ylo yhi\n{:.17g} {:.17g} zlo zhi\n\nAtoms # sphere\n\n",
+                 left, right, bottom, top, -room, room);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const double radius = shapes.radius[i];
+    // It takes spheres, whose mass it works out from a density.
+    const double density = mass(scene, i) / (4.0 / 3.0 * std::numbers::pi * radius * radius * radius);
+    fmt::format_to(out, "{} {} {:.17g} {:.17g} {:.17g} {:.17g} 0\n", i + 1, type(scene, i), 2.0 * radius, density,
+                   scene.discs.x[i], scene.discs.y[i]);
+  }
+  text += "\nVelocities\n\n";
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    fmt::format_to(out, "{} {:.17g} {:.17g} 0 0 0 0\n", i + 1, scene.discs.vx[i], scene.discs.vy[i]);
+  return text;
+}
+
+std::string lammps_input(const LammpsScene& scene, const LammpsRun& run, const std::string& data_file) {
+  constexpr const char* forces =
+      "dump forces all custom 1 forces.txt id x y fx fy\ndump_modify forces sort id format float %.17g\n"
+      "run 0\nundump forces\n";
+  const auto border = [](bool repeats) { return repeats ? 'p' : 's'; };
+  return fmt::format(
+             "# Discs in a plane without friction, written by Talus; {} steps of {:.17g}\n"
+             "units lj\ndimension 2\nnewton {}\nboundary {} {} p\natom_style sphere\ncomm_modify vel yes\n"
+             "read_data {}\n",
+             run.steps, run.step, run.newton ? "on" : "off", border(scene.box.repeats_x()),
+             border(scene.box.repeats_y()), data_file) +
+         pair_style(scene.law, run.style) +
+         fmt::format("neighbor {:.17g} bin\nneigh_modify every 1 delay 0 check yes\ngroup free type 1\n", run.skin) +
+         walls(scene) +
+         fmt::format(
+             "fix move all nve\ntimestep {:.17g}\ncompute energy free ke\n"
+             "thermo_style custom step c_energy\nthermo_modify norm no format float %.17g\nthermo {}\n"
+             "{}run {}\n",
+             run.step, std::max(run.steps / 10, 1L), run.forces ? forces : "", run.steps);
+}
+
+void export_lammps(const std::filesystem::path& folder, const LammpsScene& scene, const LammpsRun& run) {
+  const std::string data = "discs.data", input = lammps_input(scene, run, data);
+  make_folder(folder);
+  write_whole(folder / data, lammps_data(scene));
+  write_whole(folder / "in.discs", input);
+}
+
+}  // namespace talus

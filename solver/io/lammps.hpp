@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "solver/granular/discs.hpp"
+#include "solver/granular/periodic_box.hpp"
+#include "solver/laws/linear_spring_dashpot.hpp"
+
+namespace talus {
+
+/// Discs without friction as LAMMPS (Thompson et al. 2022) takes them: spheres in a plane, of which its granular pair
+/// styles know the linear spring-dashpot.
+struct LammpsScene {
+  DiscShapes shapes;
+  Discs discs;
+  PeriodicBox box;
+  LinearSpringDashpot law;
+};
+
+/// How LAMMPS is to step them, by velocity Verlet.
+struct LammpsRun {
+  /// Pair style. `granular` has dashpots and end rules as Talus has; `gran_hooke` is the older and simpler one, for
+  /// laws without a dashpot: its own is a rate for each mass.
+  enum class Style { granular, gran_hooke };
+
+  double step{};  ///< [T]
+  long steps{};   ///< >= 0
+  double skin{};  ///< of its neighbour list [L]
+  Style style{Style::granular};
+  bool newton{true};  ///< each pair between two processors is worked out once
+  bool forces{true};  ///< forces.txt is wanted
+};
+
+/// Its data file: box, discs and velocities, to the last bit. Discs are of type 1; those of wall k of type k + 1.
+/// Errors: InputError for a box that slides, which it shears in another way.
+[[nodiscard]] std::string lammps_data(const LammpsScene& scene);
+
+/// Its input: reads the data, writes forces.txt (number, place and force of each disc), steps it, and prints the
+/// kinetic energy of the free discs ten times. Walls stand still, move on, or move along y under their mass and weight,
+/// as here. Errors: InputError for a dashpot with the style gran_hooke.
+[[nodiscard]] std::string lammps_input(const LammpsScene& scene, const LammpsRun& run, const std::string& data_file);
+
+/// Writes both to a folder: discs.data and in.discs, for `lmp -in in.discs` there. Errors: as above, and IoError.
+void export_lammps(const std::filesystem::path& folder, const LammpsScene& scene, const LammpsRun& run);
+
+}  // namespace talus

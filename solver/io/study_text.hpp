@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/granular/shear_study.hpp"
+
+namespace talus {
+
+/// A study as text: means with standard errors, then the verdicts.
+[[nodiscard]] std::string study_text(const std::vector<StudyMean>& study, const std::vector<Verdict>& verdicts);
+
+/// Every run of a study as tidy CSV: series, overburden [Pa], speed [d/s], stiffness, number of the run, then what was
+/// measured.
+[[nodiscard]] std::string study_csv(const std::vector<StudyMean>& study);
+
+}  // namespace talus

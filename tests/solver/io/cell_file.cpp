@@ -1,0 +1,171 @@
+#define BOOST_TEST_MODULE cell_file
+#include "solver/io/cell_file.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <string>
+
+#include "solver/base/error.hpp"
+
+using namespace talus;
+
+namespace {
+
+const std::string control = "0 1\n1.7e4 3.4e4 1e-3 7.2e-7 9.81 9e-3\n8 10 11 5.0\n2e-7 5e-3 0.1\n";
+
+std::string message(const std::string& text, const std::string& name = "CNTRL.DAT", const CellChoices& choices = {}) {
+  try {
+    static_cast<void>(read_cell(text, name, choices));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The sound file with one part replaced.
+std::string with(std::string text, std::string_view what, std::string_view by) {
+  const std::size_t place = text.find(what);
+  BOOST_REQUIRE(place != std::string::npos);
+  return text.replace(place, what.size(), by);
+}
+
+const std::string toml = R"(title = "Cell"
+units = "SI"
+[cell]
+stiffness = "1.7e4 N/m"
+restitution = 0.5
+diameter = "1 mm"
+mass = "7.2e-7 kg"
+gravity = "9.81 m/s^2"
+overburden = "8 kPa"
+rows = 8
+columns = 10
+wall_discs = 11
+block_speed = "5 m/s"
+seed = 3
+[run]
+integrator = "euler_cromer"
+step = "0.2 us"
+every = "5 ms"
+end = "100 ms"
+jump = "on"
+)";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_fifteen_numbers_are_read_in_their_order) {
+  const CellScene scene = read_cell(control, "CNTRL.DAT", {});
+  BOOST_TEST(!scene.restart);
+  BOOST_TEST(scene.pictures);
+  BOOST_TEST(!scene.units.has_value());
+  const ShearCell& cell = scene.cell;
+  BOOST_TEST((cell.law == LatchingSpring{1.7e4, 3.4e4, 0.0}));
+  BOOST_TEST(cell.diameter == 1e-3);
+  BOOST_TEST(cell.mass == 7.2e-7);
+  BOOST_TEST(cell.gravity == 9.81);
+  BOOST_TEST(cell.block_mass == 9e-3);
+  BOOST_TEST(cell.rows == 8);
+  BOOST_TEST(cell.columns == 10);
+  BOOST_TEST(cell.wall_discs == 11);
+  BOOST_TEST(cell.block_speed == 5.0);
+  BOOST_TEST(scene.plan.step == 2e-7);
+  BOOST_TEST(scene.plan.every == 5e-3);
+  BOOST_TEST(scene.plan.end == 0.1);
+  BOOST_TEST(scene.plan.integrator == "velocity_verlet");
+}
+
+BOOST_AUTO_TEST_CASE(records_are_list_directed) {
+  // A record goes on over lines, drops what is beyond it, takes D exponents, repeats and commas.
+  const CellScene scene = read_cell(
+      "2*0 rest\n1.7D4, 3.4D+4\n 1e-3 7.2e-7,9.81\n9e-3 more\r\n8 10 11. 5\n2e-7 5e-3 0.1\n", "CNTRL.DAT", {});
+  BOOST_TEST(!scene.pictures);
+  BOOST_TEST(scene.cell.law.unloading_stiffness == 3.4e4);
+  BOOST_TEST(scene.cell.block_mass == 9e-3);
+  BOOST_TEST(scene.cell.wall_discs == 11);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_wrong_is_told_with_its_place) {
+  BOOST_TEST(
+      message(with(control, "3.4e4", "1.6e4")) ==
+      "CNTRL.DAT:2: K1 K2 D M G MTOP: K2: found 16000; it must be at least the stiffness while loading, 17000: a "
+      "contact gives back no more than it took");
+  BOOST_TEST(
+      message(with(control, "8 10 11", "8 12 11")) ==
+      "CNTRL.DAT:3: NHT NWID TWID VXT: NWID: found 12; it must be at most the discs of a wall, 11: more do not fit "
+      "beside each other");
+  BOOST_TEST(message(with(control, "8 10 11", "8 2 2")) ==
+             "CNTRL.DAT:3: NHT NWID TWID VXT: TWID: found 2; it must be a whole number between 3 and 100000");
+  BOOST_TEST(message(with(control, "2e-7 5e-3", "2e-7 1e-7")) ==
+             "CNTRL.DAT:4: STEP LOOP TIME: STEP: found 2e-07; it must be at most the time between outputs, 1e-07");
+  BOOST_TEST(message(with(control, "5e-3 0.1", "0.2 0.1")) ==
+             "CNTRL.DAT:4: STEP LOOP TIME: LOOP: found 0.2; it must be at most the time at which the run ends, 0.1");
+  BOOST_TEST(message(with(control, "2e-7 5e-3", "2e-6 5e-3")) ==
+             "CNTRL.DAT:4: STEP LOOP TIME: STEP: found 2e-06; a contact lasts 1.234e-05, and velocity_verlet needs 10 "
+             "steps of it: at most 1.234e-06");
+  BOOST_TEST(message(with(control, "0 1\n", "2 1\n")) ==
+             "CNTRL.DAT:1: RESTRT GRAPH: RESTRT: found 2; it must be 0 or 1");
+  BOOST_TEST(message(with(control, "8 10", "8.5 10")) ==
+             "CNTRL.DAT:3: NHT NWID TWID VXT: NHT: found 8.5; it must be a whole number between 1 and 100000");
+  BOOST_TEST(message(with(control, "9.81", "g")) ==
+             "CNTRL.DAT:2: K1 K2 D M G MTOP: G: found \"g\"; it must be a number");
+  BOOST_TEST(message(with(control, "9e-3", "0")) == "CNTRL.DAT:2: K1 K2 D M G MTOP: MTOP: found 0; it must be > 0");
+  BOOST_TEST(
+      message(with(control, "2e-7 5e-3 0.1\n", "2e-7 5e-3\n")).starts_with("CNTRL.DAT:4: STEP LOOP TIME: TIME: "));
+  BOOST_TEST(message("").starts_with("CNTRL.DAT:1: RESTRT GRAPH: RESTRT: "));
+}
+
+BOOST_AUTO_TEST_CASE(steps_that_change_the_restitution_are_refused_but_in_a_historical_run) {
+  const std::string slow = message(control, "CNTRL.DAT", {.integrator = "euler"});
+  BOOST_TEST(
+      slow.starts_with("CNTRL.DAT:4: STEP LOOP TIME: STEP: found 2e-07; with it euler makes a restitution of "
+                       "0.7071 into 0.7"));
+  const std::string historical = with(with(control, "3.4e4", "37777.777777777778"), "2e-7 5e-3", "1e-7 5e-3");
+  const CellScene scene = read_cell(historical, "CNTRL.DAT", {.integrator = "euler", .historical = true});
+  BOOST_TEST(scene.plan.historical);
+  BOOST_TEST(message(control, "CNTRL.DAT", {.integrator = "euler", .historical = true})
+                 .starts_with("CNTRL.DAT:2: K1 K2 D M G MTOP: K2: found 34000; a historical run has K1/K2 = .45"));
+  BOOST_TEST(
+      message(with(historical, "1e-7 5e-3", "1e-8 5e-3"), "CNTRL.DAT", {.integrator = "euler", .historical = true})
+          .starts_with("CNTRL.DAT:4: STEP LOOP TIME: STEP: found 1e-08; a historical run has a step of 1e-7"));
+  BOOST_TEST(message(historical, "CNTRL.DAT", {.historical = true}) ==
+             "historical: found the integrator velocity_verlet; it must be euler");
+  BOOST_TEST(message(control, "CNTRL.DAT", {.integrator = "rk4"}).find("integrator of discs 'rk4' is not known") == 0U);
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_file_says_the_same_with_units) {
+  const CellScene scene = read_cell(toml, "cell.toml", {});
+  BOOST_TEST(scene.cell.restitution() == 0.5, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(scene.cell.overburden() == 8e3, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(scene.cell.seed == 3U);
+  BOOST_TEST(scene.plan.integrator == "euler_cromer");
+  BOOST_TEST(scene.plan.jump);
+  BOOST_TEST(!scene.pictures);
+  BOOST_TEST((*scene.units == si));
+  BOOST_TEST(read_cell(toml, "cell.toml", {.seed = 9}).cell.seed == 9U);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_scene_files) {
+  const auto told = [&](std::string_view what, std::string_view by) { return message(with(toml, what, by), "c.toml"); };
+  BOOST_TEST(told("restitution = 0.5", "") ==
+             "c.toml:3: cell: unloading_stiffness: it is missing; it, or else restitution, must stand");
+  BOOST_TEST(
+      told("restitution = 0.5", "restitution = 0.5\nunloading_stiffness = \"2e4 N/m\"").find("only one of them") !=
+      std::string::npos);
+  BOOST_TEST(
+      told("columns = 10", "columns = 12").starts_with("c.toml:11: cell: columns: found 12; it must be at most"));
+  BOOST_TEST(told("\"0.2 us\"", "\"2 us\"").starts_with("c.toml:17: run: step: found 2e-06; a contact lasts"));
+  BOOST_TEST(told("seed = 3", "seeds = 3").find("nearest: seed") != std::string::npos);
+  BOOST_TEST(told("euler_cromer", "rk4").find("rk4") != std::string::npos);
+  BOOST_TEST(message(toml, "c.toml", {.units = us}) == "c.toml: a unit system is named in the file already");
+}
+
+BOOST_AUTO_TEST_CASE(the_two_files_of_cases_are_the_same_cell) {
+  const CellScene one = read_cell(std::filesystem::path{TALUS_CASES} / "cell/CNTRL.DAT", {.seed = 1});
+  const CellScene other = read_cell(std::filesystem::path{TALUS_CASES} / "cell/ice.toml", {});
+  BOOST_TEST(one.cell.overburden() == other.cell.overburden(), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(one.cell.restitution() == other.cell.restitution(), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(one.plan.step == other.plan.step, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(one.plan.every == other.plan.every, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(one.plan.end == other.plan.end, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(one.cell.rows == other.cell.rows);
+  BOOST_TEST(one.pictures == other.pictures);
+}

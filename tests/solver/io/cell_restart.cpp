@@ -1,0 +1,115 @@
+#define BOOST_TEST_MODULE cell_restart
+#include "solver/io/cell_restart.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "solver/base/error.hpp"
+
+using namespace talus;
+
+namespace {
+
+const ShearCell cell{.law = {1e4, 2e4, 0.0},
+                     .diameter = 1.0,
+                     .mass = 1.0,
+                     .gravity = 9.81,
+                     .block_mass = 50.0,
+                     .rows = 3,
+                     .columns = 4,
+                     .wall_discs = 5,
+                     .block_speed = 2.0,
+                     .seed = 4};
+
+CellRun run() {
+  const double step = cell.contact_time() / 20.0;
+  CellRun made{cell, {.step = step, .every = 2000.0 * step, .end = 2000.0 * step}};
+  while (!made.finished())
+    made.advance();
+  return made;
+}
+
+std::string message(const std::string& text) {
+  try {
+    static_cast<void>(read_cell_restart(text, "RESTART.DAT", cell));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(discs_come_back_to_the_last_bit_and_the_block_is_set_down) {
+  CellRun ran = run();
+  const Discs discs = ran.discs();
+  const CellRestart back = read_cell_restart(cell_restart_text(cell, discs, ran.steps()), "RESTART.DAT", cell);
+  BOOST_TEST(back.cycles == ran.steps());
+  const Discs& read = back.start.discs;
+  BOOST_TEST(read.t == discs.t);
+  double lowest = 1e300;
+  for (std::size_t i = 0; i < cell.free_discs(); ++i) {
+    BOOST_TEST(read.x[i] == discs.x[i]);
+    BOOST_TEST(read.y[i] == discs.y[i]);
+    BOOST_TEST(read.vx[i] == discs.vx[i]);
+    BOOST_TEST(read.vy[i] == discs.vy[i]);
+    for (std::size_t j = first_block_disc(cell); j < read.size(); ++j) {
+      const double dx = read.x[j] - read.x[i], near = dx - 5.0 * std::round(dx / 5.0);
+      lowest = std::min(lowest, std::hypot(near, read.y[j] - read.y[i]));
+    }
+  }
+  BOOST_TEST(lowest == 1.0, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(read.vy.back() == 0.0);
+  BOOST_TEST(read.vx.back() == 2.0);
+  // Where its drive has brought it.
+  const double moved = read.x.back() - discs.x.back();
+  BOOST_TEST(std::abs(moved - 5.0 * std::round(moved / 5.0)) < 1e-9);
+  CellRun on{cell, ran.plan(), back.start};
+  on.advance();
+  BOOST_TEST(on.failure().empty());
+}
+
+BOOST_AUTO_TEST_CASE(contacts_that_are_forgotten_are_counted) {
+  FilledCell filled = fill(cell);
+  filled.discs.x[1] = filled.discs.x[0] + 0.99;
+  filled.discs.y[2] = 0.9, filled.discs.x[2] = 0.0;  // on a disc of the base, and beside the second
+  const CellRestart back = read_cell_restart(cell_restart_text(cell, filled.discs, 0), "RESTART.DAT", cell);
+  BOOST_TEST(back.forgotten == 3U);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_restarts) {
+  const std::string text = cell_restart_text(cell, fill(cell).discs, 7);
+  BOOST_TEST(message(text).empty());
+  BOOST_TEST(message("x 7\n") == "RESTART.DAT:1: elapsed time: found \"x\"; it must be a number");
+  BOOST_TEST(message("1.0 7.5\n") == "RESTART.DAT:1: cycles: found 7.5; it must be a whole number >= 0");
+  BOOST_TEST(message(text.substr(0, text.rfind(' '))).starts_with("RESTART.DAT:13: disc 12: vy: "));
+  BOOST_TEST(message("0 0\n0 -1 0 0\n") ==
+             "RESTART.DAT:2: disc 1: y: found -1; it must be above the base's centre line, 0");
+}
+
+BOOST_AUTO_TEST_CASE(a_picture_has_all_discs_and_the_images_across_the_border) {
+  FilledCell filled = fill(cell);
+  Discs& discs = filled.discs;
+  discs.x[0] = 2.4;   // reaches across the right border
+  discs.x[1] = -2.3;  // across the left one
+  discs.x[2] = 0.0;
+  discs.x[3] = 7.4;  // of another box: at 2.4
+  std::istringstream lines{cell_picture_text(cell, discs)};
+  std::map<long, std::pair<double, double>> seen;
+  long number = 0;
+  for (double x = 0.0, y = 0.0; lines >> number >> x >> y;) {
+    BOOST_TEST(!seen.contains(number));
+    seen[number] = {x, y};
+    BOOST_TEST(std::abs(x) <= 3.0);
+  }
+  for (long i = 1; i <= static_cast<long>(discs.size()); ++i)
+    BOOST_TEST(seen.contains(i));
+  BOOST_TEST(seen.at(-1).first == 2.4 - 5.0, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(seen.at(-2).first == -2.3 + 5.0, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(!seen.contains(-3));
+  BOOST_TEST(seen.at(4).first == 2.4, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(seen.at(-4).second == discs.y[3]);
+}
