@@ -40,14 +40,18 @@ Series series_of(const Node& node) {
   series.label = node.text_or_empty("label");
   series.x = node.at("x").words();
   series.y = node.at("y").words();
-  series.style =
-      node.at("style").one_of({"points", "lines", "linespoints", "errorbars", "crosses", "outlines", "heat", "shapes"});
+  series.style = node.at("style").one_of(
+      {"points", "lines", "linespoints", "errorbars", "crosses", "outlines", "heat", "shapes", "circles"});
   series.where = node.text_or_empty("where");
   if (series.style == "errorbars") {
     series.y_low = node.at("y_low").words();
     series.y_high = node.at("y_high").words();
   }
-  if (series.style == "shapes") series.look = look_of(node);
+  if (has_look(series.style)) series.look = look_of(node);
+  if (series.style == "circles") {
+    series.look.radius = node.at("radius").words();
+    if (series.look.fill.empty() && series.look.value.empty()) node.complain("circles need a fill or a value");
+  }
   if (series.style == "heat") series.look.value = node.at("value").words();
   if (node.has("panel")) series.panel = node.at("panel").integer();
   return series;

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "reports/colour_scale.hpp"
+#include "reports/gnuplot_curve.hpp"
 
 namespace talus::reports {
 namespace {
@@ -49,19 +49,6 @@ std::string escaped(const std::string& text) {
     result += letter;
   }
   return result;
-}
-
-std::string curve_command(const Curve& curve, const std::string& block, std::size_t index) {
-  const std::string title = curve.label.empty() ? "notitle" : "title " + gnuplot_text(curve.label);
-  const std::string with = curve.style == "errorbars"  ? "yerrorbars"
-                           : curve.style == "crosses"  ? "points"
-                           : curve.style == "outlines" ? "lines"
-                                                       : curve.style;
-  if (curve.style == "heat") return fmt::format("{} using 1:2:3:4:5 with rgbimage notitle", block);
-  const std::string columns = curve.style == "errorbars" ? "1:2:3:4" : "1:2";
-  const std::string crosses = curve.style == "crosses" ? " pt 2 ps 0.7" : "";
-  const std::string colour = curve.look.colour.empty() ? "" : fmt::format(" lc rgb '{}'", curve.look.colour);
-  return fmt::format("{} using {} with {} linetype {}{}{} {}", block, columns, with, index + 1, colour, crosses, title);
 }
 
 /// The part of a power law that lies in the plot: a third of the x axis to each side of its point, clipped.
@@ -139,57 +126,6 @@ std::string axis_commands(char name, const Axis& axis, const Extent& extent) {
     }
   }
   return text;
-}
-
-/// Rows of a curve; of outlines with an empty one behind each that is closed.
-std::string curve_rows(const Curve& curve) {
-  std::string text;
-  const Point* first = nullptr;
-  for (const Point& point : curve.points) {
-    text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", point.x, point.y, point.low, point.high);
-    if (curve.style != "outlines") continue;
-    const bool closed = first && first->x == point.x && first->y == point.y;
-    if (closed) text += "\n";
-    first = closed ? nullptr : first ? first : &point;
-  }
-  return text;
-}
-
-/// Rows with an empty one between two lines; the third number is the colour of the value.
-std::string shape_rows(const Curve& curve, const Scale& scale) {
-  std::string text;
-  double line = curve.points.front().line;
-  for (const Point& point : curve.points) {
-    if (point.line != line) text += "\n";
-    line = point.line;
-    const double place = (point.value - scale.min) / (scale.max - scale.min);
-    text += fmt::format("{:.6g} {:.6g} {}\n", point.x, point.y, scale_colour(place));
-  }
-  return text;
-}
-
-/// Rows of a grid with red, green and blue of each value.
-std::string heat_rows(const Curve& curve, const Scale& scale) {
-  std::string text;
-  for (const Point& point : curve.points) {
-    const long colour = scale_colour((point.value - scale.min) / (scale.max - scale.min), scale.two_hues);
-    text += fmt::format("{:.6g} {:.6g} {} {} {}\n", point.x, point.y, colour / 65536, colour / 256 % 256, colour % 256);
-  }
-  return text;
-}
-
-/// Shapes are never in the key of their own panel: the page explains them. Filled ones are drawn one after the other
-/// with their borders, so that those in front cover those behind.
-std::string shape_command(const Curve& curve, const std::string& block) {
-  const Look& look = curve.look;
-  if (!look.fill.empty()) {
-    const std::string border = look.colour.empty() ? "noborder" : fmt::format("border lc rgb '{}'", look.colour);
-    return fmt::format("{} using 1:2 with filledcurves closed fc rgb '{}' lw {:g} fs transparent solid 0.85 {} notitle",
-                       block, look.fill, look.width, border);
-  }
-  const bool by_value = !look.value.empty();
-  return fmt::format("{} using 1:2{} with lines lw {:g} dt {} lc rgb {} notitle", block, by_value ? ":3" : "",
-                     look.width, look.dashed ? "(6,4)" : "1", by_value ? "variable" : fmt::format("'{}'", look.colour));
 }
 
 std::string mark_commands(const Plot& plot) {
@@ -305,14 +241,10 @@ Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale, 
     const Curve& curve = plot.curves[i];
     if (curve.points.empty()) continue;  // nothing of it fits a log axis; the caption counts such points
     const std::string block = fmt::format("${}{}", prefix, i + 1);
-    const bool shapes = curve.style == "shapes", heat = curve.style == "heat";
-    panel.settings += fmt::format("{} << END\n{}END\n", block,
-                                  shapes ? shape_rows(curve, scale)
-                                  : heat ? heat_rows(curve, scale)
-                                         : curve_rows(curve));
-    panel.curves += (panel.curves.empty() ? "" : ", ");
-    panel.curves += shapes ? shape_command(curve, block) : curve_command(curve, block, i);
-    if (!shapes && !heat && !curve.label.empty()) ++panel.in_key;
+    const CurveScript script = curve_script(curve, block, i, scale);
+    panel.settings += script.data;
+    panel.curves += (panel.curves.empty() ? "" : ", ") + script.command;
+    if (!has_look(curve.style) && curve.style != "heat" && !curve.label.empty()) ++panel.in_key;
     if (curve.style == "outlines") panel.settings += "set size ratio -1\n";
   }
   panel.settings += axis_commands('x', plot.figure.x, plot.x) + axis_commands('y', plot.figure.y, plot.y);

@@ -48,7 +48,7 @@ std::vector<Series> explained(const PagePlot& page) {
   std::set<std::string> seen;
   for (const Figure& figure : page.page.panels) {
     for (const Series& series : figure.series) {
-      if (series.style == "shapes" && !series.label.empty() && seen.insert(series.label).second) {
+      if (has_look(series.style) && !series.label.empty() && seen.insert(series.label).second) {
         entries.push_back(series);
       }
     }
@@ -170,6 +170,9 @@ std::string bar_commands(const Scale& scale, double top, double height) {
                             left + 0.5 * width, up(1.05));
 }
 
+/// Entries of the key that stand one below the other beside the bar, so that its columns do not reach into it.
+std::size_t rows_beside_bar(std::size_t entries) { return entries == 3 ? 3 : 2; }
+
 /// Bar of the scale and key of the shapes, below all panels.
 std::string legend_commands(const PagePlot& page, const std::vector<Series>& entries, const Layout& layout) {
   if (entries.empty() && !page.page.scale) return {};
@@ -183,7 +186,8 @@ std::string legend_commands(const PagePlot& page, const std::vector<Series>& ent
   text += entries.empty()
               ? "unset key\n"
               : fmt::format("set key at screen {:.6f}, screen {:.6f} {} top maxrows {} samplen 2.2 reverse Left\n",
-                            bar ? 0.06 : 0.5, (layout.legend - 0.1) / h, bar ? "left" : "center", bar ? 2 : 1);
+                            bar ? 0.06 : 0.5, (layout.legend - 0.1) / h, bar ? "left" : "center",
+                            bar ? rows_beside_bar(entries.size()) : 1);
   // A point outside the axes: gnuplot draws a key only beside something that it plots.
   text += "plot '+' using (2):(2) with points notitle";
   for (const Series& series : entries)

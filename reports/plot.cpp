@@ -28,13 +28,14 @@ Curve curve_of(const Series& series, const Figure& figure, const Csv& csv, std::
   const bool shapes = series.style == "shapes";
   const std::size_t line = shapes ? csv.column("line") : y;
   const std::size_t value = series.look.value.empty() ? y : csv.column(series.look.value);
+  const std::size_t radius = series.look.radius.empty() ? y : csv.column(series.look.radius);
   Curve curve{series.label, series.style, {}, series.look};
   std::size_t rows = 0;
   for (std::size_t row = 0; row < csv.rows.size(); ++row) {
     if (!series.where.empty() && csv.rows[row][filter] != series.where) continue;
     ++rows;
-    Point point{csv.number(row, x),    csv.number(row, y),    csv.number(row, low),
-                csv.number(row, high), csv.number(row, line), csv.number(row, value)};
+    Point point{csv.number(row, x),    csv.number(row, y),     csv.number(row, low),   csv.number(row, high),
+                csv.number(row, line), csv.number(row, value), csv.number(row, radius)};
     if (!drawable(point, figure)) {
       ++undrawn;
       continue;
@@ -48,7 +49,7 @@ Curve curve_of(const Series& series, const Figure& figure, const Csv& csv, std::
                                   figure.name, series.label, series.x, series.y,
                                   series.where.empty() ? "" : ", series = '" + series.where + "'"));
   }
-  if (!shapes && series.style != "outlines" && series.style != "heat")
+  if (!has_look(series.style) && series.style != "outlines" && series.style != "heat")
     curve.points = thinned(curve.points, most_points);
   return curve;
 }

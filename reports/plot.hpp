@@ -10,10 +10,10 @@
 namespace talus::reports {
 
 /// One point; low and high are the ends of its error bar (equal to y without one). Of a shape: the line that it is of,
-/// and the value that gives its colour.
+/// and the value that gives its colour; of a circle: its radius and that value.
 struct Point {
   double x{}, y{}, low{}, high{};
-  double line{}, value{};
+  double line{}, value{}, radius{};
 };
 
 /// One curve's points, in the order of the file.

@@ -56,14 +56,19 @@ struct Axis {
   int divisions{};  ///< equal parts that the grid makes of a linear axis; 0: round numbers
 };
 
-/// How shapes are drawn: poly lines, each as far as the column `line` of the CSV file holds the same number.
+/// How shapes and circles are drawn. Shapes are poly lines, each as far as the column `line` of the CSV file holds the
+/// same number.
 struct Look {
   std::string colour;  ///< of the lines, "#rrggbb"; empty: none, or by `value`
-  std::string fill;    ///< of closed ones, "#rrggbb"; empty: none
+  std::string fill;    ///< of closed ones, "#rrggbb"; empty: none, or of circles by `value`
   std::string value;   ///< column whose values the page's scale turns into colours; empty: none
   double width{1.0};   ///< of the lines
   bool dashed{};
+  std::string radius{};  ///< column of the radii of circles, in units of the abscissa
 };
+
+/// Whether a style is drawn as its Look says, and explained in the page's key, not in the panel's own.
+[[nodiscard]] inline bool has_look(const std::string& style) { return style == "shapes" || style == "circles"; }
 
 /// One curve: columns of the figure's CSV file, and how they are drawn.
 struct Series {
@@ -71,11 +76,11 @@ struct Series {
   std::string x;
   std::string y;
   std::string style;   ///< points, lines, linespoints, errorbars, crosses, outlines (closed lines one after another),
-                       ///< heat (a regular grid, coloured by `look.value`) or shapes: see Look
+                       ///< heat (a regular grid, coloured by `look.value`), shapes or circles: see Look
   std::string y_low;   ///< column of the lower end of the error bar
   std::string y_high;  ///< column of its upper end
   std::string where;   ///< when not empty: only the rows whose column `series` holds this
-  Look look{};         ///< of shapes; of heat its value
+  Look look{};         ///< of shapes and circles; of heat its value
   int panel{};         ///< the one that shows it, of a figure that has panels
 };
 

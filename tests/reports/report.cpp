@@ -189,6 +189,40 @@ BOOST_AUTO_TEST_CASE(a_page_shows_shapes_in_the_colours_of_their_values) {
   BOOST_TEST(contains(html, R"({"title": "\u003c/script>"})"));
 }
 
+// Of circles with a value the dark and the pale end of the scale, of the others their fill; outlines have few corners
+// where they are small.
+BOOST_AUTO_TEST_CASE(circles_are_filled_by_their_values) {
+  const Scratch scratch("circles");
+  write_file(scratch.folder / "circles.csv",
+             "series,x,y,radius,speed\ndisc,0,0,0.5,0\ndisc,2,0,0.5,8\nwall,0,-1,0.01,3\n");
+  const std::string good = R"({"figures": [], "pages": [{"name": "page", "title": "", "columns": 1, "panels": [
+      {"name": "p", "title": "", "csv": "circles.csv", "equal": true, "x": {"label": "x", "min": -1, "max": 3},
+       "y": {"label": "y", "min": -2, "max": 1}, "series": [
+         {"x": "x", "y": "y", "style": "circles", "where": "disc", "radius": "radius", "value": "speed"},
+         {"label": "wall", "x": "x", "y": "y", "style": "circles", "where": "wall", "radius": "radius",
+          "fill": "#a0b0c0", "colour": "#102030"}]}],
+      "scale": {"label": "speed", "unit": "m/s", "min": 0, "max": 8}}]})";
+  write_file(scratch.folder / "plot.json", good);
+  const Finished finished =
+      program({"--plot", scratch.folder.string(), "--format", "svg", "--to", (scratch.folder / "to").string()});
+  BOOST_TEST_REQUIRE(finished.status == 0, finished.messages);
+  BOOST_TEST(finished.messages == "");
+  const std::string svg = read_file(scratch.folder / "to" / "page.svg");
+  for (const char* part : {"rgb(103,   0,  31)", "rgb(254, 196,  79)", "rgb(160, 176, 192)", ">wall<", "speed [m/s]"})
+    BOOST_TEST(contains(svg, part), part);
+  for (const auto& [from, words] : std::vector<std::pair<std::string, std::string>>{
+           {"\"radius\": \"radius\", \"value\"", "series[0].radius"},
+           {", \"value\": \"speed\"", "series[0]: shapes need a colour, a fill or a value"},
+           {"\"fill\": \"#a0b0c0\", ", "series[1]: circles need a fill or a value"}}) {
+    std::string text = good;
+    text.replace(text.find(from), from.size(), from.find("radius") != std::string::npos ? "\"value\"" : "");
+    write_file(scratch.folder / "plot.json", text);
+    const Finished wrong = program({"--plot", scratch.folder.string()});
+    BOOST_TEST(wrong.status == 2);
+    BOOST_TEST(contains(wrong.messages, words), wrong.messages);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(wrong_pages_are_named) {
   const Scratch scratch("page");
   write_shapes(scratch.folder);

@@ -1,0 +1,136 @@
+#include "reports/gnuplot_curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <vector>
+
+#include "reports/colour_scale.hpp"
+#include "reports/gnuplot_script.hpp"
+
+namespace talus::reports {
+namespace {
+
+std::string data_block(const std::string& name, const std::string& rows) {
+  return fmt::format("{} << END\n{}END\n", name, rows);
+}
+
+/// Rows of a curve; of outlines with an empty one behind each that is closed.
+std::string line_rows(const Curve& curve) {
+  std::string text;
+  const Point* first = nullptr;
+  for (const Point& point : curve.points) {
+    text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", point.x, point.y, point.low, point.high);
+    if (curve.style != "outlines") continue;
+    const bool closed = first && first->x == point.x && first->y == point.y;
+    if (closed) text += "\n";
+    first = closed ? nullptr : first ? first : &point;
+  }
+  return text;
+}
+
+/// Rows with an empty one between two lines; the third number is the colour of the value.
+std::string shape_rows(const Curve& curve, const Scale& scale) {
+  std::string text;
+  double line = curve.points.front().line;
+  for (const Point& point : curve.points) {
+    if (point.line != line) text += "\n";
+    line = point.line;
+    const double place = (point.value - scale.min) / (scale.max - scale.min);
+    text += fmt::format("{:.6g} {:.6g} {}\n", point.x, point.y, scale_colour(place));
+  }
+  return text;
+}
+
+/// Rows of a grid with red, green and blue of each value.
+std::string heat_rows(const Curve& curve, const Scale& scale) {
+  std::string text;
+  for (const Point& point : curve.points) {
+    const long colour = scale_colour((point.value - scale.min) / (scale.max - scale.min), scale.two_hues);
+    text += fmt::format("{:.6g} {:.6g} {} {} {}\n", point.x, point.y, colour / 65536, colour / 256 % 256, colour % 256);
+  }
+  return text;
+}
+
+/// Shapes are never in the key of their own panel: the page explains them. Filled ones are drawn one after the other
+/// with their borders, so that those in front cover those behind.
+std::string shape_command(const Curve& curve, const std::string& block) {
+  const Look& look = curve.look;
+  if (!look.fill.empty()) {
+    const std::string border = look.colour.empty() ? "noborder" : fmt::format("border lc rgb '{}'", look.colour);
+    return fmt::format("{} using 1:2 with filledcurves closed fc rgb '{}' lw {:g} fs transparent solid 0.85 {} notitle",
+                       block, look.fill, look.width, border);
+  }
+  const bool by_value = !look.value.empty();
+  return fmt::format("{} using 1:2{} with lines lw {:g} dt {} lc rgb {} notitle", block, by_value ? ":3" : "",
+                     look.width, look.dashed ? "(6,4)" : "1", by_value ? "variable" : fmt::format("'{}'", look.colour));
+}
+
+std::string line_command(const Curve& curve, const std::string& block, std::size_t index) {
+  const std::string title = curve.label.empty() ? "notitle" : "title " + gnuplot_text(curve.label);
+  const std::string with = curve.style == "errorbars"  ? "yerrorbars"
+                           : curve.style == "crosses"  ? "points"
+                           : curve.style == "outlines" ? "lines"
+                                                       : curve.style;
+  const std::string columns = curve.style == "errorbars" ? "1:2:3:4" : "1:2";
+  const std::string crosses = curve.style == "crosses" ? " pt 2 ps 0.7" : "";
+  const std::string colour = curve.look.colour.empty() ? "" : fmt::format(" lc rgb '{}'", curve.look.colour);
+  return fmt::format("{} using {} with {} linetype {}{}{} {}", block, columns, with, index + 1, colour, crosses, title);
+}
+
+/// Corners enough that none is seen: a circle a hundredth of the picture wide has 18, a tenth 40.
+int corners(double radius, double width) { return std::clamp(16 + static_cast<int>(500.0 * radius / width), 16, 48); }
+
+/// Circles one after the other, each closed, as polygons: gnuplot's own have so many corners that 3000 discs make an
+/// SVG of 11 MB.
+std::string circle_rows(const std::vector<Point>& circles, double width) {
+  std::string text;
+  for (const Point& circle : circles) {
+    const int count = corners(circle.radius, width);
+    for (int k = 0; k < count; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / count;
+      text += fmt::format("{:.6g} {:.6g}\n", circle.x + circle.radius * std::cos(angle),
+                          circle.y + circle.radius * std::sin(angle));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+/// Circles of one colour are drawn together: gnuplot fills a curve in one.
+CurveScript circles_script(const Curve& curve, const std::string& block, const Scale& scale) {
+  const Look& look = curve.look;
+  std::map<long, std::vector<Point>> by_colour;
+  double left = curve.points.front().x, right = left;
+  for (const Point& point : curve.points) {
+    const double place = (point.value - scale.min) / (scale.max - scale.min);
+    by_colour[look.value.empty() ? std::stol(look.fill.substr(1), nullptr, 16) : scale_colour(place, scale.two_hues)]
+        .push_back(point);
+    left = std::min(left, point.x - point.radius), right = std::max(right, point.x + point.radius);
+  }
+  const std::string border = look.colour.empty() ? "noborder" : fmt::format("border lc rgb '{}'", look.colour);
+  CurveScript script;
+  for (const auto& [colour, circles] : by_colour) {
+    const std::string name = fmt::format("{}_{:06x}", block, colour);
+    script.data += data_block(name, circle_rows(circles, right - left));
+    script.command += fmt::format("{}{} using 1:2 with filledcurves closed fc rgb {} lw {:g} fs solid {} notitle",
+                                  script.command.empty() ? "" : ", ", name, colour, look.width, border);
+  }
+  return script;
+}
+
+}  // namespace
+
+CurveScript curve_script(const Curve& curve, const std::string& block, std::size_t index, const Scale& scale) {
+  if (curve.style == "circles") return circles_script(curve, block, scale);
+  if (curve.style == "shapes") return {data_block(block, shape_rows(curve, scale)), shape_command(curve, block)};
+  if (curve.style == "heat") {
+    return {data_block(block, heat_rows(curve, scale)), fmt::format("{} using 1:2:3:4:5 with rgbimage notitle", block)};
+  }
+  return {data_block(block, line_rows(curve)), line_command(curve, block, index)};
+}
+
+}  // namespace talus::reports
