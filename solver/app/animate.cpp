@@ -9,7 +9,6 @@
 
 #include "solver/app/command.hpp"
 #include "solver/app/drawing.hpp"
-#include "solver/app/geometry_drawing.hpp"
 #include "solver/app/player_data.hpp"
 #include "solver/base/error.hpp"
 
@@ -32,9 +31,9 @@ struct AnimateOptions {
 
 /// The states up to the time that is asked for.
 std::vector<GeometryFile> chosen_files(const RunFolder& run, const AnimateOptions& options) {
-  std::vector<GeometryFile> files = geometry_files(run);
+  std::vector<GeometryFile> files = state_files(run);
   if (options.until.empty()) return files;
-  const double until = option_quantity("--until", options.until, dimension::time, run.units);
+  const double until = option_time("--until", options.until, run);
   files.erase(std::remove_if(files.begin(), files.end(), [until](const auto& file) { return file.time > until; }),
               files.end());
   if (files.size() < 2) {
@@ -45,21 +44,46 @@ std::vector<GeometryFile> chosen_files(const RunFolder& run, const AnimateOption
 }
 
 /// A page for each frame: the side view, and beside it the view along the fence if there is one.
-Json film(const DrawnGeometry& geometry, const std::string& name, const std::string& title, const FrameStyle& side,
+template <class Drawn>
+Json film(const Drawn& drawn, const std::string& name, const std::string& title, const FrameStyle& side,
           const FrameStyle& along, double seconds) {
   Json pages = Json::array();
-  for (std::size_t i = 0; i < geometry.frames.size(); ++i) {
+  for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
     const std::string csv = fmt::format("frame{}.csv", i);
-    Json panels = Json::array({frame_figure(geometry, i, side, csv)});
-    if (geometry.has_depth) panels.push_back(frame_figure(geometry, i, along, csv));
+    Json panels = Json::array({frame_figure(drawn, i, side, csv)});
+    if (drawn.has_depth) panels.push_back(frame_figure(drawn, i, along, csv));
     pages.push_back({{"name", fmt::format("page{}", i)},
                      {"title", title},
                      {"columns", panels.size()},
                      {"panels", std::move(panels)},
-                     {"scale", tension_scale(geometry)}});
+                     {"scale", colour_scale(drawn)}});
   }
-  return {
-      {"name", name}, {"delay", seconds / static_cast<double>(geometry.frames.size())}, {"pages", std::move(pages)}};
+  return {{"name", name}, {"delay", seconds / static_cast<double>(drawn.frames.size())}, {"pages", std::move(pages)}};
+}
+
+/// `drawn`: DrawnGeometry or DrawnDiscs.
+template <class Drawn>
+int animate(const Drawn& drawn, const KeptRun& run, const AnimateOptions& options) {
+  FrameStyle side{View::side, window_of(drawn, View::side), options.numbers, true, {}};
+  if (!options.window.empty())
+    side.window = {options.window[0], options.window[1], options.window[2], options.window[3]};
+  const FrameStyle along{View::along, window_of(drawn, View::along), options.numbers, true, {}};
+  const PictureOptions& picture = options.picture;
+  const std::string name = picture.name.empty() ? "animation" : picture.name;
+  const std::string title = picture.title.empty() ? run.run.title : picture.title;
+  const DrawingRecord record{picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder}};
+  Json asked{{"schema", 1}, {"figures", Json::array()}, {"films", Json::array()}, {"players", Json::array()}};
+  if (options.gif) {
+    for (std::size_t i = 0; i < drawn.frames.size(); ++i)
+      record.add(fmt::format("frame{}.csv", i), frame_csv(drawn, i));
+    asked["films"].push_back(film(drawn, name, title, side, along, options.seconds));
+  }
+  if (options.html || !options.gif) {
+    record.add("player.json", player_json(drawn, run, side.window, along.window));
+    asked["players"].push_back({{"name", name}, {"title", title}, {"data", "player.json"}});
+  }
+  record.add("plot.json", asked.dump(1));
+  return record.draw({"svg"});
 }
 
 int animate(const AnimateOptions& options) {
@@ -67,28 +91,9 @@ int animate(const AnimateOptions& options) {
     throw InputError{fmt::format("--window: found {}; it must be x-min y-min x-max y-max, with min < max",
                                  fmt::join(options.window, " "))};
   }
-  KeptRun run = read_kept_run(options.folder);
-  const DrawnGeometry geometry = read_frames(run.run, chosen_files(run.run, options));
-  FrameStyle side{View::side, window_of(geometry, View::side), options.numbers, true, {}};
-  if (!options.window.empty())
-    side.window = {options.window[0], options.window[1], options.window[2], options.window[3]};
-  const FrameStyle along{View::along, window_of(geometry, View::along), options.numbers, true, {}};
-  const PictureOptions& picture = options.picture;
-  const std::string name = picture.name.empty() ? "animation" : picture.name;
-  const std::string title = picture.title.empty() ? run.run.title : picture.title;
-  const DrawingRecord record{picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder}};
-  Json asked{{"schema", 1}, {"figures", Json::array()}, {"films", Json::array()}, {"players", Json::array()}};
-  if (options.gif) {
-    for (std::size_t i = 0; i < geometry.frames.size(); ++i)
-      record.add(fmt::format("frame{}.csv", i), frame_csv(geometry, i));
-    asked["films"].push_back(film(geometry, name, title, side, along, options.seconds));
-  }
-  if (options.html || !options.gif) {
-    record.add("player.json", player_json(geometry, run, side.window, along.window));
-    asked["players"].push_back({{"name", name}, {"title", title}, {"data", "player.json"}});
-  }
-  record.add("plot.json", asked.dump(1));
-  return record.draw({"svg"});
+  const KeptRun run = read_kept_run(options.folder);
+  const DrawnStates states = read_states(run.run, chosen_files(run.run, options), options.picture.colour);
+  return std::visit([&](const auto& drawn) { return animate(drawn, run, options); }, states);
 }
 
 }  // namespace
@@ -96,20 +101,22 @@ int animate(const AnimateOptions& options) {
 Command add_animate(CLI::App& talus) {
   CLI::App* app = talus.add_subcommand("animate", "Show a run as it moves: an HTML page that plays it, or a GIF");
   const auto options = std::make_shared<AnimateOptions>();
-  app->add_option("DIR", options->folder, "folder that `talus run --out` wrote")->required();
+  app->add_option("DIR", options->folder, "folder that `talus run --out` or `talus cell --out` wrote")->required();
   app->add_flag("--html", options->html, "one HTML page with all in it, which any browser plays; the default");
   app->add_flag("--gif", options->gif, "a GIF; with --html both");
   app->add_option("--seconds", options->seconds, "how long the GIF takes; default 6")->check(CLI::Range(0.1, 600.0));
   app->add_option("--until", options->until, "last time shown, e.g. \"0.1 s\"");
   app->add_option("--window", options->window, "x-min y-min x-max y-max of the side view; default: all that moves")
       ->expected(4);
-  app->add_flag("--numbers", options->numbers, "element numbers in the GIF");
+  app->add_flag("--numbers", options->numbers, "numbers of elements or discs in the GIF");
+  add_colour_option(*app, options->picture);
   add_picture_options(*app, options->picture);
   app->footer(
-      "More states make a smoother motion: talus run SCENE --out out --frames 200.\n"
+      "More states make a smoother motion: talus run SCENE --out out --frames 200; of a cell, a shorter LOOP.\n"
       "Examples:\n"
       "  talus run cases/fence/sample2.DAT --out out --frames 200 && talus animate out\n"
-      "  talus animate out --gif --seconds 10");
+      "  talus animate out --gif --seconds 10\n"
+      "  talus cell cases/cell/ice.toml --out cell && talus animate cell --colour force --gif --html");
   return {app, [options] { return animate(*options); }};
 }
 

@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "solver/app/calibrate_options.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/latching_calibration.hpp"
 #include "solver/base/error.hpp"
 #include "solver/calibrate/impact.hpp"
 #include "solver/calibrate/step_advice.hpp"
@@ -15,23 +17,6 @@
 
 namespace talus::app {
 namespace {
-
-struct CalibrateOptions {
-  std::string scene;
-  std::string contact;
-  double restitution{};
-  std::vector<std::string> masses;
-  std::string stiffness;
-  std::string end_rule{"attractive"};
-  std::vector<std::string> pivot;
-  std::vector<std::string> offset;
-  std::string speed{"1 m/s"};
-  double bound{1e-3};
-  std::string integrator{"velocity_verlet"};
-  std::string units{"SI"};
-  bool json{false};
-  std::vector<std::string> own_to_impact;  ///< options given that mean nothing beside a scene
-};
 
 /// What a calibration without a scene finds; all in SI.
 struct ImpactCalibration {
@@ -48,23 +33,6 @@ EndRule end_rule_named(const std::string& name) {
     if (list[i] == name) return static_cast<EndRule>(i);
   }
   throw unknown_name("end rule", name, {list.begin(), list.end()});
-}
-
-/// Inertia at the contact point: --masses, of which --pivot or --offset changes the last.
-double effective_mass_of(const CalibrateOptions& options) {
-  std::vector<ContactSide> sides;
-  for (const std::string& mass : options.masses)
-    sides.push_back({option_quantity("--masses", mass, dimension::mass, si), {}, 0.0, false});
-  const bool pinned = !options.pivot.empty();
-  const std::vector<std::string>& turning = pinned ? options.pivot : options.offset;
-  if (!turning.empty()) {
-    const std::string option = pinned ? "--pivot" : "--offset";
-    sides.back().inertia = option_quantity(option, turning[0], dimension::inertia, si);
-    sides.back().arm = option_quantity(option, turning[1], dimension::length, si);
-    sides.back().pinned = pinned;
-  }
-  // A single body meets something that does not move: half of what it would have against its own mirror image, twice.
-  return sides.size() == 1 ? 2.0 * effective_mass(sides[0], sides[0]) : effective_mass(sides[0], sides[1]);
 }
 
 ImpactCalibration calibrated(const CalibrateOptions& options) {
@@ -214,13 +182,23 @@ int calibrate_scene(const CalibrateOptions& options) {
   return ok;
 }
 
+/// The law of a calibration without a scene; what it has no use for is refused.
+int calibrate_law(const CalibrateOptions& options) {
+  if (options.law == LatchingSpring::name) return calibrate_latching(options);
+  if (options.law != LinearSpringDashpot::name)
+    throw unknown_name("--law: law", options.law,
+                       {std::string{LinearSpringDashpot::name}, std::string{LatchingSpring::name}});
+  if (!options.step.empty()) throw InputError{"--step: it is found for the law 'linear_spring_dashpot'; leave it out"};
+  return calibrate_impact(options);
+}
+
 int run_calibration(const CalibrateOptions& options) {
   if (!(options.restitution > 0.0 && options.restitution <= 1.0)) {
     throw InputError{fmt::format("--restitution: found {}; it must be in (0, 1]", options.restitution)};
   }
   if (options.scene.empty()) {
     if (!options.contact.empty()) throw InputError{"--contact: it needs a scene; name its file"};
-    return calibrate_impact(options);
+    return calibrate_law(options);
   }
   if (!options.masses.empty() || !options.stiffness.empty() || !options.pivot.empty() || !options.offset.empty()) {
     throw InputError{"--masses, --stiffness, --pivot and --offset are the scene's own; leave them out"};
@@ -233,12 +211,30 @@ int run_calibration(const CalibrateOptions& options) {
 
 }  // namespace
 
+double effective_mass_of(const CalibrateOptions& options) {
+  std::vector<ContactSide> sides;
+  for (const std::string& mass : options.masses)
+    sides.push_back({option_quantity("--masses", mass, dimension::mass, si), {}, 0.0, false});
+  const bool pinned = !options.pivot.empty();
+  const std::vector<std::string>& turning = pinned ? options.pivot : options.offset;
+  if (!turning.empty()) {
+    const std::string option = pinned ? "--pivot" : "--offset";
+    sides.back().inertia = option_quantity(option, turning[0], dimension::inertia, si);
+    sides.back().arm = option_quantity(option, turning[1], dimension::length, si);
+    sides.back().pinned = pinned;
+  }
+  // A single body meets something that does not move: half of what it would have against its own mirror image, twice.
+  return sides.size() == 1 ? 2.0 * effective_mass(sides[0], sides[0]) : effective_mass(sides[0], sides[1]);
+}
+
 Command add_calibrate(CLI::App& talus) {
-  CLI::App* app = talus.add_subcommand("calibrate", "Find the damping that gives a contact its restitution");
+  CLI::App* app = talus.add_subcommand("calibrate", "Find the damping, or K1/K2, that gives a contact its restitution");
   const auto options = std::make_shared<CalibrateOptions>();
   app->add_option("SCENE", options->scene, "scene file: calibrate its --contact by simulation of the scene");
   app->add_option("--contact", options->contact, "name of the scene's contact");
   app->add_option("--restitution", options->restitution, "restitution wanted, in (0, 1]")->required();
+  app->add_option("--law", options->law,
+                  "linear_spring_dashpot (default), or latching_spring: K1/K2 of two discs that are stepped by --step");
   app->add_option("--masses", options->masses, "mass of one body (against a wall) or of two")->expected(1, 2);
   app->add_option("--stiffness", options->stiffness, "stiffness of the contact, e.g. \"1e6 lbf/ft\"");
   app->add_option("--end-rule", options->end_rule, "attractive (default: Eq. 21 of 1993) or clamped");
@@ -253,6 +249,7 @@ Command add_calibrate(CLI::App& talus) {
   app->add_option("--speed", options->speed, "speed of approach for the overlap; default \"1 m/s\"");
   app->add_option("--bound", options->bound, "error of the restitution that the step may cause; default 0.001");
   app->add_option("--integrator", options->integrator, "method for the step; default velocity_verlet");
+  app->add_option("--step", options->step, "of a latching_spring: its step, e.g. \"1e-7 s\"; a bare number is in s");
   app->add_option("--units", options->units, "SI or US, for the text; JSON is always SI");
   app->add_flag("--json", options->json, "print JSON, in SI units");
   app->footer(
@@ -261,13 +258,15 @@ Command add_calibrate(CLI::App& talus) {
       "US\n"
       "  talus calibrate --restitution 0.5 --masses \"37.23 slug\" \"14.92 slug\" --stiffness \"1e6 lbf/ft\" \\\n"
       "        --pivot \"324.14 slug ft^2\" \"4 ft\" --end-rule attractive\n"
-      "  talus calibrate cases/pivoted_cylinder.toml --contact impact --restitution 0.5");
-  return {app, [app, options] {
-            for (const char* name : {"--end-rule", "--speed", "--bound", "--integrator", "--units"}) {
-              if (app->get_option(name)->count() > 0) options->own_to_impact.emplace_back(name);
-            }
-            return run_calibration(*options);
-          }};
+      "  talus calibrate cases/pivoted_cylinder.toml --contact impact --restitution 0.5\n"
+      "  talus calibrate --law latching_spring --restitution .7 --step 1e-7 --integrator euler");
+  return {
+      app, [app, options] {
+        for (const char* name : {"--law", "--end-rule", "--speed", "--step", "--bound", "--integrator", "--units"}) {
+          if (app->get_option(name)->count() > 0) options->own_to_impact.emplace_back(name);
+        }
+        return run_calibration(*options);
+      }};
 }
 
 }  // namespace talus::app

@@ -27,6 +27,7 @@ void describe(CLI::App& talus) {
       "  talus plot out                               draw the histories into out/plots/\n"
       "  talus snapshot out                           draw bodies and cables at several times\n"
       "  talus animate out                            a page that plays the run in a browser\n"
+      "  talus cell cases/cell/CNTRL.DAT --units SI   a sheared cell of discs, as the program SNOFLO of 1989\n"
       "  talus convert fence.DAT fence.toml           a deck of the 1993 program FENCE as a scene, or back\n"
       "  talus list fields                            every field that a scene can hold, with its dimension\n"
       "Exit codes: 0 done, 2 wrong input or usage, 3 the run failed numerically, 4 a file cannot be read or written, 5 "
@@ -122,9 +123,9 @@ int run_command_line(int count, const char* const* arguments) {
   }
   CLI::App talus{"", "talus"};
   describe(talus);
-  const std::vector<Command> commands{add_run(talus),       add_check(talus),   add_advise(talus),
-                                      add_calibrate(talus), add_convert(talus), add_plot(talus),
-                                      add_snapshot(talus),  add_animate(talus), add_list(talus)};
+  const std::vector<Command> commands{add_run(talus),      add_check(talus),   add_advise(talus), add_calibrate(talus),
+                                      add_cell(talus),     add_convert(talus), add_export(talus), add_plot(talus),
+                                      add_snapshot(talus), add_animate(talus), add_study(talus),  add_list(talus)};
   try {
     talus.parse(count, arguments);
   } catch (const CLI::Success& help) {

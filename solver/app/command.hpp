@@ -25,10 +25,13 @@ struct Command {
 [[nodiscard]] Command add_check(CLI::App& talus);
 [[nodiscard]] Command add_advise(CLI::App& talus);
 [[nodiscard]] Command add_calibrate(CLI::App& talus);
+[[nodiscard]] Command add_cell(CLI::App& talus);
 [[nodiscard]] Command add_convert(CLI::App& talus);
+[[nodiscard]] Command add_export(CLI::App& talus);
 [[nodiscard]] Command add_plot(CLI::App& talus);
 [[nodiscard]] Command add_snapshot(CLI::App& talus);
 [[nodiscard]] Command add_animate(CLI::App& talus);
+[[nodiscard]] Command add_study(CLI::App& talus);
 [[nodiscard]] Command add_list(CLI::App& talus);
 
 /// The quantity given to an option. Errors: InputError with the option's name in front; if not in the range, what is

@@ -6,9 +6,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
 
+#include "solver/app/command.hpp"
 #include "solver/app/report_tool.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/atomic_file.hpp"
@@ -26,6 +28,23 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
   app.add_option("--out", options.folder, "folder for the pictures; default plots/ in that of the (first) run");
   app.add_option("--name", options.name, "name of the picture's file, without its extension");
   app.add_option("--title", options.title, "title; default that of the run");
+}
+
+void add_colour_option(CLI::App& app, PictureOptions& options) {
+  app.add_option("--colour", options.colour,
+                 "what colours discs: speed, or force, the sum of a disc's contact forces; default speed")
+      ->check(CLI::IsMember({"speed", "force"}));
+}
+
+double option_time(const std::string& option, const std::string& text, const RunFolder& run, bool positive) {
+  if (run.units) return option_quantity(option, text, dimension::time, *run.units, positive);
+  double value = 0.0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc{} || end != text.data() + text.size()) {
+    throw InputError{fmt::format("{}: found \"{}\"; it must be a bare number: the run named no units", option, text)};
+  }
+  if (positive && !(value > 0.0)) throw InputError{fmt::format("{}: found \"{}\"; it must be > 0", option, text)};
+  return value;
 }
 
 int draw(const fs::path& record, const fs::path& target, const std::vector<std::string>& formats) {

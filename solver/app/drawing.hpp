@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/io/run_folder.hpp"
+
 namespace CLI {
 class App;
 }
@@ -17,6 +19,7 @@ struct PictureOptions {
   std::string folder;  ///< empty: plots/ in the run's folder
   std::string name;    ///< file stem; empty: the command's own
   std::string title;   ///< empty: the run's
+  std::string colour;  ///< of discs: speed or force; empty: not asked for
 };
 
 /// Adds --format.
@@ -24,6 +27,13 @@ void add_format_option(CLI::App& app, PictureOptions& options);
 
 /// Adds --out, --name and --title.
 void add_picture_options(CLI::App& app, PictureOptions& options);
+
+/// Adds --colour, what colours discs.
+void add_colour_option(CLI::App& app, PictureOptions& options);
+
+/// A time that an option gives, in the unit that the run named, or bare if it named none. Errors: InputError.
+[[nodiscard]] double option_time(const std::string& option, const std::string& text, const RunFolder& run,
+                                 bool positive = true);
 
 /// Draws what the plot.json in `record` asks for into `target` by talus_report, which stands beside talus or in a
 /// folder of PATH, and returns its exit code. Errors: IoError if it is not there or ends by a signal.

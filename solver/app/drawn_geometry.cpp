@@ -63,10 +63,6 @@ std::pair<double, double> heights(const GeometryLine& line) {
   return extent(line, [](const Vec3& p) { return p.y; });
 }
 
-std::vector<GeometryFile> geometry_files(const RunFolder& run) {
-  return read_geometry_index(run.folder / run.files.geometry);
-}
-
 DrawnGeometry read_frames(RunFolder run, const std::vector<GeometryFile>& files) {
   DrawnGeometry geometry{std::move(run), {}, 0.0, false};
   const auto bodies = static_cast<long>(geometry.run.files.bodies.size());

@@ -5,32 +5,18 @@
 #include <utility>
 #include <vector>
 
+#include "solver/app/frame_style.hpp"
 #include "solver/io/geometry_series.hpp"
-#include "solver/io/run_folder.hpp"
 
 namespace talus::app {
 
-/// From where a scene is looked at.
-enum class View {
-  side,   ///< x to the right, y up: the plane of motion
-  along,  ///< z to the right, y up: the fence as who stands before it sees it, with its mirror image if it is half
-};
-
-/// What a picture shows of the scene; ends in the scene's unit of length.
-struct Window {
-  double left{}, bottom{}, right{}, top{};
-};
-
-/// The geometry that a run left, read as far as it is drawn.
+/// The bodies and cables that a run left, read as far as it is drawn.
 struct DrawnGeometry {
   RunFolder run;
   std::vector<GeometryFrame> frames;
   double largest_tension{};  ///< of all frames [F]
   bool has_depth{};          ///< not all stands at the same place along the fence
 };
-
-/// The files of a run's geometry. Errors: as read_run_folder and read_geometry_index.
-[[nodiscard]] std::vector<GeometryFile> geometry_files(const RunFolder& run);
 
 /// Reads those frames. Errors: InputError if a frame names a body or cable that the run does not.
 [[nodiscard]] DrawnGeometry read_frames(RunFolder run, const std::vector<GeometryFile>& files);

@@ -185,35 +185,14 @@ Json frame_figure(const DrawnGeometry& geometry, std::size_t frame, const FrameS
     if (!side) add(kind, of_images);  // behind the middle of the fence
     add(kind, {});
   }
-  const std::string length = symbol(geometry.run.units, dimension::length);
-  const Window& window = style.window;
-  const std::vector<int> divisions = style.divisions.empty() ? std::vector<int>{0, 0} : style.divisions;
-  return {
-      {"name", fmt::format("{}{}", side ? "side" : "along", frame)},
-      {"title", fmt::format("t = {:.4g} {}", shown.time, symbol(geometry.run.units, dimension::time))},
-      {"x",
-       {{"label", side                          ? "x"
-                  : geometry.run.files.mirrored ? "z, below 0 the mirror image"
-                                                : "z"},
-        {"unit", length},
-        {"min", window.left},
-        {"max", window.right},
-        {"divisions", divisions[0]}}},
-      {"y",
-       {{"label", "y"}, {"unit", length}, {"min", window.bottom}, {"max", window.top}, {"divisions", divisions[1]}}},
-      {"csv", csv_file},
-      {"grid", style.grid},
-      {"equal", true},
-      {"marks", style.numbers ? marks(geometry, shown, style) : Json::array()},
-      {"series", series}};
+  ShownFrame which{frame, shown.time, csv_file};
+  if (!side) which.abscissa = geometry.run.files.mirrored ? "z, below 0 the mirror image" : "z";
+  return frame_figure(geometry.run, style, which, std::move(series),
+                      style.numbers ? marks(geometry, shown, style) : Json::array());
 }
 
-Json tension_scale(const DrawnGeometry& geometry) {
-  if (!(geometry.largest_tension > 0.0)) return nullptr;
-  return {{"label", "tension of taut cables"},
-          {"unit", symbol(geometry.run.units, dimension::force)},
-          {"min", 0.0},
-          {"max", geometry.largest_tension}};
+Json colour_scale(const DrawnGeometry& geometry) {
+  return colour_scale("tension of taut cables", geometry.run.unit(dimension::force), geometry.largest_tension);
 }
 
 }  // namespace talus::app

@@ -2,20 +2,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <vector>
 
 #include "solver/app/drawn_geometry.hpp"
 
 namespace talus::app {
-
-/// How a frame is drawn.
-struct FrameStyle {
-  View view{View::side};
-  Window window;
-  bool numbers{false};  ///< of elements
-  bool grid{true};
-  std::vector<int> divisions;  ///< of the grid; empty: round numbers
-};
 
 /// A frame's shapes as the CSV file that figures of it name; for both views.
 [[nodiscard]] std::string frame_csv(const DrawnGeometry& geometry, std::size_t frame);
@@ -25,6 +15,6 @@ struct FrameStyle {
                                                   const FrameStyle& style, const std::string& csv_file);
 
 /// The scale of tensions for a page; null without cables that ever pull.
-[[nodiscard]] nlohmann::ordered_json tension_scale(const DrawnGeometry& geometry);
+[[nodiscard]] nlohmann::ordered_json colour_scale(const DrawnGeometry& geometry);
 
 }  // namespace talus::app

@@ -200,8 +200,8 @@ std::string menu(const KeptRun& run) {
     for (const MenuEntry& entry : menu_entries(history)) {
       const FenceCode* const code = entry.subjects.empty() ? nullptr : code_of(entry.quantity);
       text += fmt::format("  {:>2}  {:<26}{:<11}{:<42}{}\n", code != nullptr ? fmt::format("{}", code->number) : "",
-                          entry.quantity, "[" + entry.unit + "]", code != nullptr ? lower(code->title) : "",
-                          fmt::join(entry.subjects, ", "));
+                          entry.quantity, entry.unit.empty() ? "" : "[" + entry.unit + "]",
+                          code != nullptr ? lower(code->title) : "", fmt::join(entry.subjects, ", "));
     }
   }
   return text;

@@ -60,7 +60,7 @@ std::vector<CurvePanel> panels_of(const HistoryPlotOptions& options) {
     for (const std::string& history : options.histories) {
       for (ChosenCurve& curve : chosen_curves(run, {history, options.elements, options.abscissa})) {
         if (!options.until.empty()) {
-          const double until = option_quantity("--until", options.until, dimension::time, run.run.units, false);
+          const double until = option_time("--until", options.until, run.run, false);
           cut(curve, chosen_curves(run, {history, options.elements, "time"}).front().x.values, until);
           if (curve.x.values.size() < 2) {
             throw InputError{fmt::format("--until: found \"{}\"; {} has fewer than two records up to then",

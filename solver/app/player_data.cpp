@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "solver/base/error.hpp"
 
@@ -130,13 +132,70 @@ Json chart(const std::string& title, const KeptHistory& history, Belongs belongs
       {"title", title}, {"unit", unit}, {"t", thinned(history.columns.front().values)}, {"series", std::move(series)}};
 }
 
+/// The curves of a run: energies and forces of bodies, stresses and shares of a cell.
+Json charts(const KeptHistory& history) {
+  const auto of = [](std::initializer_list<std::string_view> names) {
+    return [names = std::vector<std::string_view>{names}](const KeptColumn& column) {
+      return std::find(names.begin(), names.end(), column.name) != names.end();
+    };
+  };
+  Json made = Json::array();
+  for (Json each :
+       {chart("Energies", history,
+              [](const KeptColumn& column) { return column.subject() == "energy" || column.subject() == "lost"; }),
+        chart("Cable tensions", history, [](const KeptColumn& column) { return column.quantity() == "tension"; }),
+        chart("Contact forces", history, [](const KeptColumn& column) { return column.quantity() == "force"; }),
+        chart("Stresses on the walls", history, of({"top_shear", "top_normal", "bottom_shear", "bottom_normal"})),
+        chart("Stress ratio and shares", history, of({"stress_ratio", "solid_fraction", "touching", "multiple_share"})),
+        chart("Depth of the field", history, of({"depth"}))}) {
+    if (!each.is_null()) made.push_back(std::move(each));
+  }
+  return made;
+}
+
+Json window_json(const Window& window) {
+  return {rounded(window.left), rounded(window.bottom), rounded(window.right), rounded(window.top)};
+}
+
+/// What pages of all runs have in common.
+Json page_json(const KeptRun& histories, const Window& side) {
+  const RunFolder& run = histories.run;
+  return {{"title", run.title},
+          {"units",
+           {{"time", run.unit(dimension::time)},
+            {"length", run.unit(dimension::length)},
+            {"velocity", run.unit(dimension::velocity)},
+            {"force", run.unit(dimension::force)}}},
+          {"side", window_json(side)},
+          {"charts", charts(histories.histories.back())}};  // history.csv, which every run leaves
+}
+
+/// Places in whole quanta, speeds and forces in thousandths of the largest: shorter than numbers with a point.
+Json disc_frame_json(const DiscFrame& frame, double quantum, double speed, double force) {
+  const auto thousandths = [](double value, double largest) {
+    return largest > 0.0 ? std::lround(1000.0 * value / largest) : 0L;
+  };
+  Json places = Json::array(), speeds = Json::array(), contacts = Json::array();
+  for (const SeenDisc& disc : frame.discs) {
+    places.push_back(std::lround(disc.p.x / quantum));
+    places.push_back(std::lround(disc.p.y / quantum));
+    speeds.push_back(thousandths(norm(disc.v), speed));
+  }
+  for (const SeenContact& contact : frame.contacts) {
+    contacts.push_back(contact.a);
+    contacts.push_back(contact.b);
+    contacts.push_back(thousandths(contact.force, force));
+  }
+  return {{"t", rounded(frame.time)},
+          {"places", std::move(places)},
+          {"speeds", std::move(speeds)},
+          {"contacts", std::move(contacts)}};
+}
+
 }  // namespace
 
 std::string player_json(const DrawnGeometry& geometry, const KeptRun& histories, const Window& side,
                         const Window& along) {
-  const auto window = [](const Window& w) {
-    return Json{rounded(w.left), rounded(w.bottom), rounded(w.right), rounded(w.top)};
-  };
   Json bodies = Json::array();
   const std::vector<HangerBar> bars = hangers(geometry.frames.front());
   for (const GeometryLine& line : geometry.frames.front().lines) {
@@ -145,30 +204,40 @@ std::string player_json(const DrawnGeometry& geometry, const KeptRun& histories,
   Json frames = Json::array();
   for (const GeometryFrame& frame : geometry.frames)
     frames.push_back(frame_json(frame, bars));
-  Json charts = Json::array();
-  const KeptHistory& history = histories.histories.back();  // history.csv, which every run leaves
-  for (Json made :
-       {chart("Energies", history,
-              [](const KeptColumn& column) { return column.subject() == "energy" || column.subject() == "lost"; }),
-        chart("Cable tensions", history, [](const KeptColumn& column) { return column.quantity() == "tension"; }),
-        chart("Contact forces", history, [](const KeptColumn& column) { return column.quantity() == "force"; })}) {
-    if (!made.is_null()) charts.push_back(std::move(made));
+  Json page = page_json(histories, side);
+  page["along"] = geometry.has_depth ? window_json(along) : Json(nullptr);
+  page["mirrored"] = geometry.run.files.mirrored;
+  page["largest_tension"] = rounded(geometry.largest_tension);
+  page["bodies"] = std::move(bodies);
+  page["cables"] = geometry.run.files.cables;
+  page["frames"] = std::move(frames);
+  return page.dump();
+}
+
+std::string player_json(const DrawnDiscs& drawn, const KeptRun& histories, const Window& side, const Window&) {
+  const double quantum = drawn.largest_radius / 500.0;
+  const double speed = largest_value(drawn, DiscColour::speed);
+  Json radii = Json::array(), walls = Json::array();
+  const std::vector<SeenDisc>& discs = drawn.frames.front().discs;
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    radii.push_back(std::lround(discs[i].radius / quantum));
+    if (discs[i].wall) walls.push_back(i);
   }
-  const UnitSystem& units = geometry.run.units;
-  return Json{{"title", geometry.run.title},
-              {"units",
-               {{"time", symbol(units, dimension::time)},
-                {"length", symbol(units, dimension::length)},
-                {"force", symbol(units, dimension::force)}}},
-              {"side", window(side)},
-              {"along", geometry.has_depth ? window(along) : Json(nullptr)},
-              {"mirrored", geometry.run.files.mirrored},
-              {"largest_tension", rounded(geometry.largest_tension)},
-              {"bodies", std::move(bodies)},
-              {"cables", geometry.run.files.cables},
-              {"frames", std::move(frames)},
-              {"charts", std::move(charts)}}
-      .dump();
+  Json frames = Json::array();
+  for (const DiscFrame& frame : drawn.frames)
+    frames.push_back(disc_frame_json(frame, quantum, speed, drawn.largest_force));
+  Json page = page_json(histories, side);
+  page["discs"] = {
+      {"period", rounded(*drawn.run.files.period)},
+      {"quantum", quantum},
+      {"radii", std::move(radii)},
+      {"walls", std::move(walls)},
+      {"colour", drawn.colour == DiscColour::speed ? "speed" : "force"},
+      {"largest", {{"speed", rounded(speed)}, {"force", rounded(largest_value(drawn, DiscColour::force))}}},
+      {"contact", rounded(drawn.largest_force)},
+      {"widest", rounded(widest_bar(drawn))}};
+  page["frames"] = std::move(frames);
+  return page.dump();
 }
 
 }  // namespace talus::app

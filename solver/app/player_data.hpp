@@ -1,9 +1,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "solver/app/geometry_drawing.hpp"
+#include "solver/app/drawn_states.hpp"
 #include "solver/app/history_choice.hpp"
 
 namespace talus::app {
@@ -12,6 +11,11 @@ namespace talus::app {
 /// angles, the cables' ends and tensions; beside it the run's energies and forces as curves over time. Numbers have six
 /// digits.
 [[nodiscard]] std::string player_json(const DrawnGeometry& geometry, const KeptRun& histories, const Window& side,
+                                      const Window& along);
+
+/// The same of discs: radii and walls, and for each frame places, speeds, and the pairs that push each other with their
+/// forces.
+[[nodiscard]] std::string player_json(const DrawnDiscs& drawn, const KeptRun& histories, const Window& side,
                                       const Window& along);
 
 }  // namespace talus::app

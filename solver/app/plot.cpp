@@ -51,7 +51,8 @@ Command add_plot(CLI::App& talus) {
   CLI::App* app = talus.add_subcommand("plot", "Draw the histories of a run, or chosen ones of several runs");
   const auto options = std::make_shared<PlotOptions>();
   HistoryPlotOptions& wish = options->wish;
-  app->add_option("DIR", wish.folders, "folders that `talus run --out` wrote; without --history one, drawn whole")
+  app->add_option("DIR", wish.folders,
+                  "folders that `talus run --out` or `talus cell --out` wrote; without --history one, drawn whole")
       ->required();
   app->add_option("--history", wish.histories,
                   "histories to draw: a number or title of 1993 (48), a quantity (top_tension, vx) or a whole column "

@@ -10,7 +10,7 @@
 
 #include "solver/app/command.hpp"
 #include "solver/app/drawing.hpp"
-#include "solver/app/geometry_drawing.hpp"
+#include "solver/app/drawn_states.hpp"
 #include "solver/base/error.hpp"
 
 namespace talus::app {
@@ -35,14 +35,14 @@ struct SnapshotOptions {
 };
 
 /// The file of the state nearest to a time.
-GeometryFile nearest(const std::vector<GeometryFile>& files, const std::string& text, const UnitSystem& units) {
-  const double time = option_quantity("--times", text, dimension::time, units, false);
+GeometryFile nearest(const std::vector<GeometryFile>& files, const std::string& text, const RunFolder& run) {
+  const double time = option_time("--times", text, run, false);
   const double first = files.front().time;
   const double last = files.back().time;
   const double apart = files.size() > 1 ? (last - first) / static_cast<double>(files.size() - 1) : 0.0;
   if (time < first - apart || time > last + apart) {
-    const std::string unit = symbol(units, dimension::time);
-    throw InputError{fmt::format("--times: found \"{}\"; the run left its geometry from {:.6g} {} to {:.6g} {}", text,
+    const std::string unit = run.units ? " " + run.unit(dimension::time) : "";
+    throw InputError{fmt::format("--times: found \"{}\"; the run left its geometry from {:.6g}{} to {:.6g}{}", text,
                                  first, unit, last, unit)};
   }
   return *std::min_element(files.begin(), files.end(), [time](const GeometryFile& a, const GeometryFile& b) {
@@ -51,10 +51,10 @@ GeometryFile nearest(const std::vector<GeometryFile>& files, const std::string& 
 }
 
 std::vector<GeometryFile> chosen_files(const std::vector<GeometryFile>& files, const SnapshotOptions& options,
-                                       const UnitSystem& units) {
+                                       const RunFolder& run) {
   std::vector<GeometryFile> chosen;
   for (const std::string& time : options.times)
-    chosen.push_back(nearest(files, time, units));
+    chosen.push_back(nearest(files, time, run));
   if (!chosen.empty()) return chosen;
   const auto count = std::min(static_cast<std::size_t>(options.count), files.size());
   for (std::size_t i = 0; i < count; ++i)
@@ -62,12 +62,13 @@ std::vector<GeometryFile> chosen_files(const std::vector<GeometryFile>& files, c
   return chosen;
 }
 
-Json page(const std::string& name, const std::string& title, int columns, Json panels, const DrawnGeometry& geometry) {
+template <class Drawn>
+Json page(const std::string& name, const std::string& title, int columns, Json panels, const Drawn& drawn) {
   return {{"name", name},
           {"title", title},
           {"columns", columns},
           {"panels", std::move(panels)},
-          {"scale", tension_scale(geometry)}};
+          {"scale", colour_scale(drawn)}};
 }
 
 /// Panels side by side so that the page is about as high as it is wide, and if that may be its last row is full.
@@ -83,23 +84,42 @@ int usual_columns(const Window& window, std::size_t panels) {
   return static_cast<int>(best);
 }
 
-void add_pages(Json& pages, const DrawnGeometry& geometry, View view, const SnapshotOptions& options) {
-  FrameStyle style{view, window_of(geometry, view), options.numbers, !options.no_grid, options.divisions};
+template <class Drawn>
+void add_pages(Json& pages, const Drawn& drawn, View view, const SnapshotOptions& options) {
+  FrameStyle style{view, window_of(drawn, view), options.numbers, !options.no_grid, options.divisions};
   if (!options.window.empty())
     style.window = {options.window[0], options.window[1], options.window[2], options.window[3]};
   const std::string stem = fmt::format("{}_{}", options.picture.name.empty() ? "snapshot" : options.picture.name,
                                        view == View::side ? "side" : "along");
-  const std::string title = options.picture.title.empty() ? geometry.run.title : options.picture.title;
+  const std::string title = options.picture.title.empty() ? drawn.run.title : options.picture.title;
   Json panels = Json::array();
-  for (std::size_t i = 0; i < geometry.frames.size(); ++i) {
-    panels.push_back(frame_figure(geometry, i, style, fmt::format("frame{}.csv", i)));
+  for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
+    panels.push_back(frame_figure(drawn, i, style, fmt::format("frame{}.csv", i)));
     if (!options.single) continue;
-    pages.push_back(page(fmt::format("{}_{:02}", stem, i + 1), title, 1, panels, geometry));
+    pages.push_back(page(fmt::format("{}_{:02}", stem, i + 1), title, 1, panels, drawn));
     panels.clear();
   }
   if (options.single) return;
   const int columns = options.columns > 0 ? options.columns : usual_columns(style.window, panels.size());
-  pages.push_back(page(stem, title, columns, std::move(panels), geometry));
+  pages.push_back(page(stem, title, columns, std::move(panels), drawn));
+}
+
+/// `drawn`: DrawnGeometry or DrawnDiscs.
+template <class Drawn>
+int snapshot(const Drawn& drawn, const SnapshotOptions& options) {
+  if (options.view != "side" && !drawn.has_depth) {
+    throw InputError{
+        fmt::format("--view: found \"{}\"; in {} nothing has a place along z", options.view, options.folder)};
+  }
+  Json pages = Json::array();
+  if (options.view != "along") add_pages(pages, drawn, View::side, options);
+  if (options.view != "side") add_pages(pages, drawn, View::along, options);
+  const PictureOptions& picture = options.picture;
+  const DrawingRecord record{picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder}};
+  for (std::size_t i = 0; i < drawn.frames.size(); ++i)
+    record.add(fmt::format("frame{}.csv", i), frame_csv(drawn, i));
+  record.add("plot.json", Json{{"schema", 1}, {"figures", Json::array()}, {"pages", std::move(pages)}}.dump(1));
+  return record.draw(picture.formats);
 }
 
 int snapshot(const SnapshotOptions& options) {
@@ -108,28 +128,16 @@ int snapshot(const SnapshotOptions& options) {
                                  fmt::join(options.window, " "))};
   }
   const RunFolder run = read_run_folder(options.folder);
-  const DrawnGeometry geometry = read_frames(run, chosen_files(geometry_files(run), options, run.units));
-  if (options.view != "side" && !geometry.has_depth) {
-    throw InputError{
-        fmt::format("--view: found \"{}\"; in {} nothing has a place along z", options.view, options.folder)};
-  }
-  Json pages = Json::array();
-  if (options.view != "along") add_pages(pages, geometry, View::side, options);
-  if (options.view != "side") add_pages(pages, geometry, View::along, options);
-  const PictureOptions& picture = options.picture;
-  const DrawingRecord record{picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder}};
-  for (std::size_t i = 0; i < geometry.frames.size(); ++i)
-    record.add(fmt::format("frame{}.csv", i), frame_csv(geometry, i));
-  record.add("plot.json", Json{{"schema", 1}, {"figures", Json::array()}, {"pages", std::move(pages)}}.dump(1));
-  return record.draw(picture.formats);
+  const DrawnStates states = read_states(run, chosen_files(state_files(run), options, run), options.picture.colour);
+  return std::visit([&](const auto& drawn) { return snapshot(drawn, options); }, states);
 }
 
 }  // namespace
 
 Command add_snapshot(CLI::App& talus) {
-  CLI::App* app = talus.add_subcommand("snapshot", "Draw bodies and cables of a run at chosen times");
+  CLI::App* app = talus.add_subcommand("snapshot", "Draw bodies and cables, or discs, of a run at chosen times");
   const auto options = std::make_shared<SnapshotOptions>();
-  app->add_option("DIR", options->folder, "folder that `talus run --out` wrote")->required();
+  app->add_option("DIR", options->folder, "folder that `talus run --out` or `talus cell --out` wrote")->required();
   const auto times = app->add_option("--times", options->times, "times, e.g. \"0 s,50 ms\"; the nearest state is drawn")
                          ->delimiter(',');
   app->add_option("--count", options->count, "so many states, evenly over the run; default 9")
@@ -139,20 +147,24 @@ Command add_snapshot(CLI::App& talus) {
       ->check(CLI::IsMember({"side", "along", "both"}));
   app->add_option("--window", options->window, "x-min y-min x-max y-max (along: z for x); default: all that moves")
       ->expected(4);
-  app->add_flag("--numbers", options->numbers, "element numbers");
+  app->add_flag("--numbers", options->numbers, "numbers of elements or discs");
   app->add_option("--divisions", options->divisions, "parts of the grid in x and in y")
       ->expected(2)
       ->check(CLI::Range(1, 100));
+  add_colour_option(*app, options->picture);
   app->add_flag("--no-grid", options->no_grid, "no grid");
   app->add_flag("--single", options->single, "a picture for each state instead of one page of them");
   app->add_option("--columns", options->columns, "states side by side")->check(CLI::Range(1, 12));
   add_format_option(*app, options->picture);
   add_picture_options(*app, options->picture);
   app->footer(
-      "Taut cables are coloured by their tension, slack ones are dashed.\n"
+      "Taut cables are coloured by their tension, slack ones are dashed. Discs are coloured by --colour, those of "
+      "walls\n"
+      "are grey, and bars join those that push each other, as wide as the force.\n"
       "Examples:\n"
       "  talus run cases/fence/sample2.DAT --out out && talus snapshot out --format pdf\n"
       "  talus snapshot out --times \"0 s,20 ms,50 ms\" --view both --numbers\n"
+      "  talus cell cases/cell/ice.toml --out cell && talus snapshot cell --colour force --count 4\n"
       "  talus snapshot out --count 1 --window -10 -15 10 9.69 --format ps");
   return {app, [options] { return snapshot(*options); }};
 }

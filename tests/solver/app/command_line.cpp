@@ -14,7 +14,7 @@
 
 BOOST_AUTO_TEST_CASE(help_and_version) {
   for (const std::string command :
-       {"run", "check", "advise", "calibrate", "convert", "plot", "snapshot", "animate", "list"}) {
+       {"run", "check", "advise", "calibrate", "cell", "convert", "plot", "snapshot", "animate", "study", "list"}) {
     const Ended help = talus_ran({command, "--help"});
     BOOST_TEST(help.code == 0);
     BOOST_TEST(holds(help.out, "Example"));
@@ -26,13 +26,14 @@ BOOST_AUTO_TEST_CASE(help_and_version) {
 BOOST_AUTO_TEST_CASE(wrong_command_lines) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
       {{},
-       "talus: a command is missing; known: run, check, advise, calibrate, convert, plot, snapshot, animate, "
-       "list\nhelp: talus "
+       "talus: a command is missing; known: run, check, advise, calibrate, cell, convert, export, plot, snapshot, "
+       "animate, "
+       "study, list\nhelp: talus "
        "--help\n"},
       {{"rnu"},
-       "talus: command 'rnu' is not known; nearest: run; known: run, check, advise, calibrate, convert, plot, "
-       "snapshot, "
-       "animate, list\n"
+       "talus: command 'rnu' is not known; nearest: run; known: run, check, advise, calibrate, cell, convert, export, "
+       "plot, "
+       "snapshot, animate, study, list\n"
        "help: talus --help\n"},
       {{"run"}, "talus: SCENE is required, or --resume DIR\nhelp: talus run --help\n"},
       {{"run", scene("pendulum.toml"), "--uot", "d"},
@@ -48,6 +49,30 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
        "talus: --masses: found \"0 kg\"; it must be > 0\n"},
       {{"calibrate", scene("two_cable.toml"), "--contact", "impct", "--restitution", "0.5"},
        "talus: --contact: contact 'impct' is not known; nearest: impact; known: impact\n"},
+      {{"calibrate", "--law", "latching_sprong", "--restitution", "0.5"},
+       "talus: --law: law 'latching_sprong' is not known; nearest: latching_spring; known: linear_spring_dashpot, "
+       "latching_spring\n"},
+      {{"calibrate", "--law", "latching_spring", "--restitution", "0.5"},
+       "talus: --step: it is missing; give e.g. --step \"1e-7 s\"\n"},
+      {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "0"},
+       "talus: --step: found \"0\"; it must be > 0\n"},
+      {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1 m"},
+       "talus: --step: found \"1 m\"; that is a length; it must be a time, e.g. \"1 s\"\n"},
+      {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1e-7", "--masses", "1 kg"},
+       "talus: --stiffness: it is missing; give --masses and --stiffness, or neither for discs of ice\n"},
+      {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1e-7", "--end-rule", "clamped"},
+       "talus: --end-rule: the law 'latching_spring' has no use for it; leave it out\n"},
+      {{"calibrate", "--law", "latching_spring", "--restitution", "0.1", "--step", "1e-6", "--integrator", "euler"},
+       "talus: --restitution: found 0.1; with euler at this step, w1 h = 0.2173, it can be made 0.5503 to 1; a shorter "
+       "step reaches further\n"},
+      {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1e-7", "--integrator", "rk4"},
+       "talus: integrator of discs 'rk4' is not known; nearest: euler; known: velocity_verlet, euler_cromer, "
+       "central_difference, taylor, euler\n"},
+      {{"calibrate", "--restitution", "0.5", "--masses", "1 kg", "--stiffness", "1 N/m", "--step", "1e-7"},
+       "talus: --step: it is found for the law 'linear_spring_dashpot'; leave it out\n"},
+      {{"calibrate", scene("two_cable.toml"), "--contact", "impact", "--restitution", "0.5", "--law",
+        "latching_spring"},
+       "talus: --law: a scene has its own; leave it out\n"},
       {{"list", "law"},
        "talus: topic 'law' is not known; nearest: laws; known: integrators, laws, shapes, units, fields\n"}};
   for (const auto& [arguments, message] : wrong) {
@@ -181,6 +206,31 @@ BOOST_AUTO_TEST_CASE(calibration_as_json) {
                                        "1 m", "--stiffness", "1e6 N/m", "--json"})
                                 .out);
   BOOST_TEST(offset.at("effective_mass").get<double>() == 0.5, boost::test_tools::tolerance(1e-15));
+}
+
+// w1 h = sqrt(1.7e4/3.6e-7) 1e-7 = .021731: e of .45 by euler is .67082 exp[(pi/4) .021731 (1 + 1/.67082)] = .70001.
+BOOST_AUTO_TEST_CASE(calibration_of_a_latching_spring) {
+  const auto found = nlohmann::json::parse(talus_ran({"calibrate", "--law", "latching_spring", "--restitution", ".7",
+                                                      "--step", "1e-7", "--integrator", "euler", "--json"})
+                                               .out);
+  BOOST_TEST(found.at("default_discs").get<bool>());
+  BOOST_TEST(std::abs(found.at("loading_angle").get<double>() - 0.021731) < 1e-6);
+  BOOST_TEST(std::abs(found.at("ratio_by_formula").get<double>() - 0.45) < 5e-4);
+  BOOST_TEST(std::abs(found.at("ratio_by_simulation").get<double>() - 0.45) < 5e-4);
+  BOOST_TEST(std::abs(found.at("restitution").get<double>() - 0.7) < 1e-9);
+  const auto verlet =
+      nlohmann::json::parse(talus_ran({"calibrate", "--law", "latching_spring", "--restitution", ".7", "--step", "1 ms",
+                                       "--masses", "2 kg", "2 kg", "--stiffness", "900 N/m", "--json"})
+                                .out);
+  BOOST_TEST(verlet.at("ratio_by_formula").get<double>() == 0.49, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(std::abs(verlet.at("ratio_by_simulation").get<double>() - 0.49) < 1e-4);
+  BOOST_TEST(verlet.at("largest_overlap").get<double>() == 1.0 / 30.0, boost::test_tools::tolerance(1e-14));
+  const Ended text =
+      talus_ran({"calibrate", "--law", "latching_spring", "--restitution", ".7", "--step", "1e-7", "--units", "US"});
+  BOOST_TEST(text.code == 0);
+  BOOST_TEST(holds(text.out, "K1/K2 by simulation"));
+  BOOST_TEST(holds(text.out, "slug"));
+  BOOST_TEST(holds(text.out, "are Talus's own choice"));
 }
 
 BOOST_AUTO_TEST_CASE(calibration_of_a_scene) {

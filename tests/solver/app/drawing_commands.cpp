@@ -5,10 +5,9 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "solver/io/kept_history.hpp"
-#include "tests/solver/app/program.hpp"
+#include "tests/solver/app/asked.hpp"
 
 // talus plot --history, snapshot and animate: what they ask talus_report to draw, and what it draws.
 
@@ -27,42 +26,6 @@ const fs::path& sample() {
   BOOST_REQUIRE(made);
   static const fs::path run = folder.path / "run";
   return run;
-}
-
-/// What the command asks talus_report to draw: its record, kept by a stand-in that draws nothing.
-struct Asked {
-  Folder folder;
-  Ended ended;
-  nlohmann::json plot;
-
-  explicit Asked(std::vector<std::string> arguments) {
-    fs::copy_file(TALUS_EXECUTABLE, folder.path / "talus");
-    const fs::path tool = folder.path / "talus_report";
-    std::ofstream{tool} << "#!/bin/sh\ncp -r \"$2\" '" << (folder.path / "record").string() << "'\n";
-    fs::permissions(tool, fs::perms::owner_all);
-    arguments.insert(arguments.end(), {"--out", (folder.path / "pictures").string()});
-    ended = ran((folder.path / "talus").string(), arguments);
-    if (ended.code == 0) plot = nlohmann::json::parse(file("plot.json"));
-  }
-  std::string file(const std::string& name) const { return talus::read_text(folder.path / "record" / name); }
-  const nlohmann::json& page() const { return plot.at("pages").at(0); }
-};
-
-/// Rows of a record's CSV file by the word in their first column.
-std::map<std::string, std::vector<std::vector<double>>> rows(const std::string& csv) {
-  std::map<std::string, std::vector<std::vector<double>>> made;
-  std::istringstream in{csv};
-  std::string line;
-  std::getline(in, line);
-  while (std::getline(in, line)) {
-    std::istringstream cells{line};
-    std::string word;
-    std::getline(cells, word, ',');
-    auto& row = made[word].emplace_back();
-    for (std::string cell; std::getline(cells, cell, ',');)
-      row.push_back(std::stod(cell));
-  }
-  return made;
 }
 
 }  // namespace
@@ -343,7 +306,9 @@ BOOST_AUTO_TEST_CASE(snapshots_that_cannot_be_drawn) {
       {{run, "--window", "1", "0", "-1", "2"},
        "--window: found 1 0 -1 2; it must be x-min y-min x-max y-max, with min < max"},
       {{run, "--view", "top"}, "--view: top not in {side,along,both}"},
-      {{planar, "--view", "along"}, "planar nothing has a place along z"}};
+      {{planar, "--view", "along"}, "planar nothing has a place along z"},
+      {{planar, "--colour", "force"},
+       "--colour: found \"force\"; " + planar + " holds bodies and cables, and only discs are coloured so"}};
   for (const auto& [options, message] : wrong) {
     std::vector<std::string> arguments{"snapshot"};
     arguments.insert(arguments.end(), options.begin(), options.end());
@@ -355,7 +320,7 @@ BOOST_AUTO_TEST_CASE(snapshots_that_cannot_be_drawn) {
   std::ofstream{folder.path / "planar/plot.json"} << "{\"title\": \"older\"}";
   const Ended older = talus_ran({"snapshot", planar});
   BOOST_TEST(older.code == 2);
-  BOOST_TEST(holds(older.err, "planar/plot.json: it is not what `talus run --out` leaves: "));
+  BOOST_TEST(holds(older.err, "planar/plot.json: it is not what `talus run --out` or `talus cell --out` leaves: "));
 }
 
 BOOST_AUTO_TEST_CASE(a_gif_has_a_picture_for_each_state) {

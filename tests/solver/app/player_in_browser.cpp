@@ -110,6 +110,36 @@ BOOST_AUTO_TEST_CASE(playing_goes_on_to_the_end) {
   BOOST_TEST(holds(ended, ">Play</button>"));
 }
 
+// 80 discs between two rows of 11, with the images that the view shows, coloured by what is chosen; bars on their
+// edges.
+BOOST_AUTO_TEST_CASE(discs_are_played_with_their_images) {
+  const Folder folder;
+  const std::string file = folder.file(
+      "CNTRL.DAT", "0 1\n1.7e4 34693.877551020405 1e-3 7.2e-7 9.81 0.00897\n8 10 11 5.0\n6e-7 2.5e-3 2.5e-2\n");
+  const std::string run = (folder.path / "run").string();
+  BOOST_REQUIRE(talus_ran({"cell", file, "--out", run}).code == 0);
+  BOOST_REQUIRE(talus_ran({"animate", run}).code == 0);
+  const auto shown = [&](const std::string& hash) { return document(folder.path / "run/plots/animation.html", hash); };
+  const auto count = [](const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+      ++found;
+    return found;
+  };
+  const std::string speed = shown("t=.025"), force = shown("t=.025&colour=force");
+  BOOST_TEST(time_shown(speed) == "t = 0.025");
+  // 22 discs of walls and 80 free ones; within 1.5 mm of a border 3 of 11 of a row stand twice, a free one or so more
+  // or less.
+  BOOST_TEST(count(speed, "class=\"disc wall\"") == 28U);
+  BOOST_TEST(count(speed, "class=\"disc\"") > 80U + 8U);
+  BOOST_TEST(count(speed, "class=\"disc\"") < 80U + 8U * 4U);
+  BOOST_TEST(count(speed, "class=\"contact\"") > 10U);
+  BOOST_TEST(count(speed, "class=\"contact\"") == count(speed, "class=\"contact edge\""));
+  BOOST_TEST(count(speed, "class=\"border\"") == 2U);
+  BOOST_TEST(speed != force);
+  BOOST_TEST(!holds(speed, "NaN"));
+}
+
 // A script at the page's end presses keys, moves the slider and points into a chart, and notes the state shown.
 BOOST_AUTO_TEST_CASE(keys_slider_and_charts_lead_through_time) {
   std::string text = talus::read_text(player());

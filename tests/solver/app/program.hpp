@@ -7,6 +7,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,3 +57,19 @@ inline Ended talus_ran(std::vector<std::string> arguments, const std::string& st
 inline std::string scene(const char* name) { return (fs::path{TALUS_CASES} / name).string(); }
 
 inline bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+
+/// All files below a folder, by name.
+inline std::map<std::string, std::string> files(const fs::path& folder) {
+  std::map<std::string, std::string> found;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder}) {
+    if (entry.is_regular_file()) found[fs::relative(entry.path(), folder).string()] = talus::read_text(entry.path());
+  }
+  return found;
+}
+
+inline void same_files(const fs::path& one, const fs::path& other) {
+  const auto left = files(one), right = files(other);
+  BOOST_TEST(left.size() == right.size());
+  for (const auto& [name, text] : left)
+    BOOST_TEST((right.contains(name) && right.at(name) == text), name);
+}

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -13,22 +12,6 @@
 #include "tests/solver/app/program.hpp"
 
 namespace {
-
-/// All files below a folder, by name.
-std::map<std::string, std::string> files(const fs::path& folder) {
-  std::map<std::string, std::string> found;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder}) {
-    if (entry.is_regular_file()) found[fs::relative(entry.path(), folder).string()] = talus::read_text(entry.path());
-  }
-  return found;
-}
-
-void same_files(const fs::path& one, const fs::path& other) {
-  const auto left = files(one), right = files(other);
-  BOOST_TEST(left.size() == right.size());
-  for (const auto& [name, text] : left)
-    BOOST_TEST((right.contains(name) && right.at(name) == text), name);
-}
 
 void runs(std::vector<std::string> arguments) {
   const Ended ended = talus_ran(std::move(arguments));

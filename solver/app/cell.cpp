@@ -1,0 +1,260 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "solver/app/cell_files.hpp"
+#include "solver/app/cell_summary.hpp"
+#include "solver/app/command.hpp"
+#include "solver/app/interruption.hpp"
+#include "solver/app/progress.hpp"
+#include "solver/base/error.hpp"
+#include "solver/io/atomic_file.hpp"
+#include "solver/io/cell_restart.hpp"
+#include "solver/io/checkpoint.hpp"
+#include "solver/io/toml_document.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CellOptions {
+  std::string scene;
+  std::string folder;
+  std::string resume;
+  std::string integrator;
+  std::string units;
+  std::optional<std::uint64_t> seed;
+  bool historical{false};
+  bool jump{false};
+  bool json{false};
+};
+
+/// A cell to be run, and what of it comes from where.
+struct CellOrder {
+  fs::path file;
+  std::string text;
+  CellScene scene;
+  CellChoices choices;
+  fs::path folder;                 ///< empty: nothing is written
+  std::optional<Checkpoint> left;  ///< of the run that is taken on
+  std::vector<std::string> warnings;
+};
+
+/// Names what the command line said, which a run that is taken on keeps to.
+void remember(Memory& memory, CellChoices& choices) {
+  std::string integrator = choices.integrator.value_or(""), units{choices.units ? choices.units->name : ""};
+  bool seeded = choices.seed.has_value();
+  long seed = static_cast<long>(choices.seed.value_or(0));
+  memory.text("integrator", integrator), memory.text("units", units);
+  memory.flag("seeded", seeded), memory.count("seed", seed);
+  memory.flag("historical", choices.historical), memory.flag("jump", choices.jump);
+  if (!memory.puts_back()) return;
+  if (!integrator.empty()) choices.integrator = integrator;
+  if (!units.empty()) choices.units = unit_system(units);
+  if (seeded) choices.seed = static_cast<std::uint64_t>(seed);
+}
+
+CellOrder new_order(const CellOptions& options) {
+  if (options.scene.empty()) throw InputError{"CNTRL.DAT is required, or --resume DIR\nhelp: talus cell --help"};
+  CellOrder order{.file = options.scene,
+                  .text = read_text(options.scene),
+                  .scene = {},
+                  .choices = {},
+                  .folder = options.folder,
+                  .left = {},
+                  .warnings = {}};
+  if (!options.integrator.empty()) order.choices.integrator = options.integrator;
+  if (!options.units.empty()) order.choices.units = unit_system(options.units);
+  order.choices.seed = options.seed;
+  order.choices.historical = options.historical;
+  if (options.historical && options.integrator.empty()) order.choices.integrator = "euler";
+  order.choices.jump = options.jump;
+  order.scene = read_cell(order.file, order.choices);
+  return order;
+}
+
+CellOrder left_order(const CellOptions& options) {
+  if (!options.scene.empty() || !options.integrator.empty() || !options.units.empty() || options.seed ||
+      options.historical || options.jump || !options.folder.empty()) {
+    throw InputError{
+        "--resume: a run is taken on as it was begun and where it was left; no file and no other option "
+        "but --json goes with it"};
+  }
+  CellOrder order{
+      .file = {}, .text = {}, .scene = {}, .choices = {}, .folder = options.resume, .left = {}, .warnings = {}};
+  const fs::path checkpoint = order.folder / "checkpoint.json";
+  order.left = read_checkpoint(checkpoint, TALUS_VERSION);
+  order.file = order.left->scene_file;
+  order.text = read_text(order.file);
+  if (fnv1a(order.text) != order.left->scene_fnv1a) {
+    throw InputError{fmt::format("{}: scene_fnv1a: {} was changed since the run was left; it cannot be taken on",
+                                 checkpoint.string(), order.file.string())};
+  }
+  try {
+    Memory memory{order.left->memory};
+    memory.part("choices", [&] { remember(memory, order.choices); });
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("{}: memory: {}", checkpoint.string(), error.what())};
+  }
+  order.scene = read_cell(order.file, order.choices);
+  return order;
+}
+
+/// The run at its start, or where it was left.
+std::unique_ptr<CellRun> standing_run(CellOrder& order, CellFiles* files) {
+  const CellScene& scene = order.scene;
+  if (order.left) {
+    auto run = std::make_unique<CellRun>(scene.cell, scene.plan);
+    try {
+      Memory memory{order.left->memory};
+      memory.part("choices", [&] { remember(memory, order.choices); });
+      memory.part("run", [&] { run->remember(memory); });
+      memory.part("files", [&] { files->remember(memory); });
+      if (const auto names = memory.left_over(); !names.empty())
+        throw InputError{fmt::format("found {}; a run of this cell has no such part", names.front())};
+    } catch (const InputError& error) {
+      throw InputError{fmt::format("{}: memory: {}", files->checkpoint().string(), error.what())};
+    }
+    return run;
+  }
+  if (!scene.restart) return std::make_unique<CellRun>(scene.cell, scene.plan);
+  const fs::path file = order.file.parent_path() / "RESTART.DAT";
+  CellRestart restart = read_cell_restart(file, scene.cell);
+  order.warnings.push_back(fmt::format(
+      "{}: it holds neither the block, which was set down on the discs without speed, nor what contacts remember: {} "
+      "of "
+      "{} discs that overlap begin anew. The run goes on from it, not as it would have gone on (talus cell --resume "
+      "does)",
+      file.string(), restart.forgotten, scene.cell.free_discs()));
+  return std::make_unique<CellRun>(scene.cell, scene.plan, std::move(restart.start));
+}
+
+std::string checkpoint_of(CellOrder& order, CellRun& run, CellFiles& files) {
+  Memory memory;
+  memory.part("choices", [&] { remember(memory, order.choices); });
+  memory.part("run", [&] { run.remember(memory); });
+  memory.part("files", [&] { files.remember(memory); });
+  return checkpoint_text({.scene_file = fs::absolute(order.file).string(),
+                          .scene_fnv1a = fnv1a(order.text),
+                          .integrator = order.scene.plan.integrator,
+                          .tolerance = 0.0,
+                          .step = order.scene.plan.step,
+                          .end = order.scene.plan.end,
+                          .steps = run.steps(),
+                          .memory = memory.items()},
+                         TALUS_VERSION);
+}
+
+/// How far, how fast, how much longer.
+class CellProgress {
+ public:
+  explicit CellProgress(const CellRun& run) : first_{run.steps()}, start_{Clock::now()} {}
+  void show(const CellRun& run) {
+    if (run.steps() % 256 != 0 || !line_.due()) return;
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double rate = static_cast<double>(run.steps() - first_) / seconds;
+    line_.show(fmt::format("t {:.4g} of {:.4g}, {:.3g} steps/s, {:.0f} s left",
+                           static_cast<double>(run.steps()) * run.plan().step, run.plan().end, rate,
+                           static_cast<double>(run.last_step() - run.steps()) / rate));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  long first_;
+  Clock::time_point start_;
+  Progress line_;
+};
+
+void print_note(std::string_view kind, std::string_view words) { fmt::print(stderr, "talus: {}{}\n", kind, words); }
+
+int cell(const CellOptions& options) {
+  CellOrder order = options.resume.empty() ? new_order(options) : left_order(options);
+  std::optional<CellFiles> files;
+  if (!order.folder.empty()) files.emplace(order.folder, order.scene);
+  const std::unique_ptr<CellRun> run = standing_run(order, files ? &*files : nullptr);
+  const std::size_t told = order.warnings.size();
+  for (const std::string& warning : order.warnings)
+    print_note("warning: ", warning);
+
+  // Without a folder there is nowhere to leave the run: a signal then ends the program as usual.
+  std::optional<Interruption> interruption;
+  if (files) interruption.emplace();
+  const auto signal = [&] { return interruption ? interruption->signal() : 0; };
+  {
+    CellProgress progress{*run};
+    while (!run->finished() && run->failure().empty() && signal() == 0) {
+      run->advance();
+      progress.show(*run);
+      if (!files || !run->due()) continue;
+      files->begin_loop(run->discs().t);
+      files->write_loop(*run, checkpoint_of(order, *run, *files));
+    }
+  }
+  if (run->largest_overlap() > CellRun::deepest * order.scene.cell.diameter ||
+      run->largest_fraction() > CellRun::fullest) {
+    order.warnings.push_back(
+        fmt::format("the largest overlap is {:.3g} diameters, the largest solid fraction {:.4g}; beyond {} and {} "
+                    "discs do not behave as "
+                    "hard ones: stiffer contacts, or less speed or load",
+                    run->largest_overlap() / order.scene.cell.diameter, run->largest_fraction(), CellRun::deepest,
+                    CellRun::fullest));
+  }
+  const CellOutcome outcome{run->finished() && run->failure().empty(), run->failure(), order.warnings};
+  const bool left = !run->finished() && run->failure().empty();
+  if (files) {
+    if (left) write_whole(files->checkpoint(), checkpoint_of(order, *run, *files));
+    if (!left) files->remove_checkpoint();
+    files->write_end(*run, outcome);
+  }
+  fmt::print("{}",
+             options.json ? cell_summary_json(order.scene, *run, outcome) : cell_summary(order.scene, *run, outcome));
+  if (files && !options.json) fmt::print("files: {}: {}\n", files->folder().string(), fmt::join(files->names(), ", "));
+  for (std::size_t k = told; k < order.warnings.size(); ++k)
+    print_note("warning: ", order.warnings[k]);
+  if (!run->failure().empty()) {
+    print_note("", run->failure());
+    return diverged;
+  }
+  if (!left) return ok;
+  print_note("", fmt::format("{} came; the run was left in {}; talus cell --resume {} takes it on",
+                             signal() == SIGINT ? "SIGINT" : "SIGTERM", files->checkpoint().string(),
+                             files->folder().string()));
+  return 128 + signal();
+}
+
+}  // namespace
+
+Command add_cell(CLI::App& talus) {
+  CLI::App* app = talus.add_subcommand("cell", "Run a sheared cell of discs, as the program SNOFLO of 1989 did");
+  const auto options = std::make_shared<CellOptions>();
+  app->add_option("CNTRL", options->scene, "CNTRL.DAT of 1989 (any .DAT), or a scene file (.toml) with [cell]");
+  app->add_option(
+      "--out", options->folder,
+      "folder for RESTART.DAT and a checkpoint at each LOOP, with GRAPH = 1 PIC.DAT and the states "
+      "cell.pvd, at the end history.csv, profile.csv, plot.json and summary.json; without it nothing is written");
+  app->add_option("--resume", options->resume, "folder in which a run was left: take it on as if it had never stopped");
+  app->add_option("--integrator", options->integrator,
+                  fmt::format("{}; default velocity_verlet", fmt::join(disc_method_names(), ", ")));
+  app->add_option("--units", options->units, "unit system of CNTRL.DAT, which names none: SI or US");
+  app->add_option("--seed", options->seed, "of the first velocities across the field; default the scene's, or 0");
+  app->add_flag("--historical", options->historical,
+                "as the runs of 1989 may have been: Euler's steps; K1/K2 must be .45 and STEP 1e-7");
+  app->add_flag("--jump", options->jump, "pass time in which nothing can touch at once");
+  app->add_flag("--json", options->json, "print the summary as JSON");
+  app->footer(
+      "Examples:\n"
+      "  talus cell cases/cell/CNTRL.DAT --units SI --out out\n"
+      "  talus cell cases/cell/ice.toml --out out --seed 3 --json\n"
+      "  talus cell --resume out\n"
+      "SIGINT and SIGTERM stop a run that has a folder after its present step; kill -9 leaves it at its last LOOP.");
+  return {app, [options] { return cell(*options); }};
+}
+
+}  // namespace talus::app

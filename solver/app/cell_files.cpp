@@ -1,0 +1,60 @@
+#include "solver/app/cell_files.hpp"
+
+#include <fmt/format.h>
+
+#include "solver/io/atomic_file.hpp"
+#include "solver/io/cell_plot.hpp"
+#include "solver/io/cell_restart.hpp"
+#include "solver/io/vtk_text.hpp"
+
+namespace talus::app {
+namespace {
+
+std::string state_name(std::size_t number) { return fmt::format("cell_states/cell_{:06}.vtp", number); }
+
+}  // namespace
+
+CellFiles::CellFiles(std::filesystem::path folder, const CellScene& scene)
+    : folder_{std::move(folder)}, scene_{&scene} {
+  make_folder(folder_);
+  if (scene.pictures) make_folder(folder_ / "cell_states");
+  std::error_code none;
+  std::filesystem::remove(folder_ / "summary.json", none);
+}
+
+void CellFiles::write_loop(CellRun& run, const std::string& checkpoint) {
+  const Discs discs = run.discs();
+  write_whole(folder_ / "RESTART.DAT", cell_restart_text(run.cell(), discs, run.steps()));
+  if (scene_->pictures) {
+    write_whole(folder_ / "PIC.DAT", cell_picture_text(run.cell(), discs));
+    write_whole(folder_ / state_name(times_.size() - 1), cell_state_vtp(run));
+  }
+  write_whole(this->checkpoint(), checkpoint);
+}
+
+void CellFiles::write_end(CellRun& run, const CellOutcome& outcome) {
+  write_whole(folder_ / "history.csv", cell_history_csv(*scene_, run));
+  write_whole(folder_ / "profile.csv", cell_profile_csv(*scene_, run));
+  if (scene_->pictures) {
+    std::vector<std::pair<double, std::string>> files;
+    for (std::size_t k = 0; k < times_.size(); ++k)
+      files.emplace_back(times_[k], state_name(k));
+    write_whole(folder_ / "cell.pvd", vtk_index(files));
+  }
+  write_whole(folder_ / "plot.json", cell_plot_json(*scene_, run));
+  write_whole(folder_ / "summary.json", cell_summary_json(*scene_, run, outcome));
+}
+
+void CellFiles::remove_checkpoint() const {
+  std::error_code none;
+  std::filesystem::remove(checkpoint(), none);
+}
+
+std::vector<std::string> CellFiles::names() const {
+  std::vector<std::string> names{"RESTART.DAT"};
+  if (scene_->pictures) names.insert(names.end(), {"PIC.DAT", "cell_states", "cell.pvd"});
+  names.insert(names.end(), {"history.csv", "profile.csv", "plot.json", "summary.json"});
+  return names;
+}
+
+}  // namespace talus::app

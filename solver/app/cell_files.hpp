@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/io/cell_record.hpp"
+
+namespace talus::app {
+
+/// What a run of a cell leaves in its folder, each file whole or not at all.
+class CellFiles {
+ public:
+  /// Makes the folder; removes the summary of an earlier run, which would vouch for a mixture. Errors: IoError.
+  CellFiles(std::filesystem::path folder, const CellScene& scene);
+
+  /// Notes that a state is to be written: before the checkpoint is made, which holds the series so far.
+  void begin_loop(double time) { times_.push_back(time); }
+  /// After each LOOP: RESTART.DAT, and with pictures PIC.DAT and a state of the series; the checkpoint last.
+  /// `checkpoint` is its text. Errors: IoError.
+  void write_loop(CellRun& run, const std::string& checkpoint);
+  /// At the end: history.csv, profile.csv, the series' index, plot.json, summary.json.
+  void write_end(CellRun& run, const CellOutcome& outcome);
+  /// Removes the checkpoint of a run that needs it no more.
+  void remove_checkpoint() const;
+
+  const std::filesystem::path& folder() const { return folder_; }
+  std::filesystem::path checkpoint() const { return folder_ / "checkpoint.json"; }
+  /// Names of all files, in the order in which they are written.
+  std::vector<std::string> names() const;
+
+  void remember(Memory& memory) { memory.list("times", times_); }
+
+ private:
+  std::filesystem::path folder_;
+  const CellScene* scene_;
+  std::vector<double> times_;  ///< of the states written so far [T]
+};
+
+}  // namespace talus::app

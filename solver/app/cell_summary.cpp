@@ -1,0 +1,70 @@
+#include "solver/app/cell_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace talus::app {
+namespace {
+
+std::string with_unit(const CellScene& scene, double value, Dimension dimension) {
+  if (!scene.units || dimension == dimension::number) return fmt::format("{:.4g}", value);
+  return fmt::format("{:.4g} {}", value, symbol(*scene.units, dimension));
+}
+
+std::string line(const CellScene& scene, const CellNumber& number) {
+  std::string value = with_unit(scene, number.estimate.value, number.dimension);
+  if (number.estimate.error > 0.0) value += fmt::format(" +- {:.2g}", number.estimate.error);
+  const std::string drift =
+      std::abs(number.drift) > 3.0
+          ? fmt::format("; not steady: the later half is {:+.1f} standard errors off the earlier", number.drift)
+          : "";
+  return fmt::format("  {:24} {:28} {}{}\n", number.name, value, number.meaning, drift);
+}
+
+}  // namespace
+
+std::string cell_summary(const CellScene& scene, CellRun& run, const CellOutcome& outcome) {
+  std::string text = scene.title + "\n";
+  const auto add = [&](const char* name, const std::string& words) {
+    text += fmt::format("  {:24} {}\n", name, words);
+  };
+  const double time = run.discs().t;
+  const std::string kind = outcome.finished ? "finished" : outcome.words.empty() ? "stopped" : "diverged";
+  add("outcome", fmt::format("{} at t = {}{}", kind, with_unit(scene, time, dimension::time),
+                             outcome.words.empty() ? "" : ": " + outcome.words));
+  add("integrator",
+      fmt::format("{}, step {}", scene.plan.integrator, with_unit(scene, scene.plan.step, dimension::time)));
+  add("steps", run.jumped() == 0 ? fmt::format("{}", run.steps())
+                                 : fmt::format("{}, of which {} passed at once", run.steps(), run.jumped()));
+  add("discs", fmt::format("{} free, {} in each wall; seed {}", run.cell().free_discs(), run.cell().wall_discs,
+                           run.cell().seed));
+  add("overburden", with_unit(scene, run.cell().overburden(), dimension::pressure));
+  text += "groups\n";
+  for (const CellNumber& group : cell_groups(scene, run))
+    text += line(scene, group);
+  if (run.mean(CellQuantity::depth).value > 0.0) {
+    text += fmt::format("means after the first {} % of the time, with standard errors\n",
+                        100 * CellRun::start_up / CellRun::blocks);
+    for (const CellNumber& result : cell_results(run))
+      text += line(scene, result);
+  } else {
+    text += fmt::format("no means yet: the first {} % of the time are the start-up\n",
+                        100 * CellRun::start_up / CellRun::blocks);
+  }
+  const CellRun::Ledger ledger = run.ledger();
+  const double scale = std::max(std::abs(ledger.driven), ledger.dissipated);
+  text += "energy\n";
+  const auto energy = [&](const char* name, double value, const char* meaning) {
+    text += line(scene, {name, dimension::energy, {value, 0.0}, 0.0, meaning});
+  };
+  energy("driven", ledger.driven, "work of what drives the block");
+  energy("dissipated", ledger.dissipated, "kept by contacts");
+  energy("kinetic", ledger.kinetic, "");
+  energy("stored", ledger.stored, "in contacts");
+  add("unaccounted for", scale > 0.0 ? fmt::format("{:.2g} of the work", ledger.gained / scale) : "0");
+  return text;
+}
+
+}  // namespace talus::app

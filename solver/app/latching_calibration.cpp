@@ -1,0 +1,134 @@
+#include "solver/app/latching_calibration.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "solver/app/command.hpp"
+#include "solver/base/error.hpp"
+#include "solver/calibrate/latching_calibration.hpp"
+
+namespace talus::app {
+namespace {
+
+constexpr int phases = 200;
+
+/// What a calibration finds; all in SI.
+struct LatchingRatio {
+  SteppedContact contact;
+  bool default_discs{};
+  double speed{};
+  double by_formula{}, by_simulation{};
+  SimulatedRestitution simulated;          ///< with the ratio by simulation
+  SimulatedRestitution simulated_formula;  ///< with that by formula
+
+  double largest_overlap() const { return speed * contact.step / contact.loading_angle(); }
+};
+
+/// A step with its unit; control files of 1989 have none, and neither needs a bare number.
+double step_of(const std::string& text) {
+  if (text.empty()) throw InputError{"--step: it is missing; give e.g. --step \"1e-7 s\""};
+  double bare = 0.0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), bare);
+  if (read.ec != std::errc{} || read.ptr != text.data() + text.size())
+    return option_quantity("--step", text, dimension::time, si);
+  if (!(bare > 0.0 && std::isfinite(bare))) throw InputError{fmt::format("--step: found \"{}\"; it must be > 0", text)};
+  return bare;
+}
+
+void refuse_what_means_nothing(const CalibrateOptions& options) {
+  for (const std::string& given : options.own_to_impact) {
+    if (given == "--end-rule" || given == "--bound")
+      throw InputError{fmt::format("{}: the law 'latching_spring' has no use for it; leave it out", given)};
+  }
+  if (options.masses.empty() != options.stiffness.empty()) {
+    throw InputError{fmt::format("{}: it is missing; give --masses and --stiffness, or neither for discs of ice",
+                                 options.masses.empty() ? "--masses" : "--stiffness")};
+  }
+  if (options.masses.empty() && !(options.pivot.empty() && options.offset.empty()))
+    throw InputError{"--masses: it is missing; --pivot and --offset change the last of them"};
+}
+
+LatchingRatio calibrated(CalibrateOptions options) {
+  refuse_what_means_nothing(options);
+  LatchingRatio found;
+  found.default_discs = options.masses.empty();
+  if (found.default_discs) options.masses = {"7.2e-7 kg", "7.2e-7 kg"}, options.stiffness = "1.7e4 N/m";
+  found.contact = {option_quantity("--stiffness", options.stiffness, dimension::stiffness, si),
+                   effective_mass_of(options), step_of(options.step), make_disc_method(options.integrator)};
+  found.speed = option_quantity("--speed", options.speed, dimension::velocity, si);
+  try {
+    found.by_formula = ratio_by_formula(found.contact, options.restitution);
+    found.by_simulation = ratio_by_simulation(found.contact, options.restitution);
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("--{}", error.what())};
+  }
+  found.simulated = simulated_restitution(found.contact, found.by_simulation, phases);
+  found.simulated_formula = simulated_restitution(found.contact, found.by_formula, phases);
+  return found;
+}
+
+void print_json(const LatchingRatio& found, const CalibrateOptions& options) {
+  const nlohmann::ordered_json json{{"law", options.law},
+                                    {"integrator", options.integrator},
+                                    {"default_discs", found.default_discs},
+                                    {"effective_mass", found.contact.effective_mass},
+                                    {"stiffness", found.contact.stiffness},
+                                    {"unloading_stiffness", found.contact.stiffness / found.by_simulation},
+                                    {"step", found.contact.step},
+                                    {"loading_angle", found.contact.loading_angle()},
+                                    {"steps_in_contact", found.contact.steps_in_contact(found.by_simulation)},
+                                    {"ratio_by_formula", found.by_formula},
+                                    {"ratio_by_simulation", found.by_simulation},
+                                    {"restitution", found.simulated.mean},
+                                    {"restitution_deviation", found.simulated.deviation},
+                                    {"restitution_of_formula", found.simulated_formula.mean},
+                                    {"phases", phases},
+                                    {"exact_restitution", std::sqrt(found.by_simulation)},
+                                    {"speed", found.speed},
+                                    {"largest_overlap", found.largest_overlap()},
+                                    {"units", "SI"}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_text(const LatchingRatio& found, const CalibrateOptions& options) {
+  const UnitSystem units = unit_system(options.units);
+  const auto line = [&units](std::string_view what, double in_si, Dimension dimension) {
+    fmt::print("  {:<32}{:>16.9g} {}\n", what, in_si / si_size(units, dimension), symbol(units, dimension));
+  };
+  fmt::print("K1/K2 for a restitution of {} ({}, {})\n", options.restitution, options.law, options.integrator);
+  line("effective mass", found.contact.effective_mass, dimension::mass);
+  line("stiffness K1", found.contact.stiffness, dimension::stiffness);
+  line("step h", found.contact.step, dimension::time);
+  line("w1 h", found.contact.loading_angle(), dimension::number);
+  line("steps in a contact", found.contact.steps_in_contact(found.by_simulation), dimension::number);
+  line("K1/K2 by formula", found.by_formula, dimension::number);
+  line("  restitution simulated with it", found.simulated_formula.mean, dimension::number);
+  line("K1/K2 by simulation", found.by_simulation, dimension::number);
+  line("  restitution simulated with it", found.simulated.mean, dimension::number);
+  line("  its deviation between phases", found.simulated.deviation, dimension::number);
+  line("  restitution of short steps", std::sqrt(found.by_simulation), dimension::number);
+  line("  stiffness K2", found.contact.stiffness / found.by_simulation, dimension::stiffness);
+  line("speed of approach", found.speed, dimension::velocity);
+  line("largest overlap at that speed", found.largest_overlap(), dimension::length);
+  fmt::print("  simulated: mean over {} phases of the step at which two discs touch\n", phases);
+  if (found.default_discs)
+    fmt::print("  discs of ice, 1 mm wide, are Talus's own choice; --masses and --stiffness take others\n");
+}
+
+}  // namespace
+
+int calibrate_latching(const CalibrateOptions& options) {
+  static_cast<void>(unit_system(options.units));
+  const LatchingRatio found = calibrated(options);
+  if (options.json) {
+    print_json(found, options);
+  } else {
+    print_text(found, options);
+  }
+  return ok;
+}
+
+}  // namespace talus::app

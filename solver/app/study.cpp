@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "solver/app/command.hpp"
+#include "solver/app/progress.hpp"
+#include "solver/granular/shear_study.hpp"
+#include "solver/io/atomic_file.hpp"
+#include "solver/io/study_text.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StudyOptions {
+  std::string name;
+  StudyPlan plan;
+  std::string folder;
+};
+
+int study(const StudyOptions& options) {
+  StudyPlan plan = options.plan;
+  std::vector<StudyMean> means;
+  {
+    Progress line;
+    std::mutex one_at_a_time;
+    plan.progress = [&](std::size_t done, std::size_t all) {
+      const std::lock_guard lock{one_at_a_time};
+      if (line.due()) line.show(fmt::format("{} of {} cells", done, all));
+    };
+    means = shear_study(shear_study_points(false), plan);
+  }
+  const std::vector<Verdict> found = verdicts(means);
+  fmt::print("{}", study_text(means, found));
+  if (options.folder.empty()) return ok;
+  make_folder(options.folder);
+  const fs::path file = fs::path{options.folder} / "shear_study.csv";
+  write_whole(file, study_csv(means));
+  fmt::print("file: {}\n", file.string());
+  return ok;
+}
+
+}  // namespace
+
+Command add_study(CLI::App& talus) {
+  CLI::App* app = talus.add_subcommand("study", "Run a whole study and say what it shows");
+  const auto options = std::make_shared<StudyOptions>();
+  options->plan.threads = std::max(1U, std::thread::hardware_concurrency());
+  app->add_option("NAME", options->name, "shear: the hypothesis of Lacy 1989, cells of discs under load and drive")
+      ->required()
+      ->check(CLI::IsMember({"shear"}));
+  app->add_option("--time", options->plan.time, "of each run, in seconds of flow; default 0.8")
+      ->check(CLI::Range(0.01, 1000.0));
+  app->add_option("--seeds", options->plan.seeds, "runs of each point; default 5")->check(CLI::Range(2, 1000));
+  app->add_option("--threads", options->plan.threads, "default: all; the numbers do not depend on it")
+      ->check(CLI::Range(1U, 1024U));
+  app->add_option("--out", options->folder, "folder for shear_study.csv, every run of it");
+  app->footer("Example:\n  talus study shear --seeds 8 --time 2 --out study");
+  return {app, [options] { return study(*options); }};
+}
+
+}  // namespace talus::app

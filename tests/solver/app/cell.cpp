@@ -1,0 +1,158 @@
+/// The shear cell by the built program: what it leaves, what is refused, and runs that are killed and taken on.
+#define BOOST_TEST_MODULE cell
+#include <signal.h>
+
+#include <boost/test/unit_test.hpp>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/solver/app/program.hpp"
+
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string control = "0 1\n1.7e4 34693.877551020405 1e-3 7.2e-7 9.81 0.00897\n8 10 11 5.0\n6e-7 1e-3 1e-2\n";
+
+/// Starts the program and sends it a signal once a file is there; its exit status as waitpid gives it.
+int stopped(std::vector<std::string> arguments, const fs::path& once, int signal) {
+  const pid_t child = ::fork();
+  BOOST_REQUIRE(child >= 0);
+  if (child == 0) {
+    for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO})
+      ::dup2(::open("/dev/null", O_WRONLY), descriptor);
+    std::string program = TALUS_EXECUTABLE;
+    std::vector<char*> words{program.data()};
+    for (std::string& argument : arguments)
+      words.push_back(argument.data());
+    words.push_back(nullptr);
+    ::execv(program.c_str(), words.data());
+    ::_exit(127);
+  }
+  while (!fs::exists(once))
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+  ::kill(child, signal);
+  int status = 0;
+  BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
+  return status;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
+  const Folder folder;
+  const std::string file = folder.file("CNTRL.DAT", control), out = folder.path / "out";
+  const Ended ended = talus_ran({"cell", file, "--out", out, "--units", "SI"});
+  BOOST_TEST_REQUIRE(ended.code == 0, ended.err);
+  BOOST_TEST(holds(ended.out, "overburden               8000 N/m^2"));
+  BOOST_TEST(holds(ended.out, "stress_ratio_top"));
+  const auto left = files(out);
+  for (const char* name :
+       {"RESTART.DAT", "PIC.DAT", "cell.pvd", "history.csv", "profile.csv", "plot.json", "summary.json"})
+    BOOST_TEST(left.contains(name), name);
+  BOOST_TEST(!left.contains("checkpoint.json"));
+  BOOST_TEST(left.contains("cell_states/cell_000009.vtp"));
+  const Json summary = Json::parse(left.at("summary.json"));
+  BOOST_TEST(summary["outcome"]["kind"] == "finished");
+  BOOST_TEST(summary["results"]["top_shear"]["unit"] == "N/m^2");
+  BOOST_TEST(summary["counts"]["steps"] == 16667);
+  const std::string history = left.at("history.csv");
+  BOOST_TEST(std::count(history.begin(), history.end(), '\n') == 11);
+  // Without a unit system none is printed; the numbers are the same.
+  const Ended bare = talus_ran({"cell", file, "--json"});
+  const Json plain = Json::parse(bare.out);
+  BOOST_TEST(plain["units"].is_null());
+  BOOST_TEST(!plain["results"]["top_shear"].contains("unit"));
+  BOOST_TEST(plain["results"]["top_shear"]["value"] == summary["results"]["top_shear"]["value"]);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_was_killed_goes_on_to_the_same_files) {
+  const Folder folder;
+  const std::string file = folder.file("CNTRL.DAT", control);
+  for (const std::string integrator : {"velocity_verlet", "euler_cromer", "central_difference"}) {
+    const std::string whole = folder.path / (integrator + "_whole"), killed = folder.path / (integrator + "_killed");
+    BOOST_TEST(talus_ran({"cell", file, "--out", whole, "--integrator", integrator}).code == 0);
+    // No time to write anything: what is there is of its last LOOP.
+    const int status = stopped({"cell", file, "--out", killed, "--integrator", integrator},
+                               fs::path{killed} / "cell_states/cell_000003.vtp", SIGKILL);
+    BOOST_TEST(WIFSIGNALED(status));
+    BOOST_TEST(fs::exists(fs::path{killed} / "checkpoint.json"));
+    const Ended ended = talus_ran({"cell", "--resume", killed});
+    BOOST_TEST_REQUIRE(ended.code == 0, ended.err);
+    // A file that was half written when it was killed is none of the run's.
+    for (const auto& entry : fs::recursive_directory_iterator{killed})
+      if (entry.path().filename().string().front() == '.') fs::remove(entry.path());
+    same_files(killed, whole);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_was_stopped_says_so_and_goes_on) {
+  const Folder folder;
+  const std::string file = folder.file("CNTRL.DAT", control);
+  const std::string whole = folder.path / "whole", left = folder.path / "left";
+  BOOST_TEST(talus_ran({"cell", file, "--out", whole, "--seed", "5"}).code == 0);
+  const int status = stopped({"cell", file, "--out", left, "--seed", "5"}, fs::path{left} / "checkpoint.json", SIGTERM);
+  BOOST_TEST(WIFEXITED(status));
+  BOOST_TEST(WEXITSTATUS(status) == 128 + SIGTERM);
+  BOOST_TEST(Json::parse(talus::read_text(fs::path{left} / "summary.json"))["outcome"]["kind"] == "stopped");
+  BOOST_TEST(talus_ran({"cell", "--resume", left}).code == 0);
+  same_files(left, whole);
+  // The command line is the run's; its file must be what it was.
+  BOOST_TEST(talus_ran({"cell", "--resume", left}).code == 4);
+  BOOST_TEST(talus_ran({"cell", "--resume", left, "--seed", "6"}).code == 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_changed_file_is_not_taken_on) {
+  const Folder folder;
+  const std::string file = folder.file("CNTRL.DAT", control), left = folder.path / "left";
+  stopped({"cell", file, "--out", left}, fs::path{left} / "checkpoint.json", SIGKILL);
+  folder.file("CNTRL.DAT", control + "\n");
+  const Ended ended = talus_ran({"cell", "--resume", left});
+  BOOST_TEST(ended.code == 2);
+  BOOST_TEST(holds(ended.err, "was changed since the run was left"));
+}
+
+BOOST_AUTO_TEST_CASE(a_restart_of_1989_warns_of_what_it_forgot) {
+  const Folder folder;
+  const std::string file = folder.file("CNTRL.DAT", control), out = folder.path / "out";
+  BOOST_TEST(talus_ran({"cell", file, "--out", out}).code == 0);
+  fs::copy_file(fs::path{out} / "RESTART.DAT", folder.path / "RESTART.DAT");
+  folder.file("CNTRL.DAT", std::string{"1"}.append(control, 1));
+  const Ended ended = talus_ran({"cell", file, "--json"});
+  BOOST_TEST_REQUIRE(ended.code == 0, ended.err);
+  BOOST_TEST(holds(ended.err, "holds neither the block"));
+  BOOST_TEST(holds(ended.err, "discs that overlap begin anew"));
+  const Json summary = Json::parse(ended.out);
+  BOOST_TEST(summary["warnings"].size() == 1U);
+  // The time goes on from that of the first run.
+  BOOST_TEST(summary["outcome"]["time"].get<double>() > 0.0199);
+  fs::remove(folder.path / "RESTART.DAT");
+  BOOST_TEST(talus_ran({"cell", file}).code == 4);
+}
+
+BOOST_AUTO_TEST_CASE(runs_that_fail_say_why) {
+  // A block thrown down on soft discs: they are pressed through each other.
+  const Folder folder;
+  const std::string file =
+      folder.file("CNTRL.DAT", "0 0\n1e3 2e3 1e-3 7.2e-7 9.81e5 0.9\n3 10 11 5.0\n2e-6 1e-3 1e-1\n");
+  const std::string out = folder.path / "out";
+  const Ended ended = talus_ran({"cell", file, "--out", out});
+  BOOST_TEST(ended.code == 3);
+  BOOST_TEST(holds(ended.err, "talus: "));
+  const Json summary = Json::parse(talus::read_text(fs::path{out} / "summary.json"));
+  BOOST_TEST(summary["outcome"]["kind"] == "diverged");
+  BOOST_TEST(summary["outcome"].contains("words"));
+}
+
+BOOST_AUTO_TEST_CASE(a_cell_is_exported_for_lammps_with_dashpots_if_they_may_stand_for_latches) {
+  const Folder folder;
+  const std::string out = folder.path / "lammps";
+  const Ended refused = talus_ran({"export", "lammps", scene("cell/ice.toml"), "--out", out});
+  BOOST_TEST(refused.code == 2);
+  BOOST_TEST(holds(refused.err, "springs that latch (a restitution of 0.7), which LAMMPS does not have"));
+  BOOST_TEST(!fs::exists(out));
+  BOOST_TEST(talus_ran({"export", "lammps", scene("cell/ice.toml"), "--out", out, "--dashpot"}).code == 0);
+  BOOST_TEST(holds(talus::read_text(fs::path{out} / "discs.data"), "102 atoms"));
+  BOOST_TEST(holds(talus::read_text(fs::path{out} / "in.discs"), "pair_style"));
+}

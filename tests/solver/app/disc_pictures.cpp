@@ -1,0 +1,229 @@
+/// plot, snapshot and animate of a sheared cell: what they ask talus_report to draw, and what it draws.
+#define BOOST_TEST_MODULE disc_pictures
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+#include "solver/io/geometry_series.hpp"
+#include "solver/io/kept_history.hpp"
+#include "tests/solver/app/asked.hpp"
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// A cell without units, ten states, run once for all tests; the block falls on the discs, so that many touch at the
+/// end.
+const fs::path& sample() {
+  static const Folder folder;
+  static const bool made = [] {
+    const std::string file = folder.file(
+        "CNTRL.DAT", "0 1\n1.7e4 34693.877551020405 1e-3 7.2e-7 9.81 0.00897\n8 10 11 5.0\n6e-7 2.5e-3 2.5e-2\n");
+    return talus_ran({"cell", file, "--out", (folder.path / "run").string()}).code == 0;
+  }();
+  BOOST_REQUIRE(made);
+  static const fs::path run = folder.path / "run";
+  return run;
+}
+
+constexpr double width = 11e-3;
+
+/// Its last state as it was written.
+talus::DiscFrame last_state() { return talus::read_discs(talus::read_geometry_index(sample() / "cell.pvd").back()); }
+
+/// The rows of a series of a frame's CSV file at that place, or at its images.
+std::vector<std::vector<double>> rows_at(const std::vector<std::vector<double>>& rows, double x, double y) {
+  std::vector<std::vector<double>> found;
+  for (const auto& row : rows) {
+    const double periods = (row[1] - x) / width;
+    if (std::abs(periods - std::round(periods)) < 1e-5 && std::abs(row[2] - y) < 1e-8) found.push_back(row);
+  }
+  return found;
+}
+
+}  // namespace
+
+// Rows: line, x, y, radius, value; six digits of places, four of values. Speeds and forces are summed here from the VTP
+// files, which tests of their reader hold against the run.
+BOOST_AUTO_TEST_CASE(discs_are_drawn_where_they_stand_and_by_what_colours_them) {
+  const talus::DiscFrame state = last_state();
+  std::vector<double> forces(state.discs.size(), 0.0);
+  for (const talus::SeenContact& contact : state.contacts)
+    forces[contact.a] += contact.force, forces[contact.b] += contact.force;
+  BOOST_REQUIRE(state.contacts.size() > 10U);
+  for (const std::string colour : {"speed", "force"}) {
+    const Asked asked{{"snapshot", sample().string(), "--count", "1", "--colour", colour}};
+    BOOST_REQUIRE(asked.ended.code == 0);
+    const auto drawn = rows(asked.file("frame0.csv"));
+    double largest = 0.0;
+    for (std::size_t i = 0; i < state.discs.size(); ++i) {
+      const talus::SeenDisc& disc = state.discs[i];
+      const auto found = rows_at(drawn.at(disc.wall ? "wall" : "disc"), disc.p.x, disc.p.y);
+      BOOST_TEST(!found.empty());
+      const double value = colour == "speed" ? norm(disc.v) : forces[i];
+      if (!disc.wall) largest = std::max(largest, value);
+      for (const auto& row : found) {
+        BOOST_TEST(row[3] == 5e-4);
+        BOOST_TEST(std::abs(row[4] - value) <= 1e-3 * value + 1e-12);
+      }
+    }
+    const Json scale = asked.page().at("scale");
+    BOOST_TEST(scale.at("label") == (colour == "speed" ? "speed of a disc" : "sum of the contact forces on a disc"));
+    BOOST_TEST(scale.at("unit") == "");
+    BOOST_TEST(scale.at("max").get<double>() == largest);
+  }
+}
+
+// The field is 11 mm wide and shown from -1 to 12 mm: what stands within a disc of a border stands behind the other
+// too.
+BOOST_AUTO_TEST_CASE(images_stand_beyond_the_borders) {
+  const talus::DiscFrame state = last_state();
+  const Asked asked{{"snapshot", sample().string(), "--count", "1"}};
+  const Json x = asked.page().at("panels").at(0).at("x");
+  BOOST_TEST(std::abs(x.at("min").get<double>() + 1e-3) < 1e-12);
+  BOOST_TEST(std::abs(x.at("max").get<double>() - 12e-3) < 1e-12);
+  const auto drawn = rows(asked.file("frame0.csv"));
+  for (const talus::SeenDisc& disc : state.discs) {
+    const double place = disc.p.x - width * std::floor(disc.p.x / width);
+    const bool near = place < 1.5e-3 || place > width - 1.5e-3;
+    BOOST_TEST(rows_at(drawn.at(disc.wall ? "wall" : "disc"), disc.p.x, disc.p.y).size() == (near ? 2U : 1U));
+  }
+  // Two borders of two ends; each bar has four corners.
+  BOOST_TEST(drawn.at("border").size() == 4U);
+  BOOST_TEST(drawn.at("border")[0][1] == 0.0);
+  BOOST_TEST(drawn.at("border")[2][1] == width);
+  BOOST_TEST(drawn.at("contact").size() % 4 == 0U);
+  BOOST_TEST(drawn.at("contact").size() >= 4 * state.contacts.size());
+}
+
+// Six digits of places of some 11 mm: rounded by at most 5e-8 m.
+BOOST_AUTO_TEST_CASE(bars_are_as_wide_as_their_forces) {
+  const talus::DiscFrame state = last_state();
+  const Asked asked{{"snapshot", sample().string(), "--count", "1"}};
+  const auto corners = rows(asked.file("frame0.csv")).at("contact");
+  double largest = 0.0;
+  for (const talus::SeenContact& contact : state.contacts)
+    largest = std::max(largest, contact.force);
+  for (const talus::SeenContact& contact : state.contacts) {
+    const double back = width * std::floor(contact.from.x / width);
+    const talus::Vec2 middle = 0.5 * (contact.from + contact.to) - talus::Vec2{back, 0.0};
+    bool found = false;
+    for (std::size_t i = 0; i < corners.size(); i += 4) {
+      const auto at = [&](std::size_t k) { return talus::Vec2{corners[i + k][1], corners[i + k][2]}; };
+      if (norm(0.25 * (at(0) + at(1) + at(2) + at(3)) - middle) > 1e-7) continue;
+      found = true;
+      BOOST_TEST(std::abs(norm(at(0) - at(3)) - 0.4e-3 * contact.force / largest) < 1.5e-7);
+      BOOST_TEST(std::abs(norm(at(0) - at(1)) - norm(contact.to - contact.from)) < 1.5e-7);
+    }
+    BOOST_TEST(found);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_options_of_snapshots_hold_for_discs) {
+  const Asked asked{
+      {"snapshot", sample().string(), "--times", "0.0049,0.025", "--numbers", "--window", "0", "0", "0.005", "0.004"}};
+  BOOST_REQUIRE(asked.ended.code == 0);
+  BOOST_TEST(asked.page().at("title") == "Shear cell");
+  const Json& panel = asked.page().at("panels").at(0);
+  BOOST_TEST(panel.at("title") == "t = 0.005");  // no unit was named
+  BOOST_TEST(panel.at("x").at("unit") == "");
+  BOOST_TEST(panel.at("x").at("max") == 0.005);
+  const talus::DiscFrame state = last_state();
+  const Json marks = asked.page().at("panels").at(1).at("marks");
+  BOOST_TEST(marks.size() > 20U);
+  for (const Json& mark : marks) {
+    const talus::Vec2 p = state.discs[std::stoul(mark.at("words").get<std::string>()) - 1].p;
+    const double periods = (mark.at("x").get<double>() - p.x) / width;
+    BOOST_TEST((std::abs(periods - std::round(periods)) < 1e-12 && mark.at("y").get<double>() == p.y));
+  }
+  const Json contact = asked.page().at("panels").at(1).at("series").back();
+  BOOST_TEST(holds(contact.at("label").get<std::string>(), "contact, as wide as its force; widest "));
+  const Asked single{{"snapshot", sample().string(), "--count", "3", "--single"}};
+  BOOST_TEST(single.plot.at("pages").at(2).at("name") == "snapshot_side_03");
+}
+
+BOOST_AUTO_TEST_CASE(cells_that_cannot_be_drawn) {
+  const Folder folder;
+  const std::string file =
+      folder.file("CNTRL.DAT", "0 0\n1.7e4 34693.877551020405 1e-3 7.2e-7 9.81 0.00897\n8 10 11 5.0\n6e-7 1e-3 1e-3\n");
+  const std::string bare = (folder.path / "bare").string(), run = sample().string();
+  BOOST_REQUIRE(talus_ran({"cell", file, "--out", bare}).code == 0);
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"snapshot", bare}, "bare: the run left no states; GRAPH = 1 in CNTRL.DAT or pictures = \"on\" in [run]"},
+      {{"animate", bare}, "bare: the run left no states; "},
+      {{"snapshot", run, "--view", "along"}, "--view: found \"along\"; in " + run + " nothing has a place along z"},
+      {{"snapshot", run, "--times", "2 ms"},
+       "--times: found \"2 ms\"; it must be a bare number: the run named no units"},
+      {{"snapshot", run, "--times", "1"}, "--times: found \"1\"; the run left its geometry from 0.0025"},
+      {{"animate", run, "--until", "-1"}, "--until: found \"-1\"; it must be > 0"},
+      {{"snapshot", run, "--colour", "spin"}, "--colour: spin not in {speed,force}"},
+      {{"plot", run, "--history", "top_sheer"}, "history 'top_sheer' is not known; nearest: top_shear; known: "}};
+  for (const auto& [arguments, message] : wrong) {
+    const Ended ended = talus_ran(arguments);
+    BOOST_TEST(ended.code == 2);
+    BOOST_TEST(holds(ended.err, message), ended.err << " holds no " << message);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(histories_and_profiles_of_a_cell_are_drawn) {
+  const Folder folder;
+  const Ended ended = talus_ran({"plot", sample().string(), "--format", "svg", "--out", folder.path.string()});
+  BOOST_TEST(ended.code == 0, ended.err);
+  for (const char* name : {"stresses", "stress_ratio", "depth", "shares", "coordination", "velocity_profile",
+                           "temperature_profile", "solid_fraction_profile"})
+    BOOST_TEST(fs::exists(folder.path / (name + std::string{".svg"})), name);
+  // No unit system, so no unit.
+  BOOST_TEST(!holds(talus::read_text(folder.path / "stresses.svg"), "["));
+  const Asked asked{{"plot", sample().string(), "--history", "top_shear,depth", "--apart", "--until", "0.01"}};
+  BOOST_REQUIRE(asked.ended.code == 0);
+  const talus::KeptHistory kept = talus::read_history(sample() / "history.csv");
+  const auto drawn = rows(asked.file("panel0.csv")).at("0");
+  BOOST_REQUIRE(drawn.size() == 4U);
+  for (std::size_t i = 0; i < drawn.size(); ++i)
+    BOOST_TEST(drawn[i][1] == kept.find("top_shear")->values[i]);
+  const Ended menu = talus_ran({"plot", sample().string(), "--list"});
+  BOOST_TEST(holds(menu.out, "multiple_share"));
+  BOOST_TEST(!holds(menu.out, "["));
+}
+
+// The profile ends with the highest layer that a disc was in.
+BOOST_AUTO_TEST_CASE(empty_layers_are_left_out_of_the_profile) {
+  const talus::KeptHistory profile = talus::read_history(sample() / "profile.csv");
+  BOOST_TEST(profile.find("solid_fraction")->values.back() > 0.0);
+  BOOST_TEST(profile.columns.front().values.size() > 10U);
+}
+
+BOOST_AUTO_TEST_CASE(a_cell_moves_in_a_gif_and_in_one_page) {
+  const Folder folder;
+  const Ended ended =
+      talus_ran({"animate", sample().string(), "--gif", "--html", "--colour", "force", "--out", folder.path.string()});
+  BOOST_TEST(ended.code == 0, ended.err);
+  BOOST_TEST(ended.err.empty());
+  const std::string gif = talus::read_text(folder.path / "animation.gif");
+  int pictures = 0;
+  for (std::size_t at = 0; (at = gif.find("\x21\xF9\x04", at)) != std::string::npos; ++at)
+    ++pictures;
+  BOOST_TEST(pictures == 10);
+  const std::string page = talus::read_text(folder.path / "animation.html");
+  for (const char* part : {"src=", "href=", "@import", "fetch(", "url("})
+    BOOST_TEST(!holds(page, part), part);
+  const std::string mark = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t begin = page.find(mark) + mark.size();
+  const auto data = Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  BOOST_TEST(data.at("frames").size() == 10U);
+  BOOST_TEST(data.at("discs").at("colour") == "force");
+  BOOST_TEST(data.at("discs").at("walls").size() == 22U);
+  BOOST_TEST(data.at("charts").at(0).at("title") == "Stresses on the walls");
+  // Places in thousandths of a diameter, speeds in thousandths of the fastest disc's.
+  const talus::DiscFrame state = last_state();
+  const Json& frame = data.at("frames").back();
+  const double quantum = data.at("discs").at("quantum").get<double>();
+  const double fastest = data.at("discs").at("largest").at("speed").get<double>();
+  BOOST_TEST(std::abs(quantum - 1e-6) < 1e-15);
+  for (std::size_t i = 0; i < state.discs.size(); ++i) {
+    BOOST_TEST(std::abs(frame.at("places").at(2 * i + 1).get<double>() * quantum - state.discs[i].p.y) <= 0.51e-6);
+    BOOST_TEST(std::abs(frame.at("speeds").at(i).get<double>() / 1000.0 * fastest - norm(state.discs[i].v)) <=
+               0.51e-3 * fastest);
+  }
+  BOOST_TEST(frame.at("contacts").size() == 3 * state.contacts.size());
+}
