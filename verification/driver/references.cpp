@@ -33,6 +33,9 @@ std::vector<Reference> all_references() {
                             "International Journal of Space Structures 14 (1999) 89-104.")},
       {"barr1981", unseen("A. H. Barr: Superquadrics and angle-preserving transformations. IEEE Computer Graphics and "
                           "Applications 1 (1981) 11-23.")},
+      {"barker1967", unseen("J. A. Barker, D. Henderson: Perturbation theory and equation of state for fluids: the "
+                            "square-well potential; II. A successful theory of liquids. Journal of Chemical Physics 47 "
+                            "(1967) 2856-2861, 4714-4721.")},
       {"bartz2022",
        "S. P. Bartz: Coefficient of restitution of a linear dashpot on a rigid surface. arXiv 2204.10917 (2022). Only "
        "the "
@@ -49,6 +52,9 @@ std::vector<Reference> all_references() {
       {"chen1998",
        unseen("T. Y. Chen, S. C. Cheung, S. M. Yiu: Metamorphic testing: a new approach for generating next test "
               "cases. Technical Report HKUST-CS98-01, Hong Kong University of Science and Technology, 1998.")},
+      {"clausius1870",
+       unseen("R. Clausius: On a mechanical theorem applicable to heat. Philosophical Magazine 40 (1870) "
+              "122-127.")},
       {"cowell1910",
        unseen("P. H. Cowell, A. C. D. Crommelin: Investigation of the motion of Halley's comet from 1759 to 1910. "
               "Greenwich Observations for 1909, Appendix, Edinburgh, 1910.")},
@@ -56,6 +62,8 @@ std::vector<Reference> all_references() {
        "Y. C. Chung, J. Y. Ooi: Benchmark tests for verifying discrete element modelling codes at particle impact "
        "level. Granular Matter 13 (2011) 643-656. The paper itself was not at hand: its eight tests are given here as "
        "those who rebuilt them tell them (LAMMPS, unittest/granular; Yade; PySPH; Kratos, Basic DEM Benchmarking)."},
+      {"cruz2005", unseen("F. da Cruz, S. Emam, M. Prochnow, J.-N. Roux, F. Chevoir: Rheophysics of dense granular "
+                          "materials: discrete simulation of plane shear flows. Physical Review E 72 (2005) 021309.")},
       {"cundall1979",
        "P. A. Cundall, O. D. L. Strack: A discrete numerical model for granular assemblies. Geotechnique 29 (1979) "
        "47-65."},
@@ -73,6 +81,9 @@ std::vector<Reference> all_references() {
                           "Engineering Computations 21 (2004) 265-277.")},
       {"galilei1638",
        unseen("G. Galilei: Discorsi e dimostrazioni matematiche intorno a due nuove scienze. Leiden, 1638.")},
+      {"haff1983",
+       unseen("P. K. Haff: Grain flow as a fluid-mechanical phenomenon. Journal of Fluid Mechanics 134 (1983) "
+              "401-430.")},
       {"hairer1993",
        "E. Hairer, S. P. Norsett, G. Wanner: Solving Ordinary Differential Equations I: Nonstiff Problems. 2nd "
        "edition, "
@@ -80,6 +91,8 @@ std::vector<Reference> all_references() {
       {"hairer2006",
        "E. Hairer, C. Lubich, G. Wanner: Geometric Numerical Integration: Structure-Preserving Algorithms for Ordinary "
        "Differential Equations. 2nd edition, Springer, 2006."},
+      {"henderson1975",
+       unseen("D. Henderson: A simple equation of state for hard discs. Molecular Physics 30 (1975) 971-972.")},
       {"henrici1962", unseen("P. Henrici: Discrete Variable Methods in Ordinary Differential Equations. Wiley, 1962.")},
       {"herrmann1982",
        unseen("F. Herrmann, M. Seitz: How does the ball-chain work? American Journal of Physics 50 (1982) 977-981.")},
@@ -87,6 +100,13 @@ std::vector<Reference> all_references() {
                            "angewandte Mathematik 92 (1882) 156-171.")},
       {"housner1963", unseen("G. W. Housner: The behavior of inverted pendulum structures during earthquakes. Bulletin "
                              "of the Seismological Society of America 53 (1963) 403-417.")},
+      {"jenkins1985",
+       unseen("J. T. Jenkins, M. W. Richman: Kinetic theory for plane flows of a dense gas of identical, "
+              "rough, inelastic, circular disks. Physics of Fluids 28 (1985) 3485-3494.")},
+      {"jenkins1988",
+       unseen("J. T. Jenkins, M. W. Richman: Plane simple shear of smooth inelastic circular disks: the "
+              "anisotropy of the second moment in the dilute and dense limits. Journal of Fluid Mechanics "
+              "192 (1988) 313-328.")},
       {"kharaz2001", unseen("A. H. Kharaz, D. A. Gorham, A. D. Salman: An experimental study of the elastic rebound of "
                             "spheres. Powder Technology 120 (2001) 281-291.")},
       {"krogh1974",
@@ -94,13 +114,25 @@ std::vector<Reference> all_references() {
               "differences. Lecture Notes in Mathematics 362, Springer, 1974, 22-71.")},
       {"kovacic2011", unseen("I. Kovacic, M. J. Brennan (eds.): The Duffing Equation: Nonlinear Oscillators and their "
                              "Behaviour. Wiley, 2011.")},
+      {"lacy1989",
+       "J. M. Lacy: On the transport mechanism of rockfalls and avalanches. M.S. thesis, Montana State University, "
+       "Bozeman, April 1989; here \"SNOFLO\", its program. Chapters 1 and 2 and part of 3 were at hand."},
       {"lammps",
        "LAMMPS, unittest/granular/README.md and test_analytic_models.cpp, https://github.com/lammps/lammps, "
        "revisions 0e2cc2a and 10e220f. Only the definitions were read."},
+      {"lees1972", unseen("A. W. Lees, S. F. Edwards: The computer study of transport processes under extreme "
+                          "conditions. Journal of Physics C 5 (1972) 1921.")},
       {"mfix",
        "MFiX Verification and Validation Manual, chapter 4 (DEM01 to DEM06), "
        "https://mfix.netl.doe.gov/doc/vvuq-manual/main/html/dem/; R. Garg, J. Galvin, T. Li, S. Pannala: Open-source "
        "MFIX-DEM software for gas-solids flows: Part I - Verification studies. Powder Technology 220 (2012) 122-137."},
+      {"miller2004",
+       "S. Miller, S. Luding: Cluster growth in two- and three-dimensional granular gases. Physical Review E "
+       "69 (2004) 031305. Abstract and introduction were read."},
+      {"mitarai2007",
+       "N. Mitarai, H. Nakanishi: Velocity correlations in the dense granular shear flows: effects on energy "
+       "dissipation and normal stress. Physical Review E 75 (2007) 031305; arXiv cond-mat/0611397. The "
+       "abstract was read."},
       {"mustoe1993",
        "G. G. W. Mustoe, H. P. Huttelmaier: Analytical Simulation of Rockfall Prevention Fence Structures. Report "
        "CDOT-CSM-R-93-20, Colorado School of Mines for the Colorado Department of Transportation, April 1993, 79 "
@@ -108,6 +140,9 @@ std::vector<Reference> all_references() {
        "here \"the 1993 report\"."},
       {"okabe2008", unseen("M. Okabe, K. Ito: Color Universal Design: how to make figures and presentations that are "
                            "friendly to colorblind people. 2008.")},
+      {"peyneau2008",
+       "P.-E. Peyneau, J.-N. Roux: Frictionless bead packs have macroscopic friction, but no dilatancy. "
+       "Physical Review E 78 (2008) 011307. The abstract was read."},
       {"rayleigh1877", unseen("J. W. Strutt, Baron Rayleigh: The Theory of Sound, volume I. Macmillan, 1877.")},
       {"roache2002",
        "P. J. Roache: Code verification by the method of manufactured solutions. Journal of Fluids Engineering 124 "
@@ -140,6 +175,8 @@ std::vector<Reference> all_references() {
       {"walton1986",
        unseen("O. R. Walton, R. L. Braun: Viscosity, granular-temperature, and stress calculations for shearing "
               "assemblies of inelastic, frictional disks. Journal of Rheology 30 (1986) 949-980.")},
+      {"welch1947", unseen("B. L. Welch: The generalization of \"Student's\" problem when several different population "
+                           "variances are involved. Biometrika 34 (1947) 28-35.")},
       {"whittaker1937", unseen("E. T. Whittaker: A Treatise on the Analytical Dynamics of Particles and Rigid Bodies. "
                                "4th edition, Cambridge University Press, 1937.")},
   };

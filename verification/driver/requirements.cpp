@@ -79,6 +79,9 @@ constexpr std::array problems{
     Problem{"B11", "latching spring: restitution, time, residual overlap"},
     Problem{"B12", "latching spring whose unloading stiffens with the force"},
     Problem{"B13", "reloading within the latching spring's loop"},
+    Problem{"B14", "latching spring in steps: restitution by four methods"},
+    Problem{"B15", "row of discs that latch, struck by the first"},
+    Problem{"B16", "discs struck anew before they part: what latches remember"},
     Problem{"C1", "disc that slides until it rolls"},
     Problem{"C2", "disc on an incline, on both sides of sliding"},
     Problem{"C3", "block on an incline, on both sides of sliding"},
@@ -115,11 +118,13 @@ constexpr std::array problems{
     Problem{"F3", "shear cell: serial and threaded, grid and all pairs"},
     Problem{"F4", "shear cell: stress inside against force on the walls"},
     Problem{"F5", "restart at half time: the same bits"},
+    Problem{"F6", "gas of inelastic discs in uniform shear"},
+    Problem{"F7", "dense flow of discs of unlike size"},
 };
 
 constexpr std::array families{"A: motion and bodies",   "B: normal contact", "C: friction and rotation", "D: cables",
                               "E: outlines in contact", "F: many bodies",    "founding problems",        "the fence",
-                              "speed and accuracy"};
+                              "the shear cell",         "speed and accuracy"};
 
 /// Is it the id of a problem of the catalogue: a letter and a number?
 bool is_problem(const std::string& id) {

@@ -46,15 +46,15 @@ template <class Scalar, class Force>
 SwingRun swung(const SteppedSwing& swing) {
   switch (swing.method) {
     case SwingMethod::euler_cromer:
-      return swung<Scalar, Force>(EulerCromerOf<Scalar>{}, swing);
+      return swung<Scalar, Force>(EulerCromerOf<StateOf<Scalar>>{}, swing);
     case SwingMethod::central_difference:
-      return swung<Scalar, Force>(CentralDifferenceOf<Scalar>{}, swing);
+      return swung<Scalar, Force>(CentralDifferenceOf<StateOf<Scalar>>{}, swing);
     case SwingMethod::lagged_central_difference:
-      return swung<Scalar, Force>(LaggedCentralDifferenceOf<Scalar>{}, swing);
+      return swung<Scalar, Force>(LaggedCentralDifferenceOf<StateOf<Scalar>>{}, swing);
     case SwingMethod::velocity_verlet:
-      return swung<Scalar, Force>(VelocityVerletOf<Scalar>{}, swing);
+      return swung<Scalar, Force>(VelocityVerletOf<StateOf<Scalar>>{}, swing);
     default:
-      return swung<Scalar, Force>(RungeKutta4Of<Scalar>{}, swing);
+      return swung<Scalar, Force>(RungeKutta4Of<StateOf<Scalar>>{}, swing);
   }
 }
 

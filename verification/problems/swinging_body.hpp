@@ -34,6 +34,6 @@ class SwingingBody {
   long evaluations_{0};
 };
 
-static_assert(Splittable<SwingingBody<float>, float> && Differentiable<SwingingBody<float>, float>);
+static_assert(Splittable<SwingingBody<float>, StateOf<float>> && Differentiable<SwingingBody<float>, StateOf<float>>);
 
 }  // namespace talus::verification::problems

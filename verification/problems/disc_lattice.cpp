@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "solver/granular/disc_method.hpp"
+#include "solver/granular/disc_system.hpp"
+#include "verification/check/case.hpp"
+
+namespace talus::verification::problems {
+
+Case disc_lattice();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Equal discs fill the plane, each pressed by six others. How long may a step be before their places grow
+without bound? A contact of two has $\omega^2 = 2k/m$; a disc among six swings faster.
+
+```
+     o   o   o        M: rows move against each other,        ->  ->  ->
+   o   o   o   o         every second one the other way       <-  <-  <-
+     o   o   o                                                ->  ->  ->
+```
+
+**Equations.** Springs along the lines of centres, places $\mathbf r$, wave vector $\mathbf q$:
+
+$$m\omega^2\mathbf u = \sum_{6\ \mathbf e} k\,\mathbf e(\mathbf e\cdot\mathbf u)\,\bigl(1 - \cos(\mathbf q\cdot\mathbf e d)\bigr).$$
+
+At the middle of an edge of the zone (M) $1 - \cos$ is 0 along one axis and 2 along the two others; with $\mathbf u$ between
+those, at 30 degrees to both, the sum is $2\cdot 2\cdot 2k\cdot\tfrac34 = 6k$: $\omega^2 = 6k/m$, the largest there is. A
+leapfrog is stable to $\omega h = 2$, so to $h = \sqrt{2/3}\,\sqrt{m/k} = .8165\sqrt{m/k}$, and beyond multiplies the
+amplitude by $e^{2\operatorname{arcosh}(\omega h/2)}$ in a step. The lattice is pressed by $10^{-4}$ of a diameter so that its contacts last;
+that changes $\omega^2$ by as much.
+
+**Source.** Born & von Karman's lattice dynamics, derived here.
+
+| symbol | meaning | value |
+|:--|:-----|:-----|
+| lattice | rows, columns, periodic | 8, 8 |
+| $\delta/d$ | overlap of all contacts | $10^{-4}$ |
+| first displacements | random, seeded | $10^{-11}\,d$ |
+
+**What would break it.** A contact listed twice or missed across the border; a method whose limit is another; a limit
+taken from a pair.
+)";
+
+constexpr int rows = 8, columns = 8;
+constexpr double overlap = 1e-4, first = 1e-11;
+
+struct Lattice {
+  DiscShapes shapes;
+  Discs discs;
+  PeriodicBox box;
+};
+
+Lattice lattice() {
+  Lattice made;
+  const double spacing = 1.0 - overlap, height = std::sqrt(0.75) * spacing;
+  made.box = {.width = columns * spacing, .height = rows * height};
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < columns; ++c) {
+      made.shapes.add(0.5, 1.0);
+      made.discs.add((c + 0.5 * (r % 2) + 0.25) * spacing - 0.5 * made.box.width,
+                     (r + 0.5) * height - 0.5 * made.box.height, 0.0, 0.0);
+    }
+  }
+  return made;
+}
+
+struct Grown {
+  double rate{};  ///< of the amplitude, logarithm for a step
+  double most{};  ///< largest amplitude over the first
+  Series amplitude;
+};
+
+Grown grow(const std::string& integrator, double share, int steps, const Setup& setup, Findings& findings) {
+  const Lattice start = lattice();
+  const double stiffness = setup.has("springs_softer") ? 0.97 : 1.0;
+  DiscSystem system{start.shapes, start.box, LinearSpringDashpot{stiffness, 0.0, EndRule::attractive}, 0.2};
+  Discs discs = start.discs;
+  std::mt19937_64 random{5};
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    for (double* place : {&discs.x[i], &discs.y[i]})
+      *place += first * (std::ldexp(static_cast<double>(random() >> 11), -52) - 1.0);
+  }
+  const double h = share * (setup.has("limit_of_a_pair") ? std::sqrt(2.0) : std::sqrt(2.0 / 3.0));
+  Grown grown;
+  grown.amplitude = {.label = fmt::format("{} of the limit", share), .x = {}, .y = {}, .style = Style::lines};
+  std::visit(
+      [&](auto method) {
+        system.begin(discs);
+        method.start(system, discs, h);
+        for (int n = 1; n <= steps; ++n) {
+          method.step(system, discs, h);
+          double squares = 0.0;
+          for (std::size_t i = 0; i < discs.size(); ++i) {
+            const double dx = discs.x[i] - start.discs.x[i], dy = discs.y[i] - start.discs.y[i];
+            const double x = dx - start.box.width * std::round(dx / start.box.width);
+            const double y = dy - start.box.height * std::round(dy / start.box.height);
+            squares += x * x + y * y;
+          }
+          const double amplitude = std::sqrt(squares / static_cast<double>(discs.size()));
+          grown.amplitude.x.push_back(n), grown.amplitude.y.push_back(amplitude);
+          grown.most = std::max(grown.most, amplitude / first);
+          if (amplitude > 0.1 * overlap) break;
+        }
+      },
+      make_disc_method(integrator));
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  const std::vector<double>& y = grown.amplitude.y;
+  const std::size_t last = y.size() - 1, middle = y.size() / 2;
+  grown.rate = std::log(y[last] / y[middle]) / static_cast<double>(last - middle);
+  return grown;
+}
+
+void run(Findings& findings, const Setup& setup) {
+  Figure figure{.name = "growth",
+                .title = "Displacements of a lattice near its limit",
+                .caption =
+                    "Root mean square displacement over a diameter, velocity Verlet; at 1.01 and 1.02 of the limit it "
+                    "grows by e^{2 arcosh} a step.",
+                .x = {"step", "1"},
+                .y = {.label = "displacement over d", .log = true, .min = 1e-12, .max = 1e-4},
+                .series = {}};
+  for (const char* integrator : {"velocity_verlet", "euler_cromer", "central_difference"}) {
+    for (const double share : {0.99, 1.01, 1.02}) {
+      const Grown grown = grow(integrator, share, share < 1.0 ? (setup.coarse ? 400 : 4000) : 400, setup, findings);
+      const std::string name = fmt::format("{}, step {} of the limit", integrator, share);
+      if (share < 1.0) {
+        findings.expect_between(
+            "largest displacement over the first, " + name, grown.most, 0.1, 30.0,
+            "swings near the limit are larger than the first displacement by 1/sqrt(1 - .99^2) = 7 at most "
+            "for each mode, and 128 of them meet");
+      } else {
+        const double exact = 2.0 * std::acosh(share);
+        findings.expect(
+            "growth per step, " + name, grown.rate, exact,
+            Tolerance::model(share > 1.015 ? 0.002 : 0.005,
+                             "the overlap changes w by 5e-5, a quarter of a per cent of the rate at 1.01; the other "
+                             "modes fade but are still seen at half the way")
+                .relative());
+      }
+      if (std::string{integrator} == "velocity_verlet") {
+        Series series = grown.amplitude;
+        if (series.x.size() > 120) series.x.resize(120), series.y.resize(120);
+        figure.series.push_back(std::move(series));
+      }
+    }
+  }
+  findings.figure(std::move(figure));
+}
+
+}  // namespace
+
+Case disc_lattice() {
+  return {.id = "disc_lattice",
+          .title = "Lattice of discs: the step at which it grows unstable",
+          .requirements = {{"F2", {"growth per step"}}},
+          .main_checks = {"growth per step, velocity_verlet, step 1.01 of the limit",
+                          "growth per step, euler_cromer, step 1.02 of the limit",
+                          "largest displacement over the first, velocity_verlet, step 0.99 of the limit"},
+          .source = "lattice dynamics, derived here",
+          .page = page,
+          .faults = {{"springs_softer", "stiffness 3 % smaller",
+                      "growth per step, velocity_verlet, step 1.01 of the limit"},
+                     {"limit_of_a_pair", "steps by the limit of two discs",
+                      "largest displacement over the first, velocity_verlet, step 0.99 of the limit"}},
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+/// A shear cell as the thesis of 1989 describes its program (Lacy 1989, "Virtual Elements and Periodic Boundaries"):
+/// each disc has a virtual one in the field to the left of the real one, which acts for it across the border, and every
+/// disc is tried against every other. Semi-implicit Euler steps; latching springs (Walton & Braun 1986) whose largest
+/// overlaps stand in a table of all pairs.
+namespace talus::verification::reference {
+
+struct VirtualDiscs {
+  double k1{}, k2{};           ///< [F/L]
+  double diameter{}, mass{};   ///< of all discs [L], [M]
+  double left{}, width{};      ///< of the field, [left, left + width) [L]
+  double gravity{};            ///< on the block [L/T^2]
+  double block_mass{};         ///< [M]
+  std::size_t free{}, wall{};  ///< free discs come first, then the base's, then the block's, `wall` each
+  std::vector<double> x, y, vx, vy;
+  std::vector<double> largest{};  ///< overlap of each pair since it touched; filled by the first step
+
+  /// One step: forces at the present places, velocities, places.
+  void step(double h);
+
+  double force_on_block_x{}, force_on_block_y{};  ///< of the last step's start [F]
+};
+
+}  // namespace talus::verification::reference
