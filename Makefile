@@ -1,5 +1,5 @@
 # Thin: each goal is a script, and the scripts install what is missing.
-.PHONY: help verify verify-full test bench format clean
+.PHONY: help verify verify-full test bench bench-discs format clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile
@@ -15,6 +15,9 @@ test:  ## build everything and run the unit tests, layers, format and headers
 
 bench:  ## microseconds per step and work-precision tables
 	@scripts/bench
+
+bench-discs:  ## discs beside LAMMPS: nanoseconds a disc-step of both from the same start
+	@scripts/bench discs
 
 format:  ## format the C++ sources
 	@scripts/format
