@@ -241,7 +241,7 @@ Command add_cell(CLI::App& talus) {
       "cell.pvd, at the end history.csv, profile.csv, plot.json and summary.json; without it nothing is written");
   app->add_option("--resume", options->resume, "folder in which a run was left: take it on as if it had never stopped");
   app->add_option("--integrator", options->integrator,
-                  fmt::format("{}; default velocity_verlet", fmt::join(disc_method_names(), ", ")));
+                  fmt::format("{}; default {}", fmt::join(disc_method_names(), ", "), CellPlan{}.integrator));
   app->add_option("--units", options->units, "unit system of CNTRL.DAT, which names none: SI or US");
   app->add_option("--seed", options->seed, "of the first velocities across the field; default the scene's, or 0");
   app->add_flag("--historical", options->historical,

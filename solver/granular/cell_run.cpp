@@ -96,17 +96,35 @@ CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
 }
 
 void CellRun::advance() {
-  const long ahead = plan_.jump ? free_steps() : 0, before = steps_;
-  if (ahead > 1) {
-    jump(ahead);
-  } else {
-    std::visit([&](auto& method) { method.step(system_, discs_, plan_.step); }, method_);
-    ++steps_;
-    ++since_sample_;
-    book_walls(plan_.step);
-    if (since_sample_ >= sample_every_ || finished()) sample();
-  }
+  const long free = plan_.jump ? free_steps() : 0, before = steps_;
+  if (free > 1)
+    jump(free);
+  else
+    take_steps(plan_.jump ? 1 : steps_ahead());
   due_ = loops_ended(steps_) > loops_ended(before) || finished();
+}
+
+/// To the next sample, LOOP or the end.
+long CellRun::steps_ahead() const {
+  return std::min({sample_every_ - since_sample_, next_loop() - steps_, last_step_ - steps_});
+}
+
+void CellRun::take_steps(long steps) {
+  const double h = plan_.step;
+  const std::size_t block = first_block_disc(cell_), base = cell_.free_discs();
+  if (!std::holds_alternative<CentralDifferenceOf<Discs>>(method_) &&
+      !std::holds_alternative<EulerCromerOf<Discs>>(method_)) {
+    for (long n = 0; n < steps; ++n) {
+      std::visit([&](auto& method) { method.step(system_, discs_, h); }, method_);
+      book_walls(h, discs_.y[block] - discs_.y[base]);
+    }
+  } else {
+    // Their steps are a kick and a drift.
+    system_.advance(discs_, h, steps, [&] { book_walls(h, system_.place(block).y - system_.place(base).y); });
+  }
+  steps_ += steps;
+  since_sample_ += steps;
+  if (since_sample_ >= sample_every_ || finished()) sample();
 }
 
 /// LOOPs in so many steps.
@@ -114,11 +132,17 @@ long CellRun::loops_ended(long steps) const {
   return static_cast<long>(static_cast<double>(steps) * plan_.step / plan_.every * (1.0 + whole));
 }
 
+/// The first step after the next LOOP.
+long CellRun::next_loop() const {
+  return static_cast<long>(
+      std::ceil(static_cast<double>(loops_ended(steps_) + 1) * plan_.every / plan_.step * (1.0 - whole)));
+}
+
 /// As many steps as nothing can touch in: discs fly straight, the block falls. Of a pair with the block its way along
 /// the line of centres is at most |v| t + G t^2/2 (its true path would be a root of fourth degree).
 long CellRun::free_steps() const {
   bool acting = false;
-  system_.for_each_contact(discs_, [&](const System::Contact&) { acting = true; });
+  system_.for_each_contact(discs_, [&](const DiscContact&) { acting = true; });
   if (acting) return 0;
   double time = std::numeric_limits<double>::infinity(), fastest = 0.0;
   for (std::size_t i = 0; i < discs_.size(); ++i)
@@ -137,10 +161,8 @@ long CellRun::free_steps() const {
   });
   const double left = list.left();
   time = std::min(time, left / (fastest + std::sqrt(fastest * fastest + cell_.gravity * left)));
-  const auto next = static_cast<long>(
-      std::ceil(static_cast<double>(loops_ended(steps_) + 1) * plan_.every / plan_.step * (1.0 - whole)));
   const auto free = static_cast<long>(std::clamp(time / plan_.step - 1.0, 0.0, 1e15));
-  return std::min({free, next - steps_, last_step_ - steps_});
+  return std::min({free, next_loop() - steps_, last_step_ - steps_});
 }
 
 void CellRun::jump(long steps) {
@@ -155,16 +177,15 @@ void CellRun::jump(long steps) {
   discs_.t += n * h;
   steps_ += steps;
   jumped_ += steps;
-  book_walls(n * h);
+  book_walls(n * h, discs_.y[block] - discs_.y[cell_.free_discs()]);
   sample();
 }
 
-/// What is known at each step, of the forces of its evaluation.
-void CellRun::book_walls(double time) {
+/// What is known at each step, of the forces of its evaluation. height: of the centre lines of the walls [L].
+void CellRun::book_walls(double time, double height) {
   const Vec2 block = system_.wall_force(block_wall), base = system_.wall_force(base_wall);
   on_block_ += time * block, on_base_ += time * base;
   const double forwards = std::signbit(cell_.block_speed) ? -1.0 : 1.0, area = cell_.width() * cell_.diameter;
-  const double height = discs_.y[first_block_disc(cell_)] - discs_.y[cell_.free_discs()];
   const auto add = [&](CellQuantity quantity, double value) { walls_[at(quantity)] += time * value; };
   add(CellQuantity::top_shear, -forwards * block.x / area);
   add(CellQuantity::top_normal, block.y / area);
@@ -237,7 +258,7 @@ std::vector<CellRun::ActingContact> CellRun::acting_contacts() const {
   const std::size_t free = cell_.free_discs();
   std::vector<ActingContact> contacts;
   std::vector<int> acting(discs_.size());
-  system_.for_each_contact(discs_, [&](const System::Contact& contact) {
+  system_.for_each_contact(discs_, [&](const DiscContact& contact) {
     if (!(contact.force > 0.0)) return;
     contacts.push_back({contact, false});
     ++acting[contact.a], ++acting[contact.b];
@@ -292,7 +313,7 @@ CellRun::Ledger CellRun::energies() {
   for (std::size_t i = 0; i < cell_.free_discs(); ++i)
     ledger.kinetic += 0.5 * cell_.mass * (now.vx[i] * now.vx[i] + now.vy[i] * now.vy[i]);
   ledger.potential = cell_.block_mass * cell_.gravity * now.y[first_block_disc(cell_)];
-  system_.for_each_contact(now, [&](const System::Contact& contact) { ledger.stored += contact.stored; });
+  system_.for_each_contact(now, [&](const DiscContact& contact) { ledger.stored += contact.stored; });
   return ledger;
 }
 
@@ -300,7 +321,7 @@ CellRun::Ledger CellRun::ledger() {
   Ledger ledger = energies();
   // The block has one speed, so that what drives it does the work of its impulse.
   ledger.driven = -on_block_.x * cell_.block_speed;
-  ledger.dissipated = discs_.dissipated();
+  ledger.dissipated = system_.lost();
   ledger.gained = ledger.held() + ledger.dissipated - ledger.driven - held_at_start_;
   return ledger;
 }

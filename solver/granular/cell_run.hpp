@@ -8,14 +8,14 @@
 #include "solver/granular/block_means.hpp"
 #include "solver/granular/cell_profile.hpp"
 #include "solver/granular/disc_method.hpp"
-#include "solver/granular/disc_system.hpp"
+#include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/shear_cell.hpp"
 
 namespace talus {
 
 /// How a cell is run; the names of CNTRL.DAT stand beside. Times [T].
 struct CellPlan {
-  std::string integrator{"velocity_verlet"};
+  std::string integrator{"central_difference"};
   double step{};      ///< STEP > 0
   double every{};     ///< LOOP: what is written, is written so often; >= step
   double end{};       ///< TIME >= every
@@ -59,7 +59,7 @@ enum class CellQuantity : std::size_t {
 /// A shear cell on its way, with what is measured of it. Contacts act while their force is not nought.
 class CellRun {
  public:
-  using System = DiscSystem<LatchingSpring>;
+  using System = FastDiscSystem<LatchingSpring>;
 
   /// Blocks of time in a run by which errors are told, and those at its start that no mean counts.
   static constexpr std::size_t blocks = 100, start_up = 25;
@@ -72,7 +72,8 @@ class CellRun {
   /// The same from discs that are there already.
   CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start);
 
-  /// Takes a step, or as many at once as nothing can touch in.
+  /// Goes on to the next sample or output: half a contact time, if that is not less than a step, or as long as nothing
+  /// can touch.
   void advance();
   bool finished() const { return steps_ >= last_step_; }
   /// Whether something is to be written after this step: each LOOP, and at the end.
@@ -115,7 +116,7 @@ class CellRun {
   };
   Ledger ledger();
   /// A contact whose force is not nought; multiple if one of its free discs has another.
-  struct ActingContact : System::Contact {
+  struct ActingContact : DiscContact {
     bool multiple{};
   };
   std::vector<ActingContact> acting_contacts() const;
@@ -132,7 +133,10 @@ class CellRun {
 
   long free_steps() const;
   void jump(long steps);
-  void book_walls(double time);
+  long next_loop() const;
+  long steps_ahead() const;
+  void take_steps(long steps);
+  void book_walls(double time, double height);
   void sample();
   void look_across(double time);
   long loops_ended(long steps) const;

@@ -2,77 +2,27 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <concepts>
 #include <cstring>
 
 #include "solver/base/pack.hpp"
+#include "solver/granular/disc_lanes.hpp"
 
 namespace talus {
 namespace {
-
-constexpr std::size_t places_per_pack = pack_size / 2;
-
-using Place [[gnu::vector_size(16)]] = double;
-using Places2 [[gnu::vector_size(32)]] = double;
-
-/// Both numbers of four discs, side by side.
-[[gnu::always_inline]] inline void fetch_four(Pack& out, const double* numbers, const std::uint32_t* at) {
-  std::array<Place, 4> p;
-  for (std::size_t l = 0; l < 4; ++l)
-    std::memcpy(&p[l], numbers + std::size_t{at[l]}, sizeof(Place));
-  const Places2 low = __builtin_shufflevector(p[0], p[1], 0, 1, 2, 3);
-  const Places2 high = __builtin_shufflevector(p[2], p[3], 0, 1, 2, 3);
-  out = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
-}
-
-/// From the first discs to the second of eight pairs, of places or velocities.
-[[gnu::always_inline]] inline void differences(Pack& x, Pack& y, const double* numbers, const std::uint32_t* first,
-                                               const std::uint32_t* second) {
-  Pack a, b, c, d;
-  fetch_four(a, numbers, first), fetch_four(b, numbers, second);
-  fetch_four(c, numbers, first + 4), fetch_four(d, numbers, second + 4);
-  const Pack low = b - a, high = d - c;
-  x = __builtin_shufflevector(low, high, 0, 2, 4, 6, 8, 10, 12, 14);
-  y = __builtin_shufflevector(low, high, 1, 3, 5, 7, 9, 11, 13, 15);
-}
-
-/// By the bits of eight lanes: the lanes whose bit is set, in order, and how many.
-struct Chosen {
-  std::array<std::array<std::uint32_t, pack_size>, 256> lanes{};
-  std::array<std::uint8_t, 256> count{};
-};
-constexpr Chosen chosen = [] {
-  Chosen made;
-  for (std::size_t bits = 0; bits < 256; ++bits) {
-    for (std::uint32_t lane = 0; lane < pack_size; ++lane) {
-      if ((bits >> lane & 1U) != 0) made.lanes[bits][made.count[bits]++] = lane;
-    }
-  }
-  return made;
-}();
-
-using Bytes [[gnu::vector_size(8)]] = std::uint8_t;
-using Numbers [[gnu::vector_size(32)]] = std::uint32_t;
-
-/// One bit for each lane that is true.
-[[gnu::always_inline]] inline std::size_t bits_of(const Sizes& is) {
-  const Bytes bytes = __builtin_convertvector(is, Bytes);
-  std::uint64_t all;
-  std::memcpy(&all, &bytes, sizeof all);
-  // Bit k of byte k; the factor brings them together in the highest byte.
-  return static_cast<std::size_t>((all & 0x0101010101010101U) * 0x0102040810204080U >> 56U);
-}
 
 /// Numbers of the pairs from <= k < to whose surfaces are nearer than so much; how many. Beyond them `found` is written
 /// to up to the end of a pack.
 [[gnu::always_inline]] inline std::size_t near_pairs(const DiscSweep& w, double nearer, std::size_t from,
                                                      std::size_t to, std::uint32_t* found) {
   std::size_t count = 0;
+  const std::uint32_t *const first = w.pairs->first.data(), *const second = w.pairs->second.data();
+  const double* const sums = w.pairs->radii.empty() ? nullptr : w.pairs->radii.data();
   Pack radii = Pack{} + w.equal_radii;
   for (std::size_t k = from; k < to; k += pack_size) {
     Pack x, y;
-    differences(x, y, w.places, w.first + k, w.second + k);
-    if (w.radii != nullptr) load(radii, w.radii + k);
+    differences(x, y, w.places, first + k, second + k);
+    if (sums != nullptr) load(radii, sums + k);
     const Pack within = radii + nearer;
     const std::size_t bits = bits_of(x * x + y * y < within * within);
     Numbers numbers;
@@ -84,86 +34,239 @@ using Numbers [[gnu::vector_size(32)]] = std::uint32_t;
   return count;
 }
 
-[[gnu::always_inline]] inline void square_root(Pack& x) {
-  std::array<double, pack_size> numbers;
-  std::memcpy(numbers.data(), &x, sizeof x);
-  for (double& number : numbers)
-    number = std::sqrt(number);
-  std::memcpy(&x, numbers.data(), sizeof x);
+/// The disc that is, or whose image is, at the place that begins there.
+[[gnu::always_inline]] inline std::size_t disc(const DiscSweep& w, std::size_t at) {
+  const std::size_t place = at / 2;
+  return place < w.discs ? place : w.ghost_disc[place - w.discs];
 }
 
-/// One number for each lane.
-template <class Lanes, class Number>
-[[gnu::always_inline]] inline void collect(Lanes& lanes, Number&& number) {
-  lanes = Lanes{number(0), number(1), number(2), number(3), number(4), number(5), number(6), number(7)};
-}
+/// Where the pushes of touching pairs go.
+struct Pushes {
+  double *x, *y, *friction, *arm_a, *arm_b;
+};
 
-/// Nought in the lanes where it is not so.
-[[gnu::always_inline]] inline void keep_where(Pack& x, const Sizes& is) {
-  Sizes bits;
-  std::memcpy(&bits, &x, sizeof bits);
-  bits &= is;
-  std::memcpy(&x, &bits, sizeof bits);
-}
+/// A sweep over pairs, block by block.
+template <class L, class F>
+class Sweep {
+ public:
+  static constexpr bool remembers = L::memory_size == 1, turns = std::same_as<F, CoulombFriction>;
 
-/// Forces on the second discs of eight touching pairs.
-template <class L>
-[[gnu::always_inline]] inline void push(const L& law, const DiscSweep& w, const std::uint32_t* pairs, double* force_x,
-                                        double* force_y) {
-  std::array<std::uint32_t, pack_size> first, second, listed;
-  for (std::size_t l = 0; l < pack_size; ++l)
-    first[l] = w.first[pairs[l]], second[l] = w.second[pairs[l]];
-  Pack x, y, distance, rate{}, largest{}, force, radii = Pack{} + w.equal_radii;
-  if (w.radii != nullptr) collect(radii, [&](std::size_t l) { return w.radii[pairs[l]]; });
-  if constexpr (L::memory_size == 1) {
+  Sweep(const L& law, const F& friction, const DiscSweep& sweep)
+      : law_{law},
+        friction_{friction},
+        w_{sweep},
+        first_{w_.pairs->first.data()},
+        second_{w_.pairs->second.data()},
+        listed_{w_.pairs->listed.empty() ? nullptr : w_.pairs->listed.data()},
+        radii_{w_.pairs->radii.empty() ? nullptr : w_.pairs->radii.data()} {
+    w_.touching->count = 0;
+  }
+
+  /// The touching ones of a block in order, with what they do; how many.
+  [[gnu::always_inline]] std::size_t push(std::size_t from, std::size_t to, std::uint32_t* touching, Pushes out) {
+    const std::size_t count = near_pairs(w_, 0.0, from, to, touching);
+    if (count == 0) return 0;
+    std::fill_n(touching + count, pack_size, touching[count - 1]);
+    recall(touching, count);
+    for (std::size_t t = 0; t < count; t += pack_size)
+      push_pack(touching + t, std::min(count - t, pack_size), w_.touching->count + t,
+                {out.x + t, out.y + t, out.friction + t, out.arm_a + t, out.arm_b + t});
+    w_.touching->count += count;
+    return count;
+  }
+
+  /// After the last block.
+  [[gnu::always_inline]] void end() {
+    TouchingPairs& now = *w_.touching;
+    if constexpr (remembers) {
+      for (; old_ < w_.touched->count; ++old_)
+        part(old_);
+    }
+    now.pair.resize(std::max(now.pair.size(), now.count + 1));
+    now.pair[now.count] = TouchingPairs::none;
+  }
+
+ private:
+  [[gnu::noinline]] static void make_room(TouchingPairs& pairs, std::size_t size) {
+    size += size / 4;
+    pairs.pair.resize(size);
+    if constexpr (remembers) pairs.largest.resize(size);
+    if constexpr (turns) pairs.stretch.resize(size), pairs.normal.resize(size);
+  }
+  [[gnu::noinline]] void part(std::uint32_t pair, double largest) const {
+    if (largest > 0.0) w_.parted->push_back({pair, largest});
+  }
+  void part(std::size_t old) const { part(w_.touched->pair[old], w_.touched->largest[old]); }
+
+  /// Numbers of touching pairs, and what those remember that touched in the last sweep.
+  [[gnu::always_inline]] void recall(const std::uint32_t* touching, std::size_t count) {
+    TouchingPairs& now = *w_.touching;
+    if (now.count + sweep_block + pack_size >= now.pair.size()) make_room(now, now.count + sweep_block + pack_size + 1);
+    std::uint32_t* const pair = now.pair.data() + now.count;
+    for (std::size_t t = 0; t < count; ++t)
+      pair[t] = listed_ != nullptr ? listed_[touching[t]] : touching[t];
+    if constexpr (remembers || turns) {
+      const TouchingPairs& before = *w_.touched;
+      const std::uint32_t* const then = before.pair.data();
+      std::size_t old = old_;
+      for (std::size_t t = 0; t < count; ++t) {
+        for (; then[old] < pair[t]; ++old) {
+          if constexpr (remembers) part(old);
+        }
+        const bool since = then[old] == pair[t];
+        if constexpr (remembers) now.largest[now.count + t] = since ? before.largest[old] : 0.0;
+        if constexpr (turns) {
+          now.stretch[now.count + t] = since ? before.stretch[old] : 0.0;
+          now.normal[now.count + t] = since ? before.normal[old] : 0.0;
+        }
+        old += since ? 1U : 0U;
+      }
+      old_ = old;
+    }
+  }
+
+  /// Forces on the second discs of eight touching pairs, of which so many count.
+  [[gnu::always_inline]] void push_pack(const std::uint32_t* pairs, std::size_t count, std::size_t at, Pushes out) {
+    TouchingPairs& now = *w_.touching;
+    std::array<std::uint32_t, pack_size> first, second;
     for (std::size_t l = 0; l < pack_size; ++l)
-      listed[l] = w.listed != nullptr ? w.listed[pairs[l]] : pairs[l];
-    Sizes since;
-    collect(since, [&](std::size_t l) { return static_cast<std::int64_t>(w.pasts[listed[l]].sweep); });
-    collect(largest, [&](std::size_t l) { return w.pasts[listed[l]].largest; });
-    keep_where(largest, since == static_cast<std::int64_t>(w.now) - 1);
+      first[l] = first_[pairs[l]], second[l] = second_[pairs[l]];
+    Pack x, y, v_x{}, v_y{}, distance, rate{}, largest{}, force, radii = Pack{} + w_.equal_radii;
+    if (radii_ != nullptr) collect(radii, [&](std::size_t l) { return radii_[pairs[l]]; });
+    if constexpr (remembers) load(largest, &now.largest[at]);
+    differences(x, y, w_.places, first.data(), second.data());
+    distance = x * x + y * y;
+    square_root(distance);
+    const Pack overlap = radii - distance, n_x = x / distance, n_y = y / distance;
+    if (turns || w_.before != nullptr) {
+      differences(v_x, v_y, w_.before, first.data(), second.data());
+      rate = -(v_x * n_x + v_y * n_y);
+    }
+    law_.settled(overlap, rate, largest, force);
+    // Rounded, an overlap may be none after all.
+    const Sizes overlaps = overlap > Pack{};
+    keep_where(force, overlaps);
+    if constexpr (remembers) {
+      if (bits_of(overlaps) != 0xff) {
+        for (std::size_t l = 0; l < count; ++l)
+          if (overlaps[l] == 0) part(now.pair[at + l], now.largest[at + l]);
+      }
+      keep_where(largest, overlaps);
+      store(largest, &now.largest[at]);
+    }
+    if constexpr (turns) {
+      Pack friction, arm_a = 0.5 * radii, arm_b = arm_a, spin_a, spin_b;
+      if (w_.unlike_radius != 0) {
+        collect(arm_a, [&](std::size_t l) { return w_.radius[disc(w_, first[l])]; });
+        collect(arm_b, [&](std::size_t l) { return w_.radius[disc(w_, second[l])]; });
+      }
+      arm_a -= 0.5 * overlap, arm_b -= 0.5 * overlap;
+      collect(spin_a, [&](std::size_t l) { return w_.spins_before[disc(w_, first[l])]; });
+      collect(spin_b, [&](std::size_t l) { return w_.spins_before[disc(w_, second[l])]; });
+      const Pack slip = v_x * -n_y + v_y * n_x - spin_a * arm_a - spin_b * arm_b;
+      rub(slip * overlap / rate, rate, force, at, friction);
+      store(force * n_x + friction * n_y, out.x), store(force * n_y - friction * n_x, out.y);
+      store(friction, out.friction), store(arm_a, out.arm_a), store(arm_b, out.arm_b);
+    } else {
+      store(force * n_x, out.x), store(force * n_y, out.y);
+    }
   }
-  differences(x, y, w.places, first.data(), second.data());
-  distance = x * x + y * y;
-  square_root(distance);
-  const Pack overlap = radii - distance, n_x = x / distance, n_y = y / distance;
-  if (w.before != nullptr) {
-    Pack v_x, v_y;
-    differences(v_x, v_y, w.before, first.data(), second.data());
-    rate = -(v_x * n_x + v_y * n_y);
-  }
-  law.settled(overlap, rate, largest, force);
-  // Rounded, an overlap may be none after all.
-  const Sizes overlaps = overlap > Pack{};
-  keep_where(force, overlaps);
-  store(force * n_x, force_x), store(force * n_y, force_y);
-  if constexpr (L::memory_size == 1) {
-    keep_where(largest, overlaps);
-    for (std::size_t l = 0; l < pack_size; ++l)
-      w.pasts[listed[l]] = {largest[l], w.now};
-  }
-}
 
-/// Gives the discs of touching pairs their impulses, in order.
-[[gnu::always_inline]] inline void give(const DiscSweep& w, const std::uint32_t* pairs, std::size_t count,
-                                        const double* force_x, const double* force_y) {
-  for (std::size_t t = 0; t < count; ++t) {
-    const std::size_t k = pairs[t], i = w.first[k] / 2, place = w.second[k] / 2;
-    const std::size_t j = place < w.discs ? place : w.ghost_disc[place - w.discs];
-    const double a = w.kick * w.inverse_mass[i & w.unlike], b = w.kick * w.inverse_mass[j & w.unlike];
-    const Place force{force_x[t], force_y[t]};
+  /// Takes the springs of friction back to their limit. slipped: of contacts since they began [L].
+  [[gnu::always_inline]] void rub(const Pack& slipped, const Pack& rate, const Pack& force, std::size_t at,
+                                  Pack& friction) {
+    TouchingPairs& now = *w_.touching;
+    Pack stretch, normal, begun;
+    load(stretch, &now.stretch[at]), load(normal, &now.normal[at]);
+    friction_.begun(slipped, force, begun);
+    const Sizes pushes = force > Pack{}, begins = pushes & (rate > Pack{}) & ~(normal > Pack{});
+    stretch = begins ? begun : stretch;
+    friction_.settled(force, stretch, friction);
+    normal = force;
+    keep_where(stretch, pushes), keep_where(friction, pushes), keep_where(normal, pushes);
+    store(stretch, &now.stretch[at]), store(normal, &now.normal[at]);
+  }
+
+  L law_;
+  F friction_;
+  DiscSweep w_;
+  const std::uint32_t *first_, *second_, *listed_;
+  const double* radii_;
+  std::size_t old_{};  ///< first of the pairs that touched in the last sweep which is not passed yet
+};
+
+/// Gives discs their impulses, in the order of all pairs.
+template <bool turns>
+class Giver {
+ public:
+  explicit Giver(const DiscSweep& sweep) : w_{sweep}, first_{w_.pairs->first.data()}, second_{w_.pairs->second.data()} {
+    go_on();
+  }
+
+  /// To both of touching pairs of a block; before them what goes out by earlier pairs.
+  [[gnu::always_inline]] void give(const std::uint32_t* touching, std::size_t count, const Pushes& pushes) {
+    for (std::size_t t = 0; t < count; ++t) {
+      const std::uint32_t first = first_[touching[t]], second = second_[touching[t]];
+      if (next_ < first) give_out(first);
+      const Place force{pushes.x[t], pushes.y[t]};
+      const std::size_t i = first / 2, j = disc(w_, second);
+      to_first(i, force, pushes, t), to_second(j, force, pushes, t);
+      if (w_.wall != nullptr) to_walls(i, j, force);
+    }
+  }
+  /// To the first discs of pairs that go out, up to those of this place.
+  [[gnu::always_inline]] void give_out(std::size_t to_place) {
+    for (; next_ < to_place; ++out_, go_on()) {
+      const DiscPushes& out = *w_.outgoing;
+      const Place force{out.x[out_], out.y[out_]};
+      to_first(next_ / 2, force, pointers(out), out_);
+      if (w_.wall != nullptr) to_walls(next_ / 2, disc(w_, out.second[out_]), force);
+    }
+  }
+  /// To the second discs, of this sweep, of others' pairs.
+  void take_in(const DiscPushes& in) {
+    for (std::size_t k = 0; k < in.count; ++k) {
+      const std::size_t j = disc(w_, in.second[k]);
+      if (j >= w_.begin && j < w_.end) to_second(j, Place{in.x[k], in.y[k]}, pointers(in), k);
+    }
+  }
+
+  static Pushes pointers(const DiscPushes& of) {
+    // Only read from.
+    const auto numbers = [](const DiscArray<double>& array) { return const_cast<double*>(array.data()); };
+    return {numbers(of.x), numbers(of.y), numbers(of.friction), numbers(of.arm_a), numbers(of.arm_b)};
+  }
+
+ private:
+  [[gnu::always_inline]] void to_first(std::size_t i, Place force, const Pushes& pushes, std::size_t at) const {
+    const double a = w_.kick * w_.inverse_mass[i & w_.unlike_mass];
     Place v;
-    std::memcpy(&v, w.velocities + 2 * i, sizeof v);
+    std::memcpy(&v, w_.velocities + 2 * i, sizeof v);
     v -= a * force;
-    std::memcpy(w.velocities + 2 * i, &v, sizeof v);
-    std::memcpy(&v, w.velocities + 2 * j, sizeof v);
-    v += b * force;
-    std::memcpy(w.velocities + 2 * j, &v, sizeof v);
-    if (w.wall == nullptr) continue;
-    if (w.wall[i] != DiscShapes::free) w.wall_forces[w.wall[i]] -= Vec2{force[0], force[1]};
-    if (w.wall[j] != DiscShapes::free) w.wall_forces[w.wall[j]] += Vec2{force[0], force[1]};
+    std::memcpy(w_.velocities + 2 * i, &v, sizeof v);
+    if constexpr (turns) w_.spins[i] += a * pushes.friction[at] * pushes.arm_a[at] * w_.per_mass[i & w_.unlike_radius];
   }
-}
+  [[gnu::always_inline]] void to_second(std::size_t j, Place force, const Pushes& pushes, std::size_t at) const {
+    const double b = w_.kick * w_.inverse_mass[j & w_.unlike_mass];
+    Place v;
+    std::memcpy(&v, w_.velocities + 2 * j, sizeof v);
+    v += b * force;
+    std::memcpy(w_.velocities + 2 * j, &v, sizeof v);
+    if constexpr (turns) w_.spins[j] += b * pushes.friction[at] * pushes.arm_b[at] * w_.per_mass[j & w_.unlike_radius];
+  }
+  void to_walls(std::size_t i, std::size_t j, Place force) const {
+    const Vec2 push{force[0], force[1]};
+    if (w_.wall[i] != DiscShapes::free) w_.wall_pushes->push_back({w_.wall[i], -push});
+    if (w_.wall[j] != DiscShapes::free) w_.wall_pushes->push_back({w_.wall[j], push});
+  }
+  void go_on() {
+    next_ = w_.outgoing != nullptr && out_ < w_.outgoing->count ? w_.outgoing->first[out_] : ~std::size_t{0};
+  }
+
+  DiscSweep w_;
+  const std::uint32_t *first_, *second_;
+  std::size_t out_{}, next_{};  ///< of the pairs that go out the next one, and where its first place begins
+};
 
 /// Moves the discs from <= i < to, whole packs of them; raises the largest square of their own speeds.
 [[gnu::always_inline]] inline void move(const DiscSweep& w, std::size_t from, std::size_t to, Sizes& fastest) {
@@ -180,46 +283,74 @@ template <class L>
 
 /// The same for the last ones, fewer than a pack.
 [[gnu::always_inline]] inline void move_last(const DiscSweep& w, std::size_t from, Sizes& fastest) {
-  for (std::size_t i = from; i < w.discs; ++i) {
+  for (std::size_t i = from; i < w.end; ++i) {
     double *const place = w.places + 2 * i, *const v = w.velocities + 2 * i;
     raise(fastest, Pack{} + w.flow.own_speed_squared({v[0], v[1]}, place[1]));
     place[0] += w.drift * v[0], place[1] += w.drift * v[1];
   }
 }
 
-/// Kicks and drifts all discs; the largest square of their own speeds.
-template <class L>
-[[gnu::always_inline]] inline double sweep_pairs(const L& its_law, const DiscSweep& given) {
-  // Copies: what is stored to arrays cannot change them.
-  const DiscSweep w = given;
-  const L law = its_law;
-  std::array<std::uint32_t, sweep_block + pack_size> touching;
-  std::array<double, sweep_block + pack_size> force_x, force_y;
-  Sizes fastest{};
-  std::size_t moved = 0;
-  for (std::size_t from = 0; from < w.pairs && w.kick != 0.0; from += sweep_block) {
-    const std::size_t to = std::min(from + sweep_block, w.pairs);
-    const std::size_t count = near_pairs(w, 0.0, from, to, touching.data());
-    if (count > 0) {
-      std::fill_n(touching.begin() + static_cast<std::ptrdiff_t>(count), pack_size, touching[count - 1]);
-      if constexpr (L::memory_size == 1) {
-        for (std::size_t t = 0; t < count; ++t)
-          __builtin_prefetch(&w.pasts[w.listed != nullptr ? w.listed[touching[t]] : touching[t]], 1);
-      }
-      for (std::size_t t = 0; t < count; t += pack_size)
-        push(law, w, &touching[t], &force_x[t], &force_y[t]);
-      give(w, touching.data(), count, force_x.data(), force_y.data());
-    }
-    if (w.drift == 0.0 || to == w.pairs) continue;
-    const std::size_t done = std::min<std::size_t>(w.first[to] / 2, w.discs) / places_per_pack * places_per_pack;
-    move(w, moved, done, fastest);
-    moved = done;
-  }
-  if (w.drift != 0.0) {
-    const std::size_t whole = w.discs / places_per_pack * places_per_pack;
-    move(w, moved, whole, fastest), move_last(w, whole, fastest);
-  }
+/// Moves those from <= i.
+[[gnu::always_inline]] inline double move_rest(const DiscSweep& w, std::size_t from, Sizes& fastest) {
+  const std::size_t whole = from + (w.end - from) / places_per_pack * places_per_pack;
+  move(w, from, whole, fastest), move_last(w, whole, fastest);
   return largest(fastest);
+}
+
+template <class L, class F>
+[[gnu::always_inline]] inline double sweep_pairs(const L& law, const F& friction, const DiscSweep& w) {
+  constexpr bool turns = std::same_as<F, CoulombFriction>;
+  std::array<std::uint32_t, sweep_block + pack_size> touching;
+  std::array<std::array<double, sweep_block + pack_size>, turns ? 5 : 2> numbers;
+  const Pushes pushes{numbers[0].data(), numbers[1].data(), numbers[turns ? 2 : 0].data(),
+                      numbers[turns ? 3 : 0].data(), numbers[turns ? 4 : 0].data()};
+  const bool moves = !turns && w.drift != 0.0;
+  Sizes fastest{};
+  std::size_t moved = w.begin;
+  if (w.kick != 0.0) {
+    Sweep<L, F> sweep{law, friction, w};
+    Giver<turns> giver{w};
+    const std::size_t pairs = (w.pairs->count + pack_size - 1) / pack_size * pack_size;
+    for (std::size_t from = 0; from < pairs; from += sweep_block) {
+      const std::size_t to = std::min(from + sweep_block, pairs);
+      const std::size_t count = sweep.push(from, to, touching.data(), pushes);
+      if (count > 0) giver.give(touching.data(), count, pushes);
+      if (!moves || to == pairs) continue;
+      const std::size_t first = std::min<std::size_t>(w.pairs->first[to] / 2, w.end);
+      const std::size_t done = moved + (first - std::min(first, moved)) / places_per_pack * places_per_pack;
+      giver.give_out(2 * done);
+      move(w, moved, done, fastest);
+      moved = done;
+    }
+    giver.give_out(2 * w.end);
+    sweep.end();
+  }
+  return moves ? move_rest(w, moved, fastest) : 0.0;
+}
+
+template <class L, class F>
+[[gnu::always_inline]] inline void find_pair_pushes(const L& law, const F& friction, const DiscSweep& w,
+                                                    DiscPushes& out) {
+  constexpr bool turns = std::same_as<F, CoulombFriction>;
+  const std::size_t pairs = (w.pairs->count + pack_size - 1) / pack_size * pack_size;
+  for (auto* numbers : {&out.x, &out.y, &out.friction, &out.arm_a, &out.arm_b})
+    if (numbers == &out.x || numbers == &out.y || turns) numbers->resize(pairs + pack_size);
+  out.first.resize(pairs), out.second.resize(pairs);
+  out.count = 0;
+  std::array<std::uint32_t, sweep_block + pack_size> touching;
+  Sweep<L, F> sweep{law, friction, w};
+  const Pushes all = Giver<turns>::pointers(out);
+  for (std::size_t from = 0; from < pairs; from += sweep_block) {
+    const std::size_t n = out.count;
+    const std::size_t count =
+        sweep.push(from, std::min(from + sweep_block, pairs), touching.data(),
+                   turns ? Pushes{all.x + n, all.y + n, all.friction + n, all.arm_a + n, all.arm_b + n}
+                         : Pushes{all.x + n, all.y + n, nullptr, nullptr, nullptr});
+    for (std::size_t t = 0; t < count; ++t)
+      out.first[n + t] = w.pairs->first[touching[t]], out.second[n + t] = w.pairs->second[touching[t]];
+    out.count += count;
+  }
+  sweep.end();
 }
 
 }  // namespace
@@ -228,9 +359,85 @@ TALUS_CLONES std::size_t find_near(const DiscSweep& sweep, double nearer, std::s
                                    std::uint32_t* found) {
   return near_pairs(sweep, nearer, from, to, found);
 }
-TALUS_CLONES double sweep_discs(const LinearSpringDashpot& law, const DiscSweep& sweep) {
-  return sweep_pairs(law, sweep);
+
+TALUS_CLONES void find_pushes(const LinearSpringDashpot& law, const Frictionless& friction, const DiscSweep& sweep,
+                              DiscPushes& pushes) {
+  find_pair_pushes(law, friction, sweep, pushes);
 }
-TALUS_CLONES double sweep_discs(const LatchingSpring& law, const DiscSweep& sweep) { return sweep_pairs(law, sweep); }
+TALUS_CLONES double sweep_discs(const LinearSpringDashpot& law, const Frictionless& friction, const DiscSweep& sweep) {
+  return sweep_pairs(law, friction, sweep);
+}
+TALUS_CLONES void find_pushes(const LinearSpringDashpot& law, const CoulombFriction& friction, const DiscSweep& sweep,
+                              DiscPushes& pushes) {
+  find_pair_pushes(law, friction, sweep, pushes);
+}
+TALUS_CLONES double sweep_discs(const LinearSpringDashpot& law, const CoulombFriction& friction,
+                                const DiscSweep& sweep) {
+  return sweep_pairs(law, friction, sweep);
+}
+TALUS_CLONES void find_pushes(const LatchingSpring& law, const Frictionless& friction, const DiscSweep& sweep,
+                              DiscPushes& pushes) {
+  find_pair_pushes(law, friction, sweep, pushes);
+}
+TALUS_CLONES double sweep_discs(const LatchingSpring& law, const Frictionless& friction, const DiscSweep& sweep) {
+  return sweep_pairs(law, friction, sweep);
+}
+TALUS_CLONES void find_pushes(const LatchingSpring& law, const CoulombFriction& friction, const DiscSweep& sweep,
+                              DiscPushes& pushes) {
+  find_pair_pushes(law, friction, sweep, pushes);
+}
+TALUS_CLONES double sweep_discs(const LatchingSpring& law, const CoulombFriction& friction, const DiscSweep& sweep) {
+  return sweep_pairs(law, friction, sweep);
+}
+
+void receive(const DiscSweep& sweep, const DiscPushes& pushes) {
+  if (sweep.spins != nullptr)
+    Giver<true>{sweep}.take_in(pushes);
+  else
+    Giver<false>{sweep}.take_in(pushes);
+}
+
+TALUS_CLONES void stretch_contacts(const DiscSweep& w, const SweptPairs& all) {
+  TouchingPairs& now = *w.touching;
+  const double later = 0.5 * w.drift;
+  for (std::size_t t = 0; t < now.count; t += pack_size) {
+    const std::size_t count = std::min(now.count - t, pack_size);
+    std::array<std::uint32_t, pack_size> first, second, a, b;
+    std::array<double, pack_size> sliding;  // of the image of the second
+    Pack radii = Pack{} + w.equal_radii, x, y, v_x, v_y, distance, arm_a = 0.5 * radii, arm_b = arm_a, spin_a, spin_b;
+    for (std::size_t l = 0; l < pack_size; ++l) {
+      const std::uint32_t pair = now.pair[t + std::min(l, count - 1)];
+      first[l] = all.first[pair], second[l] = all.second[pair];
+      a[l] = static_cast<std::uint32_t>(2 * disc(w, first[l])),
+      b[l] = static_cast<std::uint32_t>(2 * disc(w, second[l]));
+      const std::size_t place = second[l] / 2;
+      sliding[l] = place < w.discs ? 0.0 : w.shifts[w.ghost_image[place - w.discs]].vx;
+    }
+    differences(x, y, w.places, first.data(), second.data());
+    collect(v_x, [&](std::size_t l) { return w.velocities[b[l]] + sliding[l] - w.velocities[a[l]]; });
+    collect(v_y, [&](std::size_t l) { return w.velocities[b[l] + 1] - w.velocities[a[l] + 1]; });
+    collect(spin_a, [&](std::size_t l) { return w.spins[a[l] / 2]; });
+    collect(spin_b, [&](std::size_t l) { return w.spins[b[l] / 2]; });
+    if (w.unlike_radius != 0) {
+      collect(arm_a, [&](std::size_t l) { return w.radius[a[l] / 2]; });
+      collect(arm_b, [&](std::size_t l) { return w.radius[b[l] / 2]; });
+      radii = arm_a + arm_b;
+    }
+    x += later * v_x, y += later * v_y;
+    distance = x * x + y * y;
+    square_root(distance);
+    const Pack n_x = x / distance, n_y = y / distance, overlap = radii - distance;
+    arm_a -= 0.5 * overlap, arm_b -= 0.5 * overlap;
+    Pack slip = w.drift * (v_x * -n_y + v_y * n_x - spin_a * arm_a - spin_b * arm_b), normal, stretch;
+    load(normal, &now.normal[t]), load(stretch, &now.stretch[t]);
+    keep_where(slip, normal > Pack{});
+    store(stretch + slip, &now.stretch[t]);
+  }
+}
+
+TALUS_CLONES double move_discs(const DiscSweep& w) {
+  Sizes fastest{};
+  return move_rest(w, w.begin, fastest);
+}
 
 }  // namespace talus

@@ -2,44 +2,86 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
+#include "solver/base/huge_pages.hpp"
 #include "solver/base/vec.hpp"
 #include "solver/granular/neighbour_list.hpp"
+#include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/latching_spring.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
 
 namespace talus {
 
-/// What a contact remembers: of two arrays each touch would fetch a line of the cache.
-struct DiscContactPast {
-  double largest{};       ///< overlap [L], as of
-  std::uint64_t sweep{};  ///< the last sweep that found the pair touching
+template <class T>
+using DiscArray = std::vector<T, HugePages<T>>;
+
+/// Pairs in the order of the neighbour list, and behind them as many of places that are nowhere as fill the lanes.
+struct SweptPairs {
+  DiscArray<std::uint32_t> first, second;  ///< where the places begin; of a second disc across a border, its ghost's
+  DiscArray<std::uint32_t> listed;         ///< numbers in the list; none if they are all of it
+  DiscArray<double> radii;                 ///< their sum, if discs are unlike [L]
+  std::size_t count{};
+
+  void clear() { first.clear(), second.clear(), listed.clear(), radii.clear(); }
 };
 
-/// What a sweep over discs works on, as FastDiscSystem lays it out: numbers of pairs come in whole packs. A place
-/// begins at places[first[k]] with its x.
+/// Pairs that a sweep found touching, in their order, with what their contacts remember; behind them one whose number
+/// no pair has.
+struct TouchingPairs {
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  std::vector<std::uint32_t> pair{none};  ///< numbers in the list
+  std::vector<double> largest;            ///< overlap since the touch, of laws that remember it [L]
+  std::vector<double> stretch, normal;    ///< of the spring of friction [L], and the force of the law [F]
+  std::size_t count{};
+};
+
+/// A contact that has ended, of a law that remembers.
+struct PartedPair {
+  std::uint32_t pair{};
+  double largest{};  ///< [L]
+};
+
+/// A force on a wall, from one of its contacts.
+struct WallPush {
+  std::size_t wall{};
+  Vec2 force;  ///< [F]
+};
+
+/// What the first discs of pairs do to the second.
+struct DiscPushes {
+  DiscArray<std::uint32_t> first, second;    ///< where the places begin
+  DiscArray<double> x, y;                    ///< force on the second [F]
+  DiscArray<double> friction, arm_a, arm_b;  ///< turns both [F], at [L]
+  std::size_t count{};
+};
+
+/// What a sweep works on, as FastDiscSystem lays it out: some of the discs, which nobody else moves meanwhile, and
+/// pairs of them.
 struct DiscSweep {
   double kick{}, drift{};  ///< how long velocities change, and places [T]; 0: not at all
   NeighbourList::Flow flow{};
-  double* places{};        ///< x, y of discs, ghosts, and of one that is nowhere [L]
-  double* velocities{};    ///< of discs [L/T]
-  const double* before{};  ///< of all places before the kick [L/T]; null if the law needs no rates
-  std::size_t discs{};
-  const std::uint32_t* ghost_disc{};  ///< whose image each ghost is
+  double* places{};                         ///< x, y of discs, ghosts, and of one that is nowhere [L]
+  double *velocities{}, *spins{};           ///< of discs [L/T, 1/T]; no spins if they do not turn
+  const double *before{}, *spins_before{};  ///< of all places, and of discs, before the kick; null if not needed
+  std::size_t discs{};                      ///< of all
+  std::size_t begin{}, end{};               ///< those of this sweep
+  const std::uint32_t* ghost_disc{};        ///< whose image each ghost is
+  const std::uint8_t* ghost_image{};        ///< which image
+  const NeighbourList::Shift* shifts{};     ///< by image
 
-  std::size_t pairs{};                      ///< with those that fill the last pack, which are nowhere
-  const std::uint32_t *first{}, *second{};  ///< where their places begin
-  const std::uint32_t* listed{};            ///< number in `pasts`; null: their own
-  const double* radii{};                    ///< sum of two [L]; null if all are
-  double equal_radii{};                     ///< [L]
+  const double *inverse_mass{}, *radius{}, *per_mass{};  ///< of discs: [1/M], [L], 1/(inertia) over 1/mass [1/L^2]
+  std::size_t unlike_mass{}, unlike_radius{};            ///< all bits; 0 if the first number is that of all
+  double equal_radii{};                                  ///< sum of two, if all are equal [L]
+  const std::size_t* wall{};                             ///< of discs; null if there are none
 
-  const double* inverse_mass{};  ///< of discs [1/M]
-  std::size_t unlike{};          ///< all bits; 0 if the first mass is that of all
-  const std::size_t* wall{};     ///< of discs; null if there are none
-  Vec2* wall_forces{};           ///< are added to [F]
-
-  DiscContactPast* pasts{};  ///< of the listed pairs
-  std::uint64_t now{};       ///< number of this sweep
+  const SweptPairs* pairs{};
+  const TouchingPairs* touched{};        ///< in the last sweep
+  TouchingPairs* touching{};             ///< is filled
+  std::vector<PartedPair>* parted{};     ///< is added to
+  std::vector<WallPush>* wall_pushes{};  ///< is added to
+  const DiscPushes* outgoing{};          ///< of pairs whose first disc is of this sweep and whose second is not
 };
 
 /// Pairs that are worked on together: to where lists of them are filled.
@@ -49,8 +91,26 @@ inline constexpr std::size_t sweep_block = 256;
 /// for at once; beyond those found, `found` is written to up to a pack further.
 std::size_t find_near(const DiscSweep& sweep, double nearer, std::size_t from, std::size_t to, std::uint32_t* found);
 
-/// Kicks and drifts all discs, whichever has a length other than 0; the largest square of their own speeds.
-double sweep_discs(const LinearSpringDashpot& law, const DiscSweep& sweep);
-double sweep_discs(const LatchingSpring& law, const DiscSweep& sweep);
+/// What the pairs do to each other, without doing it.
+void find_pushes(const LinearSpringDashpot&, const Frictionless&, const DiscSweep&, DiscPushes&);
+void find_pushes(const LinearSpringDashpot&, const CoulombFriction&, const DiscSweep&, DiscPushes&);
+void find_pushes(const LatchingSpring&, const Frictionless&, const DiscSweep&, DiscPushes&);
+void find_pushes(const LatchingSpring&, const CoulombFriction&, const DiscSweep&, DiscPushes&);
+
+/// Kicks the discs and, if they do not turn, drifts them, whichever has a length other than 0; the largest square of
+/// the own speeds of those that have moved.
+double sweep_discs(const LinearSpringDashpot&, const Frictionless&, const DiscSweep&);
+double sweep_discs(const LinearSpringDashpot&, const CoulombFriction&, const DiscSweep&);
+double sweep_discs(const LatchingSpring&, const Frictionless&, const DiscSweep&);
+double sweep_discs(const LatchingSpring&, const CoulombFriction&, const DiscSweep&);
+
+/// Gives second discs that are of this sweep what others' first discs do to them.
+void receive(const DiscSweep& sweep, const DiscPushes& pushes);
+
+/// Stretches the springs of friction over the drift, before the discs move. `all`: the whole list.
+void stretch_contacts(const DiscSweep& sweep, const SweptPairs& all);
+
+/// Moves the discs; the largest square of their own speeds.
+double move_discs(const DiscSweep& sweep);
 
 }  // namespace talus

@@ -12,6 +12,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/base/vec.hpp"
+#include "solver/granular/disc_contact.hpp"
 #include "solver/granular/discs.hpp"
 #include "solver/granular/neighbour_list.hpp"
 #include "solver/laws/coulomb_friction.hpp"
@@ -19,11 +20,6 @@
 #include "solver/laws/settling.hpp"
 
 namespace talus {
-
-/// Discs without friction: they do not turn, and their contacts have no memory along the surface.
-struct Frictionless {
-  friend constexpr bool operator==(Frictionless, Frictionless) = default;
-};
 
 /// Many discs that push each other by one law along the line of their centres, and by friction across it if F is
 /// CoulombFriction: then they turn, each as a solid disc does.
@@ -38,6 +34,8 @@ template <Law L, class F = Frictionless>
 class DiscSystem {
  public:
   static constexpr bool turns = std::same_as<F, CoulombFriction>;
+  /// Whether what a contact has lost is known by its memory, to which steps add no error.
+  static constexpr bool loses_by_memory = requires(const L law) { law.lost(0.0); };
 
   /// skin [L] > 0: how far beyond contact the neighbour list reaches.
   DiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin, const F& friction = {})
@@ -116,19 +114,6 @@ class DiscSystem {
       out.vy[i] = wall_acceleration(shapes_.wall[i]);
   }
 
-  /// A pair that touches, as it stands.
-  struct Contact {
-    std::size_t a{}, b{};
-    double depth{};     ///< [L]
-    Vec2 n_ab;          ///< unit normal from a to b
-    double distance{};  ///< of the centres [L]
-    double force{};     ///< [F], > 0 pushes apart
-    double friction{};  ///< force on a along the normal turned counter-clockwise, on b the opposite [F]
-    double stored{};    ///< energy [F L]
-
-    /// On b, and the opposite on a [F].
-    Vec2 force_on_b() const { return force * n_ab - friction * cross(1.0, n_ab); }
-  };
   /// Calls visit(contact) for each pair whose law acts in the modes of the last evaluation.
   template <class Visit>
   void for_each_contact(const Discs& discs, Visit&& visit) const {
@@ -136,13 +121,13 @@ class DiscSystem {
                     [&](std::size_t a, std::size_t b, std::size_t pair, const Touch& touch) {
                       const auto memory = std::span{contacts_.memory}.subspan(pair * L::memory_size, L::memory_size);
                       const Mode mode = contacts_.mode[pair];
-                      Contact contact{.a = a,
-                                      .b = b,
-                                      .depth = touch.x.extent,
-                                      .n_ab = touch.n,
-                                      .distance = touch.distance,
-                                      .force = law_(touch.x, memory, mode).total(),
-                                      .stored = law_.stored_energy(touch.x, memory, mode)};
+                      DiscContact contact{.a = a,
+                                          .b = b,
+                                          .depth = touch.x.extent,
+                                          .n_ab = touch.n,
+                                          .distance = touch.distance,
+                                          .force = law_(touch.x, memory, mode).total(),
+                                          .stored = law_.stored_energy(touch.x, memory, mode)};
                       if constexpr (turns) {
                         contact.friction = friction_(contacts_.stretch[pair], contact.force);
                         contact.stored += friction_.stored_energy(contacts_.stretch[pair]);
@@ -276,7 +261,8 @@ class DiscSystem {
   }
 
   /// Calls act(first, second, push) for each pair whose law acts, and sums the powers that they keep [F L/T].
-  /// What changes of mode release is booked at once. Laws see these velocities, which act() leaves as they are.
+  /// What changes of mode release, and what a law loses by its memory, is booked at once. Laws see these velocities,
+  /// which act() leaves as they are.
   template <class Act>
   void evaluate_pairs(Discs& discs, const Velocities& v, std::array<double, mechanism_count>& powers, Act&& act) {
     ++evaluations_;
@@ -284,6 +270,7 @@ class DiscSystem {
     std::array<NeighbourList::Shift, NeighbourList::images> shifts;
     list_.shifts(discs.slid, shifts);
     double& released = discs.work[static_cast<std::size_t>(L::release)];
+    double& lost = discs.work[static_cast<std::size_t>(L::dissipation)];
     double power = 0.0;
     for (std::size_t i = 0; i < discs.size(); ++i) {
       const double x = discs.x[i], y = discs.y[i], radius = shapes_.radius[i];
@@ -298,14 +285,19 @@ class DiscSystem {
         // Discs that meet in a point are apart: a contact begins and ends with its overlap.
         if (touch.x.extent == 0.0) touch.x.extent = -std::numeric_limits<double>::min();
         const auto memory = std::span{contacts_.memory}.subspan(pair * L::memory_size, L::memory_size);
+        double largest = 0.0;
+        if constexpr (loses_by_memory) largest = memory[0];
         talus::settle(law_, memory, touch.x, mode, [&](double energy) { released += energy; });
+        if constexpr (loses_by_memory) {
+          if (memory[0] > largest) lost += law_.lost(memory[0]) - law_.lost(largest);
+        }
         const LawForce force = mode == 0 ? LawForce{} : law_(touch.x, memory, mode);
         Push push{.force = force.total() * touch.n};
         if constexpr (turns) rub(discs, v, {i, j, pair}, touch, force.total(), push);
         if (mode == 0) continue;
         if (shapes_.wall[i] != DiscShapes::free) wall_forces_[shapes_.wall[i]] -= push.force;
         if (shapes_.wall[j] != DiscShapes::free) wall_forces_[shapes_.wall[j]] += push.force;
-        power += force.dissipative * touch.x.extent_rate;
+        if constexpr (!loses_by_memory) power += force.dissipative * touch.x.extent_rate;
         act(i, j, push);
       }
     }

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
 
+#include "solver/base/error.hpp"
 #include "solver/base/pack.hpp"
-#include "solver/granular/disc_sweep.hpp"
 
 namespace talus {
 namespace {
@@ -25,36 +26,60 @@ double common(const std::vector<double>& numbers) {
   return equal && !numbers.empty() ? numbers.front() : 0.0;
 }
 
+/// Ends a list of touching pairs, whose arrays sweeps read and write to a pack beyond.
+void end_list(TouchingPairs& touching) {
+  touching.count = touching.pair.size();
+  const std::size_t room = touching.count + pack_size + 1;
+  touching.pair.resize(room, TouchingPairs::none);
+  for (auto* numbers : {&touching.largest, &touching.stretch, &touching.normal})
+    numbers->resize(room);
+}
+
 }  // namespace
 
-template <SettledLaw L>
-FastDiscSystem<L>::FastDiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin)
-    : shapes_{std::move(shapes)}, law_{law}, list_{box, skin}, skin_{skin} {
+template <SettledLaw L, class F>
+FastDiscSystem<L, F>::FastDiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin, const F& friction,
+                                     std::size_t threads)
+    : shapes_{std::move(shapes)}, law_{law}, friction_{friction}, list_{box, skin}, skin_{skin}, stripes_(threads) {
   equal_radii_ = 2.0 * common(shapes_.radius);
   equal_masses_ = common(shapes_.inverse_mass) != 0.0;
+  if (turns) {
+    for (const double radius : shapes_.radius)
+      per_mass_.push_back(2.0 / (radius * radius));
+  }
   wall_forces_.resize(shapes_.walls.size() + 1);
-  wall_impulses_.resize(wall_forces_.size());
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const std::size_t wall = shapes_.wall[i];
     if (wall != DiscShapes::free && shapes_.walls[wall - 1].mass > 0.0) moved_.push_back(i);
   }
 }
 
-template <SettledLaw L>
-void FastDiscSystem<L>::begin(Discs& discs) {
-  pairs_.count = 0;
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::begin(Discs& discs) {
+  if (turns) discs.spin.resize(discs.size());
+  for (Stripe& stripe : stripes_)
+    stripe.own_touching = {}, stripe.outgoing_touching = {};
+  lost_ = 0.0;
   rebuild(discs);
+  if (!turns) return;
+  // Contacts that are there stick.
+  std::vector<Kept> there;
+  list_.for_each_pair(discs, [&](std::size_t a, std::size_t b, std::size_t, Vec2 d, const auto&) {
+    if (norm(d) < shapes_.radius[a] + shapes_.radius[b])
+      there.push_back({.first = static_cast<std::uint32_t>(a), .second = static_cast<std::uint32_t>(b), .normal = 1.0});
+  });
+  take_contacts(there);
 }
 
-template <SettledLaw L>
-void FastDiscSystem<L>::kick(Discs& discs, double h) {
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::kick(Discs& discs, double h) {
   load(discs);
   sweep(h, 0.0);
   store(discs);
 }
 
-template <SettledLaw L>
-void FastDiscSystem<L>::drift(Discs& discs, double h) {
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::drift(Discs& discs, double h) {
   load(discs);
   sweep(0.0, h);
   end_drift(discs, h);
@@ -63,84 +88,203 @@ void FastDiscSystem<L>::drift(Discs& discs, double h) {
   store(discs);
 }
 
-template <SettledLaw L>
-void FastDiscSystem<L>::advance(Discs& discs, double h, long steps) {
-  load(discs);
-  std::fill(wall_impulses_.begin(), wall_impulses_.end(), Vec2{});
-  for (long n = 0; n < steps; ++n) {
-    sweep(h, h);
-    end_drift(discs, h);
-    discs.t += h;
-    for (std::size_t wall = 1; wall < wall_forces_.size(); ++wall)
-      wall_impulses_[wall] += h * wall_forces_[wall];
+/// Does the same for each stripe, by its own thread if there are several.
+template <SettledLaw L, class F>
+template <class Work>
+void FastDiscSystem<L, F>::each(Work&& work) {
+  if (team_ != nullptr) {
+    team_->each([&](std::size_t k) { work(stripes_[k]); });
+  } else {
+    for (Stripe& stripe : stripes_)
+      work(stripe);
   }
-  store(discs);
+}
+
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::evaluate(Discs& discs, DiscRates& out) {
+  load(discs);
+  rates_.assign(velocities_.size(), 0.0), spin_rates_.assign(spins_.size(), 0.0);
+  begin_kick();
+  // Impulses over a time of 1, to what stands still, are accelerations.
+  velocities_.swap(rates_), spins_.swap(spin_rates_);
+  sweep_pairs(1.0, 0.0);
+  velocities_.swap(rates_), spins_.swap(spin_rates_);
+  for (std::size_t i = 0; i < discs.size(); ++i)
+    out.vx[i] = rates_[2 * i], out.vy[i] = rates_[2 * i + 1];
+  std::copy(spin_rates_.begin(), spin_rates_.end(), out.spin.begin());
+  out.work.fill(0.0);
+}
+
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::settle(Discs& discs) {
+  DiscRates none{discs};
+  evaluate(discs, none);
+  --evaluations_;
 }
 
 /// One step, the parts of it whose length is not 0.
-template <SettledLaw L>
-void FastDiscSystem<L>::sweep(double kick, double drift) {
-  const Pairs& near = all_near_ ? pairs_ : near_;
-  const NeighbourList::Flow flow = list_.flow();
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::sweep(double kick, double drift) {
   if (kick != 0.0) begin_kick();
-  // Discs of walls that forces move wait until all forces are known: till then they flow with the mean.
+  double fastest = sweep_pairs(kick, turns ? 0.0 : drift);
+  if (turns && drift != 0.0) {
+    if (!ghost_disc_.empty()) list_.shifts(slid_, shifts_);
+    each([&](Stripe& stripe) {
+      if (kick == 0.0) place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
+      DiscSweep of = work(stripe, kick, drift);
+      stretch_contacts(of, pairs_);
+      of.touching = &stripe.outgoing_touching[turn_];
+      stretch_contacts(of, pairs_);
+    });
+    each([&](Stripe& stripe) { stripe.fastest = move_discs(work(stripe, kick, drift)); });
+    for (const Stripe& stripe : stripes_)
+      fastest = std::max(fastest, stripe.fastest);
+  }
+  way_ = list_.approach(drift, fastest);
+}
+
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::begin_kick() {
+  ++evaluations_;
+  turn_ = 1 - turn_;
+  if (sees_rates()) each([this](Stripe& stripe) { copy_before(stripe); });
+}
+
+/// The largest square of own speeds, if discs drift.
+template <SettledLaw L, class F>
+double FastDiscSystem<L, F>::sweep_pairs(double kick, double drift) {
+  const NeighbourList::Flow flow = list_.flow();
+  if (kick != 0.0) {
+    if (!ghost_disc_.empty()) list_.shifts(slid_, shifts_);
+    each([&](Stripe& stripe) { find_outgoing(stripe, kick); });
+  }
+  hold_walls(flow);
+  each([&](Stripe& stripe) {
+    const DiscSweep of = work(stripe, kick, drift);
+    for (const Stripe& earlier : stripes_) {
+      if (&earlier == &stripe || kick == 0.0) break;
+      receive(of, earlier.pushes);
+    }
+    stripe.fastest = sweep_discs(law_, friction_, of);
+  });
+  release_walls();
+  if (kick != 0.0) book_parted(), kick_walls(kick);
+  double fastest = 0.0;
+  for (const Stripe& stripe : stripes_)
+    fastest = std::max(fastest, stripe.fastest);
+  if (drift != 0.0) drift_walls(drift, flow, fastest);
+  return fastest;
+}
+
+/// Where discs of a wall that forces move are, and how they move, is kept until all forces are known: till then they
+/// flow with the mean.
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::hold_walls(const NeighbourList::Flow& flow) {
   for (std::size_t m = 0; m < moved_.size(); ++m) {
     double *const v = &velocities_[2 * moved_[m]], *const place = &places_[2 * moved_[m]];
     waiting_[m] = {{place[0], place[1]}, {v[0], v[1]}};
     v[0] = flow.x + flow.rate * place[1], v[1] = flow.y;
   }
-  const DiscSweep work{.kick = kick,
-                       .drift = drift,
-                       .flow = flow,
-                       .places = places_.data(),
-                       .velocities = velocities_.data(),
-                       .before = law_.needs_rate() ? before_.data() : nullptr,
-                       .discs = shapes_.size(),
-                       .ghost_disc = ghost_disc_.data(),
-                       .pairs = whole(near.count, pack_size),
-                       .first = near.first.data(),
-                       .second = near.second.data(),
-                       .listed = all_near_ ? nullptr : near.listed.data(),
-                       .radii = equal_radii_ > 0.0 ? nullptr : near.radii.data(),
-                       .equal_radii = equal_radii_,
-                       .inverse_mass = shapes_.inverse_mass.data(),
-                       .unlike = equal_masses_ ? std::size_t{0} : ~std::size_t{0},
-                       .wall = shapes_.walls.empty() ? nullptr : shapes_.wall.data(),
-                       .wall_forces = wall_forces_.data(),
-                       .pasts = pasts_.data(),
-                       .now = now_};
-  double fastest = sweep_discs(law_, work);
+}
+
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::release_walls() {
   for (std::size_t m = 0; m < moved_.size(); ++m) {
-    const std::size_t disc = moved_[m], wall = shapes_.wall[disc];
-    double *const v = &velocities_[2 * disc], *const place = &places_[2 * disc];
+    double *const v = &velocities_[2 * moved_[m]], *const place = &places_[2 * moved_[m]];
     place[0] = waiting_[m].place.x, place[1] = waiting_[m].place.y;
     v[0] = waiting_[m].v.x, v[1] = waiting_[m].v.y;
-    if (kick != 0.0)
-      v[1] += kick * (wall_forces_[wall].y / shapes_.walls[wall - 1].mass - shapes_.walls[wall - 1].gravity);
+  }
+}
+
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::kick_walls(double kick) {
+  if (shapes_.walls.empty()) return;
+  std::fill(wall_forces_.begin(), wall_forces_.end(), Vec2{});
+  for (const Stripe& stripe : stripes_) {
+    for (const WallPush& push : stripe.wall_pushes)
+      wall_forces_[push.wall] += push.force;
+  }
+  for (const std::size_t disc : moved_) {
+    const std::size_t wall = shapes_.wall[disc];
+    const DiscWall& moved = shapes_.walls[wall - 1];
+    velocities_[2 * disc + 1] += kick * (wall_forces_[wall].y / moved.mass - moved.gravity);
+  }
+}
+
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::drift_walls(double drift, const NeighbourList::Flow& flow, double& fastest) {
+  for (const std::size_t disc : moved_) {
+    double *const v = &velocities_[2 * disc], *const place = &places_[2 * disc];
     fastest = std::max(fastest, flow.own_speed_squared({v[0], v[1]}, place[1]));
     place[0] += drift * v[0], place[1] += drift * v[1];
   }
-  way_ = list_.approach(drift, fastest);
 }
 
-template <SettledLaw L>
-void FastDiscSystem<L>::begin_kick() {
-  ++evaluations_;
-  std::fill(wall_forces_.begin(), wall_forces_.end(), Vec2{});
-  ++now_;
-  if (!law_.needs_rate()) return;
-  std::copy(velocities_.begin(), velocities_.end(), before_.begin());
-  list_.shifts(slid_, shifts_);
-  double* ghost = &before_[velocities_.size()];
-  for (std::size_t g = 0; g < ghost_disc_.size(); ++g, ghost += 2) {
-    const double* const v = &velocities_[2 * std::size_t{ghost_disc_[g]}];
-    ghost[0] = v[0] + shifts_[ghost_image_[g]].vx, ghost[1] = v[1];
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::book_parted() {
+  if constexpr (remembers) {
+    parted_.clear();
+    for (const Stripe& stripe : stripes_)
+      parted_.insert(parted_.end(), stripe.parted.begin(), stripe.parted.end());
+    std::sort(parted_.begin(), parted_.end(), [](const auto& a, const auto& b) { return a.pair < b.pair; });
+    for (const PartedPair& parted : parted_)
+      lost_ += law_.lost(parted.largest);
   }
 }
 
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::copy_before(Stripe& stripe) {
+  std::copy(&velocities_[2 * stripe.begin], &velocities_[2 * stripe.end], &before_[2 * stripe.begin]);
+  if (turns) std::copy(&spins_[stripe.begin], &spins_[stripe.end], &spins_before_[stripe.begin]);
+}
+
+/// What goes out of a stripe.
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::find_outgoing(Stripe& stripe, double kick) {
+  place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
+  if (sees_rates()) place_ghosts(stripe, before_.data(), &NeighbourList::Shift::vx);
+  stripe.parted.clear(), stripe.wall_pushes.clear();
+  if (stripes_.size() == 1) return;
+  DiscSweep of = work(stripe, kick, 0.0);
+  of.pairs = &stripe.outgoing;
+  of.touching = &stripe.outgoing_touching[turn_], of.touched = &stripe.outgoing_touching[1 - turn_];
+  find_pushes(law_, friction_, of, stripe.pushes);
+}
+
+template <SettledLaw L, class F>
+DiscSweep FastDiscSystem<L, F>::work(Stripe& stripe, double kick, double drift) {
+  return {.kick = kick,
+          .drift = drift,
+          .flow = list_.flow(),
+          .places = places_.data(),
+          .velocities = velocities_.data(),
+          .spins = turns ? spins_.data() : nullptr,
+          .before = sees_rates() ? before_.data() : nullptr,
+          .spins_before = spins_before_.data(),
+          .discs = shapes_.size(),
+          .begin = stripe.begin,
+          .end = stripe.end,
+          .ghost_disc = ghost_disc_.data(),
+          .ghost_image = ghost_image_.data(),
+          .shifts = shifts_.data(),
+          .inverse_mass = shapes_.inverse_mass.data(),
+          .radius = shapes_.radius.data(),
+          .per_mass = per_mass_.data(),
+          .unlike_mass = equal_masses_ ? std::size_t{0} : ~std::size_t{0},
+          .unlike_radius = equal_radii_ > 0.0 ? std::size_t{0} : ~std::size_t{0},
+          .equal_radii = equal_radii_,
+          .wall = shapes_.walls.empty() ? nullptr : shapes_.wall.data(),
+          .pairs = all_near_ ? &pairs_ : &stripe.own,
+          .touched = &stripe.own_touching[1 - turn_],
+          .touching = &stripe.own_touching[turn_],
+          .parted = &stripe.parted,
+          .wall_pushes = &stripe.wall_pushes,
+          .outgoing = &stripe.pushes};
+}
+
 /// After all discs have moved: what lists them follows.
-template <SettledLaw L>
-void FastDiscSystem<L>::end_drift(Discs& discs, double h) {
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::end_drift(Discs& discs, double h) {
   slid_ += h * list_.box().sliding();
   list_.use(way_);
   used_ += way_;
@@ -148,173 +292,274 @@ void FastDiscSystem<L>::end_drift(Discs& discs, double h) {
     store(discs);
     if (!list_.holds(discs)) return rebuild(discs);
   }
-  place_ghosts();
   // Whether all are still to be near is asked again now and then.
   if (used_ > (all_near_ ? long_time * skin_ : (1.0 - round_off) * reach_)) prune();
 }
 
-template <SettledLaw L>
-void FastDiscSystem<L>::load(const Discs& discs) {
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::load(const Discs& discs) {
   for (std::size_t i = 0; i < discs.size(); ++i) {
     places_[2 * i] = discs.x[i], places_[2 * i + 1] = discs.y[i];
     velocities_[2 * i] = discs.vx[i], velocities_[2 * i + 1] = discs.vy[i];
   }
+  if (turns) std::copy(discs.spin.begin(), discs.spin.end(), spins_.begin());
   slid_ = discs.slid;
-  place_ghosts();
 }
 
-template <SettledLaw L>
-void FastDiscSystem<L>::store(Discs& discs) const {
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::store(Discs& discs) const {
   for (std::size_t i = 0; i < discs.size(); ++i) {
     discs.x[i] = places_[2 * i], discs.y[i] = places_[2 * i + 1];
     discs.vx[i] = velocities_[2 * i], discs.vy[i] = velocities_[2 * i + 1];
   }
+  if (turns) std::copy(spins_.begin(), spins_.end(), discs.spin.begin());
   discs.slid = slid_;
 }
 
-template <SettledLaw L>
-void FastDiscSystem<L>::place_ghosts() {
-  if (ghost_disc_.empty()) return;
-  list_.shifts(slid_, shifts_);
-  double* ghost = &places_[velocities_.size()];
-  for (std::size_t g = 0; g < ghost_disc_.size(); ++g, ghost += 2) {
-    const double* const place = &places_[2 * std::size_t{ghost_disc_[g]}];
+/// Of ghosts the places, or the velocities before the kick.
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::place_ghosts(Stripe& stripe, double* numbers, double NeighbourList::Shift::*along) {
+  const bool places = along == &NeighbourList::Shift::x;
+  double* ghost = numbers + velocities_.size() + 2 * stripe.first_ghost;
+  for (std::size_t g = stripe.first_ghost; g < stripe.end_of_ghosts; ++g, ghost += 2) {
+    const double* const of = numbers + 2 * std::size_t{ghost_disc_[g]};
     const NeighbourList::Shift& shift = shifts_[ghost_image_[g]];
-    ghost[0] = place[0] + shift.x, ghost[1] = place[1] + shift.y;
+    ghost[0] = of[0] + shift.*along, ghost[1] = places ? of[1] + shift.y : of[1];
   }
 }
 
 /// Lists the pairs anew; what contacts remember goes with them.
-template <SettledLaw L>
-void FastDiscSystem<L>::rebuild(Discs& discs) {
-  struct Contact {
-    std::uint32_t first, second;
-    double largest;
-  };
-  std::vector<Contact> touching;
-  if constexpr (remembers) {
-    for (std::size_t pair = 0; pair < pairs_.count; ++pair) {
-      if (pasts_[pair].sweep == now_)
-        touching.push_back({disc(pairs_.first[pair]), disc(pairs_.second[pair]), pasts_[pair].largest});
-    }
-  }
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::rebuild(Discs& discs) {
+  const std::vector<Kept> kept = kept_contacts();
   wrap(list_.box(), discs);
   list_.build(shapes_, discs);
   ++builds_;
+  list_stripes();
   list_places();
+  take_contacts(kept);
   load(discs);
-  now_ = 1;
-  if constexpr (remembers) {
-    pasts_.assign(whole(pairs_.count, pack_size), {});
-    for (const Contact& contact : touching) {
-      const std::size_t pair = list_.find(contact.first, contact.second);
-      if (pair < list_.size()) pasts_[pair] = {contact.largest, now_};
-    }
-  }
   prune();
 }
 
-/// Places of the discs, of the ghosts that the list needs, and one that is nowhere; the pairs of them.
-template <SettledLaw L>
-void FastDiscSystem<L>::list_places() {
-  const std::size_t discs = shapes_.size();
-  constexpr std::uint8_t here = NeighbourList::images / 2;
-  std::vector<std::pair<std::uint32_t, std::uint8_t>> ghosts;
-  for (std::size_t pair = 0; pair < list_.size(); ++pair) {
-    if (list_.image(pair) != here)
-      ghosts.emplace_back(static_cast<std::uint32_t>(list_.second(pair)), list_.image(pair));
-  }
-  std::sort(ghosts.begin(), ghosts.end());
-  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
-  ghost_disc_.clear(), ghost_image_.clear();
-  for (const auto& [disc, image] : ghosts)
-    ghost_disc_.push_back(disc), ghost_image_.push_back(image);
-  const std::size_t nowhere = discs + ghosts.size();
-  places_.resize(2 * (nowhere + 1));
-  velocities_.resize(2 * discs);
-  if (law_.needs_rate()) before_.resize(2 * (nowhere + 1));
-  std::fill(places_.end() - 2, places_.end(), std::numeric_limits<double>::quiet_NaN());
-  waiting_.resize(moved_.size());
+template <SettledLaw L, class F>
+auto FastDiscSystem<L, F>::kept_contacts() const -> std::vector<Kept> {
+  std::vector<Kept> kept;
+  if (!remembers && !turns) return kept;
+  for_each_touching([&](const TouchingPairs& touching, std::size_t t) {
+    const std::uint32_t pair = touching.pair[t];
+    Kept contact{.first = disc(pairs_.first[pair]), .second = disc(pairs_.second[pair])};
+    if (remembers) contact.largest = touching.largest[t];
+    if (turns) contact.stretch = touching.stretch[t], contact.normal = touching.normal[t];
+    kept.push_back(contact);
+  });
+  return kept;
+}
 
-  pairs_.clear();
-  pairs_.first.reserve(whole(list_.size(), pack_size)), pairs_.second.reserve(whole(list_.size(), pack_size));
-  for (std::size_t i = 0; i < list_.discs(); ++i) {
-    for (std::size_t pair = list_.begin(i); pair < list_.end(i); ++pair) {
-      const auto j = static_cast<std::uint32_t>(list_.second(pair));
-      std::size_t place = j;
-      if (list_.image(pair) != here) {
-        const auto ghost = std::lower_bound(ghosts.begin(), ghosts.end(), std::pair{j, list_.image(pair)});
-        place = discs + static_cast<std::size_t>(ghost - ghosts.begin());
-      }
-      pairs_.first.push_back(static_cast<std::uint32_t>(2 * i));
-      pairs_.second.push_back(static_cast<std::uint32_t>(2 * place));
-      if (equal_radii_ == 0.0) pairs_.radii.push_back(shapes_.radius[i] + shapes_.radius[j]);
+/// Contacts in the order of the pairs of the list, as at the last evaluation.
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::take_contacts(const std::vector<Kept>& kept) {
+  for (Stripe& stripe : stripes_) {
+    for (TouchingPairs* const touching : {&stripe.own_touching[turn_], &stripe.outgoing_touching[turn_]}) {
+      touching->pair.clear();
+      touching->largest.clear(), touching->stretch.clear(), touching->normal.clear();
     }
   }
+  for (const Kept& contact : kept) {
+    const std::size_t pair = list_.find(contact.first, contact.second);
+    if (pair == list_.size()) {
+      throw InputError{"contact: found one of the discs " + std::to_string(contact.first) + " and " +
+                       std::to_string(contact.second) + "; they must be near each other"};
+    }
+    const auto stripe =
+        std::find_if(stripes_.begin(), stripes_.end(), [&](const Stripe& of) { return contact.first < of.end; });
+    TouchingPairs& touching =
+        contact.second < stripe->end ? stripe->own_touching[turn_] : stripe->outgoing_touching[turn_];
+    touching.pair.push_back(static_cast<std::uint32_t>(pair));
+    touching.largest.push_back(contact.largest);
+    touching.stretch.push_back(contact.stretch), touching.normal.push_back(contact.normal);
+  }
+  for (Stripe& stripe : stripes_)
+    end_list(stripe.own_touching[turn_]), end_list(stripe.outgoing_touching[turn_]);
+}
+
+/// Stripes of about as many listed pairs each.
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::list_stripes() {
+  std::size_t disc = 0;
+  for (std::size_t s = 0; s < stripes_.size(); ++s) {
+    stripes_[s].begin = disc;
+    const std::size_t pairs = list_.size() * (s + 1) / stripes_.size();
+    while (disc < shapes_.size() && (s + 1 == stripes_.size() || list_.end(disc) <= pairs))
+      ++disc;
+    stripes_[s].end = disc;
+  }
+}
+
+/// Places of the discs, of the ghosts that the list needs, and one that is nowhere; the pairs of them.
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::list_places() {
+  const std::size_t discs = shapes_.size();
+  constexpr std::uint8_t here = NeighbourList::images / 2;
+  ghost_disc_.clear(), ghost_image_.clear();
+  pairs_.clear();
+  pairs_.first.reserve(whole(list_.size(), pack_size)), pairs_.second.reserve(whole(list_.size(), pack_size));
+  std::vector<std::pair<std::uint32_t, std::uint8_t>> ghosts;
+  for (Stripe& stripe : stripes_) {
+    ghosts.clear();
+    for (std::size_t i = stripe.begin; i < stripe.end; ++i) {
+      for (std::size_t pair = list_.begin(i); pair < list_.end(i); ++pair) {
+        if (list_.image(pair) != here)
+          ghosts.emplace_back(static_cast<std::uint32_t>(list_.second(pair)), list_.image(pair));
+      }
+    }
+    std::sort(ghosts.begin(), ghosts.end());
+    ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+    stripe.first_ghost = ghost_disc_.size(), stripe.end_of_ghosts = stripe.first_ghost + ghosts.size();
+    for (const auto& [disc, image] : ghosts)
+      ghost_disc_.push_back(disc), ghost_image_.push_back(image);
+    for (std::size_t i = stripe.begin; i < stripe.end; ++i) {
+      for (std::size_t pair = list_.begin(i); pair < list_.end(i); ++pair) {
+        const auto j = static_cast<std::uint32_t>(list_.second(pair));
+        std::size_t place = j;
+        if (list_.image(pair) != here) {
+          const auto ghost = std::lower_bound(ghosts.begin(), ghosts.end(), std::pair{j, list_.image(pair)});
+          place = discs + stripe.first_ghost + static_cast<std::size_t>(ghost - ghosts.begin());
+        }
+        pairs_.first.push_back(static_cast<std::uint32_t>(2 * i));
+        pairs_.second.push_back(static_cast<std::uint32_t>(2 * place));
+        if (equal_radii_ == 0.0) pairs_.radii.push_back(shapes_.radius[i] + shapes_.radius[j]);
+      }
+    }
+  }
+  const std::size_t nowhere = discs + ghost_disc_.size();
+  places_.resize(2 * (nowhere + 1));
+  velocities_.resize(2 * discs);
+  if (turns) spins_.resize(discs), spins_before_.resize(discs);
+  if (sees_rates()) before_.resize(2 * (nowhere + 1));
+  std::fill(places_.end() - 2, places_.end(), std::numeric_limits<double>::quiet_NaN());
+  waiting_.resize(moved_.size());
   fill_up(pairs_);
 }
 
-/// Fills the lanes behind the last pair with pairs that are nowhere.
-template <SettledLaw L>
-void FastDiscSystem<L>::fill_up(Pairs& pairs) {
+/// Fills the lanes behind the last pair, wherever packs begin, with pairs that are nowhere.
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::fill_up(SweptPairs& pairs) {
   pairs.count = pairs.first.size();
-  const std::size_t filled = whole(pairs.count, pack_size);
+  const std::size_t filled = pairs.count + pack_size;
   const auto nowhere = static_cast<std::uint32_t>(places_.size() - 2);
   pairs.first.resize(filled, nowhere), pairs.second.resize(filled, nowhere);
-  if (remembers) pairs.listed.resize(filled);
+  if (!pairs.listed.empty()) pairs.listed.resize(filled);
   if (equal_radii_ == 0.0) pairs.radii.resize(filled);
 }
 
 /// Makes the near list.
-template <SettledLaw L>
-void FastDiscSystem<L>::prune() {
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::prune() {
   used_ = 0.0;
   if (choose_reach()) return;
   ++prunings_;
-  const DiscSweep work{.places = places_.data(),
-                       .first = pairs_.first.data(),
-                       .second = pairs_.second.data(),
-                       .radii = equal_radii_ > 0.0 ? nullptr : pairs_.radii.data(),
-                       .equal_radii = equal_radii_};
+  if (!ghost_disc_.empty()) list_.shifts(slid_, shifts_);
+  each([this](Stripe& stripe) { prune(stripe); });
+}
+
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::prune(Stripe& stripe) {
+  place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
+  DiscSweep of = work(stripe, 0.0, 0.0);
+  of.pairs = &pairs_;
+  stripe.own.clear(), stripe.outgoing.clear();
+  const std::size_t from = stripe.begin < stripe.end ? list_.begin(stripe.begin) : 0;
+  const std::size_t last = stripe.begin < stripe.end ? list_.end(stripe.end - 1) : 0;
   std::array<std::uint32_t, sweep_block + pack_size> found;
-  near_.clear();
-  const std::size_t pairs = whole(pairs_.count, pack_size);
-  for (std::size_t from = 0; from < pairs; from += sweep_block) {
-    const std::size_t count = find_near(work, reach_, from, std::min(from + sweep_block, pairs), found.data());
-    for (std::size_t f = 0; f < count; ++f) {
+  for (std::size_t block = from; block < last; block += sweep_block) {
+    // Blocks end with a pack, and so a little behind the stripe.
+    const std::size_t to = std::min(block + sweep_block, block + whole(last - block, pack_size));
+    const std::size_t count = find_near(of, reach_, block, to, found.data());
+    for (std::size_t f = 0; f < count && found[f] < last; ++f) {
       const std::size_t pair = found[f];
-      near_.first.push_back(pairs_.first[pair]), near_.second.push_back(pairs_.second[pair]);
-      if (remembers) near_.listed.push_back(found[f]);
-      if (equal_radii_ == 0.0) near_.radii.push_back(pairs_.radii[pair]);
+      SweptPairs& near = disc(pairs_.second[pair]) < stripe.end ? stripe.own : stripe.outgoing;
+      near.first.push_back(pairs_.first[pair]), near.second.push_back(pairs_.second[pair]);
+      near.listed.push_back(found[f]);
+      if (equal_radii_ == 0.0) near.radii.push_back(pairs_.radii[pair]);
     }
   }
-  fill_up(near_);
+  fill_up(stripe.own), fill_up(stripe.outgoing);
 }
 
 /// The reach of the next near list from what the last one was like; whether all listed pairs are near instead.
-template <SettledLaw L>
-bool FastDiscSystem<L>::choose_reach() {
+template <SettledLaw L, class F>
+bool FastDiscSystem<L, F>::choose_reach() {
   all_near_ = false;
   if (reach_ == 0.0) reach_ = first_reach * skin_;
-  if (way_ == 0.0 || near_.count == 0) return false;
-  const double listed = static_cast<double>(pairs_.count), near = static_cast<double>(near_.count);
+  double near = 0.0;
+  for (const Stripe& stripe : stripes_)
+    near += static_cast<double>(stripe.own.count + stripe.outgoing.count);
+  if (way_ == 0.0 || near == 0.0) return false;
+  const double listed = static_cast<double>(pairs_.count);
   const double making = making_cost * listed * way_;
   const double least = std::min(2.0 * way_, skin_), last = reach_;
   reach_ = std::clamp(std::sqrt(making * last / near), least, skin_);
   const bool settled = std::abs(reach_ / last - 1.0) < 0.2;
-  return all_near_ = settled && near + making / last > worth * listed;
+  // Of several stripes the lists also part what goes out.
+  return all_near_ = stripes_.size() == 1 && settled && near + making / last > worth * listed;
 }
 
-template <SettledLaw L>
-double FastDiscSystem<L>::largest_overlap(std::size_t a, std::size_t b) const {
+template <SettledLaw L, class F>
+double FastDiscSystem<L, F>::largest_overlap(std::size_t a, std::size_t b) const {
+  double largest = 0.0;
   if constexpr (remembers) {
     const std::size_t pair = list_.find(std::min(a, b), std::max(a, b));
-    if (pair < list_.size() && pasts_[pair].sweep == now_) return pasts_[pair].largest;
+    for_each_touching([&](const TouchingPairs& touching, std::size_t t) {
+      if (touching.pair[t] == pair) largest = touching.largest[t];
+    });
   }
-  return 0.0;
+  return largest;
+}
+
+template <SettledLaw L, class F>
+double FastDiscSystem<L, F>::lost() const requires remembers {
+  double lost = lost_;
+  for_each_touching([&](const TouchingPairs& touching, std::size_t t) { lost += law_.lost(touching.largest[t]); });
+  return lost;
+}
+
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::remember(Memory& memory, const Discs& discs) {
+  memory.part("list", [&] { list_.remember(memory, shapes_); });
+  std::vector<double> first, second, largest, stretch, normal;
+  if (!memory.puts_back()) {
+    for (const Kept& contact : kept_contacts()) {
+      first.push_back(contact.first), second.push_back(contact.second);
+      largest.push_back(contact.largest), stretch.push_back(contact.stretch), normal.push_back(contact.normal);
+    }
+  }
+  memory.part("contact", [&] {
+    memory.list("first", first), memory.list("second", second);
+    memory.list("largest", largest), memory.list("stretch", stretch), memory.list("normal", normal);
+  });
+  memory.number("lost", lost_);
+  if (!memory.puts_back()) return;
+  for (const auto* numbers : {&second, &largest, &stretch, &normal}) {
+    if (numbers->size() != first.size()) {
+      throw InputError{"contact: found " + std::to_string(numbers->size()) + " numbers of one kind and " +
+                       std::to_string(first.size()) + " of another; there must be one of each for each contact"};
+    }
+  }
+  list_stripes();
+  list_places();
+  std::vector<Kept> kept;
+  for (std::size_t k = 0; k < first.size(); ++k)
+    kept.push_back({static_cast<std::uint32_t>(first[k]), static_cast<std::uint32_t>(second[k]), largest[k], stretch[k],
+                    normal[k]});
+  take_contacts(kept);
+  load(discs);
+  prune();
 }
 
 template class FastDiscSystem<LinearSpringDashpot>;
 template class FastDiscSystem<LatchingSpring>;
+template class FastDiscSystem<LinearSpringDashpot, CoulombFriction>;
+template class FastDiscSystem<LatchingSpring, CoulombFriction>;
 
 }  // namespace talus

@@ -1,31 +1,39 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
-#include "solver/base/huge_pages.hpp"
+#include "solver/base/team.hpp"
 #include "solver/base/vec.hpp"
+#include "solver/granular/disc_contact.hpp"
 #include "solver/granular/disc_sweep.hpp"
 #include "solver/granular/discs.hpp"
 #include "solver/granular/neighbour_list.hpp"
 #include "solver/laws/settled.hpp"
+#include "solver/laws/settling.hpp"
 
 namespace talus {
 
-/// Many discs without friction, several times as fast as DiscSystem, its plain twin, and with the same bits: places,
-/// velocities, forces on walls and what contacts remember. It keeps no account of work (Discs::work); the twin does.
+/// Many discs, several times as fast as DiscSystem, its plain twin, and with the same bits: places, velocities,
+/// accelerations, forces on walls and what contacts remember. Of work it keeps only what a law that remembers loses
+/// (lost()); the twin keeps all of it (Discs::work).
 ///
 /// How it comes to the same bits. A velocity is a sum of impulses, and rounds as their order says; in both the order is
 /// that of the pairs, by the number of the first disc, then of the second. All else is worked out for each pair, or
-/// each disc, alone, by the same expressions; whether that is done one by one or eight side by side, and how many of
-/// the pairs that do not touch are looked at, rounds nothing.
+/// each disc, alone, by the same expressions; whether that is done one by one or eight side by side, by which thread,
+/// and how many of the pairs that do not touch are looked at, rounds nothing.
 ///
 /// What makes it fast.
 /// 1. One sweep a step. The first of a pair has the smaller number. So once the pairs of first discs < i are done,
 ///    nobody asks for the place of a disc < i any more, and nobody pushes it: it can move on while it is still in the
 ///    cache. There are no arrays of forces: impulses go to the velocities of the pairs that touch, a tenth of all.
+///    (Friction stretches its springs with the velocities after the kick at the places before the drift, so that discs
+///    that turn move in a pass of their own.)
 /// 2. Three lists. The neighbour list reaches far and lasts long. Of it the near list takes the pairs whose surfaces
 ///    are less than s apart; it holds until sum w = s, where no pair comes nearer by more than w = 2 v_max h in a step,
 ///    with velocities from the mean flow that neighbours share (NeighbourList::approach). Looking at a near pair costs
@@ -37,20 +45,30 @@ namespace talus {
 /// 3. Lanes. Whether pairs are near, touch, and how they push is worked out eight pairs at a time; the two coordinates
 ///    of a disc lie side by side and are fetched at once. Pairs across a border have a ghost as second disc: one more
 ///    place, that of the disc's image.
-/// 4. Discs whose neighbours have neighbouring numbers: order_by_rows() and reordered() of disc_order.hpp give them.
+/// 4. Memory of contacts that touch only, as a list in the order of their pairs: a sweep that finds the touching pairs
+///    in that order goes along it. A pair that is not in it touches anew.
+/// 5. Discs whose neighbours have neighbouring numbers: order_by_rows() and reordered() of disc_order.hpp give them.
 ///
-/// What a contact remembers, its largest overlap, stands beside its listed pair with the number of the last sweep that
-/// found it touching: if that is not the sweep before, the contact is a new one. So pairs that part need no visit.
+/// Threads. Each has a stripe of discs with numbers that follow each other, and the pairs whose first disc is one of
+/// them. Of those the few whose second disc belongs to a later stripe come first: what they do is found while no disc
+/// moves. Then each thread gives its discs what comes in from earlier stripes, whose first discs have smaller numbers
+/// than all of its own; then it sweeps its own pairs, and gives the first discs of the pairs that go out their
+/// impulses where these stand in the order. So each velocity is the same sum as with one thread.
 ///
 /// Errors of all that lists pairs: InputError of NeighbourList::build.
-template <SettledLaw L>
+template <SettledLaw L, class F = Frictionless>
 class FastDiscSystem {
  public:
-  /// skin [L] > 0: how far beyond contact the neighbour list reaches.
-  FastDiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin);
+  static constexpr bool remembers = L::memory_size == 1, turns = std::same_as<F, CoulombFriction>;
+
+  /// skin [L] > 0: how far beyond contact the neighbour list reaches. threads >= 1: of advance(); worth it from some
+  /// thousand discs on, numbered by rows.
+  FastDiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin, const F& friction = {},
+                 std::size_t threads = 1);
 
   const DiscShapes& shapes() const { return shapes_; }
   const L& law() const { return law_; }
+  const F& friction() const { return friction_; }
   const NeighbourList& list() const { return list_; }
   long builds() const { return builds_; }
   /// Times that the near list was made.
@@ -58,87 +76,193 @@ class FastDiscSystem {
   long evaluations() const { return evaluations_; }
   /// Sum of the contact forces on a wall at the last evaluation [F].
   Vec2 wall_force(std::size_t wall) const { return wall_forces_[wall]; }
-  /// The same times the step, summed over the steps of the last advance() [F T].
-  Vec2 wall_impulse(std::size_t wall) const { return wall_impulses_[wall]; }
 
   /// Before the first step: contacts that are there have no past.
   void begin(Discs& discs);
   /// Gives all discs the impulses of their forces over h.
   void kick(Discs& discs, double h);
-  /// Moves all discs with their velocities.
+  /// Moves all discs with their velocities, and stretches the springs of friction with the slip.
   void drift(Discs& discs, double h);
-  /// So many times kick() and drift(): the steps of EulerCromer and CentralDifference. Takes the time with it.
-  void advance(Discs& discs, double h, long steps);
+  /// Brings up to date what contacts remember, and sums the accelerations; of works it gives none.
+  void evaluate(Discs& discs, DiscRates& out);
+  void settle(Discs& discs);
+  /// So many times kick() and drift(): the steps of EulerCromer and CentralDifference. Takes the time with it. Calls
+  /// after() behind each; place() tells it where a disc is, wall_force() what pushed walls.
+  template <class After>
+  void advance(Discs& discs, double h, long steps, After&& after);
+  void advance(Discs& discs, double h, long steps) {
+    advance(discs, h, steps, [] {});
+  }
+  /// During advance() [L].
+  Vec2 place(std::size_t disc) const { return {places_[2 * disc], places_[2 * disc + 1]}; }
 
+  /// Calls visit(contact) for each pair that touched at the last evaluation and still overlaps, in order, as the discs
+  /// stand now.
+  template <class Visit>
+  void for_each_contact(const Discs& discs, Visit&& visit) const;
   /// Of a pair by their numbers, whichever first, the largest overlap since the touch that the last evaluation left;
   /// 0 if it does not touch or the law does not remember [L].
   double largest_overlap(std::size_t a, std::size_t b) const;
+  /// What contacts of a law that remembers have lost so far [F L]. (Its sum rounds other than the twin's work.)
+  double lost() const requires remembers;
+
+  /// Names all that a run of these discs carries from step to step besides their state. `discs` are there already.
+  void remember(Memory& memory, const Discs& discs);
 
  private:
-  static constexpr bool remembers = L::memory_size == 1;
-
-  template <class T>
-  using Array = std::vector<T, HugePages<T>>;
-
-  /// Pairs in order, and behind them as many of places that are nowhere as fill the lanes.
-  struct Pairs {
-    Array<std::uint32_t> first, second;  ///< where the places begin; of a second disc across a border, its ghost's
-    Array<std::uint32_t> listed;         ///< of near pairs of laws that remember: which of the list
-    Array<double> radii;                 ///< their sum, if discs are unlike [L]
-    std::size_t count{};
-
-    void clear() { first.clear(), second.clear(), listed.clear(), radii.clear(); }
+  /// Discs of one thread and the pairs whose first they are.
+  struct Stripe {
+    std::size_t begin{}, end{};
+    std::size_t first_ghost{}, end_of_ghosts{};
+    SweptPairs own, outgoing;  ///< near ones: with both discs of the stripe, or only the first
+    std::array<TouchingPairs, 2> own_touching, outgoing_touching;  ///< of two evaluations in turn
+    DiscPushes pushes;                                             ///< of the outgoing ones
+    std::vector<PartedPair> parted;
+    std::vector<WallPush> wall_pushes;
+    double fastest{};  ///< square of own speed [L^2/T^2]
+  };
+  /// A contact between two lists.
+  struct Kept {
+    std::uint32_t first{}, second{};
+    double largest{}, stretch{}, normal{};
   };
 
+  template <class Work>
+  void each(Work&& work);
   void sweep(double kick, double drift);
   void begin_kick();
+  double sweep_pairs(double kick, double drift);
+  void copy_before(Stripe& stripe);
+  void find_outgoing(Stripe& stripe, double kick);
+  void hold_walls(const NeighbourList::Flow& flow);
+  void release_walls();
+  void kick_walls(double kick);
+  void drift_walls(double drift, const NeighbourList::Flow& flow, double& fastest);
+  void book_parted();
+  DiscSweep work(Stripe& stripe, double kick, double drift);
   void end_drift(Discs& discs, double h);
   void load(const Discs& discs);
   void store(Discs& discs) const;
-  void place_ghosts();
+  void place_ghosts(Stripe& stripe, double* numbers, double NeighbourList::Shift::*along);
   void rebuild(Discs& discs);
+  std::vector<Kept> kept_contacts() const;
+  void take_contacts(const std::vector<Kept>& kept);
+  void list_stripes();
   void list_places();
-  void fill_up(Pairs& pairs);
+  void fill_up(SweptPairs& pairs);
   void prune();
+  void prune(Stripe& stripe);
   bool choose_reach();
+  /// Calls visit(touching pairs, which of them) in the order of pairs.
+  template <class Visit>
+  void for_each_touching(Visit&& visit) const;
   /// The disc that is, or whose image is, at the place that begins there.
   std::uint32_t disc(std::uint32_t at) const {
     return at < velocities_.size() ? at / 2 : ghost_disc_[(at - velocities_.size()) / 2];
   }
+  bool sees_rates() const { return turns || law_.needs_rate(); }
 
   static constexpr double round_off = 1e-9;  ///< share of a reach that sums of ways may be off by
 
   DiscShapes shapes_;
   L law_;
+  F friction_;
   NeighbourList list_;
   double skin_;
   double equal_radii_{};  ///< sum of two radii if all are equal, else 0 [L]
   bool equal_masses_{};
+  std::vector<double> per_mass_;    ///< of discs that turn: 1/(inertia of a solid disc) over 1/mass [1/L^2]
   std::vector<std::size_t> moved_;  ///< discs of walls with a mass
   struct Waiting {
     Vec2 place, v;
   };
   std::vector<Waiting> waiting_;  ///< how they are during a sweep
 
-  Array<double> places_;      ///< x, y of the discs, of their ghosts and of nowhere [L]
-  Array<double> velocities_;  ///< of the discs [L/T]
-  Array<double> before_;      ///< of laws that need rates: velocities of all places before the kick
+  DiscArray<double> places_;                 ///< x, y of the discs, of their ghosts and of nowhere [L]
+  DiscArray<double> velocities_, spins_;     ///< of the discs [L/T, 1/T]
+  DiscArray<double> rates_, spin_rates_;     ///< of evaluate() [L/T^2, 1/T^2]
+  DiscArray<double> before_, spins_before_;  ///< if rates are seen: velocities of all places before the kick; spins
   std::vector<std::uint32_t> ghost_disc_;
   std::vector<std::uint8_t> ghost_image_;
   std::array<NeighbourList::Shift, NeighbourList::images> shifts_{};
   double slid_{};  ///< Discs::slid
 
-  Pairs pairs_, near_;
-  bool all_near_{};  ///< the near list is all pairs
-  double reach_{};   ///< s, of the near list beyond contact [L]
-  double used_{};    ///< of s [L]
-  double way_{};     ///< of the last step: no pair came nearer by more [L]
+  SweptPairs pairs_;             ///< all listed
+  std::vector<Stripe> stripes_;  ///< one for each thread
+  Team* team_{};                 ///< during advance(), of several threads
+  std::size_t turn_{};           ///< of the touching pairs those of the last evaluation
+  bool all_near_{};              ///< the near list is all pairs
+  double reach_{};               ///< s, of the near list beyond contact [L]
+  double used_{};                ///< of s [L]
+  double way_{};                 ///< of the last step: no pair came nearer by more [L]
 
-  Array<DiscContactPast> pasts_;  ///< of each listed pair
-  std::uint64_t now_{};           ///< number of the last sweep since the list was made, which counts as the first
-
-  std::vector<Vec2> wall_forces_, wall_impulses_;  ///< the first of no wall
+  double lost_{};  ///< by contacts that have ended [F L]
+  std::vector<PartedPair> parted_;
+  std::vector<Vec2> wall_forces_;  ///< the first of no wall
   long builds_{}, prunings_{}, evaluations_{};
 };
+
+template <SettledLaw L, class F>
+template <class After>
+void FastDiscSystem<L, F>::advance(Discs& discs, double h, long steps, After&& after) {
+  load(discs);
+  std::optional<Team> team;
+  if (stripes_.size() > 1) team_ = &team.emplace(stripes_.size());
+  for (long n = 0; n < steps; ++n) {
+    sweep(h, h);
+    end_drift(discs, h);
+    discs.t += h;
+    after();
+  }
+  team_ = nullptr;
+  store(discs);
+}
+
+template <SettledLaw L, class F>
+template <class Visit>
+void FastDiscSystem<L, F>::for_each_contact(const Discs& discs, Visit&& visit) const {
+  std::array<NeighbourList::Shift, NeighbourList::images> shifts;
+  list_.shifts(discs.slid, shifts);
+  for_each_touching([&](const TouchingPairs& touching, std::size_t t) {
+    const std::uint32_t pair = touching.pair[t];
+    const std::size_t a = disc(pairs_.first[pair]), b = disc(pairs_.second[pair]);
+    const NeighbourList::Shift& shift = shifts[list_.image(pair)];
+    const Vec2 d{(discs.x[b] + shift.x) - discs.x[a], (discs.y[b] + shift.y) - discs.y[a]};
+    const Vec2 v{(discs.vx[b] + shift.vx) - discs.vx[a], discs.vy[b] - discs.vy[a]};
+    const double distance = norm(d);
+    const Vec2 n = 1.0 / distance * d;
+    const Kinematics x{shapes_.radius[a] + shapes_.radius[b] - distance, -dot(v, n)};
+    if (!(x.extent > 0.0)) return;
+    std::array<double, 1> memory{};
+    if constexpr (remembers) memory[0] = touching.largest[t];
+    const std::span<double> remembered{memory.data(), L::memory_size};
+    Mode mode = 1;  // of what touches; settling finds whether another has followed
+    talus::settle(law_, remembered, x, mode, [](double) {});
+    DiscContact contact{.a = a, .b = b, .depth = x.extent, .n_ab = n, .distance = distance};
+    contact.force = mode == 0 ? 0.0 : law_(x, remembered, mode).total();
+    contact.stored = law_.stored_energy(x, remembered, mode);
+    if constexpr (turns) {
+      contact.friction = friction_(touching.stretch[t], contact.force);
+      contact.stored += friction_.stored_energy(touching.stretch[t]);
+    }
+    visit(contact);
+  });
+}
+
+template <SettledLaw L, class F>
+template <class Visit>
+void FastDiscSystem<L, F>::for_each_touching(Visit&& visit) const {
+  for (const Stripe& stripe : stripes_) {
+    const TouchingPairs &own = stripe.own_touching[turn_], &outgoing = stripe.outgoing_touching[turn_];
+    std::size_t out = 0;
+    for (std::size_t t = 0; t < own.count; ++t) {
+      for (; out < outgoing.count && outgoing.pair[out] < own.pair[t]; ++out)
+        visit(outgoing, out);
+      visit(own, t);
+    }
+    for (; out < outgoing.count; ++out)
+      visit(outgoing, out);
+  }
+}
 
 }  // namespace talus

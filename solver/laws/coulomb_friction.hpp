@@ -57,6 +57,23 @@ struct CoulombFriction {
     return std::clamp(stiffness * stretch, -limit, limit);
   }
 
+  /// begin(), then settle() and the force, while the normal force pushes: the same bits. Number is double, or a pack of
+  /// them that are worked out side by side.
+  template <class Number>
+  [[gnu::always_inline]] constexpr void begun(const Number& slip, const Number& normal, Number& stretch) const {
+    const Number limit = coefficient * normal / stiffness, back = -limit;
+    stretch = slip < back ? back : slip;
+    stretch = limit < stretch ? limit : stretch;
+  }
+  template <class Number>
+  [[gnu::always_inline]] constexpr void settled(const Number& normal, Number& stretch, Number& force) const {
+    begun(Number{stretch}, normal, stretch);
+    const Number limit = coefficient * normal, back = -limit;
+    force = stiffness * stretch;
+    force = force < back ? back : force;
+    force = limit < force ? limit : force;
+  }
+
   constexpr double stored_energy(double stretch) const { return 0.5 * stiffness * stretch * stretch; }
 
   /// Positive while the mode lasts; `slip_rate` [L/T] as in the stretch.
@@ -67,6 +84,11 @@ struct CoulombFriction {
   }
 
   friend constexpr bool operator==(const CoulombFriction&, const CoulombFriction&) = default;
+};
+
+/// Contacts without friction: bodies slip freely and are not turned.
+struct Frictionless {
+  friend constexpr bool operator==(Frictionless, Frictionless) = default;
 };
 
 }  // namespace talus

@@ -62,6 +62,11 @@ struct LatchingSpring {
     force = force > Number{} ? force : Number{};
   }
 
+  /// What a contact pressed so far for the first time can no longer give back [F L]: its work, less what it stores.
+  constexpr double lost(double largest) const {
+    return 0.5 * stiffness * largest * largest - energy(stiffness * largest, way_back(largest));
+  }
+
   constexpr double stored_energy(Kinematics x, std::span<const double> memory, Mode mode) const {
     if (mode == loading) return energy(stiffness * x.extent, way_back(x.extent));
     if (mode == unloading) return energy(unloading_force(x.extent, memory[0]), way_back(memory[0]));

@@ -16,6 +16,8 @@ namespace talus {
 ///                                            of them that are worked out side by side, each as it would be alone; all
 ///                                            by reference, as compilers hand over wide packs in different ways.
 ///   needs_rate()                             whether the rate has a part in the force
+///   lost(largest)                            of laws that remember: what a contact has lost so far [F L]
+/// Mode 1 is that of a contact that is pressed.
 template <class L>
 concept SettledLaw = Law<L> && L::memory_size <= 1 &&
                      requires(const L law, double overlap, double& largest, double& force) {

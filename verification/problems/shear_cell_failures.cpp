@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/granular/disc_system.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell_runs.hpp"
 

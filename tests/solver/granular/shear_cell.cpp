@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE(a_cell_is_filled_as_its_numbers_say) {
   system.begin(discs);
   system.kick(discs, 1e-9);
   long touching = 0;
-  system.for_each_contact(discs, [&](const System::Contact& contact) { touching += contact.depth > 0.0 ? 1 : 0; });
+  system.for_each_contact(discs, [&](const DiscContact& contact) { touching += contact.depth > 0.0 ? 1 : 0; });
   BOOST_TEST(touching == 0);
 }
 
