@@ -7,8 +7,9 @@
 #include <limits>
 
 // Marks a function that is compiled for several instruction sets, of which the loader takes the best that the
-// processor has: the same arithmetic on more lanes at once, and so the same bits.
-#if defined(__x86_64__) && !defined(__clang__)
+// processor has: the same arithmetic on more lanes at once, and so the same bits. With TALUS_PORTABLE it is compiled
+// once, for every processor.
+#if defined(__x86_64__) && !defined(__clang__) && !defined(TALUS_PORTABLE)
 #define TALUS_CLONES [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #else
 #define TALUS_CLONES

@@ -16,8 +16,8 @@ class Team {
   Team& operator=(const Team&) = delete;
 
   std::size_t size() const;
-  /// Calls work(k) for 0 <= k < size, each by another thread, and waits until all are done. Errors: what work(k) throws,
-  /// that of the smallest k.
+  /// Calls work(k) for 0 <= k < size, each by another thread, and waits until all are done. Errors: what work(k)
+  /// throws, that of the smallest k.
   void each(const std::function<void(std::size_t)>& work);
 
  private:

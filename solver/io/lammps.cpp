@@ -55,18 +55,29 @@ std::string walls(const LammpsScene& scene) {
   return text;
 }
 
-std::string pair_style(const LinearSpringDashpot& law, LammpsRun::Style style) {
+std::string pair_style(const LammpsScene& scene, LammpsRun::Style style) {
+  const LinearSpringDashpot& law = scene.law;
   if (style == LammpsRun::Style::gran_hooke) {
     if (law.damping != 0.0)
       throw InputError{
           fmt::format("damping: found {:g}; the style gran/hooke takes none of a contact, only 0", law.damping)};
-    return fmt::format("pair_style gran/hooke {:.17g} 0 0 0 0 0\npair_coeff * *\n", law.stiffness);
+    if (!scene.friction) return fmt::format("pair_style gran/hooke {:.17g} 0 0 0 0 0\npair_coeff * *\n", law.stiffness);
+    return fmt::format("pair_style gran/hooke/history {:.17g} {:.17g} 0 0 {:.17g} 0\npair_coeff * *\n", law.stiffness,
+                       scene.friction->stiffness, scene.friction->coefficient);
   }
   const bool clamped = law.end_rule == EndRule::clamped && law.damping != 0.0;
-  return fmt::format(
-      "pair_style granular\npair_coeff * * hooke {:.17g} {:.17g} tangential linear_nohistory 0.0 0.0 damping "
-      "velocity{}\n",
-      law.stiffness, law.damping, clamped ? " limit_damping" : "");
+  const std::string tangential = scene.friction ? fmt::format("linear_history {:.17g} 0.0 {:.17g}",
+                                                              scene.friction->stiffness, scene.friction->coefficient)
+                                                : "linear_nohistory 0.0 0.0";
+  return fmt::format("pair_style granular\npair_coeff * * hooke {:.17g} {:.17g} tangential {} damping velocity{}\n",
+                     law.stiffness, law.damping, tangential, clamped ? " limit_damping" : "");
+}
+
+/// Steps all discs; those that turn as solid discs.
+std::string motion(const LammpsScene& scene) {
+  if (!scene.friction) return "fix move all nve\n";
+  if (scene.shapes.walls.empty()) return "fix move all nve/sphere disc\n";
+  return "group walls subtract all free\nfix move free nve/sphere disc\nfix shift walls nve\n";
 }
 
 }  // namespace
@@ -94,7 +105,8 @@ std::string lammps_data(const LammpsScene& scene) {
   }
   text += "\nVelocities\n\n";
   for (std::size_t i = 0; i < shapes.size(); ++i)
-    fmt::format_to(out, "{} {:.17g} {:.17g} 0 0 0 0\n", i + 1, scene.discs.vx[i], scene.discs.vy[i]);
+    fmt::format_to(out, "{} {:.17g} {:.17g} 0 0 0 {:.17g}\n", i + 1, scene.discs.vx[i], scene.discs.vy[i],
+                   scene.discs.spin.empty() ? 0.0 : scene.discs.spin[i]);
   return text;
 }
 
@@ -104,16 +116,16 @@ std::string lammps_input(const LammpsScene& scene, const LammpsRun& run, const s
       "run 0\nundump forces\n";
   const auto border = [](bool repeats) { return repeats ? 'p' : 's'; };
   return fmt::format(
-             "# Discs in a plane without friction, written by Talus; {} steps of {:.17g}\n"
+             "# Discs in a plane, written by Talus; {} steps of {:.17g}\n"
              "units lj\ndimension 2\nnewton {}\nboundary {} {} p\natom_style sphere\ncomm_modify vel yes\n"
              "read_data {}\n",
              run.steps, run.step, run.newton ? "on" : "off", border(scene.box.repeats_x()),
              border(scene.box.repeats_y()), data_file) +
-         pair_style(scene.law, run.style) +
+         pair_style(scene, run.style) +
          fmt::format("neighbor {:.17g} bin\nneigh_modify every 1 delay 0 check yes\ngroup free type 1\n", run.skin) +
-         walls(scene) +
+         walls(scene) + motion(scene) +
          fmt::format(
-             "fix move all nve\ntimestep {:.17g}\ncompute energy free ke\n"
+             "timestep {:.17g}\ncompute energy free ke\n"
              "thermo_style custom step c_energy\nthermo_modify norm no format float %.17g\nthermo {}\n"
              "{}run {}\n",
              run.step, std::max(run.steps / 10, 1L), run.forces ? forces : "", run.steps);

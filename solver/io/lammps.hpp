@@ -1,21 +1,25 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "solver/granular/discs.hpp"
 #include "solver/granular/periodic_box.hpp"
+#include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
 
 namespace talus {
 
-/// Discs without friction as LAMMPS (Thompson et al. 2022) takes them: spheres in a plane, of which its granular pair
-/// styles know the linear spring-dashpot.
+/// Discs as LAMMPS (Thompson et al. 2022) takes them: spheres in a plane, of which its granular pair styles know the
+/// linear spring-dashpot and friction with memory. They let friction act at the radius of a disc, Talus in the middle
+/// of the overlap; discs of a wall do not turn in either.
 struct LammpsScene {
   DiscShapes shapes;
   Discs discs;
   PeriodicBox box;
   LinearSpringDashpot law;
+  std::optional<CoulombFriction> friction{};  ///< then discs turn, with the inertia of a solid disc
 };
 
 /// How LAMMPS is to step them, by velocity Verlet.
@@ -38,7 +42,8 @@ struct LammpsRun {
 
 /// Its input: reads the data, writes forces.txt (number, place and force of each disc), steps it, and prints the
 /// kinetic energy of the free discs ten times. Walls stand still, move on, or move along y under their mass and weight,
-/// as here. Errors: InputError for a dashpot with the style gran_hooke.
+/// as here. Errors: InputError for a dashpot with the style gran_hooke. Friction takes its variant with history, in
+/// either style.
 [[nodiscard]] std::string lammps_input(const LammpsScene& scene, const LammpsRun& run, const std::string& data_file);
 
 /// Writes both to a folder: discs.data and in.discs, for `lmp -in in.discs` there. Errors: as above, and IoError.

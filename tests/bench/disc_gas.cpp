@@ -1,8 +1,12 @@
 #include "tests/bench/disc_gas.hpp"
 
+#include <bit>
 #include <cmath>
+#include <ctime>
 #include <numbers>
 #include <random>
+
+#include "solver/granular/fast_disc_system.hpp"
 
 namespace talus::bench {
 
@@ -22,6 +26,22 @@ DiscGas lattice(std::size_t columns, std::size_t rows, double solid_fraction) {
     }
   }
   return gas;
+}
+
+GasRun run_gas(std::size_t columns, std::size_t rows, double solid_fraction, long steps) {
+  DiscGas gas = lattice(columns, rows, solid_fraction);
+  FastDiscSystem system{gas.shapes, gas.box, elastic, bench_skin};
+  system.begin(gas.discs);
+  system.advance(gas.discs, gas_step, 1000);
+  const std::clock_t start = std::clock();
+  system.advance(gas.discs, gas_step, steps);
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  GasRun run{.nanoseconds = 1e9 * seconds / static_cast<double>(steps) / static_cast<double>(gas.discs.size())};
+  for (const auto* numbers : {&gas.discs.x, &gas.discs.y, &gas.discs.vx, &gas.discs.vy}) {
+    for (const double number : *numbers)
+      run.bits = (run.bits ^ std::bit_cast<std::uint64_t>(number)) * 0x100000001b3U;
+  }
+  return run;
 }
 
 }  // namespace talus::bench

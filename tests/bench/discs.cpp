@@ -1,29 +1,30 @@
 /// Disc-steps a second of Talus beside LAMMPS, from the same start, in turn within one run: `make bench-discs`.
+/// Arguments choose tables: --cell, --one, --friction, --two; none chooses all. --quick leaves a million discs out.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <chrono>
+#include <cstdio>
 #include <ctime>
-#include <filesystem>
 #include <fstream>
 #include <functional>
-#include <random>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/shear_cell.hpp"
-#include "solver/io/lammps.hpp"
 #include "tests/bench/disc_gas.hpp"
+#include "tests/bench/lammps_program.hpp"
 
 namespace {
 
 using namespace talus;
 using namespace talus::bench;
-namespace fs = std::filesystem;
 
-constexpr double plain_skin = 0.3, fast_skin = 0.5;
+constexpr double plain_skin = 0.3;
 
 /// Of the processor, so that other programs on the machine do not count.
 double seconds_of(const std::function<void()>& work) {
@@ -32,146 +33,248 @@ double seconds_of(const std::function<void()>& work) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
+/// Of the clock: of several threads at once.
+double clock_seconds_of(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 double median(std::vector<double> times) {
   std::sort(times.begin(), times.end());
   return times.empty() ? 0.0 : times[times.size() / 2];
 }
 
-/// LAMMPS in a folder of its own.
-class Lammps {
- public:
-  Lammps() : there_{std::system("command -v lmp > /dev/null 2>&1") == 0} {
-    folder_ = fs::temp_directory_path() / fmt::format("talus_bench_discs_{}", std::random_device{}());
-  }
-  ~Lammps() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  Lammps(const Lammps&) = delete;
-  Lammps& operator=(const Lammps&) = delete;
-
-  bool there() const { return there_; }
-  /// Seconds of the processor in its loop over all steps, as it says itself: without reading and setting up.
-  double seconds(const LammpsScene& scene, const LammpsRun& run) const {
-    export_lammps(folder_, scene, run);
-    const std::string command = fmt::format("cd '{}' && lmp -in in.discs > screen.txt 2>&1", folder_.string());
-    if (std::system(command.c_str()) != 0) return 0.0;
-    std::ifstream log{folder_ / "log.lammps"};
-    double seconds = 0.0;
-    for (std::string line; std::getline(log, line);) {
-      if (line.rfind("Loop time of ", 0) == 0) seconds = std::stod(line.substr(13));
-      if (line.find("% CPU use") != std::string::npos) seconds *= 0.01 * std::stod(line);
-    }
-    return seconds;
-  }
-
- private:
-  bool there_;
-  fs::path folder_;
-};
+/// Of each round's times.
+double median_ratio(std::vector<double> over, const std::vector<double>& under) {
+  for (std::size_t round = 0; round < over.size(); ++round)
+    over[round] /= under[round];
+  return median(over);
+}
 
 std::string words(const LammpsRun& run) {
   return fmt::format("{}, newton {}, skin {:.2f}", run.style == LammpsRun::Style::granular ? "granular" : "gran/hooke",
                      run.newton ? "on" : "off", run.skin);
 }
 
-/// The fastest of its styles, of newton on and off, and of several skins.
-LammpsRun best_run(const Lammps& lammps, const LammpsScene& scene, long steps) {
-  LammpsRun best{.step = gas_step, .steps = steps, .skin = 0.3, .style = LammpsRun::Style::gran_hooke, .forces = false};
-  double least = lammps.seconds(scene, best);
-  const auto attempt = [&](LammpsRun run) {
-    const double seconds = lammps.seconds(scene, run);
-    if (seconds < least) best = run, least = seconds;
-  };
-  for (const double skin : {0.05, 0.1, 0.15, 0.2, 0.5, 0.7}) {
-    LammpsRun run = best;
-    run.skin = skin;
-    attempt(run);
-  }
-  LammpsRun run = best;
-  run.newton = false;
-  attempt(run);
-  run = best;
-  run.style = LammpsRun::Style::granular;
-  attempt(run);
-  return best;
-}
-
 struct Size {
   std::size_t columns, rows;
   double solid_fraction;
+  std::size_t discs() const { return columns * rows; }
+  bool large() const { return discs() > 200000; }
+  long steps(double disc_steps) const { return std::max(200L, std::lround(disc_steps / static_cast<double>(discs()))); }
+  /// Nanoseconds a disc-step.
+  double ns(double seconds, long steps) const {
+    return 1e9 * seconds / static_cast<double>(steps) / static_cast<double>(discs());
+  }
+  int rounds() const { return large() ? 3 : 5; }
 };
 
-/// Nanoseconds a disc-step of each, in turn.
-void print_gas(const Lammps& lammps, const Size& size, LammpsRun& best) {
+std::vector<Size> sizes(double solid_fraction, bool quick) {
+  std::vector<Size> all{{25, 40, solid_fraction}, {100, 100, solid_fraction}, {250, 400, solid_fraction}};
+  if (!quick) all.push_back({1000, 1000, solid_fraction});
+  return all;
+}
+
+/// The gas after it has mixed.
+DiscGas mixed(const Size& size) {
   DiscGas gas = lattice(size.columns, size.rows, size.solid_fraction);
-  const std::size_t discs = gas.discs.size();
-  {
-    FastDiscSystem mixing{gas.shapes, gas.box, elastic, fast_skin};
-    mixing.begin(gas.discs);
-    mixing.advance(gas.discs, gas_step, 1000);
+  FastDiscSystem mixing{gas.shapes, gas.box, elastic, bench_skin};
+  mixing.begin(gas.discs);
+  mixing.advance(gas.discs, gas_step, 1000);
+  return gas;
+}
+
+/// What a command says.
+std::string answer(const std::string& command) {
+  std::string text;
+  if (FILE* const pipe = ::popen(command.c_str(), "r")) {
+    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe))
+      text.push_back(static_cast<char>(c));
+    ::pclose(pipe);
   }
+  return text;
+}
+
+/// The portable build's nanoseconds over ours, in turn; says so if its bits are others.
+std::string portable_ratio(const Size& size) {
+  std::vector<double> theirs, ours;
+  const long steps = size.steps(3e7);
+  for (int round = 0; round < 3; ++round) {
+    const std::string said = answer(
+        fmt::format("'{}' {} {} {} {}", TALUS_PORTABLE_DISCS, size.columns, size.rows, size.solid_fraction, steps));
+    const GasRun run = run_gas(size.columns, size.rows, size.solid_fraction, steps);
+    const std::size_t space = said.find(' ');
+    if (space == std::string::npos) return "none";
+    if (std::stoull(said.substr(space)) != run.bits) return "BITS";
+    theirs.push_back(std::stod(said)), ours.push_back(run.nanoseconds);
+  }
+  return fmt::format("{:.2f}", median_ratio(theirs, ours));
+}
+
+double resident_bytes() {
+  std::ifstream status{"/proc/self/statm"};
+  double pages = 0.0;
+  status >> pages >> pages;
+  return pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+/// Bytes a disc that a system and its discs take once lists have been made again: of a process of its own.
+template <class L, class F>
+double bytes_of(const Size& size, const L& law, const F& friction) {
+  const double before = resident_bytes();
+  const auto gas = std::make_unique<DiscGas>(lattice(size.columns, size.rows, size.solid_fraction));
+  FastDiscSystem system{gas->shapes, gas->box, law, bench_skin, friction};
+  system.begin(gas->discs);
+  system.advance(gas->discs, gas_step, 600);
+  return (resident_bytes() - before) / static_cast<double>(size.discs());
+}
+
+int print_bytes(char** arguments) {
+  const Size size{std::stoul(arguments[0]), std::stoul(arguments[1]), std::stod(arguments[2])};
+  const std::string which = arguments[3];
+  fmt::print("{}\n", which == "linear"     ? bytes_of(size, elastic, Frictionless{})
+                     : which == "latching" ? bytes_of(size, remembering, Frictionless{})
+                                           : bytes_of(size, elastic, rough));
+  return 0;
+}
+
+double bytes(const std::string& self, const Size& size, const char* which) {
+  const std::string said =
+      answer(fmt::format("'{}' --bytes {} {} {} {}", self, size.columns, size.rows, size.solid_fraction, which));
+  return said.empty() ? 0.0 : std::stod(said);
+}
+
+void print_gas(const LammpsProgram& lammps, const Size& size, LammpsRun& best, const std::string& self) {
+  const DiscGas gas = mixed(size);
   const LammpsScene scene{gas.shapes, gas.discs, gas.box, elastic};
-  const bool large = discs > 200000;
-  const auto steps_for = [&](double disc_steps) {
-    return std::max(200L, std::lround(disc_steps / static_cast<double>(discs)));
-  };
-  if (lammps.there() && !large) best = best_run(lammps, scene, steps_for(2e7));
-  best.steps = steps_for(3e7);
+  if (lammps.there() && !size.large()) best = lammps.best_run(scene, gas_step, size.steps(2e7));
+  best.steps = size.steps(3e7);
 
   DiscSystem plain{gas.shapes, gas.box, elastic, plain_skin};
-  FastDiscSystem linear{gas.shapes, gas.box, elastic, fast_skin};
-  FastDiscSystem latching{gas.shapes, gas.box, remembering, fast_skin};
+  FastDiscSystem linear{gas.shapes, gas.box, elastic, bench_skin};
+  FastDiscSystem latching{gas.shapes, gas.box, remembering, bench_skin};
   Discs plain_discs = gas.discs, linear_discs = gas.discs, latching_discs = gas.discs;
   plain.begin(plain_discs), linear.begin(linear_discs), latching.begin(latching_discs);
-  const long plain_steps = steps_for(2e7), fast_steps = steps_for(large ? 4e8 : 1e8);  // several lists
-  const auto ns = [&](double seconds, long steps) {
-    return 1e9 * seconds / static_cast<double>(steps) / static_cast<double>(discs);
-  };
+  const long plain_steps = size.steps(2e7), fast_steps = size.steps(size.large() ? 4e8 : 1e8);  // several lists
   std::vector<double> theirs, ours, fast, memory;
-  for (int round = 0; round < (large ? 3 : 5); ++round) {
-    if (lammps.there()) theirs.push_back(ns(lammps.seconds(scene, best), best.steps));
-    fast.push_back(ns(seconds_of([&] { linear.advance(linear_discs, gas_step, fast_steps); }), fast_steps));
-    memory.push_back(ns(seconds_of([&] { latching.advance(latching_discs, gas_step, fast_steps); }), fast_steps));
-    ours.push_back(ns(seconds_of([&] {
-                        for (long n = 0; n < plain_steps; ++n)
-                          plain.kick(plain_discs, gas_step), plain.drift(plain_discs, gas_step);
-                      }),
-                      plain_steps));
+  for (int round = 0; round < size.rounds(); ++round) {
+    if (lammps.there()) theirs.push_back(size.ns(lammps.seconds(scene, best), best.steps));
+    fast.push_back(size.ns(seconds_of([&] { linear.advance(linear_discs, gas_step, fast_steps); }), fast_steps));
+    memory.push_back(size.ns(seconds_of([&] { latching.advance(latching_discs, gas_step, fast_steps); }), fast_steps));
+    ours.push_back(size.ns(seconds_of([&] {
+                             for (long n = 0; n < plain_steps; ++n)
+                               plain.kick(plain_discs, gas_step), plain.drift(plain_discs, gas_step);
+                           }),
+                           plain_steps));
   }
-  const auto ratio = [&](std::vector<double> to) {
-    for (std::size_t round = 0; round < to.size(); ++round)
-      to[round] /= fast[round];
-    return median(to);
-  };
   const double l = median(theirs), f = median(fast);
-  fmt::print("{:>9} {:>5.2f} {:>9.1f} {:>9.1f} {:>9.2f} {:>9.2f} {:>12.3g} {:>12.3g} {:>9.1f} {:>9.1f} {:>9.2f}   {}\n",
-             discs, size.solid_fraction, l, median(ours), f, median(memory), l > 0.0 ? 1e9 / l : 0.0, 1e9 / f,
-             ratio(theirs), ratio(ours), ratio(memory), lammps.there() ? words(best) : "");
+  fmt::print(
+      "{:>9} {:>5.2f} {:>8.1f} {:>8.1f} {:>8.2f} {:>8.2f} {:>11.3g} {:>11.3g} {:>8.1f} {:>8.1f} {:>8.2f} {:>8} "
+      "{:>6.0f} "
+      "{:>6.0f}   {}\n",
+      size.discs(), size.solid_fraction, l, median(ours), f, median(memory), l > 0.0 ? 1e9 / l : 0.0, 1e9 / f,
+      median_ratio(theirs, fast), median_ratio(ours, fast), median_ratio(memory, fast), portable_ratio(size),
+      bytes(self, size, "linear"), bytes(self, size, "latching"), lammps.there() ? words(best) : "");
   std::fflush(stdout);
 }
 
-void print_gases() {
-  const Lammps lammps;
-  if (!lammps.there()) fmt::print("LAMMPS is not installed (Debian: apt-get install lammps); Talus alone:\n");
+void print_gases(const LammpsProgram& lammps, bool quick, const std::string& self) {
   fmt::print(
-      "Equal discs without friction in a periodic box, elastic, step t_c/20, one core, double precision; each line in "
+      "\nEqual discs without friction in a periodic box, elastic, step t_c/20, one core, double precision; each line "
+      "in "
       "turn, medians,\nof ratios also. ns of the processor a disc-step. LAMMPS at the fastest of its styles, newton on "
-      "and off and seven skins (neither "
-      "style has "
-      "an -sf opt variant);\nit steps spheres in three dimensions, of which it also sums the torques. The gas is a "
-      "crystal: "
-      "a lattice after 50 contact times.\nplain: DiscSystem, which also keeps the account of work. fast: "
-      "FastDiscSystem with the "
-      "same bits. latching: with memory, the same motion.\n\n");
-  fmt::print("{:>9} {:>5} {:>9} {:>9} {:>9} {:>9} {:>12} {:>12} {:>9} {:>9} {:>9}\n", "discs", "phi", "LAMMPS", "plain",
-             "fast", "latching", "LAMMPS 1/s", "fast 1/s", "LAMMPS/f", "plain/f", "latch/f");
+      "and off and seven skins (neither\nstyle has an -sf opt variant); it steps spheres in three dimensions, of which "
+      "it "
+      "also sums the torques. The gas is a crystal:\na lattice after 50 contact times. plain: DiscSystem, one pair "
+      "after "
+      "the other. fast: FastDiscSystem with the same bits.\nlatching: with memory, the same motion. portable: fast "
+      "without "
+      "AVX, the same bits. bytes a disc: fast, and latching.\n\n");
+  fmt::print("{:>9} {:>5} {:>8} {:>8} {:>8} {:>8} {:>11} {:>11} {:>8} {:>8} {:>8} {:>8} {:>6} {:>6}\n", "discs", "phi",
+             "LAMMPS", "plain", "fast", "latching", "LAMMPS 1/s", "fast 1/s", "LAMMPS/f", "plain/f", "latch/f",
+             "port./f", "bytes", "latch");
   for (const double solid_fraction : {0.75, 0.84, 0.90}) {
     LammpsRun best;
-    for (const auto& [columns, rows] :
-         {std::pair<std::size_t, std::size_t>{25, 40}, {100, 100}, {250, 400}, {1000, 1000}}) {
-      if (solid_fraction == 0.90 && columns != 100) continue;
-      print_gas(lammps, {columns, rows, solid_fraction}, best);
+    for (const Size& size : sizes(solid_fraction, quick)) {
+      if (solid_fraction < 0.9 || size.columns == 100) print_gas(lammps, size, best, self);
+    }
+  }
+}
+
+/// Friction takes energy out: each round begins anew.
+void print_rough_gases(const LammpsProgram& lammps, bool quick) {
+  fmt::print(
+      "\nThe same discs with friction .5 (k_s = .7 k) and spin; LAMMPS with its history of stretch, spheres that turn "
+      "as "
+      "discs.\nEach round begins with the same state, which cools.\n\n{:>9} {:>5} {:>8} {:>8} {:>8} {:>8} {:>8}\n",
+      "discs", "phi", "LAMMPS", "plain", "fast", "LAMMPS/f", "plain/f");
+  for (const double solid_fraction : {0.75, 0.84}) {
+    LammpsRun best;
+    for (const Size& size : sizes(solid_fraction, quick)) {
+      const DiscGas gas = mixed(size);
+      const LammpsScene scene{gas.shapes, gas.discs, gas.box, elastic, rough};
+      if (lammps.there() && !size.large()) best = lammps.best_run(scene, gas_step, size.steps(1e7));
+      const long steps = best.steps = size.steps(2e7), plain_steps = size.steps(1e7);
+      std::vector<double> theirs, plain, fast;
+      for (int round = 0; round < size.rounds(); ++round) {
+        if (lammps.there()) theirs.push_back(size.ns(lammps.seconds(scene, best), steps));
+        Discs discs = gas.discs;
+        FastDiscSystem system{gas.shapes, gas.box, elastic, bench_skin, rough};
+        system.begin(discs);
+        fast.push_back(size.ns(seconds_of([&] { system.advance(discs, gas_step, steps); }), steps));
+        discs = gas.discs;
+        DiscSystem twin{gas.shapes, gas.box, elastic, plain_skin, rough};
+        twin.begin(discs);
+        plain.push_back(size.ns(seconds_of([&] {
+                                  for (long n = 0; n < plain_steps; ++n)
+                                    twin.kick(discs, gas_step), twin.drift(discs, gas_step);
+                                }),
+                                plain_steps));
+      }
+      fmt::print("{:>9} {:>5.2f} {:>8.1f} {:>8.1f} {:>8.2f} {:>8.1f} {:>8.1f}   {}\n", size.discs(),
+                 size.solid_fraction, median(theirs), median(plain), median(fast), median_ratio(theirs, fast),
+                 median_ratio(plain, fast), lammps.there() ? words(best) : "");
+      std::fflush(stdout);
+    }
+  }
+}
+
+void print_two_cores(const LammpsProgram& lammps, bool quick) {
+  fmt::print(
+      "\nThe first gas on two cores, ns of the clock a disc-step: LAMMPS by MPI, fast by two threads with the bits of "
+      "one.\none/two: how much faster two are than one.\n\n{:>9} {:>5} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n",
+      "discs", "phi", "LAMMPS", "one/two", "fast", "one/two", "latch", "LAMMPS/f");
+  for (const double solid_fraction : {0.75, 0.84}) {
+    LammpsRun best;
+    for (const Size& size : sizes(solid_fraction, quick)) {
+      const DiscGas gas = mixed(size);
+      const LammpsScene scene{gas.shapes, gas.discs, gas.box, elastic};
+      if (lammps.has_mpi() && !size.large()) best = lammps.best_run(scene, gas_step, size.steps(1e7));
+      best.steps = size.steps(3e7);
+      FastDiscSystem one{gas.shapes, gas.box, elastic, bench_skin};
+      FastDiscSystem two{gas.shapes, gas.box, elastic, bench_skin, Frictionless{}, 2};
+      FastDiscSystem memory{gas.shapes, gas.box, remembering, bench_skin, Frictionless{}, 2};
+      Discs of_one = gas.discs, of_two = gas.discs, of_memory = gas.discs;
+      one.begin(of_one), two.begin(of_two), memory.begin(of_memory);
+      const long steps = size.steps(size.large() ? 2e8 : 1e8);
+      std::vector<double> their_one, their_two, alone, together, latching;
+      for (int round = 0; round < size.rounds(); ++round) {
+        if (lammps.has_mpi()) {
+          their_one.push_back(size.ns(lammps.seconds(scene, best), best.steps));
+          their_two.push_back(size.ns(lammps.seconds(scene, best, 2), best.steps));
+        }
+        const auto time = [&](auto& system, Discs& discs) {
+          return size.ns(clock_seconds_of([&] { system.advance(discs, gas_step, steps); }), steps);
+        };
+        alone.push_back(time(one, of_one)), together.push_back(time(two, of_two));
+        latching.push_back(time(memory, of_memory));
+      }
+      fmt::print("{:>9} {:>5.2f} {:>8.1f} {:>8.2f} {:>8.2f} {:>8.2f} {:>8.2f} {:>8.1f}   {}\n", size.discs(),
+                 size.solid_fraction, median(their_two), median_ratio(their_one, their_two), median(together),
+                 median_ratio(alone, together), median(latching), median_ratio(their_two, together),
+                 of_one == of_two ? "the same bits" : "OTHER BITS");
+      std::fflush(stdout);
     }
   }
 }
@@ -182,10 +285,10 @@ void print_cell() {
   const double h = cell.contact_time() / 20.0;
   constexpr long steps = 50000;
   DiscSystem plain{filled.shapes, filled.box, cell.law, 0.3 * cell.diameter};
-  FastDiscSystem fast{filled.shapes, filled.box, cell.law, 0.9 * cell.diameter};
+  FastDiscSystem fast{filled.shapes, filled.box, cell.law, 0.3 * cell.diameter};
   Discs plain_discs = filled.discs, fast_discs = filled.discs;
   plain.begin(plain_discs), fast.begin(fast_discs);
-  std::vector<double> one, other, single;
+  std::vector<double> one, other;
   for (int round = 0; round < 15; ++round) {
     const auto us = [&](const std::function<void()>& work) { return 1e6 * seconds_of(work) / steps; };
     one.push_back(us([&] {
@@ -193,23 +296,25 @@ void print_cell() {
         plain.kick(plain_discs, h), plain.drift(plain_discs, h);
     }));
     other.push_back(us([&] { fast.advance(fast_discs, h, steps); }));
-    single.push_back(us([&] {
-      for (long n = 0; n < steps; ++n)
-        fast.advance(fast_discs, h, 1);
-    }));
   }
   fmt::print(
-      "\nShear cell of 80 discs and 22 of walls, microseconds a step, median and least: plain {:.3f} ({:.3f}), fast "
-      "{:.3f} "
-      "({:.3f}), fast asked step by step {:.3f} ({:.3f})\n",
+      "Shear cell of 80 discs and 22 of walls, microseconds a step, median and least: plain {:.3f} ({:.3f}), fast "
+      "{:.3f} ({:.3f}).\n  Of {} steps {} made the list, {} the near list.\n",
       median(one), *std::min_element(one.begin(), one.end()), median(other),
-      *std::min_element(other.begin(), other.end()), median(single), *std::min_element(single.begin(), single.end()));
-  fmt::print("  of {} steps {} made the list, {} the near list\n", fast.evaluations(), fast.builds(), fast.prunings());
+      *std::min_element(other.begin(), other.end()), fast.evaluations(), fast.builds(), fast.prunings());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  print_cell();
-  if (argc < 2 || std::string{argv[1]} != "--cell") print_gases();
+  if (argc == 6 && std::string{argv[1]} == "--bytes") return print_bytes(argv + 2);
+  const std::vector<std::string> asked(argv + 1, argv + argc);
+  const auto named = [&](const char* name) { return std::find(asked.begin(), asked.end(), name) != asked.end(); };
+  const bool quick = named("--quick"), all = asked.size() == (quick ? 1 : 0);
+  const LammpsProgram lammps;
+  if (!lammps.there()) fmt::print("LAMMPS is not installed (Debian: apt-get install lammps); Talus alone.\n");
+  if (all || named("--cell")) print_cell();
+  if (all || named("--one")) print_gases(lammps, quick, argv[0]);
+  if (all || named("--friction")) print_rough_gases(lammps, quick);
+  if (all || named("--two")) print_two_cores(lammps, quick);
 }
