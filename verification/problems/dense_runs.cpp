@@ -81,14 +81,15 @@ struct Look {
   Pushes pushes{};
 };
 template <class System>
-Look kick_and_look(System& system, Discs& discs, double h, double area) {
+Look kick_and_look(System& system, Discs& discs, double h, double area, bool with_contacts = true) {
   const auto moving = [&] {
     return kinetic_virial(system.shapes(), discs, mean_flow(system.shapes(), discs, system.list().box().shear_rate));
   };
   const Virial before = moving();
   system.kick(discs, h);
   const Pushes pushes = pushes_of(system, discs);
-  return {1.0 / area * (0.5 * (before + moving()) + pushes.virial), pushes};
+  const Virial motion = 0.5 * (before + moving());
+  return {1.0 / area * (with_contacts ? motion + pushes.virial : motion), pushes};
 }
 
 enum Quantity : std::size_t { shear_stress, pressure, contacts, overlaps, quantities };
@@ -102,7 +103,7 @@ long follow(System system, const Packing& start, double h, const DensePlan& plan
   const long last = std::lround((plan.before + plan.strain) / plan.shear_rate / h);
   advance(system, discs, h, first);
   for (long n = first; n < last; n += steps_a_look) {
-    const Look look = kick_and_look(system, discs, h, start.width * start.height);
+    const Look look = kick_and_look(system, discs, h, start.width * start.height, !plan.motion_alone);
     means.add(static_cast<double>(n - first) * h, 1.0,
               std::array{-look.stress.xy, look.stress.pressure(), look.pushes.count, look.pushes.depths});
     system.drift(discs, h);

@@ -23,6 +23,7 @@ struct DensePlan {
   double steps_in_contact{10.0};  ///< of two discs of the middle size
   std::uint64_t starts{1};        ///< runs, each from a packing of its own seed
   bool still_box{};               ///< planted fault: images that do not slide
+  bool motion_alone{};            ///< planted fault: stress by the motion alone
 };
 
 /// What was measured: means of all starts. Errors are the larger of what blocks and what starts (if there are several)
