@@ -52,6 +52,9 @@ std::vector<Reference> all_references() {
       {"chen1998",
        unseen("T. Y. Chen, S. C. Cheung, S. M. Yiu: Metamorphic testing: a new approach for generating next test "
               "cases. Technical Report HKUST-CS98-01, Hong Kong University of Science and Technology, 1998.")},
+      {"clark2017",
+       "A. H. Clark, J. D. Thompson, M. D. Shattuck, N. T. Ouellette, C. S. O'Hern: Critical scaling near the yielding "
+       "transition in granular media. arXiv 1706.09465 (2017). The abstract was read."},
       {"clausius1870",
        unseen("R. Clausius: On a mechanical theorem applicable to heat. Philosophical Magazine 40 (1870) "
               "122-127.")},
@@ -67,6 +70,9 @@ std::vector<Reference> all_references() {
       {"cundall1979",
        "P. A. Cundall, O. D. L. Strack: A discrete numerical model for granular assemblies. Geotechnique 29 (1979) "
        "47-65."},
+      {"giuli2015",
+       "E. DeGiuli, J. N. McElwaine, M. Wyart: Phase diagram for inertial granular flows. arXiv 1509.03512 (2015). The "
+       "abstract was read."},
       {"dlmf",
        "NIST Digital Library of Mathematical Functions, https://dlmf.nist.gov/, chapters 19 (elliptic integrals) and "
        "22 "
@@ -166,6 +172,10 @@ std::vector<Reference> all_references() {
        "637-649."},
       {"tsuji1992", unseen("Y. Tsuji, T. Tanaka, T. Ishida: Lagrangian numerical simulation of plug flow of "
                            "cohesionless particles in a horizontal pipe. Powder Technology 71 (1992) 239-250.")},
+      {"vagberg2015",
+       "D. Vagberg, P. Olsson, S. Teitel: Critical scaling of Bagnold rheology at the jamming transition of "
+       "frictionless "
+       "two-dimensional disks. arXiv 1510.03312 (2015). The abstract was read."},
       {"verlet1967",
        "L. Verlet: Computer \"experiments\" on classical fluids. I. Thermodynamical properties of Lennard-Jones "
        "molecules. Physical Review 159 (1967) 98-103."},

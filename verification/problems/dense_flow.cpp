@@ -1,15 +1,9 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <string>
 #include <vector>
 
-#include "solver/granular/block_means.hpp"
 #include "verification/check/case.hpp"
-#include "verification/problems/followed_discs.hpp"
+#include "verification/problems/dense_runs.hpp"
 
 namespace talus::verification::problems {
 
@@ -45,75 +39,21 @@ independent code's runs gave .10 to .13. Equal discs would order themselves, and
 velocity; a contact counted once in a while only; pressure without one of its parts.
 )";
 
-constexpr double restitution = 0.7, shear_rate = 1e-4, spread = 0.2;
-
-struct Flow {
-  double fraction{};
-  Estimate friction;
-  double inertial{};      ///< I
-  double softness{};      ///< p/K1
-  double coordination{};  ///< contacts of a disc
-  double deepest{};       ///< overlap [d]
-};
-
-Packing packing_of(double fraction, std::size_t discs, std::uint64_t seed, const Setup& setup) {
-  // Beyond what growth reaches the discs are blown up, and press on each other until they flow.
-  const double grown = std::min(fraction, 0.82);
-  Packing packing = grow({.discs = discs,
-                          .diameter = 1.0,
-                          .spread = setup.has("equal_discs") ? 0.0 : spread,
-                          .mass = 1.0,
-                          .solid_fraction = grown,
-                          .seed = seed});
-  for (double& radius : packing.shapes.radius)
-    radius *= std::sqrt(fraction / grown);
-  packing.box.shear_rate = setup.has("still_box") ? 0.0 : shear_rate;
-  for (std::size_t i = 0; i < discs; ++i)
-    packing.discs.vx[i] += shear_rate * packing.discs.y[i];
-  return packing;
-}
-
-Flow shear(double fraction, std::size_t discs, double before, double strain, Findings& findings, const Setup& setup) {
-  const double ratio = restitution * restitution;
-  const LatchingSpring law{1.0, 1.0 / ratio, 0.0};
-  const double contact_time = 0.5 * std::numbers::pi * (1.0 + restitution) / std::sqrt(2.0);
-  const Packing start = packing_of(fraction, discs, 1, setup);
-  FollowPlan plan{
-      .step = contact_time / 10.0, .every = 20, .skin = 0.1, .contacts_left_out = setup.has("motion_alone")};
-  plan.steps = std::lround((before + strain) / shear_rate / plan.step);
-  BlockMeans means{3, strain / shear_rate, 10};  // shear stress, pressure, contacts of a disc
-  Flow found;
-  found.fraction = fraction;
-  follow(start, law, plan, [&](const SeenDiscs& seen) {
-    if (seen.t < before / shear_rate) return;
-    means.add(seen.t - before / shear_rate, 1.0,
-              std::array{-seen.stress.xy, seen.stress.pressure(),
-                         2.0 * static_cast<double>(seen.contacts.contacts) / static_cast<double>(discs)});
-    found.deepest = std::max(found.deepest, seen.contacts.largest_depth);
-  });
-  findings.count(static_cast<std::uint64_t>(plan.steps));
-  found.friction = means.ratio(0, 1, 0);
-  const double mean_pressure = means.mean(1, 0, means.blocks());
-  found.inertial = shear_rate * std::sqrt(4.0 / std::numbers::pi / mean_pressure);
-  found.softness = mean_pressure;
-  found.coordination = means.mean(2, 0, means.blocks());
-  return found;
-}
-
-void draw(Findings& findings, const std::vector<Flow>& all) {
+void draw(Findings& findings, const std::vector<DenseFlow>& all) {
   Table table{.name = "flow",
               .caption =
                   "Friction, with its standard error from ten blocks, at the inertial number that the solid "
-                  "fraction gives; softness $p/K_1$; contacts of a disc; largest overlap over $d$.",
+                  "fraction gives; softness $p/K_1$; contacts of a disc; mean overlap of a contact over $d$.",
               .columns = {"phi", "I", "mu", "error", "p/K1", "contacts", "overlap"},
               .rows = {}};
   Series points{"discs", {}, {}, Style::errorbars};
-  for (const Flow& flow : all) {
+  for (const DenseFlow& flow : all) {
     const auto [mu, error] = flow.friction;
-    table.rows.push_back({fmt::format("{:.3f}", flow.fraction), fmt::format("{:.4f}", flow.inertial),
-                          fmt::format("{:.4f}", mu), fmt::format("{:.4f}", error), fmt::format("{:.1e}", flow.softness),
-                          fmt::format("{:.2f}", flow.coordination), fmt::format("{:.3f}", flow.deepest)});
-    points.x.push_back(flow.inertial), points.y.push_back(mu);
+    table.rows.push_back({fmt::format("{:.3f}", flow.fraction), fmt::format("{:.4f}", flow.inertial.value),
+                          fmt::format("{:.4f}", mu), fmt::format("{:.4f}", error),
+                          fmt::format("{:.1e}", flow.pressure.value), fmt::format("{:.2f}", flow.coordination),
+                          fmt::format("{:.1e}", flow.overlap)});
+    points.x.push_back(flow.inertial.value), points.y.push_back(mu);
     points.y_low.push_back(mu - 3.0 * error), points.y_high.push_back(mu + 3.0 * error);
   }
   findings.table(table);
@@ -133,18 +73,24 @@ void run(Findings& findings, const Setup& setup) {
   const std::vector<double> fractions = setup.coarse ? std::vector<double>{0.843}
                                         : full       ? std::vector<double>{0.76, 0.80, 0.82, 0.83, 0.843}
                                                      : std::vector<double>{0.80, 0.83, 0.843};
-  const double strain = full ? 7.0 : setup.coarse ? 2.5 : 4.0;
-  std::vector<Flow> all;
-  for (const double fraction : fractions)
-    all.push_back(shear(fraction, full ? 600 : 200, 1.0, strain, findings, setup));
-  const Flow& slow = all.back();
+  DensePlan plan{.shear_rate = 1e-4, .discs = full ? std::size_t{600} : std::size_t{200}};
+  plan.strain = full ? 7.0 : setup.coarse ? 2.5 : 4.0;
+  if (setup.has("equal_discs")) plan.spread = 0.0;
+  plan.still_box = setup.has("still_box"), plan.motion_alone = setup.has("motion_alone");
+  std::vector<DenseFlow> all;
+  for (const double fraction : fractions) {
+    plan.fraction = fraction;
+    all.push_back(run_dense(plan));
+    findings.count(all.back().steps);
+  }
+  const DenseFlow& slow = all.back();
   const double twice = 2.0 * slow.friction.error;
   findings.expect_between(
       "friction at the slowest flow", slow.friction.value, 0.10 - twice, 0.13 + twice,
       fmt::format("what an independent code's runs gave at I = .003, .10 to .13, and two standard errors "
                   "of {:.4f} beyond",
                   slow.friction.error));
-  findings.expect_between("inertial number of the slowest flow", slow.inertial, 0.0025, 0.0040,
+  findings.expect_between("inertial number of the slowest flow", slow.inertial.value, 0.0025, 0.0040,
                           "so that the friction is that of I about .003");
   if (!setup.coarse) draw(findings, all);
 }
