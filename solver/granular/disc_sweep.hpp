@@ -74,7 +74,7 @@ struct DiscSweep {
   const double *inverse_mass{}, *radius{}, *per_mass{};  ///< of discs: [1/M], [L], 1/(inertia) over 1/mass [1/L^2]
   std::size_t unlike_mass{}, unlike_radius{};            ///< all bits; 0 if the first number is that of all
   double equal_radii{};                                  ///< sum of two, if all are equal [L]
-  const std::size_t* wall{};                             ///< of discs; null if there are none
+  const std::uint32_t* wall{};                           ///< of discs; null if there are none
 
   const SweptPairs* pairs{};
   const TouchingPairs* touched{};        ///< in the last sweep

@@ -85,6 +85,9 @@ class DiscSystem {
     if (!list_.holds(discs)) rebuild(discs);
   }
 
+  /// The discs alone, moved so.
+  Discs drifted(const Discs& discs, double h) const { return talus::drifted(discs, list_.box().sliding(), h); }
+
   /// Brings the modes up to date.
   void settle(Discs& discs) {
     const long evaluations = evaluations_;

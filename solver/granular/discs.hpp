@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -23,14 +24,14 @@ struct DiscShapes {
 
   std::vector<double> radius;        ///< [L] > 0
   std::vector<double> inverse_mass;  ///< [1/M]; 0: of a wall's discs
-  std::vector<std::size_t> wall;     ///< free, or one more than a place among the walls
+  std::vector<std::uint32_t> wall;   ///< free, or one more than a place among the walls
   std::vector<DiscWall> walls;
 
   std::size_t size() const { return radius.size(); }
   void add(double with_radius, double with_inverse_mass, std::size_t in_wall = free) {
     radius.push_back(with_radius);
     inverse_mass.push_back(with_inverse_mass);
-    wall.push_back(in_wall);
+    wall.push_back(static_cast<std::uint32_t>(in_wall));
   }
   /// Adds a wall without discs so far; what its discs are to say of it.
   std::size_t add(const DiscWall& another) {
@@ -81,6 +82,14 @@ inline void kick_velocities(Discs& discs, const DiscRates& rates, double h) {
     discs.spin[i] += h * rates.spin[i];
   for (std::size_t k = 0; k < discs.work.size(); ++k)
     discs.work[k] += h * rates.work[k];
+}
+
+/// The discs moved with their velocities. sliding: of the box above [L/T].
+[[nodiscard]] inline Discs drifted(Discs discs, double sliding, double h) {
+  for (std::size_t i = 0; i < discs.size(); ++i)
+    discs.x[i] += h * discs.vx[i], discs.y[i] += h * discs.vy[i];
+  discs.slid += h * sliding;
+  return discs;
 }
 
 /// Names the parts of a state or of rates; what is put back has its sizes already.

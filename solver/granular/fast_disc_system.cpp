@@ -83,8 +83,6 @@ void FastDiscSystem<L, F>::drift(Discs& discs, double h) {
   load(discs);
   sweep(0.0, h);
   end_drift(discs, h);
-  // Who asks for a drift alone may do so with a copy that is then left: the near list is to hold for that, too.
-  used_ += way_;
   store(discs);
 }
 

@@ -83,6 +83,8 @@ class FastDiscSystem {
   void kick(Discs& discs, double h);
   /// Moves all discs with their velocities, and stretches the springs of friction with the slip.
   void drift(Discs& discs, double h);
+  /// The discs alone, moved so.
+  Discs drifted(const Discs& discs, double h) const { return talus::drifted(discs, list_.box().sliding(), h); }
   /// Brings up to date what contacts remember, and sums the accelerations; of works it gives none.
   void evaluate(Discs& discs, DiscRates& out);
   void settle(Discs& discs);

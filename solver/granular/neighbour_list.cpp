@@ -194,7 +194,7 @@ void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs) {
       second_.push_back(static_cast<std::uint32_t>(pair >> shift));
       image_.push_back(static_cast<std::uint8_t>(pair & ((1U << shift) - 1U)));
     }
-    first_.push_back(second_.size());
+    first_.push_back(static_cast<std::uint32_t>(second_.size()));
   }
 }
 

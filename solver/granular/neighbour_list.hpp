@@ -115,7 +115,7 @@ class NeighbourList {
   double offset_{};            ///< of the boxes above and below then [L]; goes on without a jump
   std::vector<double> x_, y_;  ///< of the discs then [L]
   Flow flow_;
-  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> first_;
   std::vector<std::uint32_t> second_;
   std::vector<std::uint8_t> image_;
 };

@@ -37,9 +37,14 @@ struct CentralDifferenceOf {
   /// and exact where no force acts.
   template <class System>
   StateType synchronized(System& system, const StateType& state, Scalar h) const {
-    StateType same_time = state;
-    system.drift(same_time, -h / 2);
-    return same_time;
+    // What a system keeps beside its state stays as it is.
+    if constexpr (requires { system.drifted(state, h); }) {
+      return system.drifted(state, -h / 2);
+    } else {
+      StateType same_time = state;
+      system.drift(same_time, -h / 2);
+      return same_time;
+    }
   }
 
   /// Nothing: the stagger is in the state.

@@ -12,6 +12,8 @@ namespace talus {
 ///   drift(state, h)  moves the coordinates, and the memory that follows the motion, with the present velocities; no
 ///                    force is evaluated
 ///   kick(state, h)   brings the modes up to date, evaluates the forces once, advances velocities, work and impulse
+///   drifted(state, h)  only of systems that keep something beside the state, such as what contacts remember: the state
+///                      moved so, and all else left as it is
 template <class S, class StateType = State>
 concept Splittable = requires(S& system, StateType& state, typename StateType::Number h) {
   system.drift(state, h);

@@ -232,8 +232,9 @@ std::string cell_state_vtp(CellRun& run) {
     add(vert_ends, ++data.verts), add(forces, 0), add(kinds, 0);
   }
   for (const CellRun::ActingContact& contact : run.acting_contacts()) {
-    // The second end is the image that touches.
-    const Vec2 b = Vec2{discs.x[contact.a], discs.y[contact.a]} + contact.distance * contact.n_ab;
+    // The second end is the image that touches. Contacts stand as at their evaluation, which may be half a step later.
+    const double beyond = discs.x[contact.a] + contact.distance * contact.n_ab.x - discs.x[contact.b];
+    const Vec2 b{discs.x[contact.b] + cell.width() * std::round(beyond / cell.width()), discs.y[contact.b]};
     const bool here = norm(Vec2{discs.x[contact.b], discs.y[contact.b]} - b) < 0.5 * cell.diameter;
     add(lines, contact.a, here ? static_cast<long>(contact.b) : point(contact.b, b, true));
     add(line_ends, 2 * ++data.lines), add(forces, contact.force), add(kinds, contact.multiple ? 1 : 0);

@@ -1,16 +1,18 @@
 /// Disc-steps a second of Talus beside LAMMPS, from the same start, in turn within one run: `make bench-discs`.
 /// Arguments choose tables: --cell, --one, --friction, --two; none chooses all. --quick leaves a million discs out.
+/// --skins: what neighbour lists cost by their reach.
 #include <fmt/format.h>
-#include <unistd.h>
+#include <malloc.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
 #include <functional>
-#include <memory>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/granular/disc_system.hpp"
@@ -112,22 +114,21 @@ std::string portable_ratio(const Size& size) {
   return fmt::format("{:.2f}", median_ratio(theirs, ours));
 }
 
-double resident_bytes() {
-  std::ifstream status{"/proc/self/statm"};
-  double pages = 0.0;
-  status >> pages >> pages;
-  return pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
+/// Of memory that is taken and not given back.
+double bytes_taken() {
+  const auto taken = ::mallinfo2();
+  return static_cast<double>(taken.uordblks + taken.hblkhd);
 }
 
 /// Bytes a disc that a system and its discs take once lists have been made again: of a process of its own.
 template <class L, class F>
 double bytes_of(const Size& size, const L& law, const F& friction) {
-  const double before = resident_bytes();
-  const auto gas = std::make_unique<DiscGas>(lattice(size.columns, size.rows, size.solid_fraction));
-  FastDiscSystem system{gas->shapes, gas->box, law, bench_skin, friction};
-  system.begin(gas->discs);
-  system.advance(gas->discs, gas_step, 600);
-  return (resident_bytes() - before) / static_cast<double>(size.discs());
+  const double before = bytes_taken();
+  DiscGas gas = lattice(size.columns, size.rows, size.solid_fraction);
+  FastDiscSystem system{std::exchange(gas.shapes, {}), gas.box, law, bench_skin, friction};
+  system.begin(gas.discs);
+  system.advance(gas.discs, gas_step, 600);
+  return (bytes_taken() - before) / static_cast<double>(size.discs());
 }
 
 int print_bytes(char** arguments) {
@@ -279,6 +280,37 @@ void print_two_cores(const LammpsProgram& lammps, bool quick) {
   }
 }
 
+/// The table of list_skin().
+void print_skins() {
+  constexpr std::array skins{0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 1.0};
+  fmt::print("\nns a disc-step of fast by the skin over a diameter, least of three\n\n{:>9} {:>5}", "discs", "phi");
+  for (const double skin : skins)
+    fmt::print(" {:>7.1f}", skin);
+  fmt::print("    best\n");
+  for (const double solid_fraction : {0.3, 0.5, 0.75, 0.84, 0.9}) {
+    for (const auto& [columns, rows] :
+         {std::pair<std::size_t, std::size_t>{10, 10}, {25, 40}, {100, 100}, {250, 400}}) {
+      const Size size{columns, rows, solid_fraction};
+      const DiscGas gas = mixed(size);
+      fmt::print("{:>9} {:>5.2f}", size.discs(), solid_fraction);
+      double least = std::numeric_limits<double>::infinity(), best = 0.0;
+      for (const double skin : skins) {
+        double ns = std::numeric_limits<double>::infinity();
+        FastDiscSystem system{gas.shapes, gas.box, elastic, skin};
+        Discs discs = gas.discs;
+        system.begin(discs);
+        const long steps = size.steps(3e7);
+        for (int round = 0; round < 3; ++round)
+          ns = std::min(ns, size.ns(seconds_of([&] { system.advance(discs, gas_step, steps); }), steps));
+        if (ns < least) least = ns, best = skin;
+        fmt::print(" {:>7.2f}", ns);
+        std::fflush(stdout);
+      }
+      fmt::print(" {:>7.1f}\n", best);
+    }
+  }
+}
+
 void print_cell() {
   const ShearCell cell = ice_cell(8e3, 5e3);
   const FilledCell filled = fill(cell);
@@ -313,6 +345,7 @@ int main(int argc, char** argv) {
   const bool quick = named("--quick"), all = asked.size() == (quick ? 1 : 0);
   const LammpsProgram lammps;
   if (!lammps.there()) fmt::print("LAMMPS is not installed (Debian: apt-get install lammps); Talus alone.\n");
+  if (named("--skins")) print_skins();
   if (all || named("--cell")) print_cell();
   if (all || named("--one")) print_gases(lammps, quick, argv[0]);
   if (all || named("--friction")) print_rough_gases(lammps, quick);

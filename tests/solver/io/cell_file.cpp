@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(the_fifteen_numbers_are_read_in_their_order) {
   BOOST_TEST(scene.plan.step == 2e-7);
   BOOST_TEST(scene.plan.every == 5e-3);
   BOOST_TEST(scene.plan.end == 0.1);
-  BOOST_TEST(scene.plan.integrator == "velocity_verlet");
+  BOOST_TEST(scene.plan.integrator == "central_difference");
 }
 
 BOOST_AUTO_TEST_CASE(records_are_list_directed) {
@@ -98,9 +98,10 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_told_with_its_place) {
              "CNTRL.DAT:4: STEP LOOP TIME: STEP: found 2e-07; it must be at most the time between outputs, 1e-07");
   BOOST_TEST(message(with(control, "5e-3 0.1", "0.2 0.1")) ==
              "CNTRL.DAT:4: STEP LOOP TIME: LOOP: found 0.2; it must be at most the time at which the run ends, 0.1");
-  BOOST_TEST(message(with(control, "2e-7 5e-3", "2e-6 5e-3")) ==
-             "CNTRL.DAT:4: STEP LOOP TIME: STEP: found 2e-06; a contact lasts 1.234e-05, and velocity_verlet needs 10 "
-             "steps of it: at most 1.234e-06");
+  BOOST_TEST(
+      message(with(control, "2e-7 5e-3", "2e-6 5e-3")) ==
+      "CNTRL.DAT:4: STEP LOOP TIME: STEP: found 2e-06; a contact lasts 1.234e-05, and central_difference needs 10 "
+      "steps of it: at most 1.234e-06");
   BOOST_TEST(message(with(control, "0 1\n", "2 1\n")) ==
              "CNTRL.DAT:1: RESTRT GRAPH: RESTRT: found 2; it must be 0 or 1");
   BOOST_TEST(message(with(control, "8 10", "8.5 10")) ==
@@ -127,7 +128,7 @@ BOOST_AUTO_TEST_CASE(steps_that_change_the_restitution_are_refused_but_in_a_hist
       message(with(historical, "1e-7 5e-3", "1e-8 5e-3"), "CNTRL.DAT", {.integrator = "euler", .historical = true})
           .starts_with("CNTRL.DAT:4: STEP LOOP TIME: STEP: found 1e-08; a historical run has a step of 1e-7"));
   BOOST_TEST(message(historical, "CNTRL.DAT", {.historical = true}) ==
-             "historical: found the integrator velocity_verlet; it must be euler");
+             "historical: found the integrator central_difference; it must be euler");
   BOOST_TEST(message(control, "CNTRL.DAT", {.integrator = "rk4"}).find("integrator of discs 'rk4' is not known") == 0U);
 }
 
