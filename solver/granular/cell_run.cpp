@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
+#include "solver/granular/list_skin.hpp"
 
 namespace talus {
 namespace {
@@ -33,6 +34,12 @@ std::size_t at(CellQuantity quantity) { return static_cast<std::size_t>(quantity
 double fall_bias(std::string_view integrator) {
   if (integrator == "euler") return -1.0;
   return integrator == "euler_cromer" || integrator == "central_difference" ? 1.0 : 0.0;
+}
+
+/// As the table says, in a narrow field as far as a disc meets no two images of another.
+double skin_of(const ShearCell& cell, const FilledCell& start) {
+  const double best = cell.diameter * list_skin(start.discs.size(), solid_fraction(cell, start.discs));
+  return std::max(0.1 * cell.diameter, std::min(best, 0.49 * cell.width() - cell.diameter));
 }
 
 FilledCell checked(const ShearCell& cell, const CellPlan& plan, FilledCell start) {
@@ -82,7 +89,7 @@ CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
     : cell_{cell},
       plan_{plan},
       start_{checked(cell, plan, std::move(start))},
-      system_{start_.shapes, start_.box, cell.law, 0.3 * cell.diameter},
+      system_{start_.shapes, start_.box, cell.law, skin_of(cell, start_)},
       method_{make_disc_method(plan.integrator)},
       discs_{start_.discs},
       last_step_{steps_in(plan.end, plan.step)},

@@ -233,7 +233,7 @@ class Giver {
 
   static Pushes pointers(const DiscPushes& of) {
     // Only read from.
-    const auto numbers = [](const DiscArray<double>& array) { return const_cast<double*>(array.data()); };
+    const auto numbers = [](const std::vector<double>& array) { return const_cast<double*>(array.data()); };
     return {numbers(of.x), numbers(of.y), numbers(of.friction), numbers(of.arm_a), numbers(of.arm_b)};
   }
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/base/huge_pages.hpp"
 #include "solver/base/vec.hpp"
 #include "solver/granular/neighbour_list.hpp"
 #include "solver/laws/coulomb_friction.hpp"
@@ -13,14 +12,11 @@
 
 namespace talus {
 
-template <class T>
-using DiscArray = std::vector<T, HugePages<T>>;
-
 /// Pairs in the order of the neighbour list, and behind them as many of places that are nowhere as fill the lanes.
 struct SweptPairs {
-  DiscArray<std::uint32_t> first, second;  ///< where the places begin; of a second disc across a border, its ghost's
-  DiscArray<std::uint32_t> listed;         ///< numbers in the list; none if they are all of it
-  DiscArray<double> radii;                 ///< their sum, if discs are unlike [L]
+  std::vector<std::uint32_t> first, second;  ///< where the places begin; of a second disc across a border, its ghost's
+  std::vector<std::uint32_t> listed;         ///< numbers in the list; none if they are all of it
+  std::vector<double> radii;                 ///< their sum, if discs are unlike [L]
   std::size_t count{};
 
   void clear() { first.clear(), second.clear(), listed.clear(), radii.clear(); }
@@ -51,9 +47,9 @@ struct WallPush {
 
 /// What the first discs of pairs do to the second.
 struct DiscPushes {
-  DiscArray<std::uint32_t> first, second;    ///< where the places begin
-  DiscArray<double> x, y;                    ///< force on the second [F]
-  DiscArray<double> friction, arm_a, arm_b;  ///< turns both [F], at [L]
+  std::vector<std::uint32_t> first, second;    ///< where the places begin
+  std::vector<double> x, y;                    ///< force on the second [F]
+  std::vector<double> friction, arm_a, arm_b;  ///< turns both [F], at [L]
   std::size_t count{};
 };
 

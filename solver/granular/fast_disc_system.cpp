@@ -401,7 +401,7 @@ void FastDiscSystem<L, F>::list_places() {
   constexpr std::uint8_t here = NeighbourList::images / 2;
   ghost_disc_.clear(), ghost_image_.clear();
   pairs_.clear();
-  pairs_.first.reserve(whole(list_.size(), pack_size)), pairs_.second.reserve(whole(list_.size(), pack_size));
+  pairs_.first.reserve(list_.size() + pack_size), pairs_.second.reserve(list_.size() + pack_size);
   std::vector<std::pair<std::uint32_t, std::uint8_t>> ghosts;
   for (Stripe& stripe : stripes_) {
     ghosts.clear();
@@ -482,7 +482,13 @@ void FastDiscSystem<L, F>::prune(Stripe& stripe) {
       if (equal_radii_ == 0.0) near.radii.push_back(pairs_.radii[pair]);
     }
   }
-  fill_up(stripe.own), fill_up(stripe.outgoing);
+  for (SweptPairs* const near : {&stripe.own, &stripe.outgoing}) {
+    fill_up(*near);
+    // The first reach is a guess, and may take much more room than is needed later.
+    for (auto* numbers : {&near->first, &near->second, &near->listed})
+      if (numbers->capacity() > 2 * numbers->size()) numbers->shrink_to_fit();
+    if (near->radii.capacity() > 2 * near->radii.size()) near->radii.shrink_to_fit();
+  }
 }
 
 /// The reach of the next near list from what the last one was like; whether all listed pairs are near instead.

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/base/huge_pages.hpp"
 #include "solver/base/team.hpp"
 #include "solver/base/vec.hpp"
 #include "solver/granular/disc_contact.hpp"
@@ -180,10 +181,12 @@ class FastDiscSystem {
   };
   std::vector<Waiting> waiting_;  ///< how they are during a sweep
 
-  DiscArray<double> places_;                 ///< x, y of the discs, of their ghosts and of nowhere [L]
-  DiscArray<double> velocities_, spins_;     ///< of the discs [L/T, 1/T]
-  DiscArray<double> rates_, spin_rates_;     ///< of evaluate() [L/T^2, 1/T^2]
-  DiscArray<double> before_, spins_before_;  ///< if rates are seen: velocities of all places before the kick; spins
+  /// Of discs; they are gone through in each step.
+  using Numbers = std::vector<double, HugePages<double>>;
+  Numbers places_;                 ///< x, y of the discs, of their ghosts and of nowhere [L]
+  Numbers velocities_, spins_;     ///< of the discs [L/T, 1/T]
+  Numbers rates_, spin_rates_;     ///< of evaluate() [L/T^2, 1/T^2]
+  Numbers before_, spins_before_;  ///< if rates are seen: velocities of all places before the kick; spins
   std::vector<std::uint32_t> ghost_disc_;
   std::vector<std::uint8_t> ghost_image_;
   std::array<NeighbourList::Shift, NeighbourList::images> shifts_{};

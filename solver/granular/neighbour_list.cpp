@@ -169,6 +169,7 @@ void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs) {
   check_periods();
   second_.clear();
   image_.clear();
+  first_.reserve(shapes.size() + 1);
   first_.assign(1, 0);
   const Cells cells{discs, box_, reach_};
   // Number of the second disc and image in one: in the order that they are sorted in.
@@ -196,6 +197,8 @@ void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs) {
     }
     first_.push_back(static_cast<std::uint32_t>(second_.size()));
   }
+  // Lists of many discs are most of what a run takes.
+  if (4 * second_.capacity() > 5 * second_.size()) second_.shrink_to_fit(), image_.shrink_to_fit();
 }
 
 void NeighbourList::remember(Memory& memory, const DiscShapes& shapes) {

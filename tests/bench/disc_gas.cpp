@@ -7,6 +7,7 @@
 #include <random>
 
 #include "solver/granular/fast_disc_system.hpp"
+#include "solver/granular/list_skin.hpp"
 
 namespace talus::bench {
 
@@ -30,7 +31,7 @@ DiscGas lattice(std::size_t columns, std::size_t rows, double solid_fraction) {
 
 GasRun run_gas(std::size_t columns, std::size_t rows, double solid_fraction, long steps) {
   DiscGas gas = lattice(columns, rows, solid_fraction);
-  FastDiscSystem system{gas.shapes, gas.box, elastic, bench_skin};
+  FastDiscSystem system{gas.shapes, gas.box, elastic, list_skin(gas.discs.size(), solid_fraction)};
   system.begin(gas.discs);
   system.advance(gas.discs, gas_step, 1000);
   const std::clock_t start = std::clock();

@@ -26,7 +26,6 @@ inline constexpr double gas_step = 0.157;
 
 /// Friction beside the elastic springs.
 inline constexpr CoulombFriction rough{0.5, 0.35};
-inline constexpr double bench_skin = 0.5;
 
 /// What a run of the elastic gas by FastDiscSystem took, and what came out.
 struct GasRun {

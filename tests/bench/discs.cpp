@@ -17,6 +17,7 @@
 
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
+#include "solver/granular/list_skin.hpp"
 #include "solver/granular/shear_cell.hpp"
 #include "tests/bench/disc_gas.hpp"
 #include "tests/bench/lammps_program.hpp"
@@ -69,6 +70,7 @@ struct Size {
   double ns(double seconds, long steps) const {
     return 1e9 * seconds / static_cast<double>(steps) / static_cast<double>(discs());
   }
+  double skin() const { return list_skin(discs(), solid_fraction); }
   int rounds() const { return large() ? 3 : 5; }
 };
 
@@ -81,7 +83,7 @@ std::vector<Size> sizes(double solid_fraction, bool quick) {
 /// The gas after it has mixed.
 DiscGas mixed(const Size& size) {
   DiscGas gas = lattice(size.columns, size.rows, size.solid_fraction);
-  FastDiscSystem mixing{gas.shapes, gas.box, elastic, bench_skin};
+  FastDiscSystem mixing{gas.shapes, gas.box, elastic, size.skin()};
   mixing.begin(gas.discs);
   mixing.advance(gas.discs, gas_step, 1000);
   return gas;
@@ -125,7 +127,7 @@ template <class L, class F>
 double bytes_of(const Size& size, const L& law, const F& friction) {
   const double before = bytes_taken();
   DiscGas gas = lattice(size.columns, size.rows, size.solid_fraction);
-  FastDiscSystem system{std::exchange(gas.shapes, {}), gas.box, law, bench_skin, friction};
+  FastDiscSystem system{std::exchange(gas.shapes, {}), gas.box, law, size.skin(), friction};
   system.begin(gas.discs);
   system.advance(gas.discs, gas_step, 600);
   return (bytes_taken() - before) / static_cast<double>(size.discs());
@@ -153,8 +155,8 @@ void print_gas(const LammpsProgram& lammps, const Size& size, LammpsRun& best, c
   best.steps = size.steps(3e7);
 
   DiscSystem plain{gas.shapes, gas.box, elastic, plain_skin};
-  FastDiscSystem linear{gas.shapes, gas.box, elastic, bench_skin};
-  FastDiscSystem latching{gas.shapes, gas.box, remembering, bench_skin};
+  FastDiscSystem linear{gas.shapes, gas.box, elastic, size.skin()};
+  FastDiscSystem latching{gas.shapes, gas.box, remembering, size.skin()};
   Discs plain_discs = gas.discs, linear_discs = gas.discs, latching_discs = gas.discs;
   plain.begin(plain_discs), linear.begin(linear_discs), latching.begin(latching_discs);
   const long plain_steps = size.steps(2e7), fast_steps = size.steps(size.large() ? 4e8 : 1e8);  // several lists
@@ -221,7 +223,7 @@ void print_rough_gases(const LammpsProgram& lammps, bool quick) {
       for (int round = 0; round < size.rounds(); ++round) {
         if (lammps.there()) theirs.push_back(size.ns(lammps.seconds(scene, best), steps));
         Discs discs = gas.discs;
-        FastDiscSystem system{gas.shapes, gas.box, elastic, bench_skin, rough};
+        FastDiscSystem system{gas.shapes, gas.box, elastic, size.skin(), rough};
         system.begin(discs);
         fast.push_back(size.ns(seconds_of([&] { system.advance(discs, gas_step, steps); }), steps));
         discs = gas.discs;
@@ -253,9 +255,9 @@ void print_two_cores(const LammpsProgram& lammps, bool quick) {
       const LammpsScene scene{gas.shapes, gas.discs, gas.box, elastic};
       if (lammps.has_mpi() && !size.large()) best = lammps.best_run(scene, gas_step, size.steps(1e7));
       best.steps = size.steps(3e7);
-      FastDiscSystem one{gas.shapes, gas.box, elastic, bench_skin};
-      FastDiscSystem two{gas.shapes, gas.box, elastic, bench_skin, Frictionless{}, 2};
-      FastDiscSystem memory{gas.shapes, gas.box, remembering, bench_skin, Frictionless{}, 2};
+      FastDiscSystem one{gas.shapes, gas.box, elastic, size.skin()};
+      FastDiscSystem two{gas.shapes, gas.box, elastic, size.skin(), Frictionless{}, 2};
+      FastDiscSystem memory{gas.shapes, gas.box, remembering, size.skin(), Frictionless{}, 2};
       Discs of_one = gas.discs, of_two = gas.discs, of_memory = gas.discs;
       one.begin(of_one), two.begin(of_two), memory.begin(of_memory);
       const long steps = size.steps(size.large() ? 2e8 : 1e8);

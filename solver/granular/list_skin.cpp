@@ -1,0 +1,27 @@
+#include "solver/granular/list_skin.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace talus {
+namespace {
+
+constexpr std::array fractions{0.3, 0.5, 0.75, 0.84, 0.9};
+/// By solid fraction, for a hundred, a thousand, ten and a hundred thousand equal elastic discs, step t_c/20. From half
+/// to one and a half times these nothing is lost but a tenth; below, and beyond in what is jammed, up to a half.
+constexpr std::array<std::array<double, 4>, 5> best{
+    {{0.5, 1.0, 1.0, 0.7}, {0.7, 0.7, 1.0, 0.7}, {0.7, 0.7, 0.7, 0.7}, {0.4, 0.7, 0.7, 0.5}, {0.3, 0.4, 0.4, 0.3}}};
+
+}  // namespace
+
+double list_skin(std::size_t discs, double solid_fraction) {
+  const auto nearest = std::min_element(fractions.begin(), fractions.end(), [&](double a, double b) {
+    return std::abs(a - solid_fraction) < std::abs(b - solid_fraction);
+  });
+  const double decade = std::round(std::log10(static_cast<double>(std::max<std::size_t>(discs, 1)))) - 2.0;
+  const auto row = static_cast<std::size_t>(nearest - fractions.begin());
+  return best[row][static_cast<std::size_t>(std::clamp(decade, 0.0, 3.0))];
+}
+
+}  // namespace talus
