@@ -172,8 +172,6 @@ class CellProgress {
   Progress line_;
 };
 
-void print_note(std::string_view kind, std::string_view words) { fmt::print(stderr, "talus: {}{}\n", kind, words); }
-
 int cell(const CellOptions& options) {
   CellOrder order = options.resume.empty() ? new_order(options) : left_order(options);
   std::optional<CellFiles> files;
@@ -181,7 +179,7 @@ int cell(const CellOptions& options) {
   const std::unique_ptr<CellRun> run = standing_run(order, files ? &*files : nullptr);
   const std::size_t told = order.warnings.size();
   for (const std::string& warning : order.warnings)
-    print_note("warning: ", warning);
+    print_failure("warning: " + warning);
 
   // Without a folder there is nowhere to leave the run: a signal then ends the program as usual.
   std::optional<Interruption> interruption;
@@ -217,15 +215,15 @@ int cell(const CellOptions& options) {
              options.json ? cell_summary_json(order.scene, *run, outcome) : cell_summary(order.scene, *run, outcome));
   if (files && !options.json) fmt::print("files: {}: {}\n", files->folder().string(), fmt::join(files->names(), ", "));
   for (std::size_t k = told; k < order.warnings.size(); ++k)
-    print_note("warning: ", order.warnings[k]);
+    print_failure("warning: " + order.warnings[k]);
   if (!run->failure().empty()) {
-    print_note("", run->failure());
+    print_failure(run->failure());
     return diverged;
   }
   if (!left) return ok;
-  print_note("", fmt::format("{} came; the run was left in {}; talus cell --resume {} takes it on",
-                             signal() == SIGINT ? "SIGINT" : "SIGTERM", files->checkpoint().string(),
-                             files->folder().string()));
+  print_failure(fmt::format("{} came; the run was left in {}; talus cell --resume {} takes it on",
+                            signal() == SIGINT ? "SIGINT" : "SIGTERM", files->checkpoint().string(),
+                            files->folder().string()));
   return 128 + signal();
 }
 

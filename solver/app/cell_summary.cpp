@@ -67,4 +67,26 @@ std::string cell_summary(const CellScene& scene, CellRun& run, const CellOutcome
   return text;
 }
 
+std::string cell_check(const CellScene& scene) {
+  CellRun run{scene.cell, scene.plan};
+  const ShearCell& cell = scene.cell;
+  std::string text = scene.title + "\n";
+  const auto add = [&](const char* name, const std::string& words) {
+    text += fmt::format("  {:24} {}\n", name, words);
+  };
+  add("discs", fmt::format("{} free in {} rows, {} in each wall; seed {}", cell.free_discs(), cell.rows,
+                           cell.wall_discs, cell.seed));
+  add("overburden", with_unit(scene, cell.overburden(), dimension::pressure));
+  add("contact time", with_unit(scene, cell.contact_time(), dimension::time));
+  add("step", fmt::format("{} with {}", with_unit(scene, scene.plan.step, dimension::time), scene.plan.integrator));
+  add("expected cost", fmt::format("{} steps and force evaluations to {}; {} outputs", run.last_step(),
+                                   with_unit(scene, scene.plan.end, dimension::time),
+                                   std::ceil(scene.plan.end / scene.plan.every * (1.0 - 1e-12))));
+  if (scene.restart) add("start", "RESTART.DAT beside the file, which is not looked at here");
+  text += "groups\n";
+  for (const CellNumber& group : cell_groups(scene, run))
+    text += line(scene, group);
+  return text;
+}
+
 }  // namespace talus::app

@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <memory>
 
+#include "solver/app/cell_summary.hpp"
 #include "solver/app/command.hpp"
 #include "solver/calibrate/step_advice.hpp"
+#include "solver/io/cell_file.hpp"
 #include "solver/io/scene_file.hpp"
 #include "solver/run/simulate.hpp"
 
@@ -107,6 +109,10 @@ void print_cost(const Scene& scene, const Dynamics& dynamics) {
 }
 
 int check(const std::string& file) {
+  if (describes_cell(file)) {
+    fmt::print("{}", cell_check(read_cell(std::filesystem::path{file}, {})));
+    return ok;
+  }
   const Scene scene = read_scene(std::filesystem::path{file});
   const Dynamics dynamics{scene.model};
   const StepAdvice advice = advise_step(dynamics, scene.initial);
@@ -123,7 +129,7 @@ int check(const std::string& file) {
 Command add_check(CLI::App& talus) {
   CLI::App* app = talus.add_subcommand("check", "Read a scene and say what it carries and what its step is worth");
   const auto scene = std::make_shared<std::string>();
-  app->add_option("SCENE", *scene, "scene file (.toml) or deck of 1993 (.DAT)")->required();
+  app->add_option("SCENE", *scene, "scene file (.toml), deck of 1993 or CNTRL.DAT of 1989 (.DAT)")->required();
   app->footer("Example:\n  talus check cases/pivoted_cylinder.toml");
   return {app, [scene] { return check(*scene); }};
 }

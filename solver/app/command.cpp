@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
+#include <cstdlib>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -78,7 +80,7 @@ std::string words(const CLI::App& talus, const CLI::ParseError& error) {
 }
 
 int report(ExitCode code, std::string_view words) {
-  fmt::print(stderr, "talus: {}\n", words);
+  print_failure(words);
   return code;
 }
 
@@ -112,6 +114,12 @@ double option_quantity(const std::string& option, const std::string& text, Dimen
   }
   if (positive && !(value > 0.0)) throw InputError{fmt::format("{}: found \"{}\"; it must be > 0", option, text)};
   return value;
+}
+
+void print_failure(std::string_view words) {
+  const char* no_color = std::getenv("NO_COLOR");
+  const bool red = ::isatty(STDERR_FILENO) == 1 && (no_color == nullptr || *no_color == '\0');
+  fmt::print(stderr, "{}talus: {}{}\n", red ? "\033[31m" : "", words, red ? "\033[0m" : "");
 }
 
 int run_command_line(int count, const char* const* arguments) {

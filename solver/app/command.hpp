@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "solver/base/units.hpp"
 
@@ -38,6 +39,9 @@ struct Command {
 /// allowed.
 [[nodiscard]] double option_quantity(const std::string& option, const std::string& text, Dimension dimension,
                                      const UnitSystem& units, bool positive = true);
+
+/// Says what went wrong, or what is to be known, on stderr: in red on a terminal unless NO_COLOR is set.
+void print_failure(std::string_view words);
 
 /// The whole program: parses the command line, does the command, turns errors into messages and exit codes.
 [[nodiscard]] int run_command_line(int count, const char* const* arguments);

@@ -73,12 +73,6 @@ StepRatio step_ratio(const Scene& scene) {
 }
 
 /// Red on a terminal, unless NO_COLOR is set (no-color.org).
-void print_failure(std::string_view words) {
-  const char* no_color = std::getenv("NO_COLOR");
-  const bool red = ::isatty(STDERR_FILENO) == 1 && (no_color == nullptr || *no_color == '\0');
-  fmt::print(stderr, "{}talus: {}{}\n", red ? "\033[31m" : "", words, red ? "\033[0m" : "");
-}
-
 void write_checkpoint(const RunOrder& order, SceneRun& run) {
   Memory memory;
   run.remember(memory);

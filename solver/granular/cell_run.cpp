@@ -19,6 +19,7 @@ long steps_of_sample(const ShearCell& cell, const CellPlan& plan) {
 }
 
 constexpr long samples_of_profile = 8;
+constexpr double most_outputs = 1e5;
 /// Share of a LOOP or step by which a sum of steps may fall short of it and still be all of it.
 constexpr double whole = 1e-12;
 
@@ -66,6 +67,10 @@ std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& pla
   if (plan.every > plan.end) {
     found.push_back({"every", fmt::format("found {}; it must be at most the time at which the run ends, {}", plan.every,
                                           plan.end)});
+  }
+  if (plan.end > most_outputs * plan.every) {
+    found.push_back({"every", fmt::format("found {}; it must be at least {}: a run has at most {:g} outputs",
+                                          plan.every, plan.end / most_outputs, most_outputs)});
   }
   const double steps = cell.contact_time() / plan.step;
   if (swing_gain(plan.integrator) == 0.0 && steps < 10.0) {

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "solver/base/error.hpp"
 #include "solver/io/fortran.hpp"
 #include "solver/io/list_directed.hpp"
 #include "solver/io/scene_table.hpp"
+#include "solver/io/toml_document.hpp"
 
 namespace talus {
 namespace {
@@ -196,6 +199,8 @@ void read_cell_table(SceneTable table, ShearCell& cell) {
     table.fail(objection.field, objection.words);
 }
 
+bool is_deck(std::string_view name) { return name.ends_with(".DAT") || name.ends_with(".dat"); }
+
 bool on(SceneTable& table, std::string_view key) { return table.has(key) && table.choice(key, {"on", "off"}) == "on"; }
 
 CellScene read_toml(std::string_view text, std::string_view name, const CellChoices& choices) {
@@ -222,8 +227,24 @@ CellScene read_toml(std::string_view text, std::string_view name, const CellChoi
 }  // namespace
 
 CellScene read_cell(std::string_view text, std::string_view name, const CellChoices& choices) {
-  const std::string end{name.substr(name.size() - std::min<std::size_t>(name.size(), 4))};
-  return end == ".DAT" || end == ".dat" ? read_control(text, name, choices) : read_toml(text, name, choices);
+  return is_deck(name) ? read_control(text, name, choices) : read_toml(text, name, choices);
+}
+
+bool describes_cell(const std::filesystem::path& file) {
+  const std::string text = read_text(file);
+  if (!is_deck(file.string())) {
+    const TomlValue document = parse_toml(text, file.string());
+    const auto& table = std::get<TomlTable>(document.data);
+    return std::any_of(table.begin(), table.end(), [](const TomlEntry& entry) { return entry.key == "cell"; });
+  }
+  if (file.filename() == "CNTRL.DAT") return true;
+  std::istringstream words{text};
+  int numbers = 0;
+  for (std::string word; words >> word; ++numbers) {
+    double number = 0.0;
+    if (!parse_fortran_real(word, number)) return false;
+  }
+  return numbers == 15;
 }
 
 CellScene read_cell(const std::filesystem::path& file, const CellChoices& choices) {

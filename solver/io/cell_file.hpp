@@ -42,4 +42,8 @@ struct CellChoices {
 /// The same from a text; `name` is the file named in errors.
 [[nodiscard]] CellScene read_cell(std::string_view text, std::string_view name, const CellChoices& choices);
 
+/// Whether a file describes a cell and not bodies: a TOML file with [cell]; one named CNTRL.DAT, or a .DAT file of 15
+/// numbers and nothing else. Errors: IoError; InputError for what is not TOML.
+[[nodiscard]] bool describes_cell(const std::filesystem::path& file);
+
 }  // namespace talus

@@ -175,6 +175,16 @@ BOOST_AUTO_TEST_CASE(titles_and_names_in_other_encodings) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(check_tells_cells_from_bodies) {
+  for (const char* const cell : {"cell/ice.toml", "cell/CNTRL.DAT"}) {
+    const Ended ended = talus_ran({"check", scene(cell)});
+    BOOST_TEST(ended.code == 0, ended.err);
+    for (const char* const words : {"80 free in 8 rows, 11 in each wall", "contact_steps", "stepped_restitution",
+                                    "inertial_number", "force evaluations to"})
+      BOOST_TEST(holds(ended.out, words), words);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(check_says_what_a_scene_carries) {
   const Ended ended = talus_ran({"check", scene("two_cable.toml")});
   BOOST_TEST(ended.code == 0);
