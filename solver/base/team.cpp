@@ -78,8 +78,6 @@ struct Team::Shared {
 Team::Team(std::size_t size) : shared_{std::make_unique<Shared>(size)} {}
 Team::~Team() = default;
 
-std::size_t Team::size() const { return shared_->others.size() + 1; }
-
 void Team::each(const std::function<void(std::size_t)>& work) {
   Shared& shared = *shared_;
   shared.work = &work;

@@ -15,7 +15,6 @@ class Team {
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  std::size_t size() const;
   /// Calls work(k) for 0 <= k < size, each by another thread, and waits until all are done. Errors: what work(k)
   /// throws, that of the smallest k.
   void each(const std::function<void(std::size_t)>& work);

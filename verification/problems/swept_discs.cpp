@@ -192,8 +192,8 @@ void show_order(Findings& findings) {
                    .title = "The same discs, summed in another order",
                    .caption =
                        "Largest distance between places of the same disc in two runs, latching springs: numbered "
-                       "backwards, so that impulses are summed in another order (blue), and with three threads, "
-                       "which sum them in the same (orange; none at all is drawn as $10^{-17}$).",
+                       "backwards, so that impulses are summed in another order (blue), and by the plain engine, "
+                       "which sums them in the same (orange; none at all is drawn as $10^{-17}$).",
                    .x = {"step", "1"},
                    .y = {.label = "distance over d", .log = true, .min = 1e-18, .max = 10.0},
                    .series = {other, same}});
