@@ -36,7 +36,9 @@ BOOST_AUTO_TEST_CASE(what_a_part_throws_reaches_the_caller_and_the_team_goes_on)
     }
     BOOST_TEST(caught == "part " + std::to_string(thrower));
     int done = 0;
-    team.each([&](std::size_t k) { done += k == 1 ? 1 : 0; });
+    team.each([&](std::size_t k) {
+      if (k == 1) ++done;
+    });
     BOOST_TEST(done == 1);
   }
 }
