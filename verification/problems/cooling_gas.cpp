@@ -79,7 +79,7 @@ double slope_of(const std::vector<double>& time, const std::vector<double>& temp
   return (count * ty - t * y) / (count * tt - t * t);
 }
 
-template <Law L>
+template <SettledLaw L>
 Cooling cool(const L& law, std::size_t discs, double contact_time, std::uint64_t seed, Findings& findings,
              const Setup& setup) {
   const reference::GasOfDiscs gas{.solid_fraction = 0.1, .restitution = restitution};
@@ -95,7 +95,7 @@ Cooling cool(const L& law, std::size_t discs, double contact_time, std::uint64_t
   follow(start, law, plan, [&](const SeenDiscs& seen) {
     const double held = seen.motion + seen.contacts.stored;
     if (seen.t == 0.0) first = held;
-    lost = first - held, booked = seen.discs.dissipated();
+    lost = first - held, booked = seen.lost;
     found.time.push_back(seen.t * rate);
     found.temperature.push_back(seen.temperature);
     Vec2 sum{-drift * static_cast<double>(discs), 0.0};

@@ -21,7 +21,7 @@ constexpr double tangential_share = 0.5;  ///< of the loading stiffness
 
 using Plain = DiscSystem<LatchingSpring>;
 using Smooth = FastDiscSystem<LatchingSpring>;
-using Rough = DiscSystem<LatchingSpring, CoulombFriction>;
+using Rough = FastDiscSystem<LatchingSpring, CoulombFriction>;
 
 LatchingSpring law_of(const DensePlan& plan) { return {1.0, 1.0 / (plan.restitution * plan.restitution), 0.0}; }
 

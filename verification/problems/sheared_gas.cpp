@@ -94,8 +94,8 @@ Sheared shear(const reference::GasOfDiscs& gas, std::size_t discs, double softne
   double booked_before = -1.0, booked = 0.0, heat = 0.0;
   follow(start, law, plan, [&](const SeenDiscs& seen) {
     if (seen.t < before) return;
-    if (booked_before < 0.0) booked_before = seen.discs.dissipated();
-    booked = seen.discs.dissipated() - booked_before;
+    if (booked_before < 0.0) booked_before = seen.lost;
+    booked = seen.lost - booked_before;
     means.add(seen.t - before, 1.0,
               std::array{seen.temperature, -seen.stress.xy, seen.stress.pressure(), seen.stress.xx - seen.stress.yy});
     heat -= seen.stress.xy * plan.step * static_cast<double>(plan.every) * start.width * start.height;
