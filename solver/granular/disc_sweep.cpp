@@ -40,10 +40,16 @@ namespace {
   return place < w.discs ? place : w.ghost_disc[place - w.discs];
 }
 
-/// Where the pushes of touching pairs go.
+/// Arrays of DiscPushes: where those of touching pairs go, or stand.
+template <class Number>
 struct Pushes {
-  double *x, *y, *friction, *arm_a, *arm_b;
+  Number *x, *y, *friction, *arm_a, *arm_b;
+
+  Pushes from(std::size_t k) const { return {x + k, y + k, friction + k, arm_a + k, arm_b + k}; }
 };
+Pushes<const double> standing(const DiscPushes& of) {
+  return {of.x.data(), of.y.data(), of.friction.data(), of.arm_a.data(), of.arm_b.data()};
+}
 
 /// A sweep over pairs, block by block.
 template <class L, class F>
@@ -63,14 +69,14 @@ class Sweep {
   }
 
   /// The touching ones of a block in order, with what they do; how many.
-  [[gnu::always_inline]] std::size_t push(std::size_t from, std::size_t to, std::uint32_t* touching, Pushes out) {
+  [[gnu::always_inline]] std::size_t push(std::size_t from, std::size_t to, std::uint32_t* touching,
+                                          const Pushes<double>& out) {
     const std::size_t count = near_pairs(w_, 0.0, from, to, touching);
     if (count == 0) return 0;
     std::fill_n(touching + count, pack_size, touching[count - 1]);
     recall(touching, count);
     for (std::size_t t = 0; t < count; t += pack_size)
-      push_pack(touching + t, std::min(count - t, pack_size), w_.touching->count + t,
-                {out.x + t, out.y + t, out.friction + t, out.arm_a + t, out.arm_b + t});
+      push_pack(touching + t, std::min(count - t, pack_size), w_.touching->count + t, out.from(t));
     w_.touching->count += count;
     return count;
   }
@@ -126,7 +132,8 @@ class Sweep {
   }
 
   /// Forces on the second discs of eight touching pairs, of which so many count.
-  [[gnu::always_inline]] void push_pack(const std::uint32_t* pairs, std::size_t count, std::size_t at, Pushes out) {
+  [[gnu::always_inline]] void push_pack(const std::uint32_t* pairs, std::size_t count, std::size_t at,
+                                        const Pushes<double>& out) {
     TouchingPairs& now = *w_.touching;
     std::array<std::uint32_t, pack_size> first, second;
     for (std::size_t l = 0; l < pack_size; ++l)
@@ -204,55 +211,43 @@ class Giver {
   }
 
   /// To both of touching pairs of a block; before them what goes out by earlier pairs.
-  [[gnu::always_inline]] void give(const std::uint32_t* touching, std::size_t count, const Pushes& pushes) {
+  [[gnu::always_inline]] void give(const std::uint32_t* touching, std::size_t count, const Pushes<double>& pushes) {
     for (std::size_t t = 0; t < count; ++t) {
       const std::uint32_t first = first_[touching[t]], second = second_[touching[t]];
       if (next_ < first) give_out(first);
       const Place force{pushes.x[t], pushes.y[t]};
       const std::size_t i = first / 2, j = disc(w_, second);
-      to_first(i, force, pushes, t), to_second(j, force, pushes, t);
+      push(i, -force, pushes.friction + t, pushes.arm_a + t), push(j, force, pushes.friction + t, pushes.arm_b + t);
       if (w_.wall != nullptr) to_walls(i, j, force);
     }
   }
   /// To the first discs of pairs that go out, up to those of this place.
   [[gnu::always_inline]] void give_out(std::size_t to_place) {
     for (; next_ < to_place; ++out_, go_on()) {
-      const DiscPushes& out = *w_.outgoing;
+      const Pushes<const double> out = standing(*w_.outgoing);
       const Place force{out.x[out_], out.y[out_]};
-      to_first(next_ / 2, force, pointers(out), out_);
-      if (w_.wall != nullptr) to_walls(next_ / 2, disc(w_, out.second[out_]), force);
+      push(next_ / 2, -force, out.friction + out_, out.arm_a + out_);
+      if (w_.wall != nullptr) to_walls(next_ / 2, disc(w_, w_.outgoing->second[out_]), force);
     }
   }
   /// To the second discs, of this sweep, of others' pairs.
-  void take_in(const DiscPushes& in) {
-    for (std::size_t k = 0; k < in.count; ++k) {
-      const std::size_t j = disc(w_, in.second[k]);
-      if (j >= w_.begin && j < w_.end) to_second(j, Place{in.x[k], in.y[k]}, pointers(in), k);
+  void take_in(const DiscPushes& others) {
+    const Pushes<const double> in = standing(others);
+    for (std::size_t k = 0; k < others.count; ++k) {
+      const std::size_t j = disc(w_, others.second[k]);
+      if (j >= w_.begin && j < w_.end) push(j, Place{in.x[k], in.y[k]}, in.friction + k, in.arm_b + k);
     }
   }
 
-  static Pushes pointers(const DiscPushes& of) {
-    // Only read from.
-    const auto numbers = [](const std::vector<double>& array) { return const_cast<double*>(array.data()); };
-    return {numbers(of.x), numbers(of.y), numbers(of.friction), numbers(of.arm_a), numbers(of.arm_b)};
-  }
-
  private:
-  [[gnu::always_inline]] void to_first(std::size_t i, Place force, const Pushes& pushes, std::size_t at) const {
-    const double a = w_.kick * w_.inverse_mass[i & w_.unlike_mass];
+  /// The impulse of a force on a disc, and of the friction that turns it.
+  [[gnu::always_inline]] void push(std::size_t disc, Place force, const double* friction, const double* arm) const {
+    const double h_per_mass = w_.kick * w_.inverse_mass[disc & w_.unlike_mass];
     Place v;
-    std::memcpy(&v, w_.velocities + 2 * i, sizeof v);
-    v -= a * force;
-    std::memcpy(w_.velocities + 2 * i, &v, sizeof v);
-    if constexpr (turns) w_.spins[i] += a * pushes.friction[at] * pushes.arm_a[at] * w_.per_mass[i & w_.unlike_radius];
-  }
-  [[gnu::always_inline]] void to_second(std::size_t j, Place force, const Pushes& pushes, std::size_t at) const {
-    const double b = w_.kick * w_.inverse_mass[j & w_.unlike_mass];
-    Place v;
-    std::memcpy(&v, w_.velocities + 2 * j, sizeof v);
-    v += b * force;
-    std::memcpy(w_.velocities + 2 * j, &v, sizeof v);
-    if constexpr (turns) w_.spins[j] += b * pushes.friction[at] * pushes.arm_b[at] * w_.per_mass[j & w_.unlike_radius];
+    std::memcpy(&v, w_.velocities + 2 * disc, sizeof v);
+    v += h_per_mass * force;
+    std::memcpy(w_.velocities + 2 * disc, &v, sizeof v);
+    if constexpr (turns) w_.spins[disc] += h_per_mass * *friction * *arm * w_.per_mass[disc & w_.unlike_radius];
   }
   void to_walls(std::size_t i, std::size_t j, Place force) const {
     const Vec2 push{force[0], force[1]};
@@ -301,9 +296,9 @@ template <class L, class F>
 [[gnu::always_inline]] inline double sweep_pairs(const L& law, const F& friction, const DiscSweep& w) {
   constexpr bool turns = std::same_as<F, CoulombFriction>;
   std::array<std::uint32_t, sweep_block + pack_size> touching;
-  std::array<std::array<double, sweep_block + pack_size>, turns ? 5 : 2> numbers;
-  const Pushes pushes{numbers[0].data(), numbers[1].data(), numbers[turns ? 2 : 0].data(),
-                      numbers[turns ? 3 : 0].data(), numbers[turns ? 4 : 0].data()};
+  std::array<std::array<double, sweep_block + pack_size>, 5> numbers;
+  const Pushes<double> pushes{numbers[0].data(), numbers[1].data(), numbers[2].data(), numbers[3].data(),
+                              numbers[4].data()};
   const bool moves = !turns && w.drift != 0.0;
   Sizes fastest{};
   std::size_t moved = w.begin;
@@ -331,21 +326,17 @@ template <class L, class F>
 template <class L, class F>
 [[gnu::always_inline]] inline void find_pair_pushes(const L& law, const F& friction, const DiscSweep& w,
                                                     DiscPushes& out) {
-  constexpr bool turns = std::same_as<F, CoulombFriction>;
   const std::size_t pairs = (w.pairs->count + pack_size - 1) / pack_size * pack_size;
   for (auto* numbers : {&out.x, &out.y, &out.friction, &out.arm_a, &out.arm_b})
-    if (numbers == &out.x || numbers == &out.y || turns) numbers->resize(pairs + pack_size);
+    numbers->resize(pairs + pack_size);
   out.first.resize(pairs), out.second.resize(pairs);
   out.count = 0;
   std::array<std::uint32_t, sweep_block + pack_size> touching;
   Sweep<L, F> sweep{law, friction, w};
-  const Pushes all = Giver<turns>::pointers(out);
+  const Pushes<double> all{out.x.data(), out.y.data(), out.friction.data(), out.arm_a.data(), out.arm_b.data()};
   for (std::size_t from = 0; from < pairs; from += sweep_block) {
     const std::size_t n = out.count;
-    const std::size_t count =
-        sweep.push(from, std::min(from + sweep_block, pairs), touching.data(),
-                   turns ? Pushes{all.x + n, all.y + n, all.friction + n, all.arm_a + n, all.arm_b + n}
-                         : Pushes{all.x + n, all.y + n, nullptr, nullptr, nullptr});
+    const std::size_t count = sweep.push(from, std::min(from + sweep_block, pairs), touching.data(), all.from(n));
     for (std::size_t t = 0; t < count; ++t)
       out.first[n + t] = w.pairs->first[touching[t]], out.second[n + t] = w.pairs->second[touching[t]];
     out.count += count;

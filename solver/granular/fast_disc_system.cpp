@@ -41,6 +41,7 @@ template <SettledLaw L, class F>
 FastDiscSystem<L, F>::FastDiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin, const F& friction,
                                      std::size_t threads)
     : shapes_{std::move(shapes)}, law_{law}, friction_{friction}, list_{box, skin}, skin_{skin}, stripes_(threads) {
+  if (threads == 0) throw InputError{"threads: found 0; it must be >= 1"};
   equal_radii_ = 2.0 * common(shapes_.radius);
   equal_masses_ = common(shapes_.inverse_mass) != 0.0;
   if (turns) {
@@ -156,7 +157,7 @@ double FastDiscSystem<L, F>::sweep_pairs(double kick, double drift) {
     if (!ghost_disc_.empty()) list_.shifts(slid_, shifts_);
     each([&](Stripe& stripe) { find_outgoing(stripe, kick); });
   }
-  hold_walls(flow);
+  if (drift != 0.0) hold_walls(flow);
   each([&](Stripe& stripe) {
     const DiscSweep of = work(stripe, kick, drift);
     for (const Stripe& earlier : stripes_) {
@@ -165,7 +166,7 @@ double FastDiscSystem<L, F>::sweep_pairs(double kick, double drift) {
     }
     stripe.fastest = sweep_discs(law_, friction_, of);
   });
-  release_walls();
+  if (drift != 0.0) release_walls();
   if (kick != 0.0) book_parted(), kick_walls(kick);
   double fastest = 0.0;
   for (const Stripe& stripe : stripes_)
@@ -232,8 +233,9 @@ void FastDiscSystem<L, F>::book_parted() {
 
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::copy_before(Stripe& stripe) {
-  std::copy(&velocities_[2 * stripe.begin], &velocities_[2 * stripe.end], &before_[2 * stripe.begin]);
-  if (turns) std::copy(&spins_[stripe.begin], &spins_[stripe.end], &spins_before_[stripe.begin]);
+  const std::size_t discs = stripe.end - stripe.begin;
+  std::copy_n(velocities_.data() + 2 * stripe.begin, 2 * discs, before_.data() + 2 * stripe.begin);
+  if (turns) std::copy_n(spins_.data() + stripe.begin, discs, spins_before_.data() + stripe.begin);
 }
 
 /// What goes out of a stripe.
@@ -507,18 +509,6 @@ bool FastDiscSystem<L, F>::choose_reach() {
   const bool settled = std::abs(reach_ / last - 1.0) < 0.2;
   // Of several stripes the lists also part what goes out.
   return all_near_ = stripes_.size() == 1 && settled && near + making / last > worth * listed;
-}
-
-template <SettledLaw L, class F>
-double FastDiscSystem<L, F>::largest_overlap(std::size_t a, std::size_t b) const {
-  double largest = 0.0;
-  if constexpr (remembers) {
-    const std::size_t pair = list_.find(std::min(a, b), std::max(a, b));
-    for_each_touching([&](const TouchingPairs& touching, std::size_t t) {
-      if (touching.pair[t] == pair) largest = touching.largest[t];
-    });
-  }
-  return largest;
 }
 
 template <SettledLaw L, class F>

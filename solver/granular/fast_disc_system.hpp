@@ -56,7 +56,7 @@ namespace talus {
 /// than all of its own; then it sweeps its own pairs, and gives the first discs of the pairs that go out their
 /// impulses where these stand in the order. So each velocity is the same sum as with one thread.
 ///
-/// Errors of all that lists pairs: InputError of NeighbourList::build.
+/// Errors: InputError without a thread; of all that lists pairs that of NeighbourList::build.
 template <SettledLaw L, class F = Frictionless>
 class FastDiscSystem {
  public:
@@ -103,9 +103,6 @@ class FastDiscSystem {
   /// stand now.
   template <class Visit>
   void for_each_contact(const Discs& discs, Visit&& visit) const;
-  /// Of a pair by their numbers, whichever first, the largest overlap since the touch that the last evaluation left;
-  /// 0 if it does not touch or the law does not remember [L].
-  double largest_overlap(std::size_t a, std::size_t b) const;
   /// What contacts of a law that remembers have lost so far [F L]. (Its sum rounds other than the twin's work.)
   double lost() const requires remembers;
 
@@ -213,13 +210,16 @@ void FastDiscSystem<L, F>::advance(Discs& discs, double h, long steps, After&& a
   load(discs);
   std::optional<Team> team;
   if (stripes_.size() > 1) team_ = &team.emplace(stripes_.size());
+  const struct Leave {
+    Team*& team;
+    ~Leave() { team = nullptr; }
+  } leave{team_};
   for (long n = 0; n < steps; ++n) {
     sweep(h, h);
     end_drift(discs, h);
     discs.t += h;
     after();
   }
-  team_ = nullptr;
   store(discs);
 }
 
@@ -235,7 +235,7 @@ void FastDiscSystem<L, F>::for_each_contact(const Discs& discs, Visit&& visit) c
     const Vec2 d{(discs.x[b] + shift.x) - discs.x[a], (discs.y[b] + shift.y) - discs.y[a]};
     const Vec2 v{(discs.vx[b] + shift.vx) - discs.vx[a], discs.vy[b] - discs.vy[a]};
     const double distance = norm(d);
-    const Vec2 n = 1.0 / distance * d;
+    const Vec2 n{d.x / distance, d.y / distance};
     const Kinematics x{shapes_.radius[a] + shapes_.radius[b] - distance, -dot(v, n)};
     if (!(x.extent > 0.0)) return;
     std::array<double, 1> memory{};

@@ -48,7 +48,7 @@ Of rough discs in two dimensions no number could be read; they must resist more,
 | strain | to forget the start; measured, in ten blocks | 1; 3 |
 | starts | packings, each of its own seed | 2 (full tier 3) |
 
-Errors are standard errors, the larger of what blocks and what starts tell. Smooth discs go by the fast system, whose
+Errors are standard errors, the larger of what blocks and what starts tell. Discs go by the fast system, whose
 stress is compared with that of the plain one to the last bit.
 
 **Source.** $\mu$ and $I$: da Cruz et al. 2005; expectations: the works of the table.

@@ -51,29 +51,15 @@ Pushes pushes_of(const System& system, const Discs& discs) {
   return sums;
 }
 
-/// The fast system keeps no forces: they are worked out anew from what its contacts remember.
-Pushes pushes_of(const Smooth& system, const Discs& discs) {
-  Pushes sums;
-  const std::vector<double>& radius = system.shapes().radius;
-  system.list().for_each_pair(discs, [&](std::size_t a, std::size_t b, std::size_t, Vec2 d, const auto&) {
-    const double apart = norm(d), depth = radius[a] + radius[b] - apart;
-    if (!(depth > 0.0)) return;
-    double largest = system.largest_overlap(a, b), force = 0.0;
-    system.law().settled(depth, 0.0, largest, force);
-    const Vec2 n{d.x / apart, d.y / apart};
-    if (force != 0.0) sums.add(force * n, apart * n, depth);
-  });
-  return sums;
-}
-
 template <class System>
 void advance(System& system, Discs& discs, double h, long steps) {
-  for (long n = 0; n < steps; ++n) {
-    system.kick(discs, h);
-    system.drift(discs, h);
+  if constexpr (requires { system.advance(discs, h, steps); }) {
+    system.advance(discs, h, steps);
+  } else {
+    for (long n = 0; n < steps; ++n)
+      system.kick(discs, h), system.drift(discs, h);
   }
 }
-void advance(Smooth& system, Discs& discs, double h, long steps) { system.advance(discs, h, steps); }
 
 /// Motion and contacts, from the kick of a step: places are those between the velocities before and after.
 struct Look {

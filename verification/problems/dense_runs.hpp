@@ -42,7 +42,7 @@ struct DenseFlow {
 /// mean flow.
 [[nodiscard]] Packing dense_packing(const DensePlan& plan, std::uint64_t seed);
 
-/// Runs it: without friction by FastDiscSystem, with friction by DiscSystem.
+/// Runs it by FastDiscSystem.
 [[nodiscard]] DenseFlow run_dense(const DensePlan& plan);
 
 /// The stress of one start after so many steps, without friction, by either system [K1].

@@ -162,8 +162,9 @@ BOOST_AUTO_TEST_CASE(both_engines_move_discs_alike) {
     double lost = 0.0;
     for (const double work : state.work)
       lost += work;
-    // Bodies book forces at the speed before each kick, discs what the memory of a contact tells.
-    const double apart = decltype(system)::loses_by_memory ? 0.05 : 1e-9;
+    // Bodies book forces at the speed before each kick, which is up to (pi/4) w1 h too much: w1 h = .045 for discs of
+    // mass 1, .050 for the lightest. Discs book what the memory of a contact tells.
+    const double apart = decltype(system)::loses_by_memory ? 0.04 : 1e-9;
     BOOST_TEST(p.discs.dissipated() == lost, boost::test_tools::tolerance(apart));
   });
 }

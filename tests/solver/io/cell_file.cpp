@@ -5,6 +5,7 @@
 #include <string>
 
 #include "solver/base/error.hpp"
+#include "tests/solver/io/folder.hpp"
 
 using namespace talus;
 
@@ -115,6 +116,16 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_told_with_its_place) {
   BOOST_TEST(
       message(with(control, "2e-7 5e-3 0.1\n", "2e-7 5e-3\n")).starts_with("CNTRL.DAT:4: STEP LOOP TIME: TIME: "));
   BOOST_TEST(message("").starts_with("CNTRL.DAT:1: RESTRT GRAPH: RESTRT: "));
+}
+
+BOOST_AUTO_TEST_CASE(cells_are_told_from_bodies_by_what_stands_in_the_file) {
+  const Folder folder;
+  BOOST_TEST(describes_cell(folder.file("OTHER.DAT", control)));
+  BOOST_TEST(!describes_cell(folder.file("MORE.DAT", control + "1\n")));
+  BOOST_TEST(!describes_cell(folder.file("WORD.DAT", with(control, "9.81", "g"))));
+  BOOST_TEST(describes_cell(folder.file("CNTRL.DAT", with(control, "9.81", "g"))));
+  BOOST_TEST(describes_cell(folder.file("a.toml", "title = \"a\"\n[cell]\n")));
+  BOOST_TEST(!describes_cell(folder.file("b.toml", "title = \"b\"\n[run]\n")));
 }
 
 BOOST_AUTO_TEST_CASE(steps_that_change_the_restitution_are_refused_but_in_a_historical_run) {

@@ -8,25 +8,16 @@
 #include <vector>
 
 #include "solver/base/error.hpp"
+#include "tests/solver/io/small_cell.hpp"
 
 using namespace talus;
 
 namespace {
 
-const ShearCell cell{.law = {1e4, 2e4, 0.0},
-                     .diameter = 1.0,
-                     .mass = 1.0,
-                     .gravity = 9.81,
-                     .block_mass = 50.0,
-                     .rows = 3,
-                     .columns = 4,
-                     .wall_discs = 5,
-                     .block_speed = 2.0,
-                     .seed = 4};
+const ShearCell& cell = small_cell;
 
 CellRun run() {
-  const double step = cell.contact_time() / 20.0;
-  CellRun made{cell, {.step = step, .every = 2000.0 * step, .end = 2000.0 * step}};
+  CellRun made = small_cell_run(2000.0);
   while (!made.finished())
     made.advance();
   return made;

@@ -16,6 +16,7 @@
 #include "solver/io/vtp_series.hpp"
 #include "tests/solver/io/fence_run.hpp"
 #include "tests/solver/io/folder.hpp"
+#include "tests/solver/io/small_cell.hpp"
 
 // The files that a run leaves, read back.
 
@@ -93,30 +94,10 @@ BOOST_AUTO_TEST_CASE(damaged_geometry_is_named) {
   BOOST_CHECK_THROW(static_cast<void>(read_geometry({0.0, folder.path / "none.vtp"})), IoError);
 }
 
-namespace {
-
-/// Five discs a row under a block, pressed together for some contact times: some push each other across the border.
-CellRun pressed_cell() {
-  const ShearCell cell{.law = {1e4, 2e4, 0.0},
-                       .diameter = 1.0,
-                       .mass = 1.0,
-                       .gravity = 9.81,
-                       .block_mass = 50.0,
-                       .rows = 3,
-                       .columns = 4,
-                       .wall_discs = 5,
-                       .block_speed = 2.0,
-                       .seed = 4};
-  const double step = cell.contact_time() / 20.0;
-  return {cell, {.step = step, .every = 4000.0 * step, .end = 4000.0 * step}};
-}
-
-}  // namespace
-
 // A cell's state against the run that it was written from, through many states so that some contacts cross the border.
 BOOST_AUTO_TEST_CASE(discs_are_read_as_they_stood) {
   const Folder folder;
-  CellRun run = pressed_cell();
+  CellRun run = small_cell_run(4000.0);
   std::size_t contacts = 0, crossing = 0;
   while (!run.finished()) {
     run.advance();
@@ -147,7 +128,7 @@ BOOST_AUTO_TEST_CASE(discs_are_read_as_they_stood) {
 
 BOOST_AUTO_TEST_CASE(damaged_discs_are_named) {
   const Folder folder;
-  CellRun run = pressed_cell();
+  CellRun run = small_cell_run(4000.0);
   for (int i = 0; i < 3000; ++i)
     run.advance();
   const std::string good = cell_state_vtp(run);
