@@ -53,7 +53,7 @@ void StepParts::look(const State& state, const StepInfo& info) {
   cables_ += time([&] {
     dynamics_->cables().update(copy, work_);
     dynamics_->cables().settle(copy, work_);
-    dynamics_->cables().add(copy, work_, accounts);
+    dynamics_->cables().load(copy, work_, accounts);
   });
   ++sums_.looks;
   looking_ += Clock::now() - start;
@@ -70,9 +70,9 @@ void StepParts::count(const State& state) {
   for (const std::vector<CableRun>& runs : work_.waking.cables) {
     for (const CableRun& run : runs) {
       sums_.awake += static_cast<double>(run.count);
-      const auto first = work_.paths.tension.begin() + static_cast<std::ptrdiff_t>(run.cable);
-      sums_.taut += static_cast<double>(std::count_if(first, first + static_cast<std::ptrdiff_t>(run.count),
-                                                      [](double tension) { return tension > 0.0; }));
+      const double* const first = work_.paths.tension.at(run.cable);
+      sums_.taut +=
+          static_cast<double>(std::count_if(first, first + run.count, [](double tension) { return tension > 0.0; }));
     }
   }
 }

@@ -51,6 +51,19 @@ using Sizes [[gnu::vector_size(64)]] = std::int64_t;
   raise(most, bits & std::numeric_limits<std::int64_t>::max());
 }
 
+/// Whether any lane is true, all of whose bits are then set.
+using Bytes [[gnu::vector_size(8)]] = std::uint8_t;
+[[gnu::always_inline]] inline bool any(const Sizes& is) {
+  return std::bit_cast<std::uint64_t>(__builtin_convertvector(is, Bytes)) != 0;
+}
+
+/// Whether any bit is set in any lane.
+[[gnu::always_inline]] inline bool any_bit(const Sizes& bits) {
+  Sizes all = bits | __builtin_shufflevector(bits, bits, 4, 5, 6, 7, 0, 1, 2, 3);
+  all |= __builtin_shufflevector(all, all, 2, 3, 0, 1, 6, 7, 4, 5);
+  return (all[0] | all[1]) != 0;
+}
+
 /// The largest of all lanes.
 [[gnu::always_inline]] inline double largest(const Sizes& sizes) {
   Sizes most = sizes;

@@ -40,8 +40,15 @@ BodyForces::BodyForces(const Model& model, const Layout& layout) : gravity_{mode
                             has_x(body.mobility)};
     array(body.mobility).push_back(compiled);
   }
-  for (std::size_t i = 0; i < free_.size(); ++i)
+  only_free_ = particles_.empty() && pinned_.empty() && sliding_.empty() && guided_.empty();
+  for (std::size_t i = 0; i < free_.size(); ++i) {
     append(free_runs_, run_of(i));
+    const Compiled& body = free_[i];
+    constants_.inverse_mass.push_back(body.inverse_mass);
+    constants_.inverse_inertia.push_back(body.inverse_inertia);
+    constants_.load_x.push_back(body.load.x), constants_.load_y.push_back(body.load.y);
+    constants_.moment.push_back(body.moment);
+  }
 }
 
 std::vector<BodyForces::Compiled>& BodyForces::array(Mobility mobility) {
@@ -79,6 +86,7 @@ void BodyForces::list_awake(Waking& waking) const {
 void BodyForces::update(const State& state, Workspace& work) const {
   for (const BodyRun& run : work.waking.whole ? free_runs_ : work.waking.bodies)
     place_bodies(run, &state.q[free_[run.place].first], &state.v[free_[run.place].first], work.poses);
+  if (only_free_) return;
   for (const Compiled& body : particles_) {
     const double* q = &state.q[body.first];
     const double* v = &state.v[body.first];
@@ -111,18 +119,13 @@ void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
   if (work.waking.any_asleep) std::fill_n(out.v.begin(), std::min(std::max(out.moving, moving), out.v.size()), 0.0);
   out.moving = moving;
   for (const BodyRun& run : work.waking.bodies) {
-    for (std::size_t i = run.place; i < run.place + run.count; ++i) {
-      const Compiled& body = free_[i];
-      const Wrench wrench = work.wrenches[body.body];
-      const Vec2 force = wrench.force + body.load;
-      out.v[body.first] = body.inverse_mass * force.x;
-      out.v[body.first + 1] = body.inverse_mass * force.y;
-      out.v[body.first + 2] = body.inverse_inertia * (wrench.moment + body.moment);
-    }
+    accelerate_bodies(run, constants_, work.wrenches, &out.v[free_[run.place].first]);
   }
   if (ledger) {
     for (const Compiled& body : free_)
       book(out, body.copies, work.poses[body.body].p_WB, body.load, body.moment);
+  } else if (only_free_) {
+    return;
   }
   for (const Compiled& body : particles_) {
     const Wrench wrench = work.wrenches[body.body];

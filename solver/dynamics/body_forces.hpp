@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "solver/dynamics/energies.hpp"
+#include "solver/dynamics/runs.hpp"
 #include "solver/dynamics/workspace.hpp"
 #include "solver/model/layout.hpp"
 #include "solver/state/state.hpp"
@@ -58,12 +59,14 @@ class BodyForces {
 
   Vec2 gravity_;
   std::vector<Compiled> free_;
+  BodyConstants constants_;  ///< of the free ones
   std::vector<BodyRun> free_runs_;
   std::vector<Compiled> particles_;
   std::vector<Compiled> pinned_;
   std::vector<Compiled> sliding_;
   std::vector<Compiled> guided_;
   std::vector<Compiled> fixed_;
+  bool only_free_{};  ///< none moves in another way
 };
 
 }  // namespace talus

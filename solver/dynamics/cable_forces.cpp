@@ -24,7 +24,7 @@ std::size_t CableForces::joint(const CableEnd& end) {
   const auto found = std::find(joints_.begin(), joints_.end(), wanted);
   if (found != joints_.end()) return static_cast<std::size_t>(found - joints_.begin());
   joints_.push_back(wanted);
-  body_x_.push_back(wanted.p.x), body_y_.push_back(wanted.p.y);
+  constants_.body_x.push_back(wanted.p.x), constants_.body_y.push_back(wanted.p.y);
   return joints_.size() - 1;
 }
 
@@ -34,10 +34,10 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
     const std::size_t a = joint(cable.a), b = joint(cable.b);
     const double across = joints_[b].along - joints_[a].along;
     ends_.push_back({a, b});
-    share_a_.push_back(cable.copies / body_copies(model, joints_[a]));
-    share_b_.push_back(cable.copies / body_copies(model, joints_[b]));
-    across_squared_.push_back(across * across);
-    rest_lengths_.push_back(cable.rest_length);
+    constants_.share_a.push_back(cable.copies / body_copies(model, joints_[a]));
+    constants_.share_b.push_back(cable.copies / body_copies(model, joints_[b]));
+    constants_.across_squared.push_back(across * across);
+    constants_.rest_length.push_back(cable.rest_length);
     copies_.push_back(cable.copies);
     std::visit(
         [&](const auto& law) {
@@ -61,7 +61,7 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
 }
 
 void CableForces::list_awake(Waking& waking, const Rigging& rigging) const {
-  std::vector<char> listed(joints_.size(), 0);
+  std::vector<std::size_t> listed(joints_.size(), 0);  // how many cables end there
   const auto moves = [&](std::size_t j) { return joints_[j].on_body && waking.awake[index(joints_[j].body)]; };
   const auto sleeps = [&](std::size_t j) { return joints_[j].on_body && !waking.awake[index(joints_[j].body)]; };
   waking.cables.resize(std::tuple_size_v<decltype(laws_)>);
@@ -72,15 +72,42 @@ void CableForces::list_awake(Waking& waking, const Rigging& rigging) const {
       const auto [a, b] = ends_[array.cable[i]];
       const bool chained = !rigging.broken.empty() && (rigging.broken[a] || rigging.broken[b]);
       if (!waking.whole && !chained && !moves(a) && !moves(b)) continue;
-      append(waking.cables[law], {i, array.cable[i], a, b, 1, false});
+      append(waking.cables[law], {.place = i, .cable = array.cable[i], .a = a, .b = b, .count = 1});
       if (sleeps(a) != sleeps(b)) waking.borders.push_back(array.cable[i]);
-      listed[a] = listed[b] = 1;
+      ++listed[a], ++listed[b];
     }
   });
+  std::vector<char> in_row(joints_.size(), 0);
+  waking.rows_only = true;
+  std::size_t last = 0;
+  for (std::vector<CableRun>& runs : waking.cables) {
+    for (CableRun& run : runs) {
+      find_row(run, listed);
+      if (run.row) std::fill_n(in_row.begin() + static_cast<std::ptrdiff_t>(run.a), run.count + 1, 1);
+      waking.rows_only = waking.rows_only && run.row && run.a >= last;
+      last = run.a;
+    }
+  }
   waking.joints.clear();
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    if (listed[j]) append(waking.joints, {j, index(joints_[j].body), 1, joints_[j].on_body});
+    if (listed[j] > 0) append(waking.joints, {j, index(joints_[j].body), 1, joints_[j].on_body, in_row[j] != 0});
   }
+}
+
+/// Whether a run is a row, and where its joints on bodies are; `ends_at`: how many cables end at each joint.
+void CableForces::find_row(CableRun& run, const std::vector<std::size_t>& ends_at) const {
+  if (run.b != run.a + 1 || ends_at[run.a] != 1 || ends_at[run.a + run.count] != 1) return;
+  const Joint* const joints = &joints_[run.a];
+  run.from = joints[0].on_body ? 0 : 1;
+  run.to = joints[run.count].on_body ? run.count + 1 : run.count;
+  if (run.from >= run.to || !joints[run.from].on_body) return;
+  run.body = static_cast<std::ptrdiff_t>(index(joints[run.from].body)) - static_cast<std::ptrdiff_t>(run.from);
+  for (std::size_t i = run.from; i < run.to; ++i) {
+    if (i > 0 && i < run.count && ends_at[run.a + i] != 2) return;
+    const auto body = static_cast<std::size_t>(run.body + static_cast<std::ptrdiff_t>(i));
+    if (!joints[i].on_body || index(joints[i].body) != body) return;
+  }
+  run.row = true;
 }
 
 bool CableForces::rig(const State& state, Rigging& rigging) const {
@@ -118,7 +145,7 @@ Chain CableForces::chain_from(std::size_t cable, const Rigging& rigging, std::ve
   const std::size_t start = chain.joints.front();
   if (!rigging.broken[start]) return chain;
   const std::size_t first = chain.cables.front();
-  const bool mirrored = (ends_[first].a == start ? share_a_ : share_b_)[first] > 1.0;
+  const bool mirrored = (ends_[first].a == start ? constants_.share_a : constants_.share_b)[first] > 1.0;
   chain.start = mirrored && !rigging.broken[chain.joints.back()] ? Chain::Start::mirrored : Chain::Start::loose;
   return chain;
 }
@@ -147,7 +174,7 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
   bool carries = chain.start != Chain::Start::loose;
   std::vector<double> lengths, compliances;
   for (const std::size_t c : chain.cables) {
-    lengths.push_back(rest_lengths_[c]);
+    lengths.push_back(constants_.rest_length[c]);
     compliances.push_back(1.0 / tangents_[c].stiffness);
     visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
       if constexpr (requires { law.natural_elongation(memory<L>(state, slot)); })
@@ -191,32 +218,40 @@ void CableForces::place_anchors(Workspace& work) const {
 
 void CableForces::update(const State& state, Workspace& work) const {
   for (const JointRun& run : work.waking.joints) {
-    if (run.on_body) place_joints(run, &body_x_[run.joint], &body_y_[run.joint], work.poses, work.joints);
+    if (run.on_body && !run.in_row) place_joints(run, constants_.body_x, constants_.body_y, work.poses, work.joints);
   }
-  // Chains are laid afterwards, which changes their paths: then no run is quiet.
-  const bool chains = !work.rigging.chains.empty();
+  clear(work.pulls, work.waking.reached);
+  work.waking.quiet = work.waking.rows_only;
   for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, CableRun& run) {
-    const double* const across_squared = &across_squared_[run.cable];
-    if constexpr (HasLines<L>) {
-      if (!chains) {
-        keep_lines(array, run, state, work.lines);
-        run.quiet = pull_straight(run, across_squared, &rest_lengths_[run.cable], work.lines, work.joints, work.paths);
-        return;
-      }
-    }
-    lay_paths(run, across_squared, work.joints, work.paths);
-    run.quiet = false;
+    if (!run.row) return lay_paths(run, work);
+    if constexpr (HasLines<L>) keep_lines(array, run, state, work.lines);
+    run.quiet = pull_row(run, constants_, work.lines, work.poses, work.joints, work.paths, work.pulls);
+    work.waking.quiet = work.waking.quiet && run.quiet;
   });
+  if (work.rigging.chains.empty()) return;
+  // What goes on through broken hangers has other paths: then no run is quiet.
+  work.waking.quiet = false;
+  for_each_run(laws_, work.waking, [](const auto&, CableRun& run) { run.quiet = false; });
   for (Chain& chain : work.rigging.chains)
     straighten(chain, state, work);
 }
 
-double CableForces::load(const Holder& holder, const State& state, const Workspace& work) const {
+void CableForces::lay_paths(const CableRun& run, Workspace& work) const {
+  for (std::size_t i = 0; i < run.count; ++i) {
+    const std::size_t c = run.cable + i;
+    const auto [a, b] = ends_[c];
+    work.paths.set(c, path(work.joints.p_WP(a), work.joints.v_WP(a), work.joints.p_WP(b), work.joints.v_WP(b),
+                           constants_.across_squared[c]));
+  }
+}
+
+double CableForces::pull_on(const Holder& holder, const State& state, const Workspace& work) const {
   Vec2 pull;
   for (const std::size_t c : holder.cables) {
     visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
       const double tension = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]).total();
-      pull += (ends_[c].a == holder.joint ? share_a_[c] : -share_b_[c]) * tension * work.paths.pull(c);
+      pull +=
+          (ends_[c].a == holder.joint ? constants_.share_a[c] : -constants_.share_b[c]) * tension * work.paths.pull(c);
     });
   }
   return norm(pull);
@@ -227,7 +262,7 @@ std::vector<HangerId> CableForces::overloaded(const State& state, const Workspac
   double most = 1.0;
   for (std::size_t h = 0; h < holders_.size(); ++h) {
     if (state.mode[first_hanger_ + h] != 0) continue;
-    const double share = load(holders_[h], state, work) / holders_[h].strength;
+    const double share = pull_on(holders_[h], state, work) / holders_[h].strength;
     if (share < most) continue;
     if (share > most) found.clear();
     most = share;
@@ -260,6 +295,7 @@ std::vector<BodyId> CableForces::joined_bodies(HangerId hanger) const {
 }
 
 void CableForces::settle(State& state, const Workspace& work) const {
+  if (work.waking.quiet) return;
   for_each_run(laws_, work.waking, [&](const auto& array, const CableRun& run) {
     if (run.quiet) return;
     for_each_of(array, run, [&](const auto& law, Slot slot, std::size_t c) {
@@ -268,39 +304,58 @@ void CableForces::settle(State& state, const Workspace& work) const {
   });
 }
 
-void CableForces::add(const State& state, Workspace& work, Rates* out) const {
-  JointPoints& joints = work.joints;
-  if (work.waking.any_asleep) {
-    for (const JointRun& run : work.waking.joints)
-      joints.clear_forces(run.joint, run.count);
+void CableForces::load(const State& state, Workspace& work, Rates* out) const {
+  if (work.waking.quiet) {
+    copy(work.pulls, work.waking.reached, work.wrenches);
   } else {
-    joints.clear_forces(0, joints.size());
-  }
-  for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, const CableRun& run) {
-    if (!run.quiet) {
-      for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
-        const LawForce force = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);
-        work.paths.tension[c] = force.total();
-        if (out)
-          out->work[static_cast<std::size_t>(L::dissipation)] +=
-              copies_[c] * force.dissipative * work.paths.length_rate[c];
-      });
+    sum_pulls(state, work, out);
+    clear(work.wrenches, work.waking.reached);
+    for (const JointRun& run : work.waking.joints) {
+      if (run.on_body) load_bodies(run, work.joints, work.wrenches);
     }
-    sum_pulls(run, &share_a_[run.cable], &share_b_[run.cable], work.paths, joints);
-  });
-  for (const std::size_t j : work.rigging.loose)
-    joints.force_x[j] = joints.force_y[j] = 0.0;
-  for (const JointRun& run : work.waking.joints) {
-    if (run.on_body) load_bodies(run, joints, work.wrenches);
   }
   if (!out) return;
   // Anchors take the pull: an impulse from outside. Those of sleeping cables keep the pull of their last evaluation.
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     if (joints_[j].on_body) continue;
-    out->impulse[0] -= joints.force_x[j];
-    out->impulse[1] -= joints.force_y[j];
-    out->impulse[2] -= cross(joints.p_WP(j), joints.force(j));
+    out->impulse[0] -= work.joints.force_x[j];
+    out->impulse[1] -= work.joints.force_y[j];
+    out->impulse[2] -= cross(work.joints.p_WP(j), work.joints.force(j));
   }
+}
+
+/// Tensions, law by law, and pulls at the joints of the cables that are in no row, or not quiet.
+void CableForces::sum_pulls(const State& state, Workspace& work, Rates* out) const {
+  JointPoints& joints = work.joints;
+  for_each_run(laws_, work.waking, [&](const auto&, const CableRun& run) {
+    if (run.quiet) return;
+    joints.clear_forces(run.a, run.row ? run.count + 1 : 1);
+    if (!run.row) joints.clear_forces(run.b, run.count);
+  });
+  for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, const CableRun& run) {
+    if (run.quiet) return;
+    for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
+      const LawForce force = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);
+      work.paths.tension[c] = force.total();
+      if (out)
+        out->work[static_cast<std::size_t>(L::dissipation)] +=
+            copies_[c] * force.dissipative * work.paths.length_rate[c];
+    });
+    sum_pulls(run, work);
+  });
+  for (const std::size_t j : work.rigging.loose)
+    joints.force_x[j] = joints.force_y[j] = 0.0;
+}
+
+/// Joint i of a chain takes the pull of cable i and of the one before it, in one sum.
+void CableForces::sum_pulls(const CableRun& run, Workspace& work) const {
+  const auto pull = [&](std::size_t i) { return work.paths.tension[run.cable + i] * work.paths.pull(run.cable + i); };
+  const auto end_a = [&](std::size_t i) { return constants_.share_a[run.cable + i] * pull(i); };
+  const auto end_b = [&](std::size_t i) { return constants_.share_b[run.cable + i] * pull(i); };
+  work.joints.add_force(run.a, end_a(0));
+  for (std::size_t i = 1; i < run.count; ++i)
+    work.joints.add_force(run.a + i, end_a(i) - end_b(i - 1));
+  work.joints.add_force(run.b + run.count - 1, -end_b(run.count - 1));
 }
 
 void CableForces::keep_rest(const State& state, const Workspace& work) {
@@ -335,14 +390,14 @@ bool CableForces::follows(const State& state) const {
 
 void CableForces::guards(const State& state, const Workspace& work, double ahead, std::span<double> out) const {
   for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, const CableRun& run) {
-    if (run.quiet && stays_straight(run, &rest_lengths_[run.cable], work.lines, work.paths, ahead)) return;
+    if (run.quiet && stays_straight(run, constants_.rest_length, work.lines, work.paths, ahead)) return;
     for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
       out[slot.mode] = law.guard(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);
     });
   });
   for (std::size_t h = 0; h < holders_.size(); ++h) {
     if (state.mode[first_hanger_ + h] == 0)
-      out[first_hanger_ + h] = holders_[h].strength - load(holders_[h], state, work);
+      out[first_hanger_ + h] = holders_[h].strength - pull_on(holders_[h], state, work);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <vector>
 
+#include "solver/dynamics/runs.hpp"
 #include "solver/dynamics/workspace.hpp"
 #include "solver/laws/law_list.hpp"
 #include "solver/model/layout.hpp"
@@ -66,9 +67,9 @@ class CableForces {
   /// The bodies at both ends of the hanger's cables.
   std::vector<BodyId> joined_bodies(HangerId hanger) const;
   void settle(State& state, const Workspace& work) const;
-  /// Sums the tensions at the joints and adds them to the wrenches of the bodies; with out, dissipated power and the
-  /// anchors' impulse as well.
-  void add(const State& state, Workspace& work, Rates* out) const;
+  /// Sums the tensions at the joints: the wrenches of the bodies, of which they are the first part; with out,
+  /// dissipated power and the anchors' impulse as well.
+  void load(const State& state, Workspace& work, Rates* out) const;
   /// Whether some memory is taken along by settle() alone: of cables that yield.
   bool follows(const State& state) const;
   /// Of rows that at their rates stay on their straight lines for the time ahead [T] none.
@@ -82,7 +83,7 @@ class CableForces {
   void tensions(const State& state, const Workspace& work, std::span<double> out) const;
   /// Elongation of one cable [L]; negative while slack.
   double elongation(const Workspace& work, std::size_t cable) const {
-    return work.paths.length[cable] - rest_lengths_[cable];
+    return work.paths.length[cable] - constants_.rest_length[cable];
   }
 
  private:
@@ -94,8 +95,12 @@ class CableForces {
   };
 
   std::size_t joint(const CableEnd& end);
+  void find_row(CableRun& run, const std::vector<std::size_t>& ends_at) const;
+  void lay_paths(const CableRun& run, Workspace& work) const;
+  void sum_pulls(const State& state, Workspace& work, Rates* out) const;
+  void sum_pulls(const CableRun& run, Workspace& work) const;
   /// Sum of the pulls on a hanger [F].
-  double load(const Holder& holder, const State& state, const Workspace& work) const;
+  double pull_on(const Holder& holder, const State& state, const Workspace& work) const;
   Chain chain_from(std::size_t cable, const Rigging& rigging, std::vector<char>& used) const;
   void extend(Chain& chain, const Rigging& rigging, std::vector<char>& used) const;
   void straighten(Chain& chain, const State& state, Workspace& work) const;
@@ -105,12 +110,8 @@ class CableForces {
 
   CableLaws::Tuple<CableArray> laws_;
   std::vector<Joint> joints_;
-  std::vector<double> body_x_, body_y_;  ///< joints on bodies: place in body coordinates [L]
   std::vector<Ends> ends_;
-  std::vector<double> share_a_, share_b_;  ///< how much of a cable's tension its ends take: one that stands for several
-                                           ///< pulls several times at a body that stands for itself alone
-  std::vector<double> across_squared_;
-  std::vector<double> rest_lengths_;
+  CableConstants constants_;
   std::vector<double> copies_;
   std::vector<CablePlace> places_;
   std::vector<Holder> holders_;

@@ -33,6 +33,7 @@ Kinematics kinematics(const Workspace& work, std::size_t instance) {
 /// Calls visit(law, slot, group) for each law instance within reach.
 template <class Laws, class Visit>
 void for_each_near(const Laws& laws, const Workspace& work, Visit&& visit) {
+  if (!work.any_near) return;
   for_each_array(laws, [&](const auto& array) {
     for (const ContactGroup& group : array.groups) {
       if (!work.near[group.candidate]) continue;
@@ -54,7 +55,7 @@ struct Slider {
 /// Calls visit(slider) for each instance of friction within reach; `rough`: whether there are any.
 template <class Laws, class Visit>
 void for_each_slider(const Laws& laws, bool rough, const State& state, const Workspace& work, Visit&& visit) {
-  if (!rough) return;
+  if (!rough || !work.any_near) return;
   for_each_array(laws, [&](const auto& array) {
     for (const ContactGroup& group : array.groups) {
       if (!group.friction || !work.near[group.candidate]) continue;
@@ -153,19 +154,22 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) {
 
 void ContactForces::update(const State& state, Workspace& work) const {
   search_.find(work.poses, work.near, work.sweep);
-  // Bodies may have parted within one step: what still acts is looked at once more, to be ended.
+  work.any_near = false;
   for (std::size_t c = 0; c < candidates(); ++c) {
     const Candidate& pair = search_.pairs()[c];
-    const auto mode = state.mode.begin();
-    work.near[c] =
-        work.near[c] || std::any_of(mode + static_cast<std::ptrdiff_t>(pair.first),
-                                    mode + static_cast<std::ptrdiff_t>(pair.last), [](Mode m) { return m != 0; });
+    // Bodies may have parted within one step: what still acts is looked at once more, to be ended.
+    unsigned acting = 0;
+    for (std::size_t i = pair.first; i < pair.last; ++i)
+      acting |= state.mode[i];
+    work.near[c] = work.near[c] || acting != 0;
+    work.any_near = work.any_near || work.near[c];
   }
-  for_each_array(laws_, [&](const auto& array) { update_gaps(array, &state, work); });
+  if (work.any_near) for_each_array(laws_, [&](const auto& array) { update_gaps(array, &state, work); });
 }
 
 void ContactForces::update_all(Workspace& work) const {
   std::fill(work.near.begin(), work.near.end(), Workspace::wanted);
+  work.any_near = candidates() > 0;
   for_each_array(laws_, [&](const auto& array) { update_gaps(array, nullptr, work); });
 }
 
@@ -182,6 +186,7 @@ void ContactForces::update_far(double ahead, double pull, Workspace& work) const
       any = true;
     }
   }
+  work.any_near = work.any_near || any;
   if (any) for_each_array(laws_, [&](const auto& array) { update_gaps(array, nullptr, work); });
 }
 

@@ -40,8 +40,7 @@ void Dynamics::find_rest() {
   cables_.settle(rest, work);
   cables_.keep_rest(rest, work);
   Rates accelerations{rest};
-  work.wrenches.clear(model_.bodies.size());
-  cables_.add(rest, work, nullptr);
+  cables_.load(rest, work, nullptr);
   bodies_.rates(work, accelerations, false);
   for (const BodyId body : layout_.sleepers) {
     const auto first = accelerations.v.begin() + static_cast<std::ptrdiff_t>(layout_.first[index(body)]);
@@ -52,7 +51,7 @@ void Dynamics::find_rest() {
 Workspace Dynamics::workspace() const {
   Workspace work;
   work.poses = Poses(model_.bodies.size());
-  work.wrenches = Wrenches(model_.bodies.size());
+  work.wrenches = work.pulls = Wrenches(model_.bodies.size());
   work.joints = JointPoints(cables_.joints().size());
   work.gaps.resize(contacts_.size());
   work.rates.resize(contacts_.size());
@@ -187,13 +186,13 @@ void Dynamics::memory_rates(const State& state, const Workspace& work, Rates& ou
 }
 
 void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledger) const {
+  out.accounts = ledger;
   out.work.fill(0.0);
   out.impulse.fill(0.0);
   memory_rates(state, work, out);
-  work.wrenches.clear(work.waking.reached);
   Rates* const accounts = ledger ? &out : nullptr;
   // Cables first: a half model's doubled pull and a full model's two pulls are then the same sum to the last bit.
-  cables_.add(state, work, accounts);
+  cables_.load(state, work, accounts);
   work.waking.summed = true;
   contacts_.add(state, work, accounts);
   bodies_.rates(work, out, ledger);

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/align/aligned_allocator.hpp>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
+#include "solver/base/pack.hpp"
 #include "solver/base/vec.hpp"
 #include "solver/geometry/path.hpp"
 #include "solver/geometry/pose.hpp"
@@ -15,12 +18,33 @@ namespace talus {
 /// Numbers of many bodies, joints or cables, one array for each number, so that neighbours are worked out side by side
 /// in the lanes of a processor. Where one is asked for it is put together.
 
+/// One number of each, with room for a pack before the first and behind the last: whole packs can be loaded from any
+/// place and, their other lanes as they were, be stored there. A store of less than a pack, read at once, costs more.
+class Row {
+ public:
+  explicit Row(std::size_t count = 0, double value = 0.0) : numbers_(count + 2 * pack_size, value) {}
+
+  std::size_t size() const { return numbers_.size() - 2 * pack_size; }
+  double& operator[](std::size_t i) { return numbers_[pack_size + i]; }
+  double operator[](std::size_t i) const { return numbers_[pack_size + i]; }
+  double* at(std::size_t i) { return numbers_.data() + pack_size + i; }
+  const double* at(std::size_t i) const { return numbers_.data() + pack_size + i; }
+  void clear(std::size_t first, std::size_t count) { std::fill_n(at(first), count, 0.0); }
+  void push_back(double number) {
+    numbers_.push_back(0.0);
+    (*this)[size() - 1] = number;
+  }
+
+ private:
+  std::vector<double, boost::alignment::aligned_allocator<double, sizeof(Pack)>> numbers_;
+};
+
 /// Where the bodies are and how they move.
 struct Poses {
-  std::vector<double> x, y;          ///< centre of mass [L]
-  std::vector<double> cosine, sine;  ///< orientation
-  std::vector<double> vx, vy;        ///< velocity of the centre of mass [L/T]
-  std::vector<double> w;             ///< angular velocity [rad/T], counter-clockwise > 0
+  Row x, y;          ///< centre of mass [L]
+  Row cosine, sine;  ///< orientation
+  Row vx, vy;        ///< velocity of the centre of mass [L/T]
+  Row w;             ///< angular velocity [rad/T], counter-clockwise > 0
 
   explicit Poses(std::size_t count = 0)
       : x(count), y(count), cosine(count, 1.0), sine(count), vx(count), vy(count), w(count) {}
@@ -43,17 +67,12 @@ struct Wrench {
 
 /// Wrenches of the bodies.
 struct Wrenches {
-  std::vector<double> x, y;    ///< force [F]
-  std::vector<double> moment;  ///< [F L]
+  Row x, y;    ///< force [F]
+  Row moment;  ///< [F L]
 
   explicit Wrenches(std::size_t count = 0) : x(count), y(count), moment(count) {}
 
   Wrench operator[](std::size_t i) const { return {{x[i], y[i]}, moment[i]}; }
-  /// Of the first so many bodies.
-  void clear(std::size_t count) {
-    for (auto* const numbers : {&x, &y, &moment})
-      std::fill_n(numbers->begin(), count, 0.0);
-  }
   /// Adds a force [F] that acts at world point p_WP to the wrench of a body whose centre of mass is at p_WB.
   void add(std::size_t i, Vec2 p_WB, Vec2 p_WP, Vec2 force) {
     x[i] += force.x;
@@ -64,10 +83,10 @@ struct Wrenches {
 
 /// The points of bodies, or of the world, at which cables end.
 struct JointPoints {
-  std::vector<double> x, y;              ///< [L]
-  std::vector<double> arm_x, arm_y;      ///< from the body's centre of mass [L]
-  std::vector<double> vx, vy;            ///< [L/T]
-  std::vector<double> force_x, force_y;  ///< sum of the pulls of all cables that end here [F]
+  Row x, y;              ///< [L]
+  Row arm_x, arm_y;      ///< from the body's centre of mass [L]
+  Row vx, vy;            ///< [L/T]
+  Row force_x, force_y;  ///< sum of the pulls of all cables that end here [F]
 
   explicit JointPoints(std::size_t count = 0)
       : x(count), y(count), arm_x(count), arm_y(count), vx(count), vy(count), force_x(count), force_y(count) {}
@@ -76,10 +95,8 @@ struct JointPoints {
   Vec2 p_WP(std::size_t i) const { return {x[i], y[i]}; }
   Vec2 v_WP(std::size_t i) const { return {vx[i], vy[i]}; }
   Vec2 force(std::size_t i) const { return {force_x[i], force_y[i]}; }
-  void clear_forces(std::size_t first, std::size_t count) {
-    std::fill_n(force_x.begin() + static_cast<std::ptrdiff_t>(first), count, 0.0);
-    std::fill_n(force_y.begin() + static_cast<std::ptrdiff_t>(first), count, 0.0);
-  }
+  void clear_forces(std::size_t first, std::size_t count) { force_x.clear(first, count), force_y.clear(first, count); }
+  void add_force(std::size_t i, Vec2 force) { force_x[i] += force.x, force_y[i] += force.y; }
   /// Moves a point that is on no body.
   void place(std::size_t i, Vec2 p, Vec2 v) {
     x[i] = p.x, y[i] = p.y;
@@ -90,10 +107,10 @@ struct JointPoints {
 
 /// The straight lines of the cables, and their tensions.
 struct Paths {
-  std::vector<double> length;          ///< [L]
-  std::vector<double> length_rate;     ///< [L/T], > 0 while lengthening
-  std::vector<double> pull_x, pull_y;  ///< in-plane part of the unit vector from end A to end B
-  std::vector<double> tension;         ///< [F]; of runs that are not quiet once they were summed at the joints
+  Row length;          ///< [L]
+  Row length_rate;     ///< [L/T], > 0 while lengthening
+  Row pull_x, pull_y;  ///< in-plane part of the unit vector from end A to end B
+  Row tension;         ///< [F]; of runs that are not quiet once they were summed at the joints
 
   explicit Paths(std::size_t count = 0)
       : length(count), length_rate(count), pull_x(count), pull_y(count), tension(count) {}
@@ -112,7 +129,7 @@ struct Paths {
 struct CableLines {
   std::vector<Mode> mode;
   std::vector<double> memory;
-  std::vector<double> stiffness, natural, low, high;  ///< as in LinearPiece
+  Row stiffness, natural, low, high;  ///< as in LinearPiece
 
   explicit CableLines(std::size_t count = 0)
       : mode(count, std::numeric_limits<Mode>::max()),
@@ -142,8 +159,10 @@ struct JointRun {
   std::size_t body{};
   std::size_t count{};
   bool on_body{};
+  bool in_row{};  ///< placed with the row of cables that they are in
   bool goes_on(const JointRun& next) const {
-    return next.joint == joint + count && next.on_body == on_body && (!on_body || next.body == body + count);
+    return next.joint == joint + count && next.on_body == on_body && next.in_row == in_row &&
+           (!on_body || next.body == body + count);
   }
 };
 
@@ -155,7 +174,13 @@ struct CableRun {
   std::size_t a{};      ///< joint at its end A
   std::size_t b{};      ///< and at its end B: if there is another cable, the joint after
   std::size_t count{};
-  bool quiet{};  ///< as last laid: each stays on the straight line of its mode
+  /// In a row no other cable ends at its joints a, a + 1 .. a + count, and all of them, or all but one at either end,
+  /// are on neighbouring bodies: those from .. to - 1.
+  bool row{};
+  std::size_t from{};     ///< counted from a
+  std::size_t to{};       ///< counted from a
+  std::ptrdiff_t body{};  ///< that joint a is on, or would be on
+  bool quiet{};           ///< of a row, as last laid: each cable stays on the straight line of its mode
   bool goes_on(const CableRun& next) const {
     return b == a + 1 && next.a == a + count && next.b == b + count && next.place == place + count &&
            next.cable == cable + count;

@@ -1,171 +1,339 @@
 #include "solver/dynamics/runs.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 
 #include "solver/base/pack.hpp"
 
 namespace talus {
 namespace {
 
-/// Calls visit(i) for i = 0 .. count - 1 in blocks of as many as the widest registers hold numbers. In the last block
-/// the lanes beyond the end are masked out, so that a run of seven costs what one of eight does. Visits must not depend
-/// on each other.
+/// Those of eight lanes whose number is from .. to - 1; numbers may be below nought. Of a table, and blended as whole
+/// numbers: gcc 12 makes of compares and choices between packs a jump for each lane.
+constexpr std::array<std::int64_t, 2 * pack_size> ones_then_noughts{-1, -1, -1, -1, -1, -1, -1, -1};
+[[gnu::always_inline]] inline void between(Sizes& is, std::ptrdiff_t from, std::ptrdiff_t to) {
+  constexpr auto size = static_cast<std::ptrdiff_t>(pack_size);
+  const auto below = [&](Sizes& lanes, std::ptrdiff_t end) {
+    std::memcpy(&lanes, ones_then_noughts.data() + size - std::clamp(end, std::ptrdiff_t{0}, size), sizeof lanes);
+  };
+  Sizes early;
+  below(is, to), below(early, from);
+  is &= ~early;
+}
+
+/// Lanes that are true become those of another pack.
+[[gnu::always_inline]] inline void choose(Pack& pack, const Sizes& is, const Pack& other) {
+  Sizes bits, others;
+  std::memcpy(&bits, &pack, sizeof bits), std::memcpy(&others, &other, sizeof others);
+  bits = (bits & ~is) | (others & is);
+  std::memcpy(&pack, &bits, sizeof bits);
+}
+
+/// Lanes that are true get new numbers, the others keep what is there.
+[[gnu::always_inline]] inline void put(double* row, const Sizes& is, const Pack& numbers) {
+  Pack there;
+  load(there, row);
+  choose(there, is, numbers);
+  store(there, row);
+}
+
+/// Calls visit(lane) for each lane; visits must not depend on each other.
 template <class Visit>
-[[gnu::always_inline]] inline void for_lanes(std::size_t count, Visit&& visit) {
-  for (std::size_t block = 0; block < count; block += 8) {
+[[gnu::always_inline]] inline void for_lanes(Visit&& visit) {
 #pragma omp simd
-    for (std::size_t lane = 0; lane < 8; ++lane) {
-      if (block + lane < count) visit(block + lane);
-    }
+  for (std::size_t lane = 0; lane < pack_size; ++lane)
+    visit(lane);
+}
+
+/// Numbers of eight neighbours by lanes.
+struct alignas(sizeof(Pack)) Lanes {
+  std::array<double, pack_size> number;
+
+  [[gnu::always_inline]] double operator[](std::size_t lane) const { return number[lane]; }
+  [[gnu::always_inline]] double& operator[](std::size_t lane) { return number[lane]; }
+  [[gnu::always_inline]] void get(Pack& pack) const { load(pack, number.data()); }
+  [[gnu::always_inline]] void set(const Pack& pack) { store(pack, number.data()); }
+};
+
+/// Of eight lanes, those for which ask(lane) is so.
+template <class Ask>
+[[gnu::always_inline]] inline void ask_lanes(Sizes& is, Ask&& ask) {
+  alignas(sizeof(Pack)) std::array<std::int64_t, pack_size> answer;
+  for_lanes([&](std::size_t lane) { answer[lane] = ask(lane) ? -1 : 0; });
+  std::memcpy(&is, answer.data(), sizeof is);
+}
+
+/// From (x, y, angle) of eight bodies, one after the other, to eight of each.
+[[gnu::always_inline]] inline void part(const double* threes, Pack& x, Pack& y, Pack& angle) {
+  Pack a, b, c;
+  load(a, threes), load(b, threes + 8), load(c, threes + 16);
+  const Pack x_ab = __builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, 0, 0);
+  const Pack y_ab = __builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 0, 0, 0);
+  const Pack angle_ab = __builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 0, 0, 0);
+  x = __builtin_shufflevector(x_ab, c, 0, 1, 2, 3, 4, 5, 10, 13);
+  y = __builtin_shufflevector(y_ab, c, 0, 1, 2, 3, 4, 8, 11, 14);
+  angle = __builtin_shufflevector(angle_ab, c, 0, 1, 2, 3, 4, 9, 12, 15);
+}
+
+/// The other way round.
+[[gnu::always_inline]] inline void join(const Pack& x, const Pack& y, const Pack& angle, double* threes) {
+  const Pack first = __builtin_shufflevector(x, y, 0, 8, 0, 1, 9, 0, 2, 10);
+  const Pack middle = __builtin_shufflevector(x, y, 0, 3, 11, 0, 4, 12, 0, 5);
+  const Pack last = __builtin_shufflevector(x, y, 13, 0, 6, 14, 0, 7, 15, 0);
+  store(__builtin_shufflevector(first, angle, 0, 1, 8, 3, 4, 9, 6, 7), threes);
+  store(__builtin_shufflevector(middle, angle, 10, 1, 2, 11, 4, 5, 12, 7), threes + 8);
+  store(__builtin_shufflevector(last, angle, 0, 13, 2, 3, 14, 5, 6, 15), threes + 16);
+}
+
+/// Accelerations of eight free bodies, at `place` among them.
+[[gnu::always_inline]] inline void accelerate_eight(std::size_t place, std::size_t body, const BodyConstants& constants,
+                                                    const Wrenches& wrenches, double* a) {
+  Pack inverse_mass, inverse_inertia, load_x, load_y, applied, x, y, moment;
+  load(inverse_mass, constants.inverse_mass.at(place)), load(inverse_inertia, constants.inverse_inertia.at(place));
+  load(load_x, constants.load_x.at(place)), load(load_y, constants.load_y.at(place));
+  load(applied, constants.moment.at(place));
+  load(x, wrenches.x.at(body)), load(y, wrenches.y.at(body)), load(moment, wrenches.moment.at(body));
+  join(inverse_mass * (x + load_x), inverse_mass * (y + load_y), inverse_inertia * (moment + applied), a);
+}
+
+/// Poses of eight bodies, or of as many as there are.
+[[gnu::always_inline]] inline void place_eight(const double* q, const double* v, std::size_t body, const Sizes& are,
+                                               Poses& poses) {
+  Pack x, y, angle, vx, vy, w;
+  part(q, x, y, angle);
+  part(v, vx, vy, w);
+  put(poses.x.at(body), are, x), put(poses.y.at(body), are, y);
+  put(poses.vx.at(body), are, vx), put(poses.vy.at(body), are, vy), put(poses.w.at(body), are, w);
+  Lanes angles, cosine, sine;
+  angles.set(angle);
+  Sizes beyond, lost{};
+  ask_lanes(beyond, [&](std::size_t i) { return !within_series(angles[i]); });
+  beyond &= are;
+  if (any(beyond)) {
+    ask_lanes(lost, [&](std::size_t i) {
+      const Turned turned = rotation_by_quarter_turns(angles[i]);
+      cosine[i] = turned.rotation.cosine, sine[i] = turned.rotation.sine;
+      return !turned.found;
+    });
+    lost &= are;
+  } else {
+    for_lanes([&](std::size_t i) {
+      const Rotation turned = rotation_by_series(angles[i]);
+      cosine[i] = turned.cosine, sine[i] = turned.sine;
+    });
+  }
+  Pack cosines, sines;
+  cosine.get(cosines), sine.get(sines);
+  put(poses.cosine.at(body), are, cosines), put(poses.sine.at(body), are, sines);
+  if (!any(lost)) return;
+  for (std::size_t i = 0; i < pack_size; ++i) {
+    if (lost[i] == 0) continue;
+    const Rotation turned = rotation_by_any_angle(angles[i]);
+    poses.cosine[body + i] = turned.cosine, poses.sine[body + i] = turned.sine;
   }
 }
 
-/// The same; how many of the visits gave true.
-template <class Visit>
-[[gnu::always_inline]] inline std::size_t count_lanes(std::size_t count, Visit&& visit) {
-  std::size_t found = 0;
-  for (std::size_t block = 0; block < count; block += 8) {
-#pragma omp simd reduction(+ : found)
-    for (std::size_t lane = 0; lane < 8; ++lane) {
-      if (block + lane < count) found += visit(block + lane) ? 1 : 0;
-    }
-  }
-  return found;
+/// Eight joints of a row: where they are and how they move.
+struct Eight {
+  Pack x, y, vx, vy;
+  Pack arm_x, arm_y;
+  Sizes on_body;
+};
+
+/// Those of a row from its joint `first` on; those that are on no body stay where they are.
+[[gnu::always_inline]] inline void place_eight(Eight& at, const CableRun& run, std::size_t first,
+                                               const CableConstants& constants, const Poses& poses,
+                                               JointPoints& joints) {
+  const auto from = static_cast<std::ptrdiff_t>(run.from), to = static_cast<std::ptrdiff_t>(run.to);
+  const auto begin = static_cast<std::ptrdiff_t>(first);
+  Sizes& on_body = at.on_body;
+  between(on_body, from - begin, to - begin);
+  // A lane before the first body reads the room before it.
+  const auto body = static_cast<std::size_t>(run.body + begin);
+  const std::size_t joint = run.a + first;
+  Pack x, y, cosine, sine, vx, vy, w, p_x, p_y;
+  load(x, poses.x.at(body)), load(y, poses.y.at(body));
+  load(cosine, poses.cosine.at(body)), load(sine, poses.sine.at(body));
+  load(vx, poses.vx.at(body)), load(vy, poses.vy.at(body)), load(w, poses.w.at(body));
+  load(p_x, constants.body_x.at(joint)), load(p_y, constants.body_y.at(joint));
+  const Pack dx = cosine * p_x - sine * p_y;
+  const Pack dy = sine * p_x + cosine * p_y;
+  at.arm_x = dx, at.arm_y = dy;
+  load(at.x, joints.x.at(joint)), load(at.y, joints.y.at(joint));
+  load(at.vx, joints.vx.at(joint)), load(at.vy, joints.vy.at(joint));
+  choose(at.x, on_body, x + dx), choose(at.y, on_body, y + dy);
+  choose(at.vx, on_body, vx - w * dy), choose(at.vy, on_body, vy + w * dx);
+  put(joints.arm_x.at(joint), on_body, dx), put(joints.arm_y.at(joint), on_body, dy);
+  store(at.x, joints.x.at(joint)), store(at.y, joints.y.at(joint));
+  store(at.vx, joints.vx.at(joint)), store(at.vy, joints.vy.at(joint));
 }
 
-/// The lines of neighbouring cables; how many of them accept(i, length) turns down.
-template <class Accept>
-[[gnu::always_inline]] inline std::size_t lay(const CableRun& run, const double* across_squared,
-                                              const JointPoints& joints, Paths& paths, Accept&& accept) {
-  const double *const x_A = &joints.x[run.a], *const y_A = &joints.y[run.a];
-  const double *const vx_A = &joints.vx[run.a], *const vy_A = &joints.vy[run.a];
-  const double *const x_B = &joints.x[run.b], *const y_B = &joints.y[run.b];
-  const double *const vx_B = &joints.vx[run.b], *const vy_B = &joints.vy[run.b];
-  double *const length = &paths.length[run.cable], *const length_rate = &paths.length_rate[run.cable];
-  double *const pull_x = &paths.pull_x[run.cable], *const pull_y = &paths.pull_y[run.cable];
-  return count_lanes(run.count, [&](std::size_t i) {
-    const Path line = path(x_B[i] - x_A[i], y_B[i] - y_A[i], vx_B[i] - vx_A[i], vy_B[i] - vy_A[i], across_squared[i]);
-    length[i] = line.length;
-    length_rate[i] = line.length_rate;
-    pull_x[i] = line.pull_A.x, pull_y[i] = line.pull_A.y;
-    return !accept(i, line.length);
-  });
+/// Each lane's next; of the last, the first of the pack after.
+[[gnu::always_inline]] inline void ahead(Pack& next, const Pack& pack, const Pack& after) {
+  next = __builtin_shufflevector(pack, after, 1, 2, 3, 4, 5, 6, 7, 8);
 }
 
 }  // namespace
 
 TALUS_CLONES void place_bodies(const BodyRun& run, const double* q, const double* v, Poses& poses) {
-  const std::size_t count = run.count;
-  double *const x = &poses.x[run.body], *const y = &poses.y[run.body];
-  double *const cosine = &poses.cosine[run.body], *const sine = &poses.sine[run.body];
-  double *const vx = &poses.vx[run.body], *const vy = &poses.vy[run.body], *const w = &poses.w[run.body];
-  for (std::size_t i = 0; i < count; ++i) {
-    cosine[i] = q[3 * i + 2];  // the angle itself, until its series are worked out in lanes
-    x[i] = q[3 * i], y[i] = q[3 * i + 1];
-    vx[i] = v[3 * i], vy[i] = v[3 * i + 1], w[i] = v[3 * i + 2];
-  }
-  std::size_t beyond = count_lanes(count, [&](std::size_t i) {
-    const double angle = cosine[i];
-    const Rotation turned = rotation_by_series(angle);
-    cosine[i] = turned.cosine, sine[i] = turned.sine;
-    return !within_series(angle);
-  });
-  for (std::size_t i = 0; beyond > 0; ++i) {
-    if (within_series(q[3 * i + 2])) continue;
-    const Rotation turned = rotation_by_any_angle(q[3 * i + 2]);
-    cosine[i] = turned.cosine, sine[i] = turned.sine;
-    --beyond;
+  Sizes all;
+  between(all, 0, pack_size);
+  std::size_t i = 0;
+  for (; i + pack_size <= run.count; i += pack_size)
+    place_eight(q + 3 * i, v + 3 * i, run.body + i, all, poses);
+  if (i == run.count) return;
+  // Behind the last body nothing may be read.
+  const std::size_t left = run.count - i;
+  std::array<double, 3 * pack_size> last_q{}, last_v{};
+  std::copy_n(q + 3 * i, 3 * left, last_q.begin());
+  std::copy_n(v + 3 * i, 3 * left, last_v.begin());
+  Sizes are;
+  between(are, 0, static_cast<std::ptrdiff_t>(left));
+  place_eight(last_q.data(), last_v.data(), run.body + i, are, poses);
+}
+
+TALUS_CLONES void accelerate_bodies(const BodyRun& run, const BodyConstants& constants, const Wrenches& wrenches,
+                                    double* a) {
+  std::size_t i = 0;
+  for (; i + pack_size <= run.count; i += pack_size)
+    accelerate_eight(run.place + i, run.body + i, constants, wrenches, a + 3 * i);
+  if (i == run.count) return;
+  std::array<double, 3 * pack_size> last;
+  accelerate_eight(run.place + i, run.body + i, constants, wrenches, last.data());
+  std::copy_n(last.begin(), 3 * (run.count - i), a + 3 * i);
+}
+
+TALUS_CLONES void clear(Wrenches& wrenches, std::size_t count) {
+  // Whole packs, without a look at what is there: what contacts added one by one would be waited for.
+  for (std::size_t i = 0; i < count; i += pack_size) {
+    for (Row* const row : {&wrenches.x, &wrenches.y, &wrenches.moment})
+      store(Pack{}, row->at(i));
   }
 }
 
-TALUS_CLONES void place_joints(const JointRun& run, const double* p_x, const double* p_y, const Poses& poses,
+TALUS_CLONES void copy(const Wrenches& from, std::size_t count, Wrenches& to) {
+  for (std::size_t i = 0; i < count; i += pack_size) {
+    Pack x, y, moment;
+    load(x, from.x.at(i)), load(y, from.y.at(i)), load(moment, from.moment.at(i));
+    store(x, to.x.at(i)), store(y, to.y.at(i)), store(moment, to.moment.at(i));
+  }
+}
+
+TALUS_CLONES void place_joints(const JointRun& run, const Row& p_x, const Row& p_y, const Poses& poses,
                                JointPoints& joints) {
-  const std::size_t count = run.count, body = run.body, joint = run.joint;
-  const double *const x = &poses.x[body], *const y = &poses.y[body];
-  const double *const cosine = &poses.cosine[body], *const sine = &poses.sine[body];
-  const double *const vx = &poses.vx[body], *const vy = &poses.vy[body], *const w = &poses.w[body];
-  double *const arm_x = &joints.arm_x[joint], *const arm_y = &joints.arm_y[joint];
-  double *const joint_x = &joints.x[joint], *const joint_y = &joints.y[joint];
-  double *const joint_vx = &joints.vx[joint], *const joint_vy = &joints.vy[joint];
-  for_lanes(count, [&](std::size_t i) {
-    const double dx = cosine[i] * p_x[i] - sine[i] * p_y[i];
-    const double dy = sine[i] * p_x[i] + cosine[i] * p_y[i];
-    arm_x[i] = dx, arm_y[i] = dy;
-    joint_x[i] = x[i] + dx, joint_y[i] = y[i] + dy;
-    joint_vx[i] = vx[i] - w[i] * dy, joint_vy[i] = vy[i] + w[i] * dx;
-  });
-}
-
-TALUS_CLONES void lay_paths(const CableRun& run, const double* across_squared, const JointPoints& joints,
-                            Paths& paths) {
-  lay(run, across_squared, joints, paths, [](std::size_t, double) { return true; });
-}
-
-TALUS_CLONES bool pull_straight(const CableRun& run, const double* across_squared, const double* rest_length,
-                                const CableLines& lines, const JointPoints& joints, Paths& paths) {
-  const double *const stiffness = &lines.stiffness[run.cable], *const natural = &lines.natural[run.cable];
-  const double *const low = &lines.low[run.cable], *const high = &lines.high[run.cable];
-  double* const tension = &paths.tension[run.cable];
-  const std::size_t left = lay(run, across_squared, joints, paths, [&](std::size_t i, double length) {
-    const double extent = length - rest_length[i];
-    tension[i] = stiffness[i] * (extent - natural[i]);
-    return (extent > low[i]) & (extent < high[i]);
-  });
-  return left == 0;
-}
-
-TALUS_CLONES bool stays_straight(const CableRun& run, const double* rest_length, const CableLines& lines,
-                                 const Paths& paths, double ahead) {
-  const double *const low = &lines.low[run.cable], *const high = &lines.high[run.cable];
-  const double *const length = &paths.length[run.cable], *const rate = &paths.length_rate[run.cable];
-  const std::size_t left = count_lanes(run.count, [&](std::size_t i) {
-    const double extent = length[i] - rest_length[i], way = ahead * std::abs(rate[i]);
-    return !((extent - low[i] > way) & (high[i] - extent > way));
-  });
-  return left == 0;
-}
-
-TALUS_CLONES void sum_pulls(const CableRun& run, const double* share_a, const double* share_b, const Paths& paths,
-                            JointPoints& joints) {
-  const std::size_t count = run.count;
-  const double* const tension = &paths.tension[run.cable];
-  const double *const pull_x = &paths.pull_x[run.cable], *const pull_y = &paths.pull_y[run.cable];
-  double *const x_A = &joints.force_x[run.a], *const y_A = &joints.force_y[run.a];
-  double *const x_B = &joints.force_x[run.b], *const y_B = &joints.force_y[run.b];
-  // Several are a chain; a single one may end anywhere.
-  if (count == 1) {
-    const double x = tension[0] * pull_x[0], y = tension[0] * pull_y[0];
-    x_A[0] += share_a[0] * x, y_A[0] += share_a[0] * y;
-    x_B[0] -= share_b[0] * x, y_B[0] -= share_b[0] * y;
-    return;
+  for (std::size_t i = 0; i < run.count; ++i) {
+    const std::size_t body = run.body + i, joint = run.joint + i;
+    const double cosine = poses.cosine[body], sine = poses.sine[body], w = poses.w[body];
+    const double dx = cosine * p_x[joint] - sine * p_y[joint];
+    const double dy = sine * p_x[joint] + cosine * p_y[joint];
+    joints.arm_x[joint] = dx, joints.arm_y[joint] = dy;
+    joints.x[joint] = poses.x[body] + dx, joints.y[joint] = poses.y[body] + dy;
+    joints.vx[joint] = poses.vx[body] - w * dy, joints.vy[joint] = poses.vy[body] + w * dx;
   }
-  // Joint i takes the pull of cable i and of the one before it.
-  for_lanes(count + 1, [&](std::size_t i) {
-    double x = 0.0, y = 0.0;
-    if (i < count) {
-      x = share_a[i] * (tension[i] * pull_x[i]);
-      y = share_a[i] * (tension[i] * pull_y[i]);
-    }
-    if (i > 0) {
-      x -= share_b[i - 1] * (tension[i - 1] * pull_x[i - 1]);
-      y -= share_b[i - 1] * (tension[i - 1] * pull_y[i - 1]);
-    }
-    x_A[i] += x;
-    y_A[i] += y;
-  });
+}
+
+/// All in one pass, in registers from the poses to the pulls: written and read again between one stage and the next,
+/// each stage would wait for the one before.
+TALUS_CLONES bool pull_row(const CableRun& run, const CableConstants& constants, const CableLines& lines,
+                           const Poses& poses, JointPoints& joints, Paths& paths, Wrenches& pulls) {
+  const auto count = static_cast<std::ptrdiff_t>(run.count);
+  Sizes left{};
+  Pack before_x{}, before_y{};  // what the cables before pull at their ends B
+  Eight here;
+  place_eight(here, run, 0, constants, poses, joints);
+  for (std::ptrdiff_t block = 0; block <= count; block += pack_size) {
+    Eight next{};
+    const auto first = static_cast<std::size_t>(block);
+    if (block + static_cast<std::ptrdiff_t>(pack_size) <= count)
+      place_eight(next, run, first + pack_size, constants, poses, joints);
+    const std::size_t cable = run.cable + first, joint = run.a + first;
+    Sizes is;
+    between(is, 0, count - block);
+    Pack x, y, vx, vy;
+    ahead(x, here.x, next.x), ahead(y, here.y, next.y), ahead(vx, here.vx, next.vx), ahead(vy, here.vy, next.vy);
+    Lanes dx, dy, dvx, dvy, across, length, rate, pull_x, pull_y;
+    Pack pack;
+    dx.set(x - here.x), dy.set(y - here.y), dvx.set(vx - here.vx), dvy.set(vy - here.vy);
+    load(pack, constants.across_squared.at(cable)), across.set(pack);
+    for_lanes([&](std::size_t i) {
+      const Path line = path(dx[i], dy[i], dvx[i], dvy[i], across[i]);
+      length[i] = line.length, rate[i] = line.length_rate;
+      pull_x[i] = line.pull_A.x, pull_y[i] = line.pull_A.y;
+    });
+    Pack rest, stiffness, natural, low, high, lengths, pulls_x, pulls_y;
+    load(rest, constants.rest_length.at(cable));
+    load(stiffness, lines.stiffness.at(cable)), load(natural, lines.natural.at(cable));
+    load(low, lines.low.at(cable)), load(high, lines.high.at(cable));
+    length.get(lengths), pull_x.get(pulls_x), pull_y.get(pulls_y);
+    const Pack extent = lengths - rest;
+    const Pack tension = stiffness * (extent - natural);
+    Lanes extents, lows, highs;
+    extents.set(extent), lows.set(low), highs.set(high);
+    Sizes off;
+    ask_lanes(off, [&](std::size_t i) { return !((extents[i] > lows[i]) & (extents[i] < highs[i])); });
+    left |= off & is;
+    rate.get(pack);
+    put(paths.length.at(cable), is, lengths), put(paths.length_rate.at(cable), is, pack);
+    put(paths.pull_x.at(cable), is, pulls_x), put(paths.pull_y.at(cable), is, pulls_y);
+    put(paths.tension.at(cable), is, tension);
+    // Joint i takes the pull of cable i and of the one before it.
+    Pack force_x{}, force_y{};
+    choose(force_x, is, tension * pulls_x), choose(force_y, is, tension * pulls_y);
+    Pack share_a, share_b;
+    load(share_a, constants.share_a.at(cable)), load(share_b, constants.share_b.at(cable));
+    const Pack end_x = share_b * force_x, end_y = share_b * force_y;
+    const Pack x_B = __builtin_shufflevector(before_x, end_x, 7, 8, 9, 10, 11, 12, 13, 14);
+    const Pack y_B = __builtin_shufflevector(before_y, end_y, 7, 8, 9, 10, 11, 12, 13, 14);
+    between(is, 0, count + 1 - block);
+    const Pack joint_x = share_a * force_x - x_B, joint_y = share_a * force_y - y_B;
+    put(joints.force_x.at(joint), is, joint_x), put(joints.force_y.at(joint), is, joint_y);
+    const auto body = static_cast<std::size_t>(run.body + block);
+    Pack sum_x, sum_y, sum;
+    load(sum_x, pulls.x.at(body)), load(sum_y, pulls.y.at(body)), load(sum, pulls.moment.at(body));
+    choose(sum_x, here.on_body, sum_x + joint_x), choose(sum_y, here.on_body, sum_y + joint_y);
+    choose(sum, here.on_body, sum + (here.arm_x * joint_y - here.arm_y * joint_x));
+    store(sum_x, pulls.x.at(body)), store(sum_y, pulls.y.at(body)), store(sum, pulls.moment.at(body));
+    before_x = end_x, before_y = end_y;
+    here = next;
+  }
+  return !any(left);
+}
+
+TALUS_CLONES bool stays_straight(const CableRun& run, const Row& rest_length, const CableLines& lines,
+                                 const Paths& paths, double ahead) {
+  Sizes left{};
+  for (std::size_t i = 0; i < run.count; i += pack_size) {
+    const std::size_t cable = run.cable + i;
+    const double *const length = paths.length.at(cable), *const rest = rest_length.at(cable);
+    const double* const rate = paths.length_rate.at(cable);
+    const double *const low = lines.low.at(cable), *const high = lines.high.at(cable);
+    Sizes off, is;
+    ask_lanes(off, [&](std::size_t l) {
+      const double extent = length[l] - rest[l], way = ahead * std::abs(rate[l]);
+      return !((extent - low[l] > way) & (high[l] - extent > way));
+    });
+    between(is, 0, static_cast<std::ptrdiff_t>(run.count - i));
+    left |= off & is;
+  }
+  return !any(left);
 }
 
 TALUS_CLONES void load_bodies(const JointRun& run, const JointPoints& joints, Wrenches& wrenches) {
-  const std::size_t count = run.count;
-  const double *const force_x = &joints.force_x[run.joint], *const force_y = &joints.force_y[run.joint];
-  const double *const arm_x = &joints.arm_x[run.joint], *const arm_y = &joints.arm_y[run.joint];
-  double *const x = &wrenches.x[run.body], *const y = &wrenches.y[run.body];
-  double* const moment = &wrenches.moment[run.body];
-  for_lanes(count, [&](std::size_t i) {
-    x[i] += force_x[i], y[i] += force_y[i];
-    moment[i] += cross(Vec2{arm_x[i], arm_y[i]}, Vec2{force_x[i], force_y[i]});
-  });
+  for (std::size_t i = 0; i < run.count; i += pack_size) {
+    const std::size_t joint = run.joint + i, body = run.body + i;
+    Pack force_x, force_y, arm_x, arm_y, x, y, moment;
+    load(force_x, joints.force_x.at(joint)), load(force_y, joints.force_y.at(joint));
+    load(arm_x, joints.arm_x.at(joint)), load(arm_y, joints.arm_y.at(joint));
+    load(x, wrenches.x.at(body)), load(y, wrenches.y.at(body)), load(moment, wrenches.moment.at(body));
+    Sizes are;
+    between(are, 0, static_cast<std::ptrdiff_t>(run.count - i));
+    put(wrenches.x.at(body), are, x + force_x), put(wrenches.y.at(body), are, y + force_y);
+    put(wrenches.moment.at(body), are, moment + (arm_x * force_y - arm_y * force_x));
+  }
 }
 
 }  // namespace talus

@@ -1,5 +1,5 @@
-/// What is worked out for neighbouring joints and cables several at a time: the arithmetic of CableForces. A bare
-/// pointer is to the number of the run's first joint or cable, those of the others behind it.
+/// What is worked out for neighbouring bodies, joints and cables eight at a time: the arithmetic of BodyForces and
+/// CableForces. A bare pointer is to the number of the run's first, those of the others behind it.
 #pragma once
 
 #include "solver/dynamics/lanes.hpp"
@@ -10,22 +10,39 @@ namespace talus {
 void place_bodies(const BodyRun& run, const double* q, const double* v, Poses& poses);
 
 /// Joints on neighbouring bodies, from the bodies' poses; p_x, p_y in body coordinates [L].
-void place_joints(const JointRun& run, const double* p_x, const double* p_y, const Poses& poses, JointPoints& joints);
+void place_joints(const JointRun& run, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints);
 
-/// The lines of cables between neighbouring joints; across_squared: of the distance along the fence [L^2].
-void lay_paths(const CableRun& run, const double* across_squared, const JointPoints& joints, Paths& paths);
+/// What is constant of free bodies, one number for each.
+struct BodyConstants {
+  Row inverse_mass, inverse_inertia;
+  Row load_x, load_y;  ///< weight and applied force [F]
+  Row moment;          ///< applied [F L]
+};
 
-/// The same, with the tensions on the straight lines of the cables' modes; whether all stay on them.
-bool pull_straight(const CableRun& run, const double* across_squared, const double* rest_length,
-                   const CableLines& lines, const JointPoints& joints, Paths& paths);
+/// Accelerations of neighbouring free bodies, three for each body.
+void accelerate_bodies(const BodyRun& run, const BodyConstants& constants, const Wrenches& wrenches, double* a);
 
-/// Whether, after pull_straight(), all of them stay on their lines for the time ahead [T] at the rates they have.
-bool stays_straight(const CableRun& run, const double* rest_length, const CableLines& lines, const Paths& paths,
+/// Of the first so many bodies, and some behind them: no force, no moment; or those of others.
+void clear(Wrenches& wrenches, std::size_t count);
+void copy(const Wrenches& from, std::size_t count, Wrenches& to);
+
+/// What is constant of joints and cables, one number for each.
+struct CableConstants {
+  Row body_x, body_y;    ///< of a joint: its place in body coordinates [L]
+  Row across_squared;    ///< of a cable: of the distance of its ends along the fence [L^2]
+  Row rest_length;       ///< [L]
+  Row share_a, share_b;  ///< how much of a cable's tension its ends take: one that stands for several pulls several
+                         ///< times at a body that stands for itself alone
+};
+
+/// A row's joints and the lines of its cables; if all cables are on the straight lines of their modes, which it then
+/// says, their tensions and the pulls at the joints as well, which are added to the pulls on the bodies.
+bool pull_row(const CableRun& run, const CableConstants& constants, const CableLines& lines, const Poses& poses,
+              JointPoints& joints, Paths& paths, Wrenches& pulls);
+
+/// Whether, after pull_row() said so, all of them stay on their lines for the time ahead [T] at the rates they have.
+bool stays_straight(const CableRun& run, const Row& rest_length, const CableLines& lines, const Paths& paths,
                     double ahead);
-
-/// Adds the tensions of neighbouring cables, times the share of each end, to the joints at both ends.
-void sum_pulls(const CableRun& run, const double* share_a, const double* share_b, const Paths& paths,
-               JointPoints& joints);
 
 /// Adds the pulls at joints to the wrenches of the neighbouring bodies that they are on.
 void load_bodies(const JointRun& run, const JointPoints& joints, Wrenches& wrenches);

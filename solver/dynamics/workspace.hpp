@@ -21,7 +21,9 @@ struct Waking {
   std::vector<BodyRun> bodies;                ///< the awake free bodies
   std::vector<JointRun> joints;               ///< joints to work out
   std::vector<std::vector<CableRun>> cables;  ///< for each law, cables to work out
-  std::vector<std::size_t> borders;           ///< of these, the ones with a sleeping body at one end only
+  bool rows_only{};                           ///< all these cables are in rows, in the order of their joints
+  bool quiet{};  ///< as last laid, all of them stay on their straight lines: Workspace::pulls are what they pull
+  std::vector<std::size_t> borders;  ///< of these, the ones with a sleeping body at one end only
 };
 
 /// Cables that go on as one through broken hangers: straight from the first joint to the last, with one tension.
@@ -51,6 +53,7 @@ struct Rigging {
 struct Workspace {
   Poses poses;                ///< one for each body
   Wrenches wrenches;          ///< one for each body
+  Wrenches pulls;             ///< of rows of cables alone
   JointPoints joints;         ///< one for each joint
   Paths paths;                ///< one for each cable
   CableLines lines;           ///< one for each cable
@@ -63,6 +66,7 @@ struct Workspace {
   static constexpr char wanted = 1;  ///< its gaps are worked out with this evaluation
   static constexpr char known = 2;   ///< they have been
   std::vector<char> near;            ///< one for each pair; 0: it has none, out of reach
+  bool any_near{};                   ///< some pair has any
 };
 
 }  // namespace talus

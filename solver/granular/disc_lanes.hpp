@@ -52,7 +52,6 @@ inline constexpr Chosen chosen = [] {
   return made;
 }();
 
-using Bytes [[gnu::vector_size(8)]] = std::uint8_t;
 using Numbers [[gnu::vector_size(32)]] = std::uint32_t;
 
 /// One bit for each lane that is true.

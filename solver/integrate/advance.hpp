@@ -3,16 +3,29 @@
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
+#include <vector>
 
+#include "solver/base/pack.hpp"
+#include "solver/base/rows.hpp"
 #include "solver/state/state.hpp"
 
 namespace talus {
 
+/// out = x + h rate, the first so many numbers; out may be x.
+template <class Scalar>
+void advance(std::vector<Scalar>& out, const std::vector<Scalar>& x, std::type_identity_t<Scalar> h,
+             const std::vector<Scalar>& rate, std::size_t count) {
+  if constexpr (std::is_same_v<Scalar, double>) {
+    if (count >= pack_size) return add_scaled(out.data(), x.data(), h, rate.data(), count);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    out[i] = x[i] + h * rate[i];
+}
+
 /// Moves the first `moving` coordinates with the velocities of the same state: q += h v.
 template <class Scalar>
 void drift_coordinates(StateOf<Scalar>& state, std::type_identity_t<Scalar> h, std::size_t moving) {
-  for (std::size_t i = 0; i < moving; ++i)
-    state.q[i] += h * state.v[i];
+  advance(state.q, state.q, h, state.v, moving);
 }
 
 /// The same with all of them.
@@ -24,6 +37,7 @@ void drift_coordinates(StateOf<Scalar>& state, std::type_identity_t<Scalar> h) {
 /// Advances work and impulse by h times their rates.
 template <class Scalar>
 void book_rates(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::type_identity_t<Scalar> h) {
+  if (!rates.accounts) return;
   for (std::size_t i = 0; i < state.work.size(); ++i)
     state.work[i] += h * rates.work[i];
   for (std::size_t i = 0; i < state.impulse.size(); ++i)
@@ -33,8 +47,7 @@ void book_rates(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::type_
 /// Advances velocities, work and impulse by h times their rates.
 template <class Scalar>
 void kick_velocities(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::type_identity_t<Scalar> h) {
-  for (std::size_t i = 0, moving = std::min(rates.moving, state.v.size()); i < moving; ++i)
-    state.v[i] += h * rates.v[i];
+  advance(state.v, state.v, h, rates.v, std::min(rates.moving, state.v.size()));
   book_rates(state, rates, h);
 }
 

@@ -42,8 +42,7 @@ class LaggedCentralDifferenceOf {
     // Afterwards the state has the velocities of one step before, and those of this step are the old ones of the next.
     std::swap(state.v, old_velocity_);
     system.evaluate(state, rates_);
-    for (std::size_t i = 0, moving = std::min(rates_.moving, state.v.size()); i < moving; ++i)
-      state.v[i] = old_velocity_[i] + h * rates_.v[i];
+    advance(state.v, old_velocity_, h, rates_.v, std::min(rates_.moving, state.v.size()));
     book_rates(state, rates_, h);
     system.drift(state, h);
     state.t += h;

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "solver/base/error.hpp"
+#include "solver/base/rows.hpp"
 #include "solver/integrate/concepts.hpp"
 #include "solver/state/state_memory.hpp"
 
@@ -16,13 +15,7 @@ namespace {
 
 /// Index of the first of so many coordinates that is not finite, in position or velocity; their number if all are.
 std::size_t first_not_finite(const State& state, std::size_t count) {
-  // A finite number less itself is nought, without a bit set; any other is not. All at once, as whole numbers.
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    bits |= std::bit_cast<std::uint64_t>(state.q[i] - state.q[i]);
-    bits |= std::bit_cast<std::uint64_t>(state.v[i] - state.v[i]);
-  }
-  if (bits == 0) return count;
+  if (all_finite(state.q.data(), state.v.data(), count)) return count;
   std::size_t first = 0;
   while (std::isfinite(state.q[first]) && std::isfinite(state.v[first]))
     ++first;

@@ -109,7 +109,7 @@ Model FenceMaker::hung(Model model) {
     Rates rates{state};
     dynamics.update_all(state, work);
     dynamics.cables().settle(state, work);
-    dynamics.cables().add(state, work, nullptr);
+    dynamics.cables().load(state, work, nullptr);
     Eigen::VectorXd sum(count);
     for (Eigen::Index i = 0; i < count; ++i) {
       const std::size_t body = bodies[static_cast<std::size_t>(i)];

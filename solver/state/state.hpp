@@ -60,6 +60,7 @@ struct RatesOf {
   std::vector<Scalar> v;                       ///< accelerations
   std::size_t moving{all};                     ///< those behind the first so many are nought, of bodies that sleep
   std::vector<Scalar> z;                       ///< memory rates
+  bool accounts{true};                         ///< whether the next two are worked out; else they are nought
   std::array<Scalar, mechanism_count> work{};  ///< powers dissipated [F L/T]
   Impulse<Scalar> impulse{};                   ///< forces and moment from outside
 

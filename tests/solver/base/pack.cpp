@@ -40,3 +40,17 @@ BOOST_AUTO_TEST_CASE(the_largest_size_of_all_lanes) {
     BOOST_TEST(of(0.0, lane) == (lane == 1 ? 1.25 : 1.5));
   }
 }
+
+BOOST_AUTO_TEST_CASE(whether_a_lane_is_true_or_a_bit_is_set) {
+  BOOST_TEST(!any(Sizes{}));
+  BOOST_TEST(!any_bit(Sizes{}));
+  for (std::size_t lane = 0; lane < pack_size; ++lane) {
+    Sizes is{};
+    is[lane] = -1;
+    BOOST_TEST(any(is));
+    for (const int bit : {0, 31, 63}) {
+      is[lane] = static_cast<std::int64_t>(std::uint64_t{1} << bit);
+      BOOST_TEST(any_bit(is));
+    }
+  }
+}

@@ -1,0 +1,40 @@
+#include "solver/base/rows.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#include "solver/base/pack.hpp"
+
+namespace talus {
+
+TALUS_CLONES void add_scaled(double* out, const double* x, double h, const double* rate, std::size_t count) {
+  std::size_t i = 0;
+  for (; i + pack_size <= count; i += pack_size) {
+    Pack sum, more;
+    load(sum, x + i), load(more, rate + i);
+    store(sum + h * more, out + i);
+  }
+  for (; i < count; ++i)
+    out[i] = x[i] + h * rate[i];
+}
+
+TALUS_CLONES bool all_finite(const double* x, const double* y, std::size_t count) {
+  // A finite number less itself is nought, without a bit set; any other is not.
+  Sizes found{};
+  std::size_t i = 0;
+  for (; i + pack_size <= count; i += pack_size) {
+    Pack a, b;
+    load(a, x + i), load(b, y + i);
+    a -= a, b -= b;
+    Sizes bits, more;
+    std::memcpy(&bits, &a, sizeof bits), std::memcpy(&more, &b, sizeof more);
+    found |= bits | more;
+  }
+  std::uint64_t rest = 0;
+  for (; i < count; ++i)
+    rest |= std::bit_cast<std::uint64_t>(x[i] - x[i]) | std::bit_cast<std::uint64_t>(y[i] - y[i]);
+  return rest == 0 && !any_bit(found);
+}
+
+}  // namespace talus

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+
+/// What is done to every number of a row, eight at a time.
+namespace talus {
+
+/// out = x + h rate; out may be x.
+void add_scaled(double* out, const double* x, double h, const double* rate, std::size_t count);
+
+/// Whether all of both are finite.
+[[nodiscard]] bool all_finite(const double* x, const double* y, std::size_t count);
+
+}  // namespace talus

@@ -1,0 +1,137 @@
+#define BOOST_TEST_MODULE rows
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "solver/dynamics/dynamics.hpp"
+#include "solver/model/model_builder.hpp"
+
+using namespace talus;
+
+namespace {
+
+/// Where a row of cables is tied to the world as well as to its bodies.
+struct Ties {
+  bool first{}, last{};
+};
+
+struct Hung {
+  Model model;
+  std::vector<std::array<Vec2, 2>> p_B;  ///< where the two rows end at each body
+};
+
+/// Bodies side by side, tied together by an upper and a lower row of cables.
+Hung hung(std::size_t bodies, Ties ties, const CableLaw& law, std::mt19937& random) {
+  std::uniform_real_distribution<double> some{-0.3, 0.3};
+  ModelBuilder builder;
+  Hung made;
+  std::vector<BodyId> ids;
+  for (std::size_t i = 0; i < bodies; ++i) {
+    ids.push_back(builder.add(Body{.name = std::to_string(i),
+                                   .mass = 1.0 + some(random),
+                                   .inertia = 1.0 + some(random),
+                                   .p_WB = {some(random), some(random)},
+                                   .angle = 0.2 * some(random)}));
+    made.p_B.push_back({Vec2{some(random), 1.0 + some(random)}, Vec2{some(random), -1.0 + some(random)}});
+  }
+  for (const std::size_t row : {0, 1}) {
+    int number = 0;
+    const auto end = [&](std::size_t i) {
+      const Vec2 p = made.p_B[i][row];
+      return CableEnd{ids[i], {p.x, p.y, static_cast<double>(i)}};
+    };
+    const auto tie = [&](const CableEnd& a, const CableEnd& b) {
+      builder.add(Cable{.name = std::to_string(row) + "." + std::to_string(number++),
+                        .a = a,
+                        .b = b,
+                        .rest_length = 1.1 + some(random),
+                        .law = law});
+    };
+    const double height = row == 0 ? 1.0 : -1.0;
+    if (ties.first) tie({std::nullopt, {0.1, height, -1.0}}, end(0));
+    for (std::size_t i = 0; i + 1 < bodies; ++i)
+      tie(end(i), end(i + 1));
+    if (ties.last) tie(end(bodies - 1), {std::nullopt, {-0.1, height, static_cast<double>(bodies)}});
+  }
+  made.model = builder.build();
+  return made;
+}
+
+/// What a cable pulls with at its end A in a state, one cable at a time.
+Vec2 pull(const Cable& cable, const Model& model, const Layout& layout, const State& state, Mode mode) {
+  const auto of = [&](const CableEnd& end) {
+    Pose at{in_plane(end.p), {}, {}, 0.0};
+    if (end.body) {
+      const double* const q = &state.q[layout.first[index(*end.body)]];
+      const double* const v = &state.v[layout.first[index(*end.body)]];
+      const Pose body{{q[0], q[1]}, rotation(q[2]), {v[0], v[1]}, v[2]};
+      at.p_WB = world_point(body, in_plane(end.p));
+      at.v_WB = velocity_at(body, at.p_WB);
+    }
+    return at;
+  };
+  const Pose a = of(cable.a), b = of(cable.b);
+  const double across = cable.b.p.z - cable.a.p.z;
+  const Path line = path(a.p_WB, a.v_WB, b.p_WB, b.v_WB, across * across);
+  BOOST_REQUIRE(model.cables.size() > 0);
+  return std::visit(
+      [&](const auto& law) {
+        using L = std::decay_t<decltype(law)>;
+        const std::array<double, L::memory_size> memory{};
+        return law({line.length - cable.rest_length, line.length_rate}, memory, mode).total() * line.pull_A;
+      },
+      cable.law);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(rows_of_any_length_pull_as_their_cables_do_one_by_one) {
+  std::mt19937 random{7};
+  std::uniform_real_distribution<double> some{-0.3, 0.3};
+  for (const CableLaw& law : {CableLaw{TensionOnly{50.0, 1.0}}, CableLaw{ElasticPlastic{.stiffness = 80.0}}}) {
+    for (const Ties ties : {Ties{false, false}, Ties{true, false}, Ties{false, true}, Ties{true, true}}) {
+      for (std::size_t bodies = 2; bodies <= 19; ++bodies) {
+        const Hung scene = hung(bodies, ties, law, random);
+        const Dynamics dynamics{scene.model};
+        State state = rest_state(scene.model);
+        for (double& q : state.q)
+          q += some(random);
+        for (double& v : state.v)
+          v = some(random);
+        // Turned by more than an eighth of a turn, by many turns, and by more than series are for.
+        if (bodies % 3 == 0) state.q[2] += 2.0, state.q[5] -= 40.0;
+        if (bodies % 5 == 0) state.q[3 * bodies - 1] += 2e5;
+        Workspace work = dynamics.workspace();
+        Rates rates{state};
+        dynamics.update(state, work);
+        dynamics.settle(state, work);
+        dynamics.rates(state, work, rates);
+
+        std::vector<Wrench> wrenches(bodies);
+        for (std::size_t c = 0; c < scene.model.cables.size(); ++c) {
+          const Cable& cable = scene.model.cables[c];
+          const Vec2 force =
+              pull(cable, scene.model, dynamics.layout(), state, state.mode[dynamics.layout().cable_slots[c].mode]);
+          for (const auto& [end, sign] : {std::pair{cable.a, 1.0}, std::pair{cable.b, -1.0}}) {
+            if (!end.body) continue;
+            Wrench& wrench = wrenches[index(*end.body)];
+            const Vec2 arm = rotation(state.q[3 * index(*end.body) + 2]) * in_plane(end.p);
+            wrench.force += sign * force;
+            wrench.moment += cross(arm, sign * force);
+          }
+        }
+        for (std::size_t i = 0; i < bodies; ++i) {
+          const Body& body = scene.model.bodies[i];
+          const Rotation turned = rotation(state.q[3 * i + 2]);
+          BOOST_TEST(work.poses.cosine[i] == turned.cosine);
+          BOOST_TEST(work.poses.sine[i] == turned.sine);
+          BOOST_TEST(std::abs(rates.v[3 * i] - wrenches[i].force.x / body.mass) < 1e-12);
+          BOOST_TEST(std::abs(rates.v[3 * i + 1] - wrenches[i].force.y / body.mass) < 1e-12);
+          BOOST_TEST(std::abs(rates.v[3 * i + 2] - wrenches[i].moment / body.inertia) < 1e-12);
+        }
+      }
+    }
+  }
+}
