@@ -180,31 +180,38 @@ struct Eight {
 }  // namespace
 
 TALUS_CLONES void place_bodies(const BodyRun& run, const double* q, const double* v, Poses& poses) {
-  Sizes all;
-  between(all, 0, pack_size);
+  if (run.count < pack_size) {
+    // Behind the last body nothing may be read.
+    std::array<double, 3 * pack_size> few_q{}, few_v{};
+    std::copy_n(q, 3 * run.count, few_q.begin());
+    std::copy_n(v, 3 * run.count, few_v.begin());
+    Sizes are;
+    between(are, 0, static_cast<std::ptrdiff_t>(run.count));
+    return place_eight(few_q.data(), few_v.data(), run.body, are, poses);
+  }
+  constexpr Sizes all{-1, -1, -1, -1, -1, -1, -1, -1};
   std::size_t i = 0;
   for (; i + pack_size <= run.count; i += pack_size)
     place_eight(q + 3 * i, v + 3 * i, run.body + i, all, poses);
   if (i == run.count) return;
-  // Behind the last body nothing may be read.
-  const std::size_t left = run.count - i;
-  std::array<double, 3 * pack_size> last_q{}, last_v{};
-  std::copy_n(q + 3 * i, 3 * left, last_q.begin());
-  std::copy_n(v + 3 * i, 3 * left, last_v.begin());
-  Sizes are;
-  between(are, 0, static_cast<std::ptrdiff_t>(left));
-  place_eight(last_q.data(), last_v.data(), run.body + i, are, poses);
+  i = run.count - pack_size;  // some of them once more
+  place_eight(q + 3 * i, v + 3 * i, run.body + i, all, poses);
 }
 
 TALUS_CLONES void accelerate_bodies(const BodyRun& run, const BodyConstants& constants, const Wrenches& wrenches,
                                     double* a) {
+  if (run.count < pack_size) {
+    std::array<double, 3 * pack_size> few;
+    accelerate_eight(run.place, run.body, constants, wrenches, few.data());
+    std::copy_n(few.begin(), 3 * run.count, a);
+    return;
+  }
   std::size_t i = 0;
   for (; i + pack_size <= run.count; i += pack_size)
     accelerate_eight(run.place + i, run.body + i, constants, wrenches, a + 3 * i);
   if (i == run.count) return;
-  std::array<double, 3 * pack_size> last;
-  accelerate_eight(run.place + i, run.body + i, constants, wrenches, last.data());
-  std::copy_n(last.begin(), 3 * (run.count - i), a + 3 * i);
+  i = run.count - pack_size;  // some of them once more
+  accelerate_eight(run.place + i, run.body + i, constants, wrenches, a + 3 * i);
 }
 
 TALUS_CLONES void clear(Wrenches& wrenches, std::size_t count) {

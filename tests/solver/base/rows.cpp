@@ -16,6 +16,10 @@ BOOST_AUTO_TEST_CASE(each_number_is_advanced_and_what_lies_behind_the_last_is_le
     add_scaled(out.data(), x.data(), 0.3, rate.data(), count);
     for (std::size_t i = 0; i < out.size(); ++i)
       BOOST_TEST(out[i] == (i < count ? x[i] + 0.3 * rate[i] : -1.0));
+    std::vector<double> same = x;
+    add_scaled(same.data(), same.data(), 0.3, rate.data(), count);
+    for (std::size_t i = 0; i < same.size(); ++i)
+      BOOST_TEST(same[i] == (i < count ? out[i] : x[i]));
   }
 }
 
