@@ -29,4 +29,8 @@ concept SettledLaw = Law<L> && L::memory_size <= 1 && requires(const L law, doub
                                : requires { law.kept(x, x, x, x, y, y); });
 };
 
+/// The closed list of laws that discs by the thousand have.
+using DiscLaws = LawList<LatchingSpring, LinearSpringDashpot>;
+using DiscLaw = DiscLaws::Variant;
+
 }  // namespace talus

@@ -70,8 +70,9 @@ void expect_virtual(Findings& findings, const Setup& setup) {
   const long steps = setup.coarse ? 8000 : 10000;
   plan.end = static_cast<double>(steps) * plan.step, plan.every = plan.end;
   CellRun run{cell, plan, start};
-  reference::VirtualDiscs discs{.k1 = cell.law.stiffness,
-                                .k2 = cell.law.unloading_stiffness,
+  const auto& law = std::get<LatchingSpring>(cell.law);
+  reference::VirtualDiscs discs{.k1 = law.stiffness,
+                                .k2 = law.unloading_stiffness,
                                 .diameter = cell.diameter,
                                 .mass = cell.mass,
                                 .left = -0.5 * cell.width(),
@@ -98,7 +99,7 @@ void expect_virtual(Findings& findings, const Setup& setup) {
     difference.x.push_back(static_cast<double>(n));
     difference.y.push_back(std::max(now, 1e-17));
   }
-  findings.count(static_cast<std::uint64_t>(run.system().evaluations()));
+  findings.count(static_cast<std::uint64_t>(run.evaluations()));
   findings.expect_true("contacts were met on the way", run.impulse_on_block().y > 0.0 && run.ledger().dissipated > 0.0,
                        "without them there is nothing to compare");
   findings.expect(
@@ -175,13 +176,14 @@ void expect_restart(Findings& findings, const Setup& setup) {
 void expect_jump(Findings& findings, const Setup& setup) {
   ShearCell cell = ice_cell(2e3, 5e3);
   cell.rows = 4, cell.columns = 4, cell.wall_discs = 6;
-  cell.law.stiffness *= 100.0, cell.law.unloading_stiffness *= 100.0;
+  auto& law = std::get<LatchingSpring>(cell.law);
+  law.stiffness *= 100.0, law.unloading_stiffness *= 100.0;
   cell.block_mass = 2e3 * 6e-6 / cell.gravity;
   CellPlan plan = cell_plan(cell, 500.0 * cell.contact_time(), 20.0, 4);
   const FilledCell start = lively(cell);
   CellRun step_by_step{cell, plan, start};
   plan.jump = true;
-  if (setup.has("stiffer_discs")) cell.law.stiffness *= 1.0 + 1e-6;
+  if (setup.has("stiffer_discs")) law.stiffness *= 1.0 + 1e-6;
   CellRun jumping{cell, plan, start};
   run_to_end(step_by_step), run_to_end(jumping);
   const Discs end = step_by_step.discs();
