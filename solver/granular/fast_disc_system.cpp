@@ -365,7 +365,6 @@ void FastDiscSystem<L, F>::rebuild(Discs& discs) {
 template <SettledLaw L, class F>
 auto FastDiscSystem<L, F>::kept_contacts() const -> std::vector<Kept> {
   std::vector<Kept> kept;
-  if (!remembers && !turns && !books_work()) return kept;
   for_each_touching([&](const TouchingPairs& touching, std::size_t t) {
     const std::uint32_t pair = touching.pair[t];
     Kept contact{.first = disc(pairs_.first[pair]), .second = disc(pairs_.second[pair])};

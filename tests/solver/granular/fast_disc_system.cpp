@@ -232,6 +232,33 @@ BOOST_AUTO_TEST_CASE(contacts_and_losses_are_those_of_the_plain_one) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(contacts_are_told_after_a_new_list_too) {
+  for_each_law_and_friction([](const auto& law, const auto& friction) {
+    const Packing p = thrown(10, 0.1, boxes[1]);
+    Discs discs = p.discs;
+    FastDiscSystem fast{p.shapes, p.box, law, 0.5, friction};
+    fast.begin(discs);
+    const auto touching = [&] {
+      long count = 0;
+      fast.for_each_contact(discs, [&](const DiscContact&) { ++count; });
+      return count;
+    };
+    long before = 0, lists = 0;
+    for (long n = 0; n < 2000; ++n) {
+      const long builds = fast.builds();
+      fast.advance(discs, 1e-3, 1);
+      if (fast.builds() == builds) {
+        before = touching();
+        continue;
+      }
+      // In one step at most some of them part.
+      BOOST_TEST(2 * touching() >= before);
+      lists += before > 2 ? 1 : 0;
+    }
+    BOOST_TEST(lists > 1);
+  });
+}
+
 BOOST_AUTO_TEST_CASE(what_is_put_back_goes_on_with_the_same_bits) {
   for_each_law_and_friction([](const auto& law, const auto& friction) {
     for (const PeriodicBox& box : boxes) {
