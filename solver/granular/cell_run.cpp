@@ -53,14 +53,15 @@ std::vector<std::string> leapfrogs() {
   return names;
 }
 
-CellRun::System system_of(const ShearCell& cell, const FilledCell& start) {
+CellRun::System system_of(const ShearCell& cell, const CellPlan& plan, const FilledCell& start) {
   const double skin = skin_of(cell, start);
+  const auto with = [&]<class L, class F>(const L& law, const F& friction) -> CellRun::System {
+    if (plan.images == Images::virtual_discs)
+      return CellRun::ByVirtualDiscs<L, F>{start.shapes, start.box, law, skin, friction};
+    return FastDiscSystem{start.shapes, start.box, law, skin, friction};
+  };
   return std::visit(
-      [&](const auto& law) -> CellRun::System {
-        if (!cell.friction) return FastDiscSystem{start.shapes, start.box, law, skin};
-        return FastDiscSystem{start.shapes, start.box, law, skin, *cell.friction};
-      },
-      cell.law);
+      [&](const auto& law) { return cell.friction ? with(law, *cell.friction) : with(law, Frictionless{}); }, cell.law);
 }
 
 FilledCell checked(const ShearCell& cell, const CellPlan& plan, FilledCell start) {
@@ -93,6 +94,15 @@ std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& pla
                                           plan.every, plan.end / most_outputs, most_outputs)});
   }
   constexpr std::string_view law_of_1989 = "latching springs that do not grow stiffer, without friction";
+  if (plan.images == Images::virtual_discs) {
+    const std::size_t discs = cell.free_discs() + 2 * static_cast<std::size_t>(cell.wall_discs);
+    if (plan.jump) found.push_back({"jump", "found on; with virtual discs each step is taken"});
+    if (discs > CellRun::most_virtual) {
+      found.push_back({"images", fmt::format("found virtual with {} discs, of which all pairs are tried at each step; "
+                                             "with more than {} it must be nearest",
+                                             discs, CellRun::most_virtual)});
+    }
+  }
   if (plan.historical && cell.law_of_1989() == nullptr)
     found.push_back({"historical", fmt::format("found on; a historical run is of {}", law_of_1989)});
   if (swing_gain(plan.integrator) != 0.0 && cell.law_of_1989() == nullptr) {
@@ -124,7 +134,7 @@ CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
     : cell_{cell},
       plan_{plan},
       start_{checked(cell, plan, std::move(start))},
-      system_{system_of(cell, start_)},
+      system_{system_of(cell, plan, start_)},
       method_{make_disc_method(plan.integrator)},
       discs_{start_.discs},
       last_step_{steps_in(plan.end, plan.step)},
@@ -134,7 +144,7 @@ CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
       profile_{static_cast<std::size_t>(3 * cell.rows + 4), 0.5 * cell.diameter, cell.width()} {
   std::visit(
       [&](auto& method, auto& system) {
-        system.keep_work();
+        if constexpr (requires { system.keep_work(); }) system.keep_work();
         system.begin(discs_);
         method.start(system, discs_, plan_.step);
       },
@@ -164,8 +174,9 @@ void CellRun::take_steps(long steps) {
       book_walls(h, system.wall_force(block_wall), system.wall_force(base_wall), height);
     };
     using Method = std::decay_t<decltype(method)>;
-    if constexpr (std::same_as<Method, CentralDifferenceOf<Discs>> || std::same_as<Method, EulerCromerOf<Discs>>) {
-      // Their steps are a kick and a drift.
+    constexpr bool kick_and_drift =
+        std::same_as<Method, CentralDifferenceOf<Discs>> || std::same_as<Method, EulerCromerOf<Discs>>;
+    if constexpr (kick_and_drift && requires { system.place(block); }) {
       system.advance(discs_, h, steps, [&] { book(system.place(block).y - system.place(base).y); });
     } else {
       for (long n = 0; n < steps; ++n) {

@@ -9,10 +9,22 @@
 #include "solver/granular/block_means.hpp"
 #include "solver/granular/cell_profile.hpp"
 #include "solver/granular/disc_method.hpp"
+#include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/shear_cell.hpp"
+#include "solver/granular/virtual_discs.hpp"
 
 namespace talus {
+
+/// How discs act across the borders of a field that repeats itself.
+enum class Images {
+  nearest,        ///< of each pair the images that are nearest, from a list by cells
+  virtual_discs,  ///< as in 1989, by all pairs (VirtualDiscs): slow, a check of the other
+};
+template <>
+struct Names<Images> {
+  static constexpr std::array<std::string_view, 2> list{"nearest", "virtual"};
+};
 
 /// How a cell is run; the names of CNTRL.DAT stand beside. Times [T].
 struct CellPlan {
@@ -22,6 +34,7 @@ struct CellPlan {
   double end{};       ///< TIME >= every
   bool historical{};  ///< a run as that of 1989 may have been: steps that change the restitution are not refused
   bool jump{};        ///< whether time in which nothing can touch is passed at once
+  Images images{};
 
   static constexpr std::array<Field<CellPlan>, 3> fields() {
     return {{{"step", dimension::time, &CellPlan::step, Range::positive, "step STEP"},
@@ -63,16 +76,23 @@ enum class CellQuantity : std::size_t {
 /// A shear cell on its way, with what is measured of it. Contacts act while their force is not nought.
 class CellRun {
  public:
+  template <class L, class F>
+  using ByVirtualDiscs = DiscSystem<L, F, VirtualDiscs>;
   /// With the cell's law and friction.
-  using System = std::variant<FastDiscSystem<LatchingSpring>, FastDiscSystem<LinearSpringDashpot>,
-                              FastDiscSystem<LatchingSpring, CoulombFriction>,
-                              FastDiscSystem<LinearSpringDashpot, CoulombFriction>>;
+  using System =
+      std::variant<FastDiscSystem<LatchingSpring>, FastDiscSystem<LinearSpringDashpot>,
+                   FastDiscSystem<LatchingSpring, CoulombFriction>,
+                   FastDiscSystem<LinearSpringDashpot, CoulombFriction>, ByVirtualDiscs<LatchingSpring, Frictionless>,
+                   ByVirtualDiscs<LinearSpringDashpot, Frictionless>, ByVirtualDiscs<LatchingSpring, CoulombFriction>,
+                   ByVirtualDiscs<LinearSpringDashpot, CoulombFriction>>;
 
   /// Blocks of time in a run by which errors are told, and those at its start that no mean counts.
   static constexpr std::size_t blocks = 100, start_up = 25;
   /// Limits that a flow of hard discs keeps: all space that equal discs can fill, and a tenth of a diameter of overlap.
   /// Beyond them a run goes on, until discs pass through each other.
   static constexpr double fullest = 0.9069, deepest = 0.1;
+  /// Discs whose pairs are all tried at each step.
+  static constexpr std::size_t most_virtual = 2000;
 
   /// Errors: InputError for the first of the objections.
   CellRun(const ShearCell& cell, const CellPlan& plan);

@@ -22,6 +22,7 @@ void choose(CellScene& scene, const CellChoices& choices) {
   if (choices.seed) scene.cell.seed = *choices.seed;
   if (choices.historical) scene.plan.historical = true;
   if (choices.jump) scene.plan.jump = true;
+  if (choices.virtual_discs) scene.plan.images = Images::virtual_discs;
   static_cast<void>(make_disc_method(scene.plan.integrator));
 }
 
@@ -103,7 +104,9 @@ class ControlReader {
   }
 
   [[noreturn]] void fail(const CellObjection& objection) const {
-    const auto& [line, record, name] = places_.at(objection.field);
+    const auto place = places_.find(objection.field);
+    if (place == places_.end()) throw InputError{fmt::format("{}: {}: {}", name_, objection.field, objection.words)};
+    const auto& [line, record, name] = place->second;
     fail(line, record, name, objection.words);
   }
 
@@ -247,11 +250,12 @@ CellScene read_toml(std::string_view text, std::string_view name, const CellChoi
   read_cell_table(file.table("cell"), scene.cell);
   SceneTable run = file.table("run");
   std::vector<std::string> keys = field_names<CellPlan>();
-  keys.insert(keys.end(), {"integrator", "jump", "historical", "pictures"});
+  keys.insert(keys.end(), {"integrator", "jump", "images", "historical", "pictures"});
   run.allow(keys);
   if (run.has("integrator")) scene.plan.integrator = run.choice("integrator", disc_method_names());
   run.read_fields(scene.plan);
   scene.plan.jump = on(run, "jump");
+  scene.plan.images = run.choice_or("images", scene.plan.images);
   scene.plan.historical = on(run, "historical");
   scene.pictures = on(run, "pictures");
   choose(scene, choices);

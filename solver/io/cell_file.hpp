@@ -27,6 +27,7 @@ struct CellChoices {
   std::optional<std::uint64_t> seed{};
   bool historical{};
   bool jump{};
+  bool virtual_discs{};
 };
 
 /// Reads a cell from CNTRL.DAT (any file that ends in .DAT) or else from a TOML file.

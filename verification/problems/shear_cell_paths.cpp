@@ -30,8 +30,10 @@ mirrored, stopped and taken on, or passed over where nothing touches must move a
 are $W$ further on, differs by rounding. What differs grows as neighbouring paths part, tenfold in some ten contacts of a
 disc, so that only a beginning can be compared. A mirror image changes signs and no digit.
 
-**Source.** Lacy 1989, "Virtual Elements and Periodic Boundaries", for the virtual discs; the reference is written from
-its words, with a table of all pairs, and shares nothing with the solver.
+**Source.** Lacy 1989, "Virtual Elements and Periodic Boundaries", for the virtual discs. They stand here twice: as the solver's
+own way of running a cell (`images = "virtual"`), which shares laws, walls and memory with its usual way and so compares nothing
+but which images act, also of rough discs; and as a reference that is written from those words, with a table of all pairs,
+and shares nothing with the solver: what both ways of the solver have wrong it would show.
 
 | symbol | meaning | value |
 |:--|:-----|:-----|
@@ -122,6 +124,36 @@ void expect_virtual(Findings& findings, const Setup& setup) {
                    .lines = {{'y', 1e-12, "bound"}}});
 }
 
+/// The solver by its list beside itself by virtual discs, rough and with dashpots.
+void expect_own_virtual(Findings& findings, const Setup& setup) {
+  ShearCell cell = ice_cell(8e3, 5e3);
+  cell.law = LinearSpringDashpot{2e4, 0.02};
+  cell.friction = CoulombFriction{0.5, 1.4e4};
+  const FilledCell start = lively(cell);
+  CellPlan plan = cell_plan(cell, 200.0 * cell.contact_time(), 20.0, 1);
+  CellRun nearest{cell, plan, start};
+  plan.images = Images::virtual_discs;
+  if (setup.has("friction_less")) cell.friction->coefficient *= 1.0 - 1e-8;
+  CellRun virtual_discs{cell, plan, start};
+  run_to_end(nearest);
+  long across = 0;  // the field is wider than two discs
+  while (!virtual_discs.finished()) {
+    virtual_discs.advance();
+    const Discs now = virtual_discs.discs();
+    for (const CellRun::ActingContact& contact : virtual_discs.acting_contacts())
+      across += std::abs(now.x[contact.a] - now.x[contact.b]) > 2.0 * cell.diameter ? 1 : 0;
+  }
+  findings.count(static_cast<std::uint64_t>(nearest.evaluations() + virtual_discs.evaluations()));
+  const Discs end = virtual_discs.discs();
+  findings.expect("places of rough discs, list of pairs beside virtual discs, over a diameter",
+                  apart(nearest.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0,
+                  Tolerance::round_off(1e-12,
+                                       "as beside the reference; none at all as long as what a disc is taken back into "
+                                       "the field by rounds nothing, and tenfold in some contacts from then on"));
+  findings.expect_true("rough discs slid, and touched across the border", nearest.ledger().rubbed > 0.0 && across > 20,
+                       "else neither friction nor virtual discs are compared");
+}
+
 void expect_mirror(Findings& findings, const Setup& setup) {
   ShearCell cell = ice_cell(8e3, 5e3);
   const FilledCell start = lively(cell);
@@ -204,6 +236,7 @@ void expect_jump(Findings& findings, const Setup& setup) {
 
 void run(Findings& findings, const Setup& setup) {
   expect_virtual(findings, setup);
+  expect_own_virtual(findings, setup);
   expect_mirror(findings, setup);
   expect_restart(findings, setup);
   expect_jump(findings, setup);
@@ -215,8 +248,10 @@ Case shear_cell_paths() {
   return {.id = "shear_cell_paths",
           .title = "Sheared cell: virtual discs, mirror, restart and jumps move it alike",
           .family = "the shear cell",
-          .requirements = {{"F3", {"places beside virtual discs and all pairs"}}, {"F5", {"taken on from its memory"}}},
+          .requirements = {{"F3", {"places beside virtual discs and all pairs", "places of rough discs"}},
+                           {"F5", {"taken on from its memory"}}},
           .main_checks = {"places beside virtual discs and all pairs, over a diameter",
+                          "places of rough discs, list of pairs beside virtual discs, over a diameter",
                           "impulse along x on the block of the mirrored cell, over the first's",
                           "heights of all discs in the mirrored cell are the same bits",
                           "a run taken on from its memory ends in the same bits",
@@ -227,6 +262,8 @@ Case shear_cell_paths() {
                       "places beside virtual discs and all pairs, over a diameter"},
                      {"latch_weaker", "K2 of the reference 1e-9 smaller",
                       "places beside virtual discs and all pairs, over a diameter"},
+                     {"friction_less", "friction of the cell by virtual discs 1e-8 smaller",
+                      "places of rough discs, list of pairs beside virtual discs, over a diameter"},
                      {"one_disc_off", "one disc of the mirrored cell a last place higher",
                       "heights of all discs in the mirrored cell are the same bits"},
                      {"restart_of_1989", "contacts forget their largest overlap at the restart",

@@ -230,6 +230,19 @@ BOOST_AUTO_TEST_CASE(what_does_not_go_with_a_law_is_told_with_its_place) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(images_across_the_borders_may_be_virtual_discs) {
+  BOOST_TEST((read_cell(toml, "c.toml", {}).plan.images == Images::nearest));
+  BOOST_TEST((read_cell(with(toml, "jump = \"on\"", "images = \"virtual\""), "c.toml", {}).plan.images ==
+              Images::virtual_discs));
+  BOOST_TEST((read_cell(control, "CNTRL.DAT", {.virtual_discs = true}).plan.images == Images::virtual_discs));
+  BOOST_TEST(message(with(toml, "jump = \"on\"", "images = \"minimum\""), "c.toml") ==
+             "c.toml:20: run: images: found \"minimum\"; nearest: virtual; known: nearest, virtual");
+  BOOST_TEST(message(with(toml, "jump = \"on\"", "jump = \"on\"\nimages = \"virtual\""), "c.toml") ==
+             "c.toml:20: run: jump: found on; with virtual discs each step is taken");
+  BOOST_TEST(message(control, "CNTRL.DAT", {.jump = true, .virtual_discs = true}) ==
+             "CNTRL.DAT: jump: found on; with virtual discs each step is taken");
+}
+
 BOOST_AUTO_TEST_CASE(a_key_that_is_mistyped_is_told_before_the_one_that_is_missing) {
   const auto told = [&](std::string_view what, std::string_view by) { return message(with(toml, what, by), "c.toml"); };
   BOOST_TEST(told("stiffness = ", "stifness = ") ==
@@ -239,7 +252,7 @@ BOOST_AUTO_TEST_CASE(a_key_that_is_mistyped_is_told_before_the_one_that_is_missi
   BOOST_TEST(told("rows = ", "row = ").starts_with("c.toml:10: cell: row: this key is not known; nearest: rows; "));
   BOOST_TEST(told("step = ", "steps = ") ==
              "c.toml:17: run: steps: this key is not known; nearest: step; known: step, every, end, integrator, jump, "
-             "historical, pictures");
+             "images, historical, pictures");
   BOOST_TEST(told("[run]", "[runs]") ==
              "c.toml:15: runs: this key is not known; nearest: run; known: title, units, cell, run");
 }
