@@ -33,6 +33,7 @@ struct CellOptions {
   std::optional<std::uint64_t> seed;
   bool historical{false};
   bool jump{false};
+  bool virtual_discs{false};
   bool json{false};
 };
 
@@ -55,6 +56,7 @@ void remember(Memory& memory, CellChoices& choices) {
   memory.text("integrator", integrator), memory.text("units", units);
   memory.flag("seeded", seeded), memory.count("seed", seed);
   memory.flag("historical", choices.historical), memory.flag("jump", choices.jump);
+  memory.flag("virtual", choices.virtual_discs);
   if (!memory.puts_back()) return;
   if (!integrator.empty()) choices.integrator = integrator;
   if (!units.empty()) choices.units = unit_system(units);
@@ -76,13 +78,14 @@ CellOrder new_order(const CellOptions& options) {
   order.choices.historical = options.historical;
   if (options.historical && options.integrator.empty()) order.choices.integrator = "euler";
   order.choices.jump = options.jump;
+  order.choices.virtual_discs = options.virtual_discs;
   order.scene = read_cell(order.file, order.choices);
   return order;
 }
 
 CellOrder left_order(const CellOptions& options) {
   if (!options.scene.empty() || !options.integrator.empty() || !options.units.empty() || options.seed ||
-      options.historical || options.jump || !options.folder.empty()) {
+      options.historical || options.jump || options.virtual_discs || !options.folder.empty()) {
     throw InputError{
         "--resume: a run is taken on as it was begun and where it was left; no file and no other option "
         "but --json goes with it"};
@@ -245,6 +248,9 @@ Command add_cell(CLI::App& talus) {
   app->add_flag("--historical", options->historical,
                 "as the runs of 1989 may have been: Euler's steps; K1/K2 must be .45 and STEP 1e-7");
   app->add_flag("--jump", options->jump, "pass time in which nothing can touch at once");
+  app->add_flag(
+      "--virtual", options->virtual_discs,
+      "discs act across the borders by virtual ones, of which all pairs are tried, as in 1989: slow, a check");
   app->add_flag("--json", options->json, "print the summary as JSON");
   app->footer(
       "Examples:\n"

@@ -22,6 +22,7 @@ struct ExportOptions {
 
 /// What LAMMPS knows of the cell's law. Errors: InputError for springs that latch, unless dashpots may stand for them.
 LinearSpringDashpot linear_law(const ShearCell& cell, const ExportOptions& options) {
+  if (const auto* linear = std::get_if<LinearSpringDashpot>(&cell.law)) return *linear;
   const double kept = cell.restitution();
   if (kept < 1.0 && !options.dashpot) {
     throw InputError{
@@ -29,7 +30,7 @@ LinearSpringDashpot linear_law(const ShearCell& cell, const ExportOptions& optio
                     "--dashpot gives springs of the stiffness K1 with a dashpot of the same restitution",
                     options.scene, kept)};
   }
-  LinearSpringDashpot law{cell.law.stiffness, 0.0, EndRule::clamped};
+  LinearSpringDashpot law{cell.stiffness(), 0.0, EndRule::clamped};
   if (kept < 1.0) law.damping = damping(damping_ratio(kept, law.end_rule), law.stiffness, 0.5 * cell.mass);
   return law;
 }
@@ -37,7 +38,8 @@ LinearSpringDashpot linear_law(const ShearCell& cell, const ExportOptions& optio
 int export_scene(const ExportOptions& options) {
   const CellScene scene = read_cell(options.scene, {});
   const FilledCell filled = fill(scene.cell);
-  export_lammps(options.folder, {filled.shapes, filled.discs, filled.box, linear_law(scene.cell, options)},
+  export_lammps(options.folder,
+                {filled.shapes, filled.discs, filled.box, linear_law(scene.cell, options), scene.cell.friction},
                 {.step = scene.plan.step, .steps = options.steps, .skin = 0.3 * scene.cell.diameter});
   fmt::print("files: {}: discs.data, in.discs\nrun: cd {} && lmp -in in.discs\n", options.folder, options.folder);
   return ok;

@@ -1,10 +1,13 @@
 #include "solver/granular/cell_run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "solver/base/error.hpp"
@@ -43,6 +46,24 @@ double skin_of(const ShearCell& cell, const FilledCell& start) {
   return std::max(0.1 * cell.diameter, std::min(best, 0.49 * cell.width() - cell.diameter));
 }
 
+/// Methods whose steps do not change a restitution.
+std::vector<std::string> leapfrogs() {
+  std::vector<std::string> names = disc_method_names();
+  std::erase_if(names, [](const std::string& name) { return swing_gain(name) != 0.0; });
+  return names;
+}
+
+CellRun::System system_of(const ShearCell& cell, const CellPlan& plan, const FilledCell& start) {
+  const double skin = skin_of(cell, start);
+  const auto with = [&]<class L, class F>(const L& law, const F& friction) -> CellRun::System {
+    if (plan.images == Images::virtual_discs)
+      return CellRun::ByVirtualDiscs<L, F>{start.shapes, start.box, law, skin, friction};
+    return FastDiscSystem{start.shapes, start.box, law, skin, friction};
+  };
+  return std::visit(
+      [&](const auto& law) { return cell.friction ? with(law, *cell.friction) : with(law, Frictionless{}); }, cell.law);
+}
+
 FilledCell checked(const ShearCell& cell, const CellPlan& plan, FilledCell start) {
   if (const auto found = objections(cell, plan); !found.empty())
     throw InputError{fmt::format("{}: {}", found.front().field, found.front().words)};
@@ -72,6 +93,25 @@ std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& pla
     found.push_back({"every", fmt::format("found {}; it must be at least {}: a run has at most {:g} outputs",
                                           plan.every, plan.end / most_outputs, most_outputs)});
   }
+  constexpr std::string_view law_of_1989 = "latching springs that do not grow stiffer, without friction";
+  if (plan.images == Images::virtual_discs) {
+    const std::size_t discs = cell.free_discs() + 2 * static_cast<std::size_t>(cell.wall_discs);
+    if (plan.jump) found.push_back({"jump", "found on; with virtual discs each step is taken"});
+    if (discs > CellRun::most_virtual) {
+      found.push_back({"images", fmt::format("found virtual with {} discs, of which all pairs are tried at each step; "
+                                             "with more than {} it must be nearest",
+                                             discs, CellRun::most_virtual)});
+    }
+  }
+  if (plan.historical && cell.law_of_1989() == nullptr)
+    found.push_back({"historical", fmt::format("found on; a historical run is of {}", law_of_1989)});
+  if (swing_gain(plan.integrator) != 0.0 && cell.law_of_1989() == nullptr) {
+    found.push_back(
+        {"integrator", fmt::format("found {}; what its steps make of a restitution is known of {}; with other "
+                                   "laws it must be a leapfrog: {}",
+                                   plan.integrator, law_of_1989, fmt::join(leapfrogs(), ", "))});
+    return found;
+  }
   const double steps = cell.contact_time() / plan.step;
   if (swing_gain(plan.integrator) == 0.0 && steps < 10.0) {
     found.push_back(
@@ -94,7 +134,7 @@ CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
     : cell_{cell},
       plan_{plan},
       start_{checked(cell, plan, std::move(start))},
-      system_{start_.shapes, start_.box, cell.law, skin_of(cell, start_)},
+      system_{system_of(cell, plan, start_)},
       method_{make_disc_method(plan.integrator)},
       discs_{start_.discs},
       last_step_{steps_in(plan.end, plan.step)},
@@ -102,8 +142,13 @@ CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
       means_{quantities, plan.end, blocks},
       intervals_{quantities, plan.every * loops(plan), static_cast<std::size_t>(loops(plan))},
       profile_{static_cast<std::size_t>(3 * cell.rows + 4), 0.5 * cell.diameter, cell.width()} {
-  system_.begin(discs_);
-  std::visit([&](auto& method) { method.start(system_, discs_, plan_.step); }, method_);
+  std::visit(
+      [&](auto& method, auto& system) {
+        if constexpr (requires { system.keep_work(); }) system.keep_work();
+        system.begin(discs_);
+        method.start(system, discs_, plan_.step);
+      },
+      method_, system_);
   held_at_start_ = energies().held();
 }
 
@@ -124,16 +169,23 @@ long CellRun::steps_ahead() const {
 void CellRun::take_steps(long steps) {
   const double h = plan_.step;
   const std::size_t block = first_block_disc(cell_), base = cell_.free_discs();
-  if (!std::holds_alternative<CentralDifferenceOf<Discs>>(method_) &&
-      !std::holds_alternative<EulerCromerOf<Discs>>(method_)) {
-    for (long n = 0; n < steps; ++n) {
-      std::visit([&](auto& method) { method.step(system_, discs_, h); }, method_);
-      book_walls(h, discs_.y[block] - discs_.y[base]);
+  const auto go = [&](auto& method, auto& system) {
+    const auto book = [&](double height) {
+      book_walls(h, system.wall_force(block_wall), system.wall_force(base_wall), height);
+    };
+    using Method = std::decay_t<decltype(method)>;
+    constexpr bool kick_and_drift =
+        std::same_as<Method, CentralDifferenceOf<Discs>> || std::same_as<Method, EulerCromerOf<Discs>>;
+    if constexpr (kick_and_drift && requires { system.place(block); }) {
+      system.advance(discs_, h, steps, [&] { book(system.place(block).y - system.place(base).y); });
+    } else {
+      for (long n = 0; n < steps; ++n) {
+        method.step(system, discs_, h);
+        book(discs_.y[block] - discs_.y[base]);
+      }
     }
-  } else {
-    // Their steps are a kick and a drift.
-    system_.advance(discs_, h, steps, [&] { book_walls(h, system_.place(block).y - system_.place(base).y); });
-  }
+  };
+  std::visit(go, method_, system_);
   steps_ += steps;
   since_sample_ += steps;
   if (since_sample_ >= sample_every_ || finished()) sample();
@@ -154,12 +206,15 @@ long CellRun::next_loop() const {
 /// the line of centres is at most |v| t + G t^2/2 (its true path would be a root of fourth degree).
 long CellRun::free_steps() const {
   bool acting = false;
-  system_.for_each_contact(discs_, [&](const DiscContact&) { acting = true; });
+  const auto look = [&](const auto& system) -> const NeighbourList& {
+    system.for_each_contact(discs_, [&](const DiscContact&) { acting = true; });
+    return system.list();
+  };
+  const NeighbourList& list = std::visit(look, system_);
   if (acting) return 0;
   double time = std::numeric_limits<double>::infinity(), fastest = 0.0;
   for (std::size_t i = 0; i < discs_.size(); ++i)
     fastest = std::max(fastest, norm(Vec2{discs_.vx[i], discs_.vy[i]}));
-  const NeighbourList& list = system_.list();
   list.for_each_pair(discs_, [&](std::size_t i, std::size_t j, std::size_t, Vec2 d, const auto& shift) {
     const Vec2 v{discs_.vx[j] - discs_.vx[i] + shift.vx, discs_.vy[j] - discs_.vy[i]};
     const double radii = cell_.diameter, nearing = -dot(d, v), room = dot(d, d) - radii * radii;
@@ -184,18 +239,21 @@ void CellRun::jump(long steps) {
   const double speed = discs_.vy.back();
   const std::size_t block = first_block_disc(cell_);
   std::fill(discs_.vy.begin() + static_cast<std::ptrdiff_t>(block), discs_.vy.end(), speed - fall);
-  system_.drift(discs_, n * h);
+  const auto fly = [&](auto& system) {
+    system.settle(discs_);  // contacts that ended with the last step
+    system.drift(discs_, n * h);
+  };
+  std::visit(fly, system_);
   std::fill(discs_.vy.begin() + static_cast<std::ptrdiff_t>(block), discs_.vy.end(), speed - cell_.gravity * n * h);
   discs_.t += n * h;
   steps_ += steps;
   jumped_ += steps;
-  book_walls(n * h, discs_.y[block] - discs_.y[cell_.free_discs()]);
+  book_walls(n * h, {}, {}, discs_.y[block] - discs_.y[cell_.free_discs()]);
   sample();
 }
 
-/// What is known at each step, of the forces of its evaluation. height: of the centre lines of the walls [L].
-void CellRun::book_walls(double time, double height) {
-  const Vec2 block = system_.wall_force(block_wall), base = system_.wall_force(base_wall);
+/// What is known at each step, of the forces of its evaluation.
+void CellRun::book_walls(double time, Vec2 block, Vec2 base, double height) {
   on_block_ += time * block, on_base_ += time * base;
   const double forwards = std::signbit(cell_.block_speed) ? -1.0 : 1.0, area = cell_.width() * cell_.diameter;
   const auto add = [&](CellQuantity quantity, double value) { walls_[at(quantity)] += time * value; };
@@ -227,6 +285,7 @@ void CellRun::sample() {
       value(CellQuantity::multiple) += 1.0;
       value(CellQuantity::multiple_shear_virial) += shear, value(CellQuantity::multiple_normal_virial) += normal;
     }
+    if (contact.sliding) value(CellQuantity::sliding) += 1.0;
     for (const std::size_t disc : {contact.a, contact.b})
       if (disc < free) value(CellQuantity::coordination) += 1.0 / static_cast<double>(free);
   }
@@ -235,6 +294,8 @@ void CellRun::sample() {
   for (std::size_t i = 0; i < free; ++i) {
     value(CellQuantity::kinetic_shear) -= forwards * cell_.mass * discs_.vx[i] * discs_.vy[i] / area;
   }
+  for (std::size_t i = 0; i < free && cell_.friction; ++i)
+    value(CellQuantity::spin) += discs_.spin[i] / static_cast<double>(free);
   const double fraction = solid_fraction(cell_, discs_);
   value(CellQuantity::solid_fraction) = fraction;
   const double time = static_cast<double>(steps_) * plan_.step - 0.5 * waiting_;
@@ -270,11 +331,14 @@ std::vector<CellRun::ActingContact> CellRun::acting_contacts() const {
   const std::size_t free = cell_.free_discs();
   std::vector<ActingContact> contacts;
   std::vector<int> acting(discs_.size());
-  system_.for_each_contact(discs_, [&](const DiscContact& contact) {
-    if (!(contact.force > 0.0)) return;
-    contacts.push_back({contact, false});
+  const auto add = [&](const DiscContact& contact) {
+    if (contact.force == 0.0) return;
+    const bool sliding =
+        cell_.friction && std::abs(contact.friction) >= cell_.friction->coefficient * std::max(contact.force, 0.0);
+    contacts.push_back({contact, false, sliding});
     ++acting[contact.a], ++acting[contact.b];
-  });
+  };
+  std::visit([&](const auto& system) { system.for_each_contact(discs_, add); }, system_);
   for (ActingContact& contact : contacts) {
     for (const std::size_t disc : {contact.a, contact.b})
       contact.multiple = contact.multiple || (disc < free && acting[disc] > 1);
@@ -294,7 +358,17 @@ void CellRun::check(double fraction) {
 }
 
 Discs CellRun::discs() {
-  return std::visit([&](auto& method) -> Discs { return method.synchronized(system_, discs_, plan_.step); }, method_);
+  return std::visit(
+      [&](auto& method, auto& system) -> Discs { return method.synchronized(system, discs_, plan_.step); }, method_,
+      system_);
+}
+
+long CellRun::evaluations() const {
+  return std::visit([](const auto& system) { return system.evaluations(); }, system_);
+}
+
+Vec2 CellRun::wall_force(std::size_t wall) const {
+  return std::visit([&](const auto& system) { return system.wall_force(wall); }, system_);
 }
 
 Estimate CellRun::mean(CellQuantity quantity) const { return means_.estimate(at(quantity), start_up); }
@@ -324,8 +398,17 @@ CellRun::Ledger CellRun::energies() {
   ledger.kinetic = 0.5 * cell_.block_mass * now.vy.back() * now.vy.back();
   for (std::size_t i = 0; i < cell_.free_discs(); ++i)
     ledger.kinetic += 0.5 * cell_.mass * (now.vx[i] * now.vx[i] + now.vy[i] * now.vy[i]);
+  const double inertia = 0.125 * cell_.mass * cell_.diameter * cell_.diameter;
+  for (std::size_t i = 0; i < cell_.free_discs() && cell_.friction; ++i)
+    ledger.kinetic += 0.5 * inertia * now.spin[i] * now.spin[i];
   ledger.potential = cell_.block_mass * cell_.gravity * now.y[first_block_disc(cell_)];
-  system_.for_each_contact(now, [&](const DiscContact& contact) { ledger.stored += contact.stored; });
+  ledger.rubbed = now.work[static_cast<std::size_t>(Mechanism::friction)];
+  ledger.dissipated = now.dissipated();
+  const auto look = [&](const auto& system) {
+    system.for_each_contact(now, [&](const DiscContact& contact) { ledger.stored += contact.stored; });
+    if constexpr (requires { system.lost(); }) ledger.dissipated += system.lost();
+  };
+  std::visit(look, system_);
   return ledger;
 }
 
@@ -333,7 +416,6 @@ CellRun::Ledger CellRun::ledger() {
   Ledger ledger = energies();
   // The block has one speed, so that what drives it does the work of its impulse.
   ledger.driven = -on_block_.x * cell_.block_speed;
-  ledger.dissipated = system_.lost();
   ledger.gained = ledger.held() + ledger.dissipated - ledger.driven - held_at_start_;
   return ledger;
 }
@@ -341,7 +423,7 @@ CellRun::Ledger CellRun::ledger() {
 void CellRun::remember(Memory& memory) {
   using talus::remember;
   memory.part("discs", [&] { remember(memory, discs_); });
-  memory.part("system", [&] { system_.remember(memory, discs_); });
+  memory.part("system", [&] { std::visit([&](auto& system) { system.remember(memory, discs_); }, system_); });
   memory.part("method", [&] { std::visit([&](auto& method) { method.remember(memory, discs_); }, method_); });
   memory.count("steps", steps_), memory.count("jumped", jumped_), memory.count("since_sample", since_sample_);
   memory.number("waiting", waiting_);

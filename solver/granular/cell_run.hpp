@@ -3,15 +3,28 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "solver/granular/block_means.hpp"
 #include "solver/granular/cell_profile.hpp"
 #include "solver/granular/disc_method.hpp"
+#include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/shear_cell.hpp"
+#include "solver/granular/virtual_discs.hpp"
 
 namespace talus {
+
+/// How discs act across the borders of a field that repeats itself.
+enum class Images {
+  nearest,        ///< of each pair the images that are nearest, from a list by cells
+  virtual_discs,  ///< as in 1989, by all pairs (VirtualDiscs): slow, a check of the other
+};
+template <>
+struct Names<Images> {
+  static constexpr std::array<std::string_view, 2> list{"nearest", "virtual"};
+};
 
 /// How a cell is run; the names of CNTRL.DAT stand beside. Times [T].
 struct CellPlan {
@@ -21,6 +34,7 @@ struct CellPlan {
   double end{};       ///< TIME >= every
   bool historical{};  ///< a run as that of 1989 may have been: steps that change the restitution are not refused
   bool jump{};        ///< whether time in which nothing can touch is passed at once
+  Images images{};
 
   static constexpr std::array<Field<CellPlan>, 3> fields() {
     return {{{"step", dimension::time, &CellPlan::step, Range::positive, "step STEP"},
@@ -30,7 +44,8 @@ struct CellPlan {
 };
 
 /// All that keeps a cell from being run so. A leapfrog needs 10 steps in a contact; Euler and Taylor may move the
-/// restitution by .05, in a historical run by any amount.
+/// restitution by .05, in a historical run by any amount, which is known of the law of 1989 alone: other laws and
+/// friction go with leapfrogs.
 [[nodiscard]] std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& plan);
 
 /// What is averaged of a cell. Stresses as ShearCell::overburden() [F/L^2]; shear is positive where the block is
@@ -53,19 +68,31 @@ enum class CellQuantity : std::size_t {
   normal_virial,
   multiple_normal_virial,
   kinetic_shear,  ///< the same of momentum carried by the discs [F/L]
+  sliding,        ///< contacts whose friction is at its limit
+  spin,           ///< mean of the free discs, counter-clockwise > 0 [1/T]
   count,
 };
 
 /// A shear cell on its way, with what is measured of it. Contacts act while their force is not nought.
 class CellRun {
  public:
-  using System = FastDiscSystem<LatchingSpring>;
+  template <class L, class F>
+  using ByVirtualDiscs = DiscSystem<L, F, VirtualDiscs>;
+  /// With the cell's law and friction.
+  using System =
+      std::variant<FastDiscSystem<LatchingSpring>, FastDiscSystem<LinearSpringDashpot>,
+                   FastDiscSystem<LatchingSpring, CoulombFriction>,
+                   FastDiscSystem<LinearSpringDashpot, CoulombFriction>, ByVirtualDiscs<LatchingSpring, Frictionless>,
+                   ByVirtualDiscs<LinearSpringDashpot, Frictionless>, ByVirtualDiscs<LatchingSpring, CoulombFriction>,
+                   ByVirtualDiscs<LinearSpringDashpot, CoulombFriction>>;
 
   /// Blocks of time in a run by which errors are told, and those at its start that no mean counts.
   static constexpr std::size_t blocks = 100, start_up = 25;
   /// Limits that a flow of hard discs keeps: all space that equal discs can fill, and a tenth of a diameter of overlap.
   /// Beyond them a run goes on, until discs pass through each other.
   static constexpr double fullest = 0.9069, deepest = 0.1;
+  /// Discs whose pairs are all tried at each step.
+  static constexpr std::size_t most_virtual = 2000;
 
   /// Errors: InputError for the first of the objections.
   CellRun(const ShearCell& cell, const CellPlan& plan);
@@ -84,7 +111,10 @@ class CellRun {
   const ShearCell& cell() const { return cell_; }
   const CellPlan& plan() const { return plan_; }
   const FilledCell& start() const { return start_; }
-  const System& system() const { return system_; }
+  /// Force evaluations so far.
+  long evaluations() const;
+  /// Sum of the contact forces on a wall at the last evaluation [F].
+  Vec2 wall_force(std::size_t wall) const;
   long steps() const { return steps_; }
   long last_step() const { return last_step_; }
   /// Steps that were passed at once.
@@ -107,17 +137,19 @@ class CellRun {
 
   /// Where the energy is and has gone [F L], from the start on.
   struct Ledger {
-    double kinetic{}, potential{}, stored{};  ///< now; potential of the block
+    double kinetic{}, potential{}, stored{};  ///< now; kinetic also of spin, potential of the block
     double driven{};                          ///< work of what drives the block
-    double dissipated{};
+    double dissipated{};                      ///< by contacts
+    double rubbed{};                          ///< of it by friction
     /// What is there now.
     double held() const { return kinetic + potential + stored; }
     double gained{};  ///< what is there and what was kept, less what was put in: nought but for the method's error
   };
   Ledger ledger();
-  /// A contact whose force is not nought; multiple if one of its free discs has another.
+  /// A contact whose force is not nought.
   struct ActingContact : DiscContact {
-    bool multiple{};
+    bool multiple{};  ///< one of its free discs has another
+    bool sliding{};   ///< its friction is at its limit
   };
   std::vector<ActingContact> acting_contacts() const;
   /// Impulses of the discs on the block and the base so far [F T].
@@ -136,7 +168,8 @@ class CellRun {
   long next_loop() const;
   long steps_ahead() const;
   void take_steps(long steps);
-  void book_walls(double time, double height);
+  /// Forces on the block and the base; height of one over the other [L].
+  void book_walls(double time, Vec2 block, Vec2 base, double height);
   void sample();
   void look_across(double time);
   long loops_ended(long steps) const;

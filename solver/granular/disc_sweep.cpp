@@ -57,6 +57,9 @@ class Sweep {
  public:
   static constexpr bool remembers = L::memory_size == 1, turns = std::same_as<F, CoulombFriction>;
 
+  /// Whether what the law's dashpot keeps is asked for.
+  bool damps() const { return !remembers && w_.keeps && law_.needs_rate(); }
+
   Sweep(const L& law, const F& friction, const DiscSweep& sweep)
       : law_{law},
         friction_{friction},
@@ -84,7 +87,7 @@ class Sweep {
   /// After the last block.
   [[gnu::always_inline]] void end() {
     TouchingPairs& now = *w_.touching;
-    if constexpr (remembers) {
+    if constexpr (remembers || turns) {
       for (; old_ < w_.touched->count; ++old_)
         part(old_);
     }
@@ -97,12 +100,16 @@ class Sweep {
     size += size / 4;
     pairs.pair.resize(size);
     if constexpr (remembers) pairs.largest.resize(size);
-    if constexpr (turns) pairs.stretch.resize(size), pairs.normal.resize(size);
+    if constexpr (turns) pairs.stretch.resize(size), pairs.slid.resize(size);
+    if constexpr (turns || !remembers) pairs.normal.resize(size);
+    if constexpr (!remembers) pairs.power.resize(size), pairs.released.resize(size);
   }
-  [[gnu::noinline]] void part(std::uint32_t pair, double largest) const {
-    if (largest > 0.0) w_.parted->push_back({pair, largest});
+  [[gnu::noinline]] void part(std::uint32_t pair, double largest, double stretch) const {
+    if (largest > 0.0 || (stretch != 0.0 && w_.keeps)) w_.parted->push_back({pair, largest, stretch});
   }
-  void part(std::size_t old) const { part(w_.touched->pair[old], w_.touched->largest[old]); }
+  void part(std::size_t old) const {
+    part(w_.touched->pair[old], remembers ? w_.touched->largest[old] : 0.0, turns ? w_.touched->stretch[old] : 0.0);
+  }
 
   /// Numbers of touching pairs, and what those remember that touched in the last sweep.
   [[gnu::always_inline]] void recall(const std::uint32_t* touching, std::size_t count) {
@@ -111,24 +118,24 @@ class Sweep {
     std::uint32_t* const pair = now.pair.data() + now.count;
     for (std::size_t t = 0; t < count; ++t)
       pair[t] = listed_ != nullptr ? listed_[touching[t]] : touching[t];
-    if constexpr (remembers || turns) {
-      const TouchingPairs& before = *w_.touched;
-      const std::uint32_t* const then = before.pair.data();
-      std::size_t old = old_;
-      for (std::size_t t = 0; t < count; ++t) {
-        for (; then[old] < pair[t]; ++old) {
-          if constexpr (remembers) part(old);
-        }
-        const bool since = then[old] == pair[t];
-        if constexpr (remembers) now.largest[now.count + t] = since ? before.largest[old] : 0.0;
-        if constexpr (turns) {
-          now.stretch[now.count + t] = since ? before.stretch[old] : 0.0;
-          now.normal[now.count + t] = since ? before.normal[old] : 0.0;
-        }
-        old += since ? 1U : 0U;
+    if (remembers || turns || damps()) carry(pair, count);
+  }
+  [[gnu::always_inline]] void carry(const std::uint32_t* pair, std::size_t count) {
+    TouchingPairs& now = *w_.touching;
+    const TouchingPairs& before = *w_.touched;
+    const std::uint32_t* const then = before.pair.data();
+    std::size_t old = old_;
+    for (std::size_t t = 0; t < count; ++t) {
+      for (; then[old] < pair[t]; ++old) {
+        if constexpr (remembers || turns) part(old);
       }
-      old_ = old;
+      const bool since = then[old] == pair[t];
+      if constexpr (remembers) now.largest[now.count + t] = since ? before.largest[old] : 0.0;
+      if constexpr (turns) now.stretch[now.count + t] = since ? before.stretch[old] : 0.0;
+      if constexpr (turns || !remembers) now.normal[now.count + t] = since ? before.normal[old] : -1.0;
+      old += since ? 1U : 0U;
     }
+    old_ = old;
   }
 
   /// Forces on the second discs of eight touching pairs, of which so many count.
@@ -156,10 +163,13 @@ class Sweep {
     if constexpr (remembers) {
       if (bits_of(overlaps) != 0xff) {
         for (std::size_t l = 0; l < count; ++l)
-          if (overlaps[l] == 0) part(now.pair[at + l], now.largest[at + l]);
+          if (overlaps[l] == 0) part(now.pair[at + l], now.largest[at + l], 0.0);
       }
       keep_where(largest, overlaps);
       store(largest, &now.largest[at]);
+    }
+    if constexpr (!remembers) {
+      if (damps()) damp(overlap, rate, force, at);
     }
     if constexpr (turns) {
       Pack friction, arm_a = 0.5 * radii, arm_b = arm_a, spin_a, spin_b;
@@ -172,6 +182,7 @@ class Sweep {
       collect(spin_b, [&](std::size_t l) { return w_.spins_before[disc(w_, second[l])]; });
       const Pack slip = v_x * -n_y + v_y * n_x - spin_a * arm_a - spin_b * arm_b;
       rub(slip * overlap / rate, rate, force, at, friction);
+      keep_normal(overlap, force, at);
       store(force * n_x + friction * n_y, out.x), store(force * n_y - friction * n_x, out.y);
       store(friction, out.friction), store(arm_a, out.arm_a), store(arm_b, out.arm_b);
     } else {
@@ -179,19 +190,39 @@ class Sweep {
     }
   }
 
+  /// What the law keeps of contacts that overlap.
+  [[gnu::always_inline]] void damp(const Pack& overlap, const Pack& rate, const Pack& force, std::size_t at) {
+    TouchingPairs& now = *w_.touching;
+    Pack normal, power, released;
+    load(normal, &now.normal[at]);
+    law_.kept(overlap, rate, normal, force, power, released);
+    const Sizes overlaps = overlap > Pack{};
+    keep_where(power, overlaps), keep_where(released, overlaps);
+    store(power, &now.power[at]), store(released, &now.released[at]);
+    if constexpr (!turns) keep_normal(overlap, force, at);
+  }
+  [[gnu::always_inline]] void keep_normal(const Pack& overlap, const Pack& force, std::size_t at) {
+    const Pack none{}, normal = force > none ? force : none;
+    store(overlap > none ? normal : none - 1.0, &w_.touching->normal[at]);
+  }
+
   /// Takes the springs of friction back to their limit. slipped: of contacts since they began [L].
   [[gnu::always_inline]] void rub(const Pack& slipped, const Pack& rate, const Pack& force, std::size_t at,
                                   Pack& friction) {
     TouchingPairs& now = *w_.touching;
-    Pack stretch, normal, begun;
+    Pack stretch, normal, begun, slid;
     load(stretch, &now.stretch[at]), load(normal, &now.normal[at]);
     friction_.begun(slipped, force, begun);
     const Sizes pushes = force > Pack{}, begins = pushes & (rate > Pack{}) & ~(normal > Pack{});
     stretch = begins ? begun : stretch;
+    const Pack before = stretch;
     friction_.settled(force, stretch, friction);
-    normal = force;
-    keep_where(stretch, pushes), keep_where(friction, pushes), keep_where(normal, pushes);
-    store(stretch, &now.stretch[at]), store(normal, &now.normal[at]);
+    if (w_.keeps) {
+      friction_.dissipated(before, force, stretch, slid);
+      store(slid, &now.slid[at]);
+    }
+    keep_where(stretch, pushes), keep_where(friction, pushes);
+    store(stretch, &now.stretch[at]);
   }
 
   L law_;

@@ -29,14 +29,17 @@ struct TouchingPairs {
 
   std::vector<std::uint32_t> pair{none};  ///< numbers in the list
   std::vector<double> largest;            ///< overlap since the touch, of laws that remember it [L]
-  std::vector<double> stretch, normal;    ///< of the spring of friction [L], and the force of the law [F]
+  std::vector<double> stretch;            ///< of the spring of friction [L]
+  std::vector<double> normal;             ///< force of the law, where it pushes [F]; < 0: the contact is new
+  std::vector<double> power, released;    ///< what the law keeps, of laws without memory (settled.hpp) [F L/T, F L]
+  std::vector<double> slid;               ///< what friction dissipates [F L]
   std::size_t count{};
 };
 
-/// A contact that has ended, of a law that remembers.
+/// A contact that has ended, of a law that remembers or with friction.
 struct PartedPair {
   std::uint32_t pair{};
-  double largest{};  ///< [L]
+  double largest{}, stretch{};  ///< [L]
 };
 
 /// A force on a wall, from one of its contacts.
@@ -78,6 +81,7 @@ struct DiscSweep {
   std::vector<PartedPair>* parted{};     ///< is added to
   std::vector<WallPush>* wall_pushes{};  ///< is added to
   const DiscPushes* outgoing{};          ///< of pairs whose first disc is of this sweep and whose second is not
+  bool keeps{};                          ///< whether `touching` and `parted` are to tell what contacts keep
 };
 
 /// Pairs that are worked on together: to where lists of them are filled.

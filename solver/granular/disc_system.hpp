@@ -30,7 +30,9 @@ namespace talus {
 ///
 /// What contacts remember, and the modes they are in, stand beside the pairs of the list and go with them to the next
 /// list: a system goes with one state, and with methods of one evaluation a step.
-template <Law L, class F = Frictionless>
+///
+/// List: what tells which discs may touch, and by which image.
+template <Law L, class F = Frictionless, class List = NeighbourList>
 class DiscSystem {
  public:
   static constexpr bool turns = std::same_as<F, CoulombFriction>;
@@ -50,7 +52,7 @@ class DiscSystem {
   const DiscShapes& shapes() const { return shapes_; }
   const L& law() const { return law_; }
   const F& friction() const { return friction_; }
-  const NeighbourList& list() const { return list_; }
+  const List& list() const { return list_; }
   /// Times that the list was built.
   long builds() const { return builds_; }
   long evaluations() const { return evaluations_; }
@@ -117,20 +119,25 @@ class DiscSystem {
       out.vy[i] = wall_acceleration(shapes_.wall[i]);
   }
 
-  /// Calls visit(contact) for each pair whose law acts in the modes of the last evaluation.
+  /// Calls visit(contact) for each pair whose law acted at the last evaluation and that still overlaps, as the discs
+  /// stand now.
   template <class Visit>
   void for_each_contact(const Discs& discs, Visit&& visit) const {
     for_each_acting(discs, contacts_.mode, 0.0,
                     [&](std::size_t a, std::size_t b, std::size_t pair, const Touch& touch) {
-                      const auto memory = std::span{contacts_.memory}.subspan(pair * L::memory_size, L::memory_size);
-                      const Mode mode = contacts_.mode[pair];
+                      if (!(touch.x.extent > 0.0)) return;
+                      std::array<double, L::memory_size + 1> memory{};
+                      std::copy_n(contacts_.memory.data() + pair * L::memory_size, L::memory_size, memory.begin());
+                      const std::span<double> remembered{memory.data(), L::memory_size};
+                      Mode mode = contacts_.mode[pair];
+                      talus::settle(law_, remembered, touch.x, mode, [](double) {});
                       DiscContact contact{.a = a,
                                           .b = b,
                                           .depth = touch.x.extent,
                                           .n_ab = touch.n,
                                           .distance = touch.distance,
-                                          .force = law_(touch.x, memory, mode).total(),
-                                          .stored = law_.stored_energy(touch.x, memory, mode)};
+                                          .force = mode == 0 ? 0.0 : law_(touch.x, remembered, mode).total(),
+                                          .stored = law_.stored_energy(touch.x, remembered, mode)};
                       if constexpr (turns) {
                         contact.friction = friction_(contacts_.stretch[pair], contact.force);
                         contact.stored += friction_.stored_energy(contacts_.stretch[pair]);
@@ -335,7 +342,7 @@ class DiscSystem {
   /// Lists the pairs anew; what contacts remember goes with them.
   void rebuild(Discs& discs) {
     wrap(list_.box(), discs);
-    const NeighbourList old = list_;
+    const List old = list_;
     const Contacts were = std::move(contacts_);
     list_.build(shapes_, discs);
     ++builds_;
@@ -354,7 +361,7 @@ class DiscSystem {
   DiscShapes shapes_;
   L law_;
   F friction_;
-  NeighbourList list_;
+  List list_;
   Contacts contacts_;
   std::vector<Vec2> wall_forces_;                   ///< the first of no wall
   std::vector<std::size_t> moved_;                  ///< discs of walls with a mass

@@ -31,7 +31,8 @@ void end_list(TouchingPairs& touching) {
   touching.count = touching.pair.size();
   const std::size_t room = touching.count + pack_size + 1;
   touching.pair.resize(room, TouchingPairs::none);
-  for (auto* numbers : {&touching.largest, &touching.stretch, &touching.normal})
+  for (auto* numbers :
+       {&touching.largest, &touching.stretch, &touching.normal, &touching.power, &touching.released, &touching.slid})
     numbers->resize(room);
 }
 
@@ -111,7 +112,9 @@ void FastDiscSystem<L, F>::evaluate(Discs& discs, DiscRates& out) {
   for (std::size_t i = 0; i < discs.size(); ++i)
     out.vx[i] = rates_[2 * i], out.vy[i] = rates_[2 * i + 1];
   std::copy(spin_rates_.begin(), spin_rates_.end(), out.spin.begin());
+  discs.work = work_;
   out.work.fill(0.0);
+  out.work[static_cast<std::size_t>(L::dissipation)] = power_;
 }
 
 template <SettledLaw L, class F>
@@ -126,6 +129,7 @@ template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::sweep(double kick, double drift) {
   if (kick != 0.0) begin_kick();
   double fastest = sweep_pairs(kick, turns ? 0.0 : drift);
+  if (kick != 0.0) work_[static_cast<std::size_t>(L::dissipation)] += kick * power_;
   if (turns && drift != 0.0) {
     if (!ghost_disc_.empty()) list_.shifts(slid_, shifts_);
     each([&](Stripe& stripe) {
@@ -167,7 +171,7 @@ double FastDiscSystem<L, F>::sweep_pairs(double kick, double drift) {
     stripe.fastest = sweep_discs(law_, friction_, of);
   });
   if (drift != 0.0) release_walls();
-  if (kick != 0.0) book_parted(), kick_walls(kick);
+  if (kick != 0.0) book(), kick_walls(kick);
   double fastest = 0.0;
   for (const Stripe& stripe : stripes_)
     fastest = std::max(fastest, stripe.fastest);
@@ -219,16 +223,31 @@ void FastDiscSystem<L, F>::drift_walls(double drift, const NeighbourList::Flow& 
   }
 }
 
+/// What contacts kept at this evaluation, in the order of pairs.
 template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::book_parted() {
-  if constexpr (remembers) {
-    parted_.clear();
-    for (const Stripe& stripe : stripes_)
-      parted_.insert(parted_.end(), stripe.parted.begin(), stripe.parted.end());
-    std::sort(parted_.begin(), parted_.end(), [](const auto& a, const auto& b) { return a.pair < b.pair; });
-    for (const PartedPair& parted : parted_)
-      lost_ += law_.lost(parted.largest);
+void FastDiscSystem<L, F>::book() {
+  power_ = 0.0;
+  parted_.clear();
+  for (const Stripe& stripe : stripes_)
+    parted_.insert(parted_.end(), stripe.parted.begin(), stripe.parted.end());
+  std::sort(parted_.begin(), parted_.end(), [](const auto& a, const auto& b) { return a.pair < b.pair; });
+  [[maybe_unused]] double& released = work_[static_cast<std::size_t>(L::release)];
+  [[maybe_unused]] double& slid = work_[static_cast<std::size_t>(Mechanism::friction)];
+  auto parted = parted_.begin();
+  const auto book_parted = [&](std::uint32_t before) {
+    for (; parted != parted_.end() && parted->pair < before; ++parted) {
+      if constexpr (remembers) lost_ += law_.lost(parted->largest);
+      if constexpr (turns) slid += keeps_work_ ? friction_.stored_energy(parted->stretch) : 0.0;
+    }
+  };
+  if (books_work()) {
+    const bool damps = law_.needs_rate();
+    for_each_touching([&](const TouchingPairs& touching, std::size_t t) {
+      if constexpr (turns) book_parted(touching.pair[t]), slid += touching.slid[t];
+      if (damps) power_ += touching.power[t], released += touching.released[t];
+    });
   }
+  book_parted(TouchingPairs::none);
 }
 
 template <SettledLaw L, class F>
@@ -279,7 +298,8 @@ DiscSweep FastDiscSystem<L, F>::work(Stripe& stripe, double kick, double drift) 
           .touching = &stripe.own_touching[turn_],
           .parted = &stripe.parted,
           .wall_pushes = &stripe.wall_pushes,
-          .outgoing = &stripe.pushes};
+          .outgoing = &stripe.pushes,
+          .keeps = books_work()};
 }
 
 /// After all discs have moved: what lists them follows.
@@ -303,7 +323,7 @@ void FastDiscSystem<L, F>::load(const Discs& discs) {
     velocities_[2 * i] = discs.vx[i], velocities_[2 * i + 1] = discs.vy[i];
   }
   if (turns) std::copy(discs.spin.begin(), discs.spin.end(), spins_.begin());
-  slid_ = discs.slid;
+  slid_ = discs.slid, work_ = discs.work;
 }
 
 template <SettledLaw L, class F>
@@ -313,7 +333,7 @@ void FastDiscSystem<L, F>::store(Discs& discs) const {
     discs.vx[i] = velocities_[2 * i], discs.vy[i] = velocities_[2 * i + 1];
   }
   if (turns) std::copy(spins_.begin(), spins_.end(), discs.spin.begin());
-  discs.slid = slid_;
+  discs.slid = slid_, discs.work = work_;
 }
 
 /// Of ghosts the places, or the velocities before the kick.
@@ -345,12 +365,12 @@ void FastDiscSystem<L, F>::rebuild(Discs& discs) {
 template <SettledLaw L, class F>
 auto FastDiscSystem<L, F>::kept_contacts() const -> std::vector<Kept> {
   std::vector<Kept> kept;
-  if (!remembers && !turns) return kept;
   for_each_touching([&](const TouchingPairs& touching, std::size_t t) {
     const std::uint32_t pair = touching.pair[t];
     Kept contact{.first = disc(pairs_.first[pair]), .second = disc(pairs_.second[pair])};
     if (remembers) contact.largest = touching.largest[t];
-    if (turns) contact.stretch = touching.stretch[t], contact.normal = touching.normal[t];
+    if (turns) contact.stretch = touching.stretch[t];
+    if (turns || books_work()) contact.normal = touching.normal[t];
     kept.push_back(contact);
   });
   return kept;

@@ -21,8 +21,8 @@
 namespace talus {
 
 /// Many discs, several times as fast as DiscSystem, its plain twin, and with the same bits: places, velocities,
-/// accelerations, forces on walls and what contacts remember. Of work it keeps only what a law that remembers loses
-/// (lost()); the twin keeps all of it (Discs::work).
+/// accelerations, forces on walls and what contacts remember; of work too, where it is asked to keep it, but for what a
+/// law that remembers loses: memories tell that (lost()).
 ///
 /// How it comes to the same bits. A velocity is a sum of impulses, and rounds as their order says; in both the order is
 /// that of the pairs, by the number of the first disc, then of the second. All else is worked out for each pair, or
@@ -78,6 +78,10 @@ class FastDiscSystem {
   /// Sum of the contact forces on a wall at the last evaluation [F].
   Vec2 wall_force(std::size_t wall) const { return wall_forces_[wall]; }
 
+  /// From here on Discs::work gets what dashpots and friction keep, as the twin's does. It takes up to half as long
+  /// again where most pairs touch.
+  void keep_work() { keeps_work_ = true; }
+
   /// Before the first step: contacts that are there have no past.
   void begin(Discs& discs);
   /// Gives all discs the impulses of their forces over h.
@@ -86,7 +90,7 @@ class FastDiscSystem {
   void drift(Discs& discs, double h);
   /// The discs alone, moved so.
   Discs drifted(const Discs& discs, double h) const { return talus::drifted(discs, list_.box().sliding(), h); }
-  /// Brings up to date what contacts remember, and sums the accelerations; of works it gives none.
+  /// Brings up to date what contacts remember, and sums the accelerations and the powers.
   void evaluate(Discs& discs, DiscRates& out);
   void settle(Discs& discs);
   /// So many times kick() and drift(): the steps of EulerCromer and CentralDifference. Takes the time with it. Calls
@@ -138,7 +142,7 @@ class FastDiscSystem {
   void release_walls();
   void kick_walls(double kick);
   void drift_walls(double drift, const NeighbourList::Flow& flow, double& fastest);
-  void book_parted();
+  void book();
   DiscSweep work(Stripe& stripe, double kick, double drift);
   void end_drift(Discs& discs, double h);
   void load(const Discs& discs);
@@ -161,6 +165,7 @@ class FastDiscSystem {
     return at < velocities_.size() ? at / 2 : ghost_disc_[(at - velocities_.size()) / 2];
   }
   bool sees_rates() const { return turns || law_.needs_rate(); }
+  bool books_work() const { return keeps_work_ && sees_rates(); }
 
   static constexpr double round_off = 1e-9;  ///< share of a reach that sums of ways may be off by
 
@@ -188,6 +193,9 @@ class FastDiscSystem {
   std::vector<std::uint8_t> ghost_image_;
   std::array<NeighbourList::Shift, NeighbourList::images> shifts_{};
   double slid_{};  ///< Discs::slid
+  bool keeps_work_{false};
+  std::array<double, mechanism_count> work_{};  ///< Discs::work
+  double power_{};                              ///< of dashpots at the last evaluation [F L/T]
 
   SweptPairs pairs_;             ///< all listed
   std::vector<Stripe> stripes_;  ///< one for each thread

@@ -98,6 +98,12 @@ class NeighbourList {
     }
   }
 
+ protected:
+  std::vector<double> x_, y_;  ///< of the discs when it was built [L]
+  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> second_;
+  std::vector<std::uint8_t> image_;
+
  private:
   void check_periods() const;
   void find_pairs(const DiscShapes& shapes, const Discs& discs);
@@ -111,13 +117,9 @@ class NeighbourList {
   double skin_;
   double reach_{};
   double used_{};
-  double slid_{};              ///< Discs::slid when it was built [L]
-  double offset_{};            ///< of the boxes above and below then [L]; goes on without a jump
-  std::vector<double> x_, y_;  ///< of the discs then [L]
+  double slid_{};    ///< Discs::slid when it was built [L]
+  double offset_{};  ///< of the boxes above and below then [L]; goes on without a jump
   Flow flow_;
-  std::vector<std::uint32_t> first_;
-  std::vector<std::uint32_t> second_;
-  std::vector<std::uint8_t> image_;
 };
 
 }  // namespace talus

@@ -11,32 +11,84 @@
 #include "solver/base/error.hpp"
 #include "solver/granular/neighbour_list.hpp"
 #include "solver/granular/random_draw.hpp"
+#include "solver/laws/restitution.hpp"
 
 namespace talus {
-namespace {}  // namespace
+namespace {
 
-double ShearCell::loading_frequency() const { return std::sqrt(2.0 * law.stiffness / mass); }
-double ShearCell::unloading_frequency() const { return std::sqrt(2.0 * law.unloading_stiffness / mass); }
-double ShearCell::contact_time() const {
-  return 0.5 * std::numbers::pi * (1.0 / loading_frequency() + 1.0 / unloading_frequency());
+double contact_time_of(const LatchingSpring& law, double mass) {
+  const double loading = std::sqrt(2.0 * law.stiffness / mass), back = std::sqrt(2.0 * law.unloading_stiffness / mass);
+  return 0.5 * std::numbers::pi * (1.0 / loading + 1.0 / back);
 }
-double ShearCell::restitution() const { return std::sqrt(law.stiffness / law.unloading_stiffness); }
+double contact_time_of(const LinearSpringDashpot& law, double mass) { return contact_time(law, 0.5 * mass); }
+
+double damping_ratio_of(const LinearSpringDashpot& law, double mass) {
+  return law.damping / (2.0 * std::sqrt(0.5 * law.stiffness * mass));
+}
+double restitution_of(const LatchingSpring& law, double) { return std::sqrt(law.stiffness / law.unloading_stiffness); }
+double restitution_of(const LinearSpringDashpot& law, double mass) {
+  return restitution(damping_ratio_of(law, mass), law.end_rule);
+}
+
+using Objections = std::vector<CellObjection>;
+
+void object(Objections& found, std::string_view field, double value, std::string_view allowed) {
+  found.push_back({std::string{field}, fmt::format("found {}; it must be {}", value, allowed)});
+}
+void add_objections(Objections& found, const LatchingSpring& law, double) {
+  if (law.unloading_stiffness < law.stiffness) {
+    object(found, "unloading_stiffness", law.unloading_stiffness,
+           fmt::format("at least the stiffness while loading, {}: a contact gives back no more than it took",
+                       law.stiffness));
+  }
+}
+void add_objections(Objections& found, const LinearSpringDashpot& law, double mass) {
+  if (law.end_rule == EndRule::attractive && damping_ratio_of(law, mass) >= 1.0) {
+    object(found, "damping", law.damping,
+           fmt::format("< {}: with the attractive end rule discs that are damped more never part",
+                       2.0 * std::sqrt(0.5 * law.stiffness * mass)));
+  }
+}
+
+}  // namespace
+
+double ShearCell::stiffness() const {
+  return std::visit([](const auto& of) { return of.stiffness; }, law);
+}
+double ShearCell::loading_frequency() const { return std::sqrt(2.0 * stiffness() / mass); }
+double ShearCell::contact_time() const {
+  return std::visit([&](const auto& of) { return contact_time_of(of, mass); }, law);
+}
+double ShearCell::restitution() const {
+  return std::visit([&](const auto& of) { return restitution_of(of, mass); }, law);
+}
+const LatchingSpring* ShearCell::law_of_1989() const {
+  const auto* latching = std::get_if<LatchingSpring>(&law);
+  return latching != nullptr && latching->growth == 0.0 && !friction ? latching : nullptr;
+}
 double ShearCell::density() const { return mass / (0.25 * std::numbers::pi * diameter * diameter * diameter); }
 
 std::vector<CellObjection> objections(const ShearCell& cell) {
-  std::vector<CellObjection> found;
+  Objections found;
   const auto demand = [&](bool holds, std::string_view field, double value, std::string_view allowed) {
-    if (!holds) found.push_back({std::string{field}, fmt::format("found {}; it must be {}", value, allowed)});
+    if (!holds) object(found, field, value, allowed);
   };
-  for (const auto& field : LatchingSpring::fields())
-    demand(contains(field.range, cell.law.*field.member), field.name, cell.law.*field.member, words(field.range));
-  if (cell.law.unloading_stiffness < cell.law.stiffness) {
-    demand(false, "unloading_stiffness", cell.law.unloading_stiffness,
-           fmt::format("at least the stiffness while loading, {}: a contact gives back no more than it took",
-                       cell.law.stiffness));
+  const auto demand_range = [&](Range range, std::string_view field, double value) {
+    demand(contains(range, value), field, value, words(range));
+  };
+  std::visit(
+      [&](const auto& law) {
+        for (const auto& field : law.fields())
+          demand_range(field.range, field.name, law.*field.member);
+        add_objections(found, law, cell.mass);
+      },
+      cell.law);
+  if (cell.friction) {
+    demand_range(Range::non_negative, "friction", cell.friction->coefficient);
+    demand_range(Range::positive, "shear_stiffness", cell.friction->stiffness);
   }
   for (const auto& field : ShearCell::fields())
-    demand(contains(field.range, cell.*field.member), field.name, cell.*field.member, words(field.range));
+    demand_range(field.range, field.name, cell.*field.member);
   for (const auto& field : ShearCell::counts()) {
     const int value = cell.*std::get<int ShearCell::*>(field.member);
     demand(value >= field.least && value <= field.most, field.name, value,
@@ -50,7 +102,7 @@ std::vector<CellObjection> objections(const ShearCell& cell) {
 }
 
 ShearCell ice_cell(double overburden, double speed, std::uint64_t seed) {
-  ShearCell cell{.law = {1.7e4, 1.7e4 / 0.49, 0.0},
+  ShearCell cell{.law = LatchingSpring{1.7e4, 1.7e4 / 0.49, 0.0},
                  .diameter = 1e-3,
                  .mass = 7.2e-7,
                  .gravity = 9.81,

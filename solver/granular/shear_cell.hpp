@@ -2,13 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "solver/base/fields.hpp"
 #include "solver/granular/discs.hpp"
 #include "solver/granular/periodic_box.hpp"
-#include "solver/laws/latching_spring.hpp"
+#include "solver/laws/coulomb_friction.hpp"
+#include "solver/laws/settled.hpp"
 
 namespace talus {
 
@@ -16,7 +18,7 @@ namespace talus {
 /// block with a mass and a weight and driven along x, the field periodic along x. The names of CNTRL.DAT stand beside.
 /// Gravity acts on the block alone.
 struct ShearCell {
-  LatchingSpring law;    ///< K1, K2
+  DiscLaw law;           ///< of 1989: a latching spring, K1 and K2
   double diameter{};     ///< D [L] > 0
   double mass{};         ///< M of a disc [M] > 0
   double gravity{};      ///< G [L/T^2] >= 0
@@ -26,18 +28,25 @@ struct ShearCell {
   int wall_discs{};      ///< TWID in the base and in the block >= 3
   double block_speed{};  ///< VXT along x [L/T]
   std::uint64_t seed{};  ///< of the first velocities along y
+  /// Where discs rub each other, and then turn, each as a solid disc does; those of the walls do not turn.
+  std::optional<CoulombFriction> friction{};
 
   double width() const { return wall_discs * diameter; }
   std::size_t free_discs() const { return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns); }
   /// Overburden by the thesis's definition, MTOP G/(TWID D^2) [F/L^2] (Lacy 1989, "Data Input and Parameters").
   double overburden() const { return block_mass * gravity / (wall_discs * diameter * diameter); }
-  /// Of two discs that touch [rad/T], loading and unloading: sqrt(2 K1/m), sqrt(2 K2/m).
+  /// Of a contact that is pressed: K1, or k_n [F/L].
+  double stiffness() const;
+  /// Of two discs that touch, while they load [rad/T]: w1 = sqrt(2 K1/m).
   double loading_frequency() const;
-  double unloading_frequency() const;
-  /// How long two of its discs touch [T]: (pi/2) (1/w1 + 1/w2) (Walton & Braun 1986).
+  /// How long two of its discs touch [T]: of a latching spring (pi/2) (1/w1 + 1/w2), w2 = sqrt(2 K2/m) (Walton & Braun
+  /// 1986), of a spring and dashpot as restitution.hpp says.
   double contact_time() const;
-  /// Share of the speed that an impact of two of its discs keeps: sqrt(K1/K2).
+  /// Share of the speed that a head-on impact of two of its discs keeps: sqrt(K1/K2), of slow ones if K2 grows, or by
+  /// the dashpot.
   double restitution() const;
+  /// Its law, if it is that of 1989: a latching spring that does not grow stiffer, without friction; else null.
+  const LatchingSpring* law_of_1989() const;
   /// Of the material, discs as thick as they are wide: M/(pi D^3/4) [M/L^3].
   double density() const;
 

@@ -127,7 +127,8 @@ Verdict falls(const std::vector<StudyMean>& study, std::string_view series, std:
 
 ShearCell study_cell(const StudyPoint& point, std::uint64_t seed) {
   ShearCell cell = ice_cell(point.overburden, point.speed, seed);
-  cell.law.stiffness *= point.stiffness, cell.law.unloading_stiffness *= point.stiffness;
+  auto& law = std::get<LatchingSpring>(cell.law);
+  law.stiffness *= point.stiffness, law.unloading_stiffness *= point.stiffness;
   return cell;
 }
 

@@ -10,8 +10,9 @@
 #include "solver/base/error.hpp"
 #include "solver/io/fortran.hpp"
 #include "solver/io/list_directed.hpp"
-#include "solver/io/scene_table.hpp"
+#include "solver/io/scene_parts.hpp"
 #include "solver/io/toml_document.hpp"
+#include "solver/laws/restitution.hpp"
 
 namespace talus {
 namespace {
@@ -21,6 +22,7 @@ void choose(CellScene& scene, const CellChoices& choices) {
   if (choices.seed) scene.cell.seed = *choices.seed;
   if (choices.historical) scene.plan.historical = true;
   if (choices.jump) scene.plan.jump = true;
+  if (choices.virtual_discs) scene.plan.images = Images::virtual_discs;
   static_cast<void>(make_disc_method(scene.plan.integrator));
 }
 
@@ -28,14 +30,14 @@ void choose(CellScene& scene, const CellChoices& choices) {
 /// Euler's is inferred from them).
 std::vector<CellObjection> historical_objections(const CellScene& scene) {
   std::vector<CellObjection> found;
-  if (!scene.plan.historical) return found;
-  const double ratio = scene.cell.law.stiffness / scene.cell.law.unloading_stiffness;
+  const LatchingSpring* const law = scene.cell.law_of_1989();
+  if (!scene.plan.historical || law == nullptr) return found;
+  const double ratio = law->stiffness / law->unloading_stiffness;
   if (scene.plan.integrator != "euler")
     throw InputError{fmt::format("historical: found the integrator {}; it must be euler", scene.plan.integrator)};
   if (std::abs(ratio - 0.45) > 1e-9) {
-    found.push_back(
-        {"unloading_stiffness", fmt::format("found {}; a historical run has K1/K2 = .45: it must be {}",
-                                            scene.cell.law.unloading_stiffness, scene.cell.law.stiffness / 0.45)});
+    found.push_back({"unloading_stiffness", fmt::format("found {}; a historical run has K1/K2 = .45: it must be {}",
+                                                        law->unloading_stiffness, law->stiffness / 0.45)});
   }
   if (std::abs(scene.plan.step - 1e-7) > 1e-16)
     found.push_back({"step", fmt::format("found {}; a historical run has a step of 1e-7", scene.plan.step)});
@@ -102,7 +104,9 @@ class ControlReader {
   }
 
   [[noreturn]] void fail(const CellObjection& objection) const {
-    const auto& [line, record, name] = places_.at(objection.field);
+    const auto place = places_.find(objection.field);
+    if (place == places_.end()) throw InputError{fmt::format("{}: {}: {}", name_, objection.field, objection.words)};
+    const auto& [line, record, name] = place->second;
     fail(line, record, name, objection.words);
   }
 
@@ -133,8 +137,10 @@ CellScene read_control(std::string_view text, std::string_view name, const CellC
   scene.restart = reader.whole("RESTRT", "restart", 0, 1) == 1;
   scene.pictures = reader.whole("GRAPH", "pictures", 0, 1) == 1;
   reader.record("K1 K2 D M G MTOP");
-  cell.law.stiffness = reader.real("K1", "stiffness");
-  cell.law.unloading_stiffness = reader.real("K2", "unloading_stiffness");
+  LatchingSpring law;
+  law.stiffness = reader.real("K1", "stiffness");
+  law.unloading_stiffness = reader.real("K2", "unloading_stiffness");
+  cell.law = law;
   cell.diameter = reader.real("D", "diameter");
   cell.mass = reader.real("M", "mass");
   cell.gravity = reader.real("G", "gravity");
@@ -163,7 +169,8 @@ bool has_first(SceneTable& table, std::string_view first, std::string_view secon
   return table.has(first);
 }
 
-void read_law(SceneTable& table, LatchingSpring& law) {
+/// The law's fields; `restitution`, of two discs of the cell, may stand for the one that loses energy.
+void read_law(SceneTable& table, double, LatchingSpring& law) {
   constexpr auto fields = LatchingSpring::fields();
   table.read_field(law, fields[0]);
   if (has_first(table, "unloading_stiffness", "restitution")) {
@@ -174,11 +181,41 @@ void read_law(SceneTable& table, LatchingSpring& law) {
   }
   table.read_field(law, fields[2]);
 }
+void read_law(SceneTable& table, double mass, LinearSpringDashpot& law) {
+  constexpr auto fields = LinearSpringDashpot::fields();
+  law.end_rule = table.choice_or("end_rule", law.end_rule);
+  table.read_field(law, fields[0]);
+  if (has_first(table, "damping", "restitution")) {
+    table.read_field(law, fields[1]);
+  } else {
+    const double kept = table.number("restitution", Range::positive_fraction);
+    law.damping = damping(damping_ratio(kept, law.end_rule), law.stiffness, 0.5 * mass);
+  }
+}
+
+/// All keys of [cell] with this law.
+template <class L>
+std::vector<std::string> cell_keys() {
+  std::vector<std::string> keys = field_names<L>();
+  if constexpr (requires(L law) { law.end_rule; }) keys.emplace_back("end_rule");
+  keys.insert(keys.end(), {"restitution", "friction", "shear_stiffness", "overburden", "seed"});
+  for (const auto& field : ShearCell::fields())
+    keys.emplace_back(field.name);
+  for (const auto& field : ShearCell::counts())
+    keys.emplace_back(field.name);
+  return keys;
+}
 
 void read_cell_table(SceneTable table, ShearCell& cell) {
-  read_law(table, cell.law);
-  for (const auto& field : ShearCell::fields())
-    if (field.name != "block_mass") table.read_field(cell, field);
+  const std::string law = table.has("law") ? table.choice("law", DiscLaws::names()) : std::string{LatchingSpring::name};
+  visit_named<DiscLaw>(law, [&](auto wanted) {
+    table.allow(cell_keys<decltype(wanted)>());
+    for (const auto& field : ShearCell::fields())
+      if (field.name != "block_mass") table.read_field(cell, field);
+    read_law(table, cell.mass, wanted);
+    cell.friction = read_friction(table, wanted.stiffness);
+    cell.law = wanted;
+  });
   for (const auto& field : ShearCell::counts())
     table.read_count(cell, field);
   if (has_first(table, "block_mass", "overburden")) {
@@ -193,7 +230,6 @@ void read_cell_table(SceneTable table, ShearCell& cell) {
     if (seed < 0) table.fail("seed", fmt::format("found {}; it must be >= 0", seed));
     cell.seed = static_cast<std::uint64_t>(seed);
   }
-  table.allow({});
   // What cannot be filled is told with this table's place; fields' ranges are told already.
   for (const CellObjection& objection : objections(cell))
     table.fail(objection.field, objection.words);
@@ -213,12 +249,15 @@ CellScene read_toml(std::string_view text, std::string_view name, const CellChoi
   CellScene scene{.title = file.text("title"), .units = source.units, .cell = {}, .plan = {}};
   read_cell_table(file.table("cell"), scene.cell);
   SceneTable run = file.table("run");
+  std::vector<std::string> keys = field_names<CellPlan>();
+  keys.insert(keys.end(), {"integrator", "jump", "images", "historical", "pictures"});
+  run.allow(keys);
   if (run.has("integrator")) scene.plan.integrator = run.choice("integrator", disc_method_names());
   run.read_fields(scene.plan);
   scene.plan.jump = on(run, "jump");
+  scene.plan.images = run.choice_or("images", scene.plan.images);
   scene.plan.historical = on(run, "historical");
   scene.pictures = on(run, "pictures");
-  run.allow({});
   choose(scene, choices);
   if (const auto found = all_objections(scene); !found.empty()) run.fail(found.front().field, found.front().words);
   return scene;

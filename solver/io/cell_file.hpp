@@ -27,14 +27,16 @@ struct CellChoices {
   std::optional<std::uint64_t> seed{};
   bool historical{};
   bool jump{};
+  bool virtual_discs{};
 };
 
 /// Reads a cell from CNTRL.DAT (any file that ends in .DAT) or else from a TOML file.
 ///
 /// CNTRL.DAT holds 15 numbers in list-directed records, in this order (Lacy 1989, "Data Input and Parameters"):
 /// `RESTRT GRAPH`, `K1 K2 D M G MTOP`, `NHT NWID TWID VXT`, `STEP LOOP TIME`. The TOML file has `title`, `units`,
-/// [cell] with the fields of ShearCell and its law (`restitution` may stand for unloading_stiffness, `overburden` for
-/// block_mass) and `seed`, and [run] with those of CellPlan and `pictures`.
+/// [cell] with the fields of ShearCell, its `law` (a latching spring unless it is named) and that law's fields
+/// (`restitution` may stand for unloading_stiffness or damping, `overburden` for block_mass), `friction` with
+/// `shear_stiffness`, and `seed`; and [run] with the fields of CellPlan and `pictures`.
 ///
 /// Errors: IoError; InputError with file, line, field, what was found and what is allowed, for what cannot be read and
 /// for all objections to the cell.

@@ -36,8 +36,16 @@ Json numbers(const CellScene& scene, const std::vector<CellNumber>& of) {
 Json parameters(const CellScene& scene) {
   Json json = Json::object();
   const ShearCell& cell = scene.cell;
-  for (const auto& field : LatchingSpring::fields())
-    json[std::string{field.name}] = cell.law.*field.member;
+  std::visit(
+      [&](const auto& law) {
+        json["law"] = std::string{law.name};
+        for (const auto& field : law.fields())
+          json[std::string{field.name}] = law.*field.member;
+        if constexpr (requires { law.end_rule; })
+          json["end_rule"] = std::string{Names<EndRule>::list[static_cast<std::size_t>(law.end_rule)]};
+      },
+      cell.law);
+  if (cell.friction) json["friction"] = cell.friction->coefficient, json["shear_stiffness"] = cell.friction->stiffness;
   for (const auto& field : ShearCell::fields())
     json[std::string{field.name}] = cell.*field.member;
   for (const auto& field : ShearCell::counts())
@@ -49,6 +57,7 @@ Json parameters(const CellScene& scene) {
     json[std::string{field.name}] = scene.plan.*field.member;
   json["historical"] = scene.plan.historical;
   json["jump"] = scene.plan.jump;
+  json["images"] = std::string{Names<Images>::list[static_cast<std::size_t>(scene.plan.images)]};
   return json;
 }
 
@@ -84,19 +93,30 @@ std::vector<CellNumber> cell_groups(const CellScene& scene, CellRun& run) {
   const auto group = [](const char* name, double value, const char* meaning) {
     return CellNumber{name, dimension::number, {value, 0.0}, 0.0, meaning};
   };
-  return {
-      group("restitution", cell.restitution(), "e = sqrt(K1/K2)"),
-      group("stepped_restitution",
-            stepped_restitution(scene.plan.integrator, cell.restitution(), cell.loading_frequency() * scene.plan.step),
-            "what the integrator makes of it with this step, in closed form"),
+  const bool latches = std::holds_alternative<LatchingSpring>(cell.law);
+  std::vector<CellNumber> groups{
+      group("restitution", cell.restitution(), latches ? "e = sqrt(K1/K2)" : "of two discs, by the dashpot")};
+  if (cell.law_of_1989() != nullptr) {
+    groups.push_back(group(
+        "stepped_restitution",
+        stepped_restitution(scene.plan.integrator, cell.restitution(), cell.loading_frequency() * scene.plan.step),
+        "what the integrator makes of it with this step, in closed form"));
+  }
+  if (cell.friction) {
+    groups.push_back(group("friction", cell.friction->coefficient, "of two discs"));
+    groups.push_back(group("shear_over_normal_stiffness", cell.friction->stiffness / cell.stiffness(), "k_s/K1"));
+  }
+  const std::vector<CellNumber> others{
       group("contact_steps", cell.contact_time() / scene.plan.step, "contact time over step"),
-      group("stiffness_number", cell.law.stiffness / (pressure * cell.diameter), "kappa = K1/(P D)"),
+      group("stiffness_number", cell.stiffness() / (pressure * cell.diameter), "kappa = K1/(P D)"),
       group("inertial_number", rate * cell.diameter * std::sqrt(cell.density() / pressure),
             "I = (VXT/H) D sqrt(rho/P) with the mean depth H"),
       group("contact_shear", cell.contact_time() * rate, "contact time times VXT/H"),
       group("block_over_disc", cell.block_mass / cell.mass, "MTOP/M"),
       group("columns_over_wall", static_cast<double>(cell.columns) / cell.wall_discs, "NWID/TWID"),
   };
+  groups.insert(groups.end(), others.begin(), others.end());
+  return groups;
 }
 
 std::vector<CellNumber> cell_results(const CellRun& run) {
@@ -142,6 +162,10 @@ std::vector<CellNumber> cell_results(const CellRun& run) {
        {run.ratio(Q::shear_virial, Q::top_moment).value + run.ratio(Q::kinetic_shear, Q::top_moment).value, 0.0},
        0.0,
        "shear of contacts and moving discs over the block's; 1 in a steady flow"});
+  if (run.cell().friction) {
+    ratio("sliding_share", Q::sliding, Q::contacts, "share of contact time in contacts that slide");
+    mean("spin", dimension::angular_velocity, Q::spin, "mean of the free discs, counter-clockwise > 0");
+  }
   results.push_back({"largest_overlap",
                      dimension::number,
                      {run.largest_overlap() / run.cell().diameter, 0.0},
@@ -155,15 +179,21 @@ std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
   std::string text = cell_header(scene, "time", dimension::time);
   for (const HistoryColumn& column : history_columns)
     text.append(",").append(cell_header(scene, column.name, column.dimension));
-  text += ",stress_ratio,multiple_share\n";
+  text += ",stress_ratio,multiple_share";
+  if (scene.cell.friction)
+    text.append(",sliding_share,").append(cell_header(scene, "spin", dimension::angular_velocity));
+  text += "\n";
   for (std::size_t k = 0; k < run.intervals(); ++k) {
     const auto of = [&](Q quantity) { return run.interval_mean(k, quantity); };
     fmt::format_to(std::back_inserter(text), "{}",
                    std::min(static_cast<double>(k + 1) * scene.plan.every, scene.plan.end));
     for (const HistoryColumn& column : history_columns)
       fmt::format_to(std::back_inserter(text), ",{}", of(column.quantity));
-    fmt::format_to(std::back_inserter(text), ",{},{}\n", share(of(Q::top_shear), of(Q::top_normal)),
+    fmt::format_to(std::back_inserter(text), ",{},{}", share(of(Q::top_shear), of(Q::top_normal)),
                    share(of(Q::multiple), of(Q::contacts)));
+    if (scene.cell.friction)
+      fmt::format_to(std::back_inserter(text), ",{},{}", share(of(Q::sliding), of(Q::contacts)), of(Q::spin));
+    text += "\n";
   }
   return text;
 }
@@ -204,6 +234,7 @@ std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOu
   json["energy"] = {{"kinetic", json_number(ledger.kinetic)},       {"potential", json_number(ledger.potential)},
                     {"stored", json_number(ledger.stored)},         {"driven", json_number(ledger.driven)},
                     {"dissipated", json_number(ledger.dissipated)}, {"gained", json_number(ledger.gained)}};
+  if (scene.cell.friction) json["energy"]["rubbed"] = json_number(ledger.rubbed);
   json["counts"] = {{"discs", run.cell().free_discs()},
                     {"wall_discs", 2 * run.cell().wall_discs},
                     {"steps", run.steps()},
@@ -215,7 +246,7 @@ std::string cell_state_vtp(CellRun& run) {
   const Discs discs = run.discs();
   const ShearCell& cell = run.cell();
   PolyData data;
-  std::string ids, radii, velocities, walls, forces, kinds, verts, vert_ends, lines, line_ends;
+  std::string ids, radii, velocities, spins, walls, forces, kinds, verts, vert_ends, lines, line_ends;
   const auto add = [](std::string& text, auto&&... values) {
     (fmt::format_to(std::back_inserter(text), "{} ", values), ...);
   };
@@ -224,6 +255,7 @@ std::string cell_state_vtp(CellRun& run) {
     add(data.coordinates, at.x, at.y, 0);
     data.coordinates.back() = '\n';
     add(ids, image ? -number : number), add(radii, 0.5 * cell.diameter);
+    if (cell.friction) add(spins, discs.spin[disc]);
     add(velocities, discs.vx[disc], discs.vy[disc], 0), add(walls, run.start().shapes.wall[disc]);
     return data.points++;
   };
@@ -241,6 +273,7 @@ std::string cell_state_vtp(CellRun& run) {
   }
   data.point_data = vtk_array("Int64", "id", 1, ids) + vtk_array("Float64", "radius", 1, radii) +
                     vtk_array("Float64", "velocity", 3, velocities) + vtk_array("UInt8", "wall", 1, walls);
+  if (cell.friction) data.point_data += vtk_array("Float64", "spin", 1, spins);
   data.cell_data = vtk_array("Float64", "force", 1, forces) + vtk_array("UInt8", "multiple", 1, kinds);
   data.vert_arrays = vtk_array("Int64", "connectivity", 1, verts) + vtk_array("Int64", "offsets", 1, vert_ends);
   data.line_arrays = vtk_array("Int64", "connectivity", 1, lines) + vtk_array("Int64", "offsets", 1, line_ends);

@@ -16,9 +16,9 @@ struct CellNumber {
   std::string meaning;
 };
 
-/// Dimensionless groups of a cell run so: e, contact time over step, stiffness over pressure (K1/(P D)), inertial
-/// number, contact time times shear rate, block over disc mass, columns over wall discs; by the mean depth, or that of
-/// now in the start-up.
+/// Dimensionless groups of a cell run so: e, what the steps make of it (law of 1989), friction, contact time over step,
+/// stiffness over pressure (K1/(P D)), inertial number, contact time times shear rate, block over disc mass, columns
+/// over wall discs; by the mean depth, or that of now in the start-up.
 [[nodiscard]] std::vector<CellNumber> cell_groups(const CellScene& scene, CellRun& run);
 
 /// Means of a run after its start-up with errors, then its extremes. In the start-up means are nought.
@@ -45,9 +45,9 @@ struct CellOutcome {
 /// summary.json: title, units, outcome, parameters, groups, results, ledger, counts.
 [[nodiscard]] std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOutcome& outcome);
 
-/// One state for ParaView: VTK XML poly data with a point for each disc (`id`, `radius`, `velocity`, `wall`) and a line
-/// between the centres of each pair that pushes (`force` [F], `multiple` 1 if one of its free discs has another; the
-/// end at the image of a disc has the negative of its `id`).
+/// One state for ParaView: VTK XML poly data with a point for each disc (`id`, `radius`, `velocity`, `wall`, with
+/// friction `spin`) and a line between the centres of each pair that pushes (`force` [F], `multiple` 1 if one of its
+/// free discs has another; the end at the image of a disc has the negative of its `id`).
 [[nodiscard]] std::string cell_state_vtp(CellRun& run);
 
 }  // namespace talus

@@ -50,17 +50,6 @@ std::array<int, 2> read_nodes(SceneTable& table) {
   return {counts.front(), counts.back()};
 }
 
-/// Friction, if the contact has any: the shear stiffness is the normal one unless it is given.
-std::optional<CoulombFriction> read_friction(SceneTable& table, const ContactLaw& law) {
-  if (!table.has("friction")) {
-    table.refuse("shear_stiffness", "without friction it has no use; leave it out or give friction");
-    return {};
-  }
-  const double normal = std::visit([](const auto& l) { return l.tangent().stiffness; }, law);
-  return CoulombFriction{table.number("friction", Range::non_negative),
-                         table.quantity_or("shear_stiffness", dimension::stiffness, normal, Range::positive)};
-}
-
 SceneContact read_contact(SceneTable table, const Model& bodies) {
   SceneContact read{table, {}, {}, RestitutionRule::effective_mass};
   Contact& contact = read.contact;
@@ -81,11 +70,20 @@ SceneContact read_contact(SceneTable table, const Model& bodies) {
     for (const std::string_view key : {"nodes", "node_depth"})
       table.refuse(key, "contact by resultant has no nodes; leave it out");
   }
-  contact.friction = read_friction(table, contact.law);
+  contact.friction = read_friction(table, std::visit([](const auto& l) { return l.tangent().stiffness; }, contact.law));
   return read;
 }
 
 }  // namespace
+
+std::optional<CoulombFriction> read_friction(SceneTable& table, double normal_stiffness) {
+  if (!table.has("friction")) {
+    table.refuse("shear_stiffness", "without friction it has no use; leave it out or give friction");
+    return {};
+  }
+  return CoulombFriction{table.number("friction", Range::non_negative),
+                         table.quantity_or("shear_stiffness", dimension::stiffness, normal_stiffness, Range::positive)};
+}
 
 std::vector<SceneContact> read_contacts(SceneTable& file, const Model& bodies) {
   std::vector<SceneContact> contacts;

@@ -52,6 +52,8 @@ struct SceneHanger {
 /// The readers of a scene's parts. All errors are InputError with file, line, name and field.
 [[nodiscard]] std::vector<SceneBody> read_bodies(SceneTable& file);
 [[nodiscard]] std::vector<SceneContact> read_contacts(SceneTable& file, const Model& bodies);
+/// `friction` of a contact, if it has any; its `shear_stiffness` is the normal one [F/L] unless it is given.
+[[nodiscard]] std::optional<CoulombFriction> read_friction(SceneTable& table, double normal_stiffness);
 [[nodiscard]] std::vector<SceneCable> read_cables(SceneTable& file, const Model& bodies);
 [[nodiscard]] std::vector<SceneHanger> read_hangers(SceneTable& file, const Model& bodies);
 

@@ -74,6 +74,15 @@ struct CoulombFriction {
     force = limit < force ? limit : force;
   }
 
+  /// What settle() dissipates of a stretch, by the one that it leaves.
+  template <class Number>
+  [[gnu::always_inline]] constexpr void dissipated(const Number& stretch, const Number& normal, const Number& left,
+                                                   Number& energy) const {
+    const Number none{}, was = stretch < none ? -stretch : stretch, is = left < none ? -left : left;
+    const Number slid = coefficient * normal * (was - is), let_go = 0.5 * stiffness * stretch * stretch;
+    energy = normal > none ? slid : let_go;
+  }
+
   constexpr double stored_energy(double stretch) const { return 0.5 * stiffness * stretch * stretch; }
 
   /// Positive while the mode lasts; `slip_rate` [L/T] as in the stretch.

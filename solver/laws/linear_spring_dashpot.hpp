@@ -49,6 +49,17 @@ struct LinearSpringDashpot {
     if (end_rule == EndRule::clamped) force = force > Number{} ? force : Number{};
   }
 
+  template <class Number>
+  [[gnu::always_inline]] constexpr void kept(const Number& overlap, const Number& rate, const Number& before,
+                                             const Number& force, Number& power, Number& released) const {
+    power = damping * rate * rate, released = Number{};
+    if (end_rule == EndRule::attractive) return;
+    const Number none{}, energy = 0.5 * stiffness * overlap * overlap;
+    const Number let_go = before == none ? none : energy, taken_back = before == none ? -energy : none;
+    power = force > none ? power : none;
+    released = force > none ? taken_back : let_go;
+  }
+
   friend constexpr bool operator==(const LinearSpringDashpot&, const LinearSpringDashpot&) = default;
 
  private:

@@ -17,12 +17,20 @@ namespace talus {
 ///                                            by reference, as compilers hand over wide packs in different ways.
 ///   needs_rate()                             whether the rate has a part in the force
 ///   lost(largest)                            of laws that remember: what a contact has lost so far [F L]
+///   kept(overlap, rate, before, force, power, released)   of laws without memory, at an evaluation: the power of the
+///                                            dissipative force [F L/T], and what settle() released [F L], from the
+///                                            force now and at the last evaluation (`before`; < 0: the contact is new)
 /// Mode 1 is that of a contact that is pressed.
 template <class L>
-concept SettledLaw = Law<L> && L::memory_size <= 1 &&
-                     requires(const L law, double overlap, double& largest, double& force) {
+concept SettledLaw = Law<L> && L::memory_size <= 1 && requires(const L law, double x, double& y) {
   { law.needs_rate() } -> std::same_as<bool>;
-  law.settled(overlap, overlap, largest, force);
+  law.settled(x, x, y, y);
+  requires(L::memory_size == 1 ? requires { { law.lost(x) } -> std::same_as<double>; }
+                               : requires { law.kept(x, x, x, x, y, y); });
 };
+
+/// The closed list of laws that discs by the thousand have.
+using DiscLaws = LawList<LatchingSpring, LinearSpringDashpot>;
+using DiscLaw = DiscLaws::Variant;
 
 }  // namespace talus

@@ -315,11 +315,12 @@ void print_skins() {
 
 void print_cell() {
   const ShearCell cell = ice_cell(8e3, 5e3);
+  const auto law = std::get<LatchingSpring>(cell.law);
   const FilledCell filled = fill(cell);
   const double h = cell.contact_time() / 20.0;
   constexpr long steps = 50000;
-  DiscSystem plain{filled.shapes, filled.box, cell.law, 0.3 * cell.diameter};
-  FastDiscSystem fast{filled.shapes, filled.box, cell.law, 0.3 * cell.diameter};
+  DiscSystem plain{filled.shapes, filled.box, law, 0.3 * cell.diameter};
+  FastDiscSystem fast{filled.shapes, filled.box, law, 0.3 * cell.diameter};
   Discs plain_discs = filled.discs, fast_discs = filled.discs;
   plain.begin(plain_discs), fast.begin(fast_discs);
   std::vector<double> one, other;

@@ -179,7 +179,7 @@ void run(Findings& findings, const Setup& setup) {
   std::vector<Row> rows;
   const auto add = [&](const char* what, const Flow& found) { rows.push_back({what, found}); };
   const auto make = [&](auto law, const FlowPlan& how) {
-    static_cast<LatchingSpring&>(law) = cell.law;
+    static_cast<LatchingSpring&>(law) = std::get<LatchingSpring>(cell.law);
     return flow(cell, law, how, findings);
   };
   FlowPlan brief = plan;

@@ -30,8 +30,10 @@ mirrored, stopped and taken on, or passed over where nothing touches must move a
 are $W$ further on, differs by rounding. What differs grows as neighbouring paths part, tenfold in some ten contacts of a
 disc, so that only a beginning can be compared. A mirror image changes signs and no digit.
 
-**Source.** Lacy 1989, "Virtual Elements and Periodic Boundaries", for the virtual discs; the reference is written from
-its words, with a table of all pairs, and shares nothing with the solver.
+**Source.** Lacy 1989, "Virtual Elements and Periodic Boundaries", for the virtual discs. They stand here twice: as the solver's
+own way of running a cell (`images = "virtual"`), which shares laws, walls and memory with its usual way and so compares nothing
+but which images act, also of rough discs; and as a reference that is written from those words, with a table of all pairs,
+and shares nothing with the solver: what both ways of the solver have wrong it would show.
 
 | symbol | meaning | value |
 |:--|:-----|:-----|
@@ -70,8 +72,9 @@ void expect_virtual(Findings& findings, const Setup& setup) {
   const long steps = setup.coarse ? 8000 : 10000;
   plan.end = static_cast<double>(steps) * plan.step, plan.every = plan.end;
   CellRun run{cell, plan, start};
-  reference::VirtualDiscs discs{.k1 = cell.law.stiffness,
-                                .k2 = cell.law.unloading_stiffness,
+  const auto& law = std::get<LatchingSpring>(cell.law);
+  reference::VirtualDiscs discs{.k1 = law.stiffness,
+                                .k2 = law.unloading_stiffness,
                                 .diameter = cell.diameter,
                                 .mass = cell.mass,
                                 .left = -0.5 * cell.width(),
@@ -98,7 +101,7 @@ void expect_virtual(Findings& findings, const Setup& setup) {
     difference.x.push_back(static_cast<double>(n));
     difference.y.push_back(std::max(now, 1e-17));
   }
-  findings.count(static_cast<std::uint64_t>(run.system().evaluations()));
+  findings.count(static_cast<std::uint64_t>(run.evaluations()));
   findings.expect_true("contacts were met on the way", run.impulse_on_block().y > 0.0 && run.ledger().dissipated > 0.0,
                        "without them there is nothing to compare");
   findings.expect(
@@ -119,6 +122,36 @@ void expect_virtual(Findings& findings, const Setup& setup) {
                    .y = {.label = "difference over D", .log = true, .min = 1e-16, .max = 1e-11},
                    .series = {difference},
                    .lines = {{'y', 1e-12, "bound"}}});
+}
+
+/// The solver by its list beside itself by virtual discs, rough and with dashpots.
+void expect_own_virtual(Findings& findings, const Setup& setup) {
+  ShearCell cell = ice_cell(8e3, 5e3);
+  cell.law = LinearSpringDashpot{2e4, 0.02};
+  cell.friction = CoulombFriction{0.5, 1.4e4};
+  const FilledCell start = lively(cell);
+  CellPlan plan = cell_plan(cell, 200.0 * cell.contact_time(), 20.0, 1);
+  CellRun nearest{cell, plan, start};
+  plan.images = Images::virtual_discs;
+  if (setup.has("friction_less")) cell.friction->coefficient *= 1.0 - 1e-8;
+  CellRun virtual_discs{cell, plan, start};
+  run_to_end(nearest);
+  long across = 0;  // the field is wider than two discs
+  while (!virtual_discs.finished()) {
+    virtual_discs.advance();
+    const Discs now = virtual_discs.discs();
+    for (const CellRun::ActingContact& contact : virtual_discs.acting_contacts())
+      across += std::abs(now.x[contact.a] - now.x[contact.b]) > 2.0 * cell.diameter ? 1 : 0;
+  }
+  findings.count(static_cast<std::uint64_t>(nearest.evaluations() + virtual_discs.evaluations()));
+  const Discs end = virtual_discs.discs();
+  findings.expect("places of rough discs, list of pairs beside virtual discs, over a diameter",
+                  apart(nearest.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0,
+                  Tolerance::round_off(1e-12,
+                                       "as beside the reference; none at all as long as what a disc is taken back into "
+                                       "the field by rounds nothing, and tenfold in some contacts from then on"));
+  findings.expect_true("rough discs slid, and touched across the border", nearest.ledger().rubbed > 0.0 && across > 20,
+                       "else neither friction nor virtual discs are compared");
 }
 
 void expect_mirror(Findings& findings, const Setup& setup) {
@@ -175,13 +208,14 @@ void expect_restart(Findings& findings, const Setup& setup) {
 void expect_jump(Findings& findings, const Setup& setup) {
   ShearCell cell = ice_cell(2e3, 5e3);
   cell.rows = 4, cell.columns = 4, cell.wall_discs = 6;
-  cell.law.stiffness *= 100.0, cell.law.unloading_stiffness *= 100.0;
+  auto& law = std::get<LatchingSpring>(cell.law);
+  law.stiffness *= 100.0, law.unloading_stiffness *= 100.0;
   cell.block_mass = 2e3 * 6e-6 / cell.gravity;
   CellPlan plan = cell_plan(cell, 500.0 * cell.contact_time(), 20.0, 4);
   const FilledCell start = lively(cell);
   CellRun step_by_step{cell, plan, start};
   plan.jump = true;
-  if (setup.has("stiffer_discs")) cell.law.stiffness *= 1.0 + 1e-6;
+  if (setup.has("stiffer_discs")) law.stiffness *= 1.0 + 1e-6;
   CellRun jumping{cell, plan, start};
   run_to_end(step_by_step), run_to_end(jumping);
   const Discs end = step_by_step.discs();
@@ -202,6 +236,7 @@ void expect_jump(Findings& findings, const Setup& setup) {
 
 void run(Findings& findings, const Setup& setup) {
   expect_virtual(findings, setup);
+  expect_own_virtual(findings, setup);
   expect_mirror(findings, setup);
   expect_restart(findings, setup);
   expect_jump(findings, setup);
@@ -213,8 +248,10 @@ Case shear_cell_paths() {
   return {.id = "shear_cell_paths",
           .title = "Sheared cell: virtual discs, mirror, restart and jumps move it alike",
           .family = "the shear cell",
-          .requirements = {{"F3", {"places beside virtual discs and all pairs"}}, {"F5", {"taken on from its memory"}}},
+          .requirements = {{"F3", {"places beside virtual discs and all pairs", "places of rough discs"}},
+                           {"F5", {"taken on from its memory"}}},
           .main_checks = {"places beside virtual discs and all pairs, over a diameter",
+                          "places of rough discs, list of pairs beside virtual discs, over a diameter",
                           "impulse along x on the block of the mirrored cell, over the first's",
                           "heights of all discs in the mirrored cell are the same bits",
                           "a run taken on from its memory ends in the same bits",
@@ -225,6 +262,8 @@ Case shear_cell_paths() {
                       "places beside virtual discs and all pairs, over a diameter"},
                      {"latch_weaker", "K2 of the reference 1e-9 smaller",
                       "places beside virtual discs and all pairs, over a diameter"},
+                     {"friction_less", "friction of the cell by virtual discs 1e-8 smaller",
+                      "places of rough discs, list of pairs beside virtual discs, over a diameter"},
                      {"one_disc_off", "one disc of the mirrored cell a last place higher",
                       "heights of all discs in the mirrored cell are the same bits"},
                      {"restart_of_1989", "contacts forget their largest overlap at the restart",

@@ -87,6 +87,33 @@ BOOST_AUTO_TEST_CASE(a_run_that_was_killed_goes_on_to_the_same_files) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_rough_cell_leaves_spins_and_goes_on_to_the_same_files) {
+  const Folder folder;
+  std::string text = talus::read_text(scene("cell/rough.toml"));
+  text.replace(text.find("5 ms"), 4, "2 ms"), text.replace(text.find("100 ms"), 6, "20 ms");
+  const std::string file = folder.file("rough.toml", text);
+  const std::string whole = folder.path / "whole", killed = folder.path / "killed";
+  BOOST_TEST(talus_ran({"cell", file, "--out", whole}).code == 0);
+  const int status =
+      stopped({"cell", file, "--out", killed}, fs::path{killed} / "cell_states/cell_000003.vtp", SIGKILL);
+  BOOST_TEST(WIFSIGNALED(status));
+  BOOST_TEST(talus_ran({"cell", "--resume", killed}).code == 0);
+  for (const auto& entry : fs::recursive_directory_iterator{killed})
+    if (entry.path().filename().string().front() == '.') fs::remove(entry.path());
+  same_files(killed, whole);
+  const auto left = files(whole);
+  const Json summary = Json::parse(left.at("summary.json"));
+  BOOST_TEST(summary["parameters"]["law"] == "linear_spring_dashpot");
+  BOOST_TEST(summary["parameters"]["end_rule"] == "clamped");
+  BOOST_TEST(summary["parameters"]["friction"] == 0.5);
+  BOOST_TEST(!summary["groups"].contains("stepped_restitution"));
+  BOOST_TEST(summary["results"]["spin"]["value"] < 0.0);
+  BOOST_TEST(summary["results"]["sliding_share"]["value"] > 0.0);
+  BOOST_TEST(summary["energy"]["rubbed"] > 0.0);
+  BOOST_TEST(holds(left.at("history.csv"), ",sliding_share,spin [rad/s]\n"));
+  BOOST_TEST(holds(left.at("cell_states/cell_000009.vtp"), "Name=\"spin\""));
+}
+
 BOOST_AUTO_TEST_CASE(a_run_that_was_stopped_says_so_and_goes_on) {
   const Folder folder;
   const std::string file = folder.file("CNTRL.DAT", control);
@@ -155,4 +182,7 @@ BOOST_AUTO_TEST_CASE(a_cell_is_exported_for_lammps_with_dashpots_if_they_may_sta
   BOOST_TEST(talus_ran({"export", "lammps", scene("cell/ice.toml"), "--out", out, "--dashpot"}).code == 0);
   BOOST_TEST(holds(talus::read_text(fs::path{out} / "discs.data"), "102 atoms"));
   BOOST_TEST(holds(talus::read_text(fs::path{out} / "in.discs"), "pair_style"));
+  // What LAMMPS knows goes as it stands.
+  BOOST_TEST(talus_ran({"export", "lammps", scene("cell/rough.toml"), "--out", out}).code == 0);
+  BOOST_TEST(holds(talus::read_text(fs::path{out} / "in.discs"), "linear_history"));
 }

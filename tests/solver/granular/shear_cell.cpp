@@ -25,7 +25,7 @@ BOOST_AUTO_TEST_CASE(a_cell_is_filled_as_its_numbers_say) {
   BOOST_TEST(filled.discs.size() == 80U + 22U);
   BOOST_TEST(filled.box.width == 0.011);
   // Nothing overlaps.
-  System system{filled.shapes, filled.box, cell.law, 0.3 * cell.diameter};
+  System system{filled.shapes, filled.box, std::get<LatchingSpring>(cell.law), 0.3 * cell.diameter};
   Discs discs = filled.discs;
   system.begin(discs);
   system.kick(discs, 1e-9);
@@ -60,7 +60,11 @@ BOOST_AUTO_TEST_CASE(cells_that_cannot_be) {
     change(cell);
     BOOST_CHECK_THROW(static_cast<void>(fill(cell)), InputError);
   };
-  refused([](ShearCell& c) { c.law.unloading_stiffness = 0.9 * c.law.stiffness; });
+  refused([](ShearCell& c) { c.law = LatchingSpring{1.7e4, 0.9 * 1.7e4, 0.0}; });
+  refused([](ShearCell& c) { c.law = LinearSpringDashpot{1.7e4, -1.0}; });
+  refused([](ShearCell& c) { c.law = LinearSpringDashpot{1.7e4, 1.0, EndRule::attractive}; });
+  refused([](ShearCell& c) { c.friction = CoulombFriction{-0.1, 1e4}; });
+  refused([](ShearCell& c) { c.friction = CoulombFriction{0.1, 0.0}; });
   refused([](ShearCell& c) { c.columns = 12; });
   refused([](ShearCell& c) { c.wall_discs = 2, c.columns = 2; });
   refused([](ShearCell& c) { c.rows = 0; });

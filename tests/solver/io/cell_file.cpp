@@ -1,6 +1,8 @@
 #define BOOST_TEST_MODULE cell_file
 #include "solver/io/cell_file.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/test/unit_test.hpp>
 #include <string>
 
@@ -59,7 +61,7 @@ BOOST_AUTO_TEST_CASE(the_fifteen_numbers_are_read_in_their_order) {
   BOOST_TEST(scene.pictures);
   BOOST_TEST(!scene.units.has_value());
   const ShearCell& cell = scene.cell;
-  BOOST_TEST((cell.law == LatchingSpring{1.7e4, 3.4e4, 0.0}));
+  BOOST_TEST((cell.law == DiscLaw{LatchingSpring{1.7e4, 3.4e4, 0.0}}));
   BOOST_TEST(cell.diameter == 1e-3);
   BOOST_TEST(cell.mass == 7.2e-7);
   BOOST_TEST(cell.gravity == 9.81);
@@ -79,7 +81,7 @@ BOOST_AUTO_TEST_CASE(records_are_list_directed) {
   const CellScene scene = read_cell(
       "2*0 rest\n1.7D4, 3.4D+4\n 1e-3 7.2e-7,9.81\n9e-3 more\r\n8 10 11. 5\n2e-7 5e-3 0.1\n", "CNTRL.DAT", {});
   BOOST_TEST(!scene.pictures);
-  BOOST_TEST(scene.cell.law.unloading_stiffness == 3.4e4);
+  BOOST_TEST(std::get<LatchingSpring>(scene.cell.law).unloading_stiffness == 3.4e4);
   BOOST_TEST(scene.cell.block_mass == 9e-3);
   BOOST_TEST(scene.cell.wall_discs == 11);
 }
@@ -171,6 +173,98 @@ BOOST_AUTO_TEST_CASE(wrong_scene_files) {
   BOOST_TEST(told("seed = 3", "seeds = 3").find("nearest: seed") != std::string::npos);
   BOOST_TEST(told("euler_cromer", "rk4").find("rk4") != std::string::npos);
   BOOST_TEST(message(toml, "c.toml", {.units = us}) == "c.toml: a unit system is named in the file already");
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_file_names_its_law_and_its_friction) {
+  const auto read = [](const std::string& cell) {
+    return read_cell(with(toml, "restitution = 0.5", cell), "c.toml", {}).cell;
+  };
+  BOOST_TEST((read("restitution = 0.5").law == DiscLaw{LatchingSpring{1.7e4, 6.8e4, 0.0}}));
+  BOOST_TEST((read("law = \"latching_spring\"\nunloading_stiffness = \"2e4 N/m\"\ngrowth = \"5e-3 1/m\"").law ==
+              DiscLaw{LatchingSpring{1.7e4, 2e4, 5e-3}}));
+  BOOST_TEST((read("law = \"linear_spring_dashpot\"\ndamping = \"0.02 N s/m\"\nend_rule = \"attractive\"").law ==
+              DiscLaw{LinearSpringDashpot{1.7e4, 0.02, EndRule::attractive}}));
+  for (const char* const rule : {"clamped", "attractive"}) {
+    const ShearCell cell =
+        read(fmt::format("law = \"linear_spring_dashpot\"\nrestitution = 0.5\nend_rule = \"{}\"", rule));
+    BOOST_TEST(cell.restitution() == 0.5, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(!cell.friction.has_value());
+  }
+  BOOST_TEST((*read("restitution = 0.5\nfriction = 0.4").friction == CoulombFriction{0.4, 1.7e4}));
+  BOOST_TEST((*read("restitution = 0.5\nfriction = 0.4\nshear_stiffness = \"1e4 N/m\"").friction ==
+              CoulombFriction{0.4, 1e4}));
+}
+
+BOOST_AUTO_TEST_CASE(what_does_not_go_with_a_law_is_told_with_its_place) {
+  const auto told = [&](std::string_view what, std::string_view by) { return message(with(toml, what, by), "c.toml"); };
+  BOOST_TEST(told("restitution = 0.5", "restitution = 0.5\nlaw = \"hertz\"") ==
+             "c.toml:6: cell: law: found \"hertz\"; nearest: latching_spring; known: latching_spring, "
+             "linear_spring_dashpot");
+  BOOST_TEST(told("restitution = 0.5", "unloading_stiffness = \"2e4 N/m\"\nlaw = \"linear_spring_dashpot\"")
+                 .starts_with("c.toml:5: cell: unloading_stiffness: this key is not known; nearest: "));
+  BOOST_TEST(told("restitution = 0.5", "restitution = 0.5\ndamping = \"1 N s/m\"")
+                 .starts_with("c.toml:6: cell: damping: this key is not known; nearest: "));
+  BOOST_TEST(told("restitution = 0.5", "damping = \"-1 N s/m\"\nlaw = \"linear_spring_dashpot\"") ==
+             "c.toml:5: cell: damping: found \"-1 N s/m\"; it must be >= 0");
+  BOOST_TEST(
+      told("restitution = 0.5", "damping = \"1 N s/m\"\nlaw = \"linear_spring_dashpot\"\nend_rule = \"attractive\"")
+          .starts_with("c.toml:5: cell: damping: found 1; it must be < 0.156"));
+  BOOST_TEST(told("restitution = 0.5", "law = \"linear_spring_dashpot\"") ==
+             "c.toml:3: cell: damping: it is missing; it, or else restitution, must stand");
+  BOOST_TEST(told("restitution = 0.5", "restitution = 0.5\nshear_stiffness = \"1e4 N/m\"") ==
+             "c.toml:6: cell: shear_stiffness: without friction it has no use; leave it out or give friction");
+  BOOST_TEST(told("restitution = 0.5", "restitution = 0.5\nfriction = -0.1") ==
+             "c.toml:6: cell: friction: found -0.1; it must be >= 0");
+  for (const char* const other : {"damping = \"0.02 N s/m\"\nlaw = \"linear_spring_dashpot\"",
+                                  "restitution = 0.5\nfriction = 0.4", "restitution = 0.5\ngrowth = \"5e-3 1/m\""}) {
+    const std::string scene = with(toml, "restitution = 0.5", other);
+    BOOST_TEST(message(scene, "c.toml").empty());
+    BOOST_TEST(message(with(scene, "euler_cromer", "taylor"), "c.toml") ==
+               "c.toml:17: run: integrator: found taylor; what its steps make of a restitution is known of latching "
+               "springs that do not grow stiffer, without friction; with other laws it must be a leapfrog: "
+               "velocity_verlet, euler_cromer, central_difference");
+    BOOST_TEST(
+        message(with(scene, "jump = ", "historical = "), "c.toml") ==
+        "c.toml:21: run: historical: found on; a historical run is of latching springs that do not grow stiffer, "
+        "without friction");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(images_across_the_borders_may_be_virtual_discs) {
+  BOOST_TEST((read_cell(toml, "c.toml", {}).plan.images == Images::nearest));
+  BOOST_TEST((read_cell(with(toml, "jump = \"on\"", "images = \"virtual\""), "c.toml", {}).plan.images ==
+              Images::virtual_discs));
+  BOOST_TEST((read_cell(control, "CNTRL.DAT", {.virtual_discs = true}).plan.images == Images::virtual_discs));
+  BOOST_TEST(message(with(toml, "jump = \"on\"", "images = \"minimum\""), "c.toml") ==
+             "c.toml:20: run: images: found \"minimum\"; nearest: virtual; known: nearest, virtual");
+  BOOST_TEST(message(with(toml, "jump = \"on\"", "jump = \"on\"\nimages = \"virtual\""), "c.toml") ==
+             "c.toml:20: run: jump: found on; with virtual discs each step is taken");
+  BOOST_TEST(message(control, "CNTRL.DAT", {.jump = true, .virtual_discs = true}) ==
+             "CNTRL.DAT: jump: found on; with virtual discs each step is taken");
+}
+
+BOOST_AUTO_TEST_CASE(a_key_that_is_mistyped_is_told_before_the_one_that_is_missing) {
+  const auto told = [&](std::string_view what, std::string_view by) { return message(with(toml, what, by), "c.toml"); };
+  BOOST_TEST(told("stiffness = ", "stifness = ") ==
+             "c.toml:4: cell: stifness: this key is not known; nearest: stiffness; known: law, stiffness, "
+             "unloading_stiffness, growth, restitution, friction, shear_stiffness, overburden, seed, diameter, mass, "
+             "gravity, block_mass, block_speed, rows, columns, wall_discs");
+  BOOST_TEST(told("rows = ", "row = ").starts_with("c.toml:10: cell: row: this key is not known; nearest: rows; "));
+  BOOST_TEST(told("step = ", "steps = ") ==
+             "c.toml:17: run: steps: this key is not known; nearest: step; known: step, every, end, integrator, jump, "
+             "images, historical, pictures");
+  BOOST_TEST(told("[run]", "[runs]") ==
+             "c.toml:15: runs: this key is not known; nearest: run; known: title, units, cell, run");
+}
+
+BOOST_AUTO_TEST_CASE(the_rough_cell_of_cases_is_the_other_one_with_another_law) {
+  const CellScene ice = read_cell(std::filesystem::path{TALUS_CASES} / "cell/ice.toml", {});
+  const CellScene rough = read_cell(std::filesystem::path{TALUS_CASES} / "cell/rough.toml", {});
+  BOOST_TEST(rough.cell.contact_time() == ice.cell.contact_time(), boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(rough.cell.restitution() == ice.cell.restitution(), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(rough.cell.overburden() == ice.cell.overburden());
+  BOOST_TEST(rough.cell.friction->coefficient == 0.5);
+  BOOST_TEST(rough.plan.step == ice.plan.step);
 }
 
 BOOST_AUTO_TEST_CASE(the_two_files_of_cases_are_the_same_cell) {

@@ -5,7 +5,7 @@
 namespace talus {
 
 /// Three rows of four discs between walls of five, pressed together within some contact times.
-inline const ShearCell small_cell{.law = {1e4, 2e4, 0.0},
+inline const ShearCell small_cell{.law = LatchingSpring{1e4, 2e4, 0.0},
                                   .diameter = 1.0,
                                   .mass = 1.0,
                                   .gravity = 9.81,

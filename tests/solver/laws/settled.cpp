@@ -46,27 +46,39 @@ BOOST_AUTO_TEST_CASE(settled_forces_are_those_of_settled_modes_to_the_last_bit) 
     using L = std::decay_t<decltype(law)>;
     static_assert(SettledLaw<L>);
     long acting = 0;
-    bool same = true;
+    bool same = true, same_kept = true;
     for (const unsigned seed : {1U, 2U, 3U}) {
       Mode mode = 0;
       std::array<double, 1> memory{};
-      double largest = 0.0;
+      double largest = 0.0, before = -1.0, let_go = 0.0;
       for (const Kinematics& x : way(seed)) {
         if (x.extent == 0.0) continue;
         const std::span<double> remembered{memory.data(), L::memory_size};
-        settle(law, remembered, x, mode, [](double) {});
-        const double expected = mode == 0 ? 0.0 : law(x, remembered, mode).total();
+        double released = 0.0;
+        settle(law, remembered, x, mode, [&](double energy) { released += energy; });
+        const LawForce parts = mode == 0 ? LawForce{} : law(x, remembered, mode);
+        const double expected = parts.total();
         double force = 0.0;
         if (x.extent > 0.0) {
           law.settled(x.extent, x.extent_rate, largest, force);
+          if constexpr (L::memory_size == 0) {
+            double power = 0.0, energy = 0.0;
+            law.kept(x.extent, x.extent_rate, before, force, power, energy);
+            same_kept = same_kept && power == parts.dissipative * x.extent_rate && energy == released;
+            let_go += std::abs(energy);
+            before = std::max(force, 0.0);
+          }
         } else {
-          largest = 0.0;
+          largest = 0.0, before = -1.0;
         }
         same = same && force == expected && largest == memory[0];
         acting += expected > 0.0 ? 1 : 0;
       }
+      if constexpr (requires { law.end_rule; })
+        BOOST_TEST((let_go > 0.0) == (law.needs_rate() && law.end_rule == EndRule::clamped));
     }
     BOOST_TEST(same);
+    BOOST_TEST(same_kept);
     BOOST_TEST(acting > 1000);
   });
 }
