@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -88,13 +89,53 @@ struct Flow {
   double ratio{}, sliding{}, rubbed{};
 };
 
+/// Where the drive's work has gone, as it adds up: in units of the kinetic energy of all free discs at the block's
+/// speed.
+class Accounts {
+ public:
+  explicit Accounts(const ShearCell& cell)
+      : unit_{0.5 * cell.mass * cell.block_speed * cell.block_speed * static_cast<double>(cell.free_discs())} {}
+
+  long looks() const { return static_cast<long>(series_[0].x.size()); }
+  void look(CellRun& run) {
+    const CellRun::Ledger ledger = run.ledger();
+    if (looks() == 0) held_ = ledger.held();
+    const double kept = ledger.dissipated - ledger.rubbed;
+    const std::array<double, 4> numbers{ledger.driven, kept, ledger.rubbed, ledger.held() - held_};
+    for (std::size_t i = 0; i < series_.size(); ++i) {
+      series_[i].x.push_back(1e3 * static_cast<double>(run.steps()) * run.plan().step);
+      series_[i].y.push_back(numbers[i] / unit_);
+    }
+  }
+  void draw(Findings& findings) const {
+    findings.figure(
+        {.name = "accounts",
+         .title = "Where the work of the drive goes",
+         .caption =
+             "The block's work, what dashpots and friction have kept of it, and what moves, turns and is stored more "
+             "than at the first look, as they add up; over the kinetic energy of all free discs at the block's speed.",
+         .x = {"time", "ms"},
+         .y = {.label = "energy", .unit = "1"},
+         .series = {series_.begin(), series_.end()}});
+  }
+
+ private:
+  double unit_{}, held_{};
+  std::array<Series, 4> series_{Series{.label = "drive", .x = {}, .y = {}, .style = Style::lines},
+                                Series{.label = "dashpots", .x = {}, .y = {}, .style = Style::lines},
+                                Series{.label = "friction", .x = {}, .y = {}, .style = Style::lines},
+                                Series{.label = "held", .x = {}, .y = {}, .style = Style::lines}};
+};
+
 Flow flow(Findings& findings, const Setup& setup, bool rough) {
   ShearCell cell = cell_with(setup);
   if (!rough) cell.friction.reset();
   CellRun run{cell, cell_plan(cell, setup.coarse ? 0.1 : 0.2)};
   double turning = 0.0, all = 0.0;
+  Accounts accounts{cell};
   while (!run.finished() && run.failure().empty()) {
     run.advance();
+    if (100 * run.steps() >= accounts.looks() * run.last_step()) accounts.look(run);
     if (4 * run.steps() < run.last_step()) continue;
     for (const CellRun::ActingContact& contact : run.acting_contacts()) {
       for (const std::size_t disc : {contact.a, contact.b}) {
@@ -105,6 +146,7 @@ Flow flow(Findings& findings, const Setup& setup, bool rough) {
       }
     }
   }
+  if (rough) accounts.draw(findings);
   findings.count(static_cast<std::uint64_t>(run.evaluations()));
   using Q = CellQuantity;
   const CellRun::Ledger ledger = run.ledger();
