@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/align/aligned_allocator.hpp>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -27,8 +28,15 @@ class Row {
   std::size_t size() const { return numbers_.size() - 2 * pack_size; }
   double& operator[](std::size_t i) { return numbers_[pack_size + i]; }
   double operator[](std::size_t i) const { return numbers_[pack_size + i]; }
-  double* at(std::size_t i) { return numbers_.data() + pack_size + i; }
-  const double* at(std::size_t i) const { return numbers_.data() + pack_size + i; }
+  /// To a number, or to room before the first or behind the last.
+  template <std::integral Place>
+  double* at(Place i) {
+    return numbers_.data() + room + static_cast<std::ptrdiff_t>(i);
+  }
+  template <std::integral Place>
+  const double* at(Place i) const {
+    return numbers_.data() + room + static_cast<std::ptrdiff_t>(i);
+  }
   void clear(std::size_t first, std::size_t count) { std::fill_n(at(first), count, 0.0); }
   void push_back(double number) {
     numbers_.push_back(0.0);
@@ -36,6 +44,8 @@ class Row {
   }
 
  private:
+  static constexpr auto room = static_cast<std::ptrdiff_t>(pack_size);
+
   std::vector<double, boost::alignment::aligned_allocator<double, sizeof(Pack)>> numbers_;
 };
 

@@ -12,8 +12,8 @@
 namespace talus {
 namespace {
 
-/// Those of eight lanes whose number is from .. to - 1; numbers may be below nought. Of a table, and blended as whole
-/// numbers: gcc 12 makes of compares and choices between packs a jump for each lane.
+/// Those of eight lanes whose number is from .. to - 1; numbers may be below nought. From a table, and choices are made
+/// between whole numbers: gcc 12 makes a jump for each lane of compares of packs and of choices between them.
 constexpr std::array<std::int64_t, 2 * pack_size> ones_then_noughts{-1, -1, -1, -1, -1, -1, -1, -1};
 [[gnu::always_inline]] inline void between(Sizes& is, std::ptrdiff_t from, std::ptrdiff_t to) {
   constexpr auto size = static_cast<std::ptrdiff_t>(pack_size);
@@ -153,7 +153,7 @@ struct Eight {
   Sizes& on_body = at.on_body;
   between(on_body, from - begin, to - begin);
   // A lane before the first body reads the room before it.
-  const auto body = static_cast<std::size_t>(run.body + begin);
+  const std::ptrdiff_t body = run.body + begin;
   const std::size_t joint = run.a + first;
   Pack x, y, cosine, sine, vx, vy, w, p_x, p_y;
   load(x, poses.x.at(body)), load(y, poses.y.at(body));
@@ -281,7 +281,7 @@ TALUS_CLONES bool pull_row(const CableRun& run, const CableConstants& constants,
     Lanes extents, lows, highs;
     extents.set(extent), lows.set(low), highs.set(high);
     Sizes off;
-    ask_lanes(off, [&](std::size_t i) { return !((extents[i] > lows[i]) & (extents[i] < highs[i])); });
+    ask_lanes(off, [&](std::size_t i) { return !(extents[i] > lows[i] && extents[i] < highs[i]); });
     left |= off & is;
     rate.get(pack);
     put(paths.length.at(cable), is, lengths), put(paths.length_rate.at(cable), is, pack);
@@ -298,7 +298,7 @@ TALUS_CLONES bool pull_row(const CableRun& run, const CableConstants& constants,
     between(is, 0, count + 1 - block);
     const Pack joint_x = share_a * force_x - x_B, joint_y = share_a * force_y - y_B;
     put(joints.force_x.at(joint), is, joint_x), put(joints.force_y.at(joint), is, joint_y);
-    const auto body = static_cast<std::size_t>(run.body + block);
+    const std::ptrdiff_t body = run.body + block;
     Pack sum_x, sum_y, sum;
     load(sum_x, pulls.x.at(body)), load(sum_y, pulls.y.at(body)), load(sum, pulls.moment.at(body));
     choose(sum_x, here.on_body, sum_x + joint_x), choose(sum_y, here.on_body, sum_y + joint_y);
