@@ -532,9 +532,10 @@ bool FastDiscSystem<L, F>::choose_reach() {
 }
 
 template <SettledLaw L, class F>
-double FastDiscSystem<L, F>::lost() const requires remembers {
+double FastDiscSystem<L, F>::lost() const {
   double lost = lost_;
-  for_each_touching([&](const TouchingPairs& touching, std::size_t t) { lost += law_.lost(touching.largest[t]); });
+  if constexpr (remembers)
+    for_each_touching([&](const TouchingPairs& touching, std::size_t t) { lost += law_.lost(touching.largest[t]); });
   return lost;
 }
 

@@ -107,8 +107,9 @@ class FastDiscSystem {
   /// stand now.
   template <class Visit>
   void for_each_contact(const Discs& discs, Visit&& visit) const;
-  /// What contacts of a law that remembers have lost so far [F L]. (Its sum rounds other than the twin's work.)
-  double lost() const requires remembers;
+  /// What contacts of a law that remembers have lost so far [F L]; of others nothing. (Its sum rounds other than the
+  /// twin's work.)
+  double lost() const;
 
   /// Names all that a run of these discs carries from step to step besides their state. `discs` are there already.
   void remember(Memory& memory, const Discs& discs);

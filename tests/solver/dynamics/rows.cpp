@@ -36,7 +36,7 @@ Hung hung(std::size_t bodies, Ties ties, const CableLaw& law, std::mt19937& rand
                                    .angle = 0.2 * some(random)}));
     made.p_B.push_back({Vec2{some(random), 1.0 + some(random)}, Vec2{some(random), -1.0 + some(random)}});
   }
-  for (const std::size_t row : {0, 1}) {
+  for (std::size_t row = 0; row < 2; ++row) {
     int number = 0;
     const auto end = [&](std::size_t i) {
       const Vec2 p = made.p_B[i][row];
