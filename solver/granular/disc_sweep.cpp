@@ -96,13 +96,8 @@ class Sweep {
   }
 
  private:
-  [[gnu::noinline]] static void make_room(TouchingPairs& pairs, std::size_t size) {
-    size += size / 4;
-    pairs.pair.resize(size);
-    if constexpr (remembers) pairs.largest.resize(size);
-    if constexpr (turns) pairs.stretch.resize(size), pairs.slid.resize(size);
-    if constexpr (turns || !remembers) pairs.normal.resize(size);
-    if constexpr (!remembers) pairs.power.resize(size), pairs.released.resize(size);
+  [[gnu::noinline]] void make_room(std::size_t size) const {
+    w_.touching->resize(size + size / 4, remembers, turns, w_.keeps);
   }
   [[gnu::noinline]] void part(std::uint32_t pair, double largest, double stretch) const {
     if (largest > 0.0 || (stretch != 0.0 && w_.keeps)) w_.parted->push_back({pair, largest, stretch});
@@ -114,7 +109,7 @@ class Sweep {
   /// Numbers of touching pairs, and what those remember that touched in the last sweep.
   [[gnu::always_inline]] void recall(const std::uint32_t* touching, std::size_t count) {
     TouchingPairs& now = *w_.touching;
-    if (now.count + sweep_block + pack_size >= now.pair.size()) make_room(now, now.count + sweep_block + pack_size + 1);
+    if (now.count + sweep_block + pack_size >= now.pair.size()) make_room(now.count + sweep_block + pack_size + 1);
     std::uint32_t* const pair = now.pair.data() + now.count;
     for (std::size_t t = 0; t < count; ++t)
       pair[t] = listed_ != nullptr ? listed_[touching[t]] : touching[t];

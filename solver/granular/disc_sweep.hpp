@@ -34,6 +34,16 @@ struct TouchingPairs {
   std::vector<double> power, released;    ///< what the law keeps, of laws without memory (settled.hpp) [F L/T, F L]
   std::vector<double> slid;               ///< what friction dissipates [F L]
   std::size_t count{};
+
+  /// Of a law that remembers or not, with friction or without; what they keep only where it is asked for.
+  void resize(std::size_t size, bool remembers, bool turns, bool keeps) {
+    pair.resize(size, none);
+    if (remembers) largest.resize(size);
+    if (turns) stretch.resize(size);
+    if (turns || keeps) normal.resize(size);
+    if (keeps && !remembers) power.resize(size), released.resize(size);
+    if (keeps && turns) slid.resize(size);
+  }
 };
 
 /// A contact that has ended, of a law that remembers or with friction.

@@ -26,16 +26,6 @@ double common(const std::vector<double>& numbers) {
   return equal && !numbers.empty() ? numbers.front() : 0.0;
 }
 
-/// Ends a list of touching pairs, whose arrays sweeps read and write to a pack beyond.
-void end_list(TouchingPairs& touching) {
-  touching.count = touching.pair.size();
-  const std::size_t room = touching.count + pack_size + 1;
-  touching.pair.resize(room, TouchingPairs::none);
-  for (auto* numbers :
-       {&touching.largest, &touching.stretch, &touching.normal, &touching.power, &touching.released, &touching.slid})
-    numbers->resize(room);
-}
-
 }  // namespace
 
 template <SettledLaw L, class F>
@@ -396,11 +386,17 @@ void FastDiscSystem<L, F>::take_contacts(const std::vector<Kept>& kept) {
     TouchingPairs& touching =
         contact.second < stripe->end ? stripe->own_touching[turn_] : stripe->outgoing_touching[turn_];
     touching.pair.push_back(static_cast<std::uint32_t>(pair));
-    touching.largest.push_back(contact.largest);
-    touching.stretch.push_back(contact.stretch), touching.normal.push_back(contact.normal);
+    if (remembers) touching.largest.push_back(contact.largest);
+    if (turns) touching.stretch.push_back(contact.stretch);
+    if (turns || books_work()) touching.normal.push_back(contact.normal);
   }
-  for (Stripe& stripe : stripes_)
-    end_list(stripe.own_touching[turn_]), end_list(stripe.outgoing_touching[turn_]);
+  // Sweeps read and write to a pack beyond the last.
+  for (Stripe& stripe : stripes_) {
+    for (TouchingPairs* const touching : {&stripe.own_touching[turn_], &stripe.outgoing_touching[turn_]}) {
+      touching->count = touching->pair.size();
+      touching->resize(touching->count + pack_size + 1, remembers, turns, books_work());
+    }
+  }
 }
 
 /// Stripes of about as many listed pairs each.

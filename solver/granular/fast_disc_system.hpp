@@ -78,7 +78,7 @@ class FastDiscSystem {
   /// Sum of the contact forces on a wall at the last evaluation [F].
   Vec2 wall_force(std::size_t wall) const { return wall_forces_[wall]; }
 
-  /// From here on Discs::work gets what dashpots and friction keep, as the twin's does. It takes up to half as long
+  /// Before begin(): Discs::work gets what dashpots and friction keep, as the twin's does. It takes up to half as long
   /// again where most pairs touch.
   void keep_work() { keeps_work_ = true; }
 
