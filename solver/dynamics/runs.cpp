@@ -230,8 +230,7 @@ TALUS_CLONES void copy(const Wrenches& from, std::size_t count, Wrenches& to) {
   }
 }
 
-TALUS_CLONES void place_joints(const JointRun& run, const Row& p_x, const Row& p_y, const Poses& poses,
-                               JointPoints& joints) {
+void place_joints(const JointRun& run, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints) {
   for (std::size_t i = 0; i < run.count; ++i) {
     const std::size_t body = run.body + i, joint = run.joint + i;
     const double cosine = poses.cosine[body], sine = poses.sine[body], w = poses.w[body];
