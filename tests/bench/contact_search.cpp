@@ -48,7 +48,7 @@ void print_search_costs() {
       scenes.push_back(std::make_unique<Strewn>(count, swept));
       tasks.push_back({fmt::format("{} {}", count, swept ? "swept" : "single"), [scene = scenes.back().get()] {
                          for (int i = 0; i < searches; ++i) {
-                           scene->poses.x.front() += 1e-9;
+                           scene->poses.x[0] += 1e-9;
                            scene->search.find(scene->poses, scene->found, scene->sweep);
                          }
                          benchmark::DoNotOptimize(scene->found);
