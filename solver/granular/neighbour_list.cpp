@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
+#include <tuple>
 #include <utility>
 
 #include "solver/base/error.hpp"
@@ -17,82 +20,107 @@ constexpr std::uint8_t code(PeriodicBox::Image image) {
   return static_cast<std::uint8_t>(static_cast<int>(image.right) + 1 + 3 * (static_cast<int>(image.up) + 1));
 }
 
-/// Cells of a rectangle around all discs, of a side that no pair in reach spans more than one of; the numbers of the
-/// discs in each, rising.
+/// Number of a disc and which image of it in one: in the order that pairs are sorted in.
+using Numbered = std::uint64_t;
+constexpr int image_bits = 8;
+constexpr Numbered numbered(std::size_t disc, std::uint8_t image) { return Numbered{disc} << image_bits | image; }
+
+/// A disc or an image of one.
+struct Standing {
+  double x, y, radius;  ///< [L]
+  Numbered number;
+};
+
+/// The whole part, between these; the least of what is not a number, as of discs that have gone astray.
+std::size_t whole_between(double least, double x, double most) {
+  return static_cast<std::size_t>(x > least ? std::min(std::floor(x), most) : least);
+}
+
+/// Cells of a rectangle around all discs, of sides that no pair in reach spans more than one of, and one more all
+/// around, where images are.
 class Cells {
  public:
-  Cells(const Discs& discs, const PeriodicBox& box, double reach) : box_{box} {
+  Cells(const DiscShapes& shapes, const Discs& discs, const PeriodicBox& box, double offset, double reach) {
     const auto range = [&](const std::vector<double>& at, double period) {
       if (period < PeriodicBox::endless) return std::pair{-0.5 * period, 0.5 * period};
       const auto [low, high] = std::minmax_element(at.begin(), at.end());
       return std::pair{*low, *high};
     };
-    const auto [left, right] = range(discs.x, box.width);
-    const auto [bottom, top] = range(discs.y, box.height);
-    left_ = left, bottom_ = bottom;
+    std::tie(left_, right_) = range(discs.x, box.width);
+    std::tie(bottom_, top_) = range(discs.y, box.height);
     // Not so many cells that most are empty.
-    const double most = std::sqrt(static_cast<double>(discs.size())) + 1.0;
-    columns_ = static_cast<long>(std::clamp(std::floor((right - left) / reach), 1.0, 4.0 * most));
-    rows_ = static_cast<long>(std::clamp(std::floor((top - bottom) / reach), 1.0, 4.0 * most));
-    per_x_ = right > left ? static_cast<double>(columns_) / (right - left) : 0.0;
-    per_y_ = top > bottom ? static_cast<double>(rows_) / (top - bottom) : 0.0;
-    begin_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
-    cell_.resize(discs.size());
+    const double most = 4.0 * (std::sqrt(static_cast<double>(discs.size())) + 1.0);
+    columns_ = whole_between(1.0, (right_ - left_) / reach, most);
+    rows_ = whole_between(1.0, (top_ - bottom_) / reach, most);
+    stride_ = columns_ + 2;
+
+    const auto disc = [&](std::size_t i) {
+      return Standing{discs.x[i], discs.y[i], shapes.radius[i], numbered(i, code({}))};
+    };
+    cell_.reserve(discs.size());
+    std::vector<Standing> images;
     for (std::size_t i = 0; i < discs.size(); ++i) {
-      cell_[i] = static_cast<std::size_t>(row(discs.y[i]) * columns_ + column(discs.x[i]));
-      ++begin_[cell_[i] + 1];
+      const Standing one = disc(i);
+      cell_.push_back(cell(one));
+      add_images(box, offset, reach, one, images);
     }
-    for (std::size_t c = 1; c < begin_.size(); ++c)
-      begin_[c] += begin_[c - 1];
-    std::vector<std::size_t> next{begin_.begin(), begin_.end() - 1};
-    discs_.resize(discs.size());
-    for (std::size_t i = 0; i < discs.size(); ++i)
-      discs_[next[cell_[i]]++] = static_cast<std::uint32_t>(i);
+    for (const Standing& image : images)
+      cell_.push_back(cell(image));
+
+    begin_.assign(stride_ * (rows_ + 2) + 1, 0);
+    for (const std::size_t cell : cell_)
+      ++begin_[cell + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    std::vector<std::uint32_t> next{begin_.begin(), begin_.end() - 1};
+    standing_.resize(cell_.size());
+    for (std::size_t k = 0; k < cell_.size(); ++k)
+      standing_[next[cell_[k]]++] = k < discs.size() ? disc(k) : images[k - discs.size()];
   }
 
-  /// Calls visit(disc, by_image) for the discs of greater number in the cells around one's own; some twice, where a
-  /// period is less than three cells long. If not by_image, the disc itself is nearer than any image of it.
-  template <class Visit>
-  void for_each_near(std::size_t disc, double slid, Visit&& visit) const {
-    const long c = static_cast<long>(cell_[disc]) % columns_, r = static_cast<long>(cell_[disc]) / columns_;
-    // The row beyond a border has slid: its cells lie between two of ours.
-    const bool slides = box_.repeats_y() && slid != 0.0;
-    const long by = slides ? static_cast<long>(std::floor(slid * per_x_)) : 0;
-    const bool small = (box_.repeats_x() && columns_ < 4) || (box_.repeats_y() && rows_ < 4);
-    for (long up = -1; up <= 1; ++up) {
-      long at = r + up, from = c - 1, to = c + 1;
-      const bool crosses = at < 0 || at >= rows_;
-      if (crosses) {
-        if (!box_.repeats_y()) continue;
-        if (slides && at < 0) from += by, to += by + 1;
-        if (slides && at >= rows_) from -= by + 1, to -= by;
-        at = (at + rows_) % rows_;
-      }
-      for (long across = from; across <= to; ++across) {
-        long column = across;
-        const bool beyond = column < 0 || column >= columns_;
-        if (beyond) {
-          if (!box_.repeats_x()) continue;
-          column = (column % columns_ + columns_) % columns_;
-        }
-        const auto cell = static_cast<std::size_t>(at * columns_ + column);
-        for (std::size_t k = begin_[cell]; k < begin_[cell + 1]; ++k) {
-          if (discs_[k] > disc) visit(discs_[k], small || crosses || beyond);
-        }
-      }
+  /// All that stand in the cells around that of a disc: three times those of a row.
+  std::array<std::span<const Standing>, 3> around(std::size_t disc) const {
+    std::array<std::span<const Standing>, 3> rows;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const std::size_t middle = cell_[disc] + row * stride_ - stride_;
+      rows[row] = {standing_.data() + begin_[middle - 1], standing_.data() + begin_[middle + 2]};
     }
+    return rows;
   }
 
  private:
-  long column(double x) const { return std::clamp(static_cast<long>((x - left_) * per_x_), 0L, columns_ - 1); }
-  long row(double y) const { return std::clamp(static_cast<long>((y - bottom_) * per_y_), 0L, rows_ - 1); }
+  /// Those of a disc that discs in the rectangle may reach.
+  void add_images(const PeriodicBox& box, double offset, double reach, const Standing& disc,
+                  std::vector<Standing>& images) const {
+    const auto inside = [&](const Standing& one, double by) {
+      return one.x > left_ + by && one.x < right_ - by && one.y > bottom_ + by && one.y < top_ - by;
+    };
+    if (inside(disc, reach)) return;
+    const int beside = box.repeats_x() ? 1 : 0, above = box.repeats_y() ? 1 : 0;
+    for (int up = -above; up <= above; ++up) {
+      for (int right = -beside; right <= beside; ++right) {
+        const PeriodicBox::Image which{static_cast<double>(right), static_cast<double>(up)};
+        const Vec2 shift = box.shift(which, offset);
+        const Standing image{disc.x + shift.x, disc.y + shift.y, disc.radius, disc.number + code(which) - code({})};
+        if (image.number != disc.number && inside(image, -reach)) images.push_back(image);
+      }
+    }
+  }
+  std::size_t cell(const Standing& one) const {
+    // Discs at an edge are inside, however that rounds; images may be outside.
+    const double outside = (one.number & numbered(0, 0xff)) == code({}) ? 0.0 : 1.0;
+    const auto place = [&](double at, double low, double high, std::size_t count) {
+      const auto cells = static_cast<double>(count);
+      return whole_between(1.0 - outside, 1.0 + (at - low) / (high - low) * cells, cells + outside);
+    };
+    return place(one.y, bottom_, top_, rows_) * stride_ + place(one.x, left_, right_, columns_);
+  }
 
-  PeriodicBox box_;
-  double left_{}, bottom_{}, per_x_{}, per_y_{};
-  long columns_{}, rows_{};
-  std::vector<std::size_t> begin_;  ///< of each cell in discs_
-  std::vector<std::size_t> cell_;   ///< of each disc
-  std::vector<std::uint32_t> discs_;
+  double left_{}, right_{}, bottom_{}, top_{};  ///< [L]
+  std::size_t columns_{}, rows_{};
+  std::size_t stride_{};              ///< from a row of cells to the next
+  std::vector<std::uint32_t> begin_;  ///< of each cell in standing_
+  std::vector<std::size_t> cell_;     ///< of each disc, and of images
+  std::vector<Standing> standing_;
 };
 
 }  // namespace
@@ -171,29 +199,29 @@ void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs) {
   image_.clear();
   first_.reserve(shapes.size() + 1);
   first_.assign(1, 0);
-  const Cells cells{discs, box_, reach_};
-  // Number of the second disc and image in one: in the order that they are sorted in.
-  std::vector<std::uint64_t> row;
-  constexpr int shift = 8;
+  const Cells cells{shapes, discs, box_, offset_, reach_};
+  std::vector<Numbered> row;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    row.clear();
-    cells.for_each_near(i, offset_, [&](std::uint32_t j, bool by_image) {
-      Vec2 apart{discs.x[j] - discs.x[i], discs.y[j] - discs.y[i]};
-      PeriodicBox::Image image;
-      if (by_image) {
-        image = box_.nearest(apart, offset_);
-        apart += box_.shift(image, offset_);
+    const auto around = cells.around(i);
+    row.resize(around[0].size() + around[1].size() + around[2].size());
+    // Whether one is near is as good as drawn by lot: written down is each, and kept if it is.
+    std::size_t count = 0;
+    const Numbered own = numbered(i, 0xff);
+    for (const std::span<const Standing> standing : around) {
+      for (const Standing& other : standing) {
+        const double dx = other.x - discs.x[i], dy = other.y - discs.y[i];
+        const double within = shapes.radius[i] + other.radius + skin_;
+        row[count] = other.number;
+        count += static_cast<std::size_t>(dx * dx + dy * dy < within * within) &
+                 static_cast<std::size_t>(other.number > own);
       }
-      const double within = shapes.radius[i] + shapes.radius[j] + skin_;
-      if (dot(apart, apart) >= within * within) return;
-      if (shapes.inverse_mass[i] == 0.0 && shapes.inverse_mass[j] == 0.0) return;
-      row.push_back(std::uint64_t{j} << shift | code(image));
-    });
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
-    for (const std::uint64_t pair : row) {
-      second_.push_back(static_cast<std::uint32_t>(pair >> shift));
-      image_.push_back(static_cast<std::uint8_t>(pair & ((1U << shift) - 1U)));
+    }
+    std::sort(row.data(), row.data() + count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto j = static_cast<std::size_t>(row[k] >> image_bits);
+      if (shapes.inverse_mass[i] == 0.0 && shapes.inverse_mass[j] == 0.0) continue;
+      second_.push_back(static_cast<std::uint32_t>(j));
+      image_.push_back(static_cast<std::uint8_t>(row[k] & numbered(0, 0xff)));
     }
     first_.push_back(static_cast<std::uint32_t>(second_.size()));
   }

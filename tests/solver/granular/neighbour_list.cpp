@@ -47,9 +47,12 @@ double gap(const Packing& p, const PeriodicBox& box, std::size_t i, std::size_t 
   return least - p.shapes.radius[i] - p.shapes.radius[j];
 }
 
-const std::array boxes{PeriodicBox{}, PeriodicBox{.width = 20.0}, PeriodicBox{.width = 20.0, .height = 12.0},
+const std::array boxes{PeriodicBox{},
+                       PeriodicBox{.width = 20.0},
+                       PeriodicBox{.width = 20.0, .height = 12.0},
                        PeriodicBox{.width = 20.0, .height = 12.0, .shear_rate = 0.7},
-                       PeriodicBox{.width = 9.0, .height = 30.0, .shear_rate = -2.0}};
+                       PeriodicBox{.width = 9.0, .height = 30.0, .shear_rate = -2.0},
+                       PeriodicBox{.height = 12.0, .shear_rate = 0.7}};
 
 }  // namespace
 
@@ -81,6 +84,26 @@ BOOST_AUTO_TEST_CASE(all_pairs_within_the_skin_and_no_others_are_listed_in_order
         }
       }
       BOOST_TEST(list.size() == pair);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(discs_that_have_gone_astray_leave_the_list_of_the_others_as_it_is) {
+  for (const PeriodicBox& box : boxes) {
+    Packing p = scattered(60, std::min(box.width, 30.0), std::min(box.height, 25.0), 3);
+    NeighbourList list{box, 0.3};
+    for (const std::size_t gone : {7, 20, 41}) {
+      p.shapes.inverse_mass[gone] = 0.0;
+      p.discs.x[gone] = gone == 7 ? std::nan("") : 0.0;
+      p.discs.y[gone] = gone == 7 ? 0.0 : gone == 20 ? 1e300 : -HUGE_VAL;
+    }
+    list.build(p.shapes, p.discs);
+    for (std::size_t i = 0; i < p.discs.size(); ++i) {
+      for (std::size_t j = i + 1; j < p.discs.size(); ++j) {
+        const bool held = p.shapes.inverse_mass[i] == 0.0 && p.shapes.inverse_mass[j] == 0.0;
+        const bool near = gap(p, box, i, j) < 0.3 && !std::isnan(p.discs.x[i]) && !std::isnan(p.discs.x[j]);
+        BOOST_TEST((list.find(i, j) != list.size()) == (near && !held));
+      }
     }
   }
 }
