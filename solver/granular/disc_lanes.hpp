@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,25 +17,49 @@ inline constexpr std::size_t places_per_pack = pack_size / 2;
 using Place [[gnu::vector_size(16)]] = double;
 using Places2 [[gnu::vector_size(32)]] = double;
 
-/// Both numbers of four discs, side by side.
-[[gnu::always_inline]] inline void fetch_four(Pack& out, const double* numbers, const std::uint32_t* at) {
-  std::array<Place, 4> p;
-  for (std::size_t l = 0; l < 4; ++l)
-    std::memcpy(&p[l], numbers + std::size_t{at[l]}, sizeof(Place));
-  const Places2 low = __builtin_shufflevector(p[0], p[1], 0, 1, 2, 3);
-  const Places2 high = __builtin_shufflevector(p[2], p[3], 0, 1, 2, 3);
-  out = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+/// What stands at one of two places less what stands at the other.
+[[gnu::always_inline]] inline Place difference(const double* numbers, std::size_t from, std::size_t to) {
+  Place a, b;
+  std::memcpy(&a, numbers + from, sizeof a), std::memcpy(&b, numbers + to, sizeof b);
+  return b - a;
+}
+
+/// Of even pairs and of odd ones.
+[[gnu::always_inline]] inline void lay_out(Pack& x, Pack& y, const std::array<Place, 4>& p,
+                                           const std::array<Place, 4>& q) {
+  const Places2 low_p = __builtin_shufflevector(p[0], p[1], 0, 1, 2, 3);
+  const Places2 high_p = __builtin_shufflevector(p[2], p[3], 0, 1, 2, 3);
+  const Places2 low_q = __builtin_shufflevector(q[0], q[1], 0, 1, 2, 3);
+  const Places2 high_q = __builtin_shufflevector(q[2], q[3], 0, 1, 2, 3);
+  const Pack even = __builtin_shufflevector(low_p, high_p, 0, 1, 2, 3, 4, 5, 6, 7);
+  const Pack odd = __builtin_shufflevector(low_q, high_q, 0, 1, 2, 3, 4, 5, 6, 7);
+  x = __builtin_shufflevector(even, odd, 0, 8, 2, 10, 4, 12, 6, 14);
+  y = __builtin_shufflevector(even, odd, 1, 9, 3, 11, 5, 13, 7, 15);
 }
 
 /// From the first discs to the second of eight pairs, of places or velocities.
 [[gnu::always_inline]] inline void differences(Pack& x, Pack& y, const double* numbers, const std::uint32_t* first,
                                                const std::uint32_t* second) {
-  Pack a, b, c, d;
-  fetch_four(a, numbers, first), fetch_four(b, numbers, second);
-  fetch_four(c, numbers, first + 4), fetch_four(d, numbers, second + 4);
-  const Pack low = b - a, high = d - c;
-  x = __builtin_shufflevector(low, high, 0, 2, 4, 6, 8, 10, 12, 14);
-  y = __builtin_shufflevector(low, high, 1, 3, 5, 7, 9, 11, 13, 15);
+  std::array<Place, 4> p, q;
+  for (std::size_t l = 0; l < 4; ++l) {
+    p[l] = difference(numbers, first[2 * l], second[2 * l]);
+    q[l] = difference(numbers, first[2 * l + 1], second[2 * l + 1]);
+  }
+  lay_out(x, y, p, q);
+}
+
+/// The same of pairs that were not written just before: their numbers are fetched two at once.
+[[gnu::always_inline]] inline void listed_differences(Pack& x, Pack& y, const double* numbers,
+                                                      const std::uint32_t* first, const std::uint32_t* second) {
+  static_assert(std::endian::native == std::endian::little);
+  std::array<Place, 4> p, q;
+  for (std::size_t l = 0; l < 4; ++l) {
+    std::uint64_t from, to;
+    std::memcpy(&from, first + 2 * l, sizeof from), std::memcpy(&to, second + 2 * l, sizeof to);
+    p[l] = difference(numbers, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to));
+    q[l] = difference(numbers, from >> 32U, to >> 32U);
+  }
+  lay_out(x, y, p, q);
 }
 
 /// By the bits of eight lanes: the lanes whose bit is set, in order, and how many.
@@ -54,13 +79,10 @@ inline constexpr Chosen chosen = [] {
 
 using Numbers [[gnu::vector_size(32)]] = std::uint32_t;
 
-/// One bit for each lane that is true.
-[[gnu::always_inline]] inline std::size_t bits_of(const Sizes& is) {
-  const Bytes bytes = __builtin_convertvector(is, Bytes);
-  std::uint64_t all;
-  std::memcpy(&all, &bytes, sizeof all);
+/// One bit for each lane whose byte is not nought: of bytes all or none of whose bits are set.
+[[gnu::always_inline]] inline std::size_t bits_of(std::uint64_t bytes) {
   // Bit k of byte k; the factor brings them together in the highest byte.
-  return static_cast<std::size_t>((all & 0x0101010101010101U) * 0x0102040810204080U >> 56U);
+  return static_cast<std::size_t>((bytes & 0x0101010101010101U) * 0x0102040810204080U >> 56U);
 }
 
 [[gnu::always_inline]] inline void square_root(Pack& x) {

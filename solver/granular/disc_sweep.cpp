@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <concepts>
 #include <cstring>
 
@@ -11,20 +12,24 @@
 namespace talus {
 namespace {
 
-/// Numbers of the pairs from <= k < to whose surfaces are nearer than so much; how many. Beyond them `found` is written
-/// to up to the end of a pack.
+/// Numbers of the pairs from <= k < to, at most sweep_block, whose surfaces are nearer than so much; how many. Beyond
+/// them `found` is written to up to the end of a pack.
 [[gnu::always_inline]] inline std::size_t near_pairs(const DiscSweep& w, double nearer, std::size_t from,
                                                      std::size_t to, std::uint32_t* found) {
-  std::size_t count = 0;
   const std::uint32_t *const first = w.pairs->first.data(), *const second = w.pairs->second.data();
   const double* const sums = w.pairs->radii.empty() ? nullptr : w.pairs->radii.data();
-  Pack radii = Pack{} + w.equal_radii;
+  // In two passes, for in one each pack would wait for where the last one's numbers end: that takes twice as long.
+  std::array<std::uint64_t, sweep_block / pack_size> near;
+  Pack within = Pack{} + (w.equal_radii + nearer);
   for (std::size_t k = from; k < to; k += pack_size) {
     Pack x, y;
-    differences(x, y, w.places, first + k, second + k);
-    if (sums != nullptr) load(radii, sums + k);
-    const Pack within = radii + nearer;
-    const std::size_t bits = bits_of(x * x + y * y < within * within);
+    listed_differences(x, y, w.places, first + k, second + k);
+    if (sums != nullptr) load(within, sums + k), within += nearer;
+    near[(k - from) / pack_size] = bytes_of(x * x + y * y < within * within);
+  }
+  std::size_t count = 0;
+  for (std::size_t k = from; k < to; k += pack_size) {
+    const std::size_t bits = bits_of(near[(k - from) / pack_size]);
     Numbers numbers;
     std::memcpy(&numbers, chosen.lanes[bits].data(), sizeof numbers);
     numbers += static_cast<std::uint32_t>(k);
@@ -119,15 +124,19 @@ class Sweep {
     TouchingPairs& now = *w_.touching;
     const TouchingPairs& before = *w_.touched;
     const std::uint32_t* const then = before.pair.data();
+    const double *const largest_then = before.largest.data(), *const stretch_then = before.stretch.data();
+    const double* const normal_then = before.normal.data();
+    double *const largest = now.largest.data() + now.count, *const stretch = now.stretch.data() + now.count;
+    double* const normal = now.normal.data() + now.count;
     std::size_t old = old_;
     for (std::size_t t = 0; t < count; ++t) {
       for (; then[old] < pair[t]; ++old) {
         if constexpr (remembers || turns) part(old);
       }
       const bool since = then[old] == pair[t];
-      if constexpr (remembers) now.largest[now.count + t] = since ? before.largest[old] : 0.0;
-      if constexpr (turns) now.stretch[now.count + t] = since ? before.stretch[old] : 0.0;
-      if constexpr (turns || !remembers) now.normal[now.count + t] = since ? before.normal[old] : -1.0;
+      if constexpr (remembers) largest[t] = since ? largest_then[old] : 0.0;
+      if constexpr (turns) stretch[t] = since ? stretch_then[old] : 0.0;
+      if constexpr (turns || !remembers) normal[t] = since ? normal_then[old] : -1.0;
       old += since ? 1U : 0U;
     }
     old_ = old;
@@ -156,7 +165,7 @@ class Sweep {
     const Sizes overlaps = overlap > Pack{};
     keep_where(force, overlaps);
     if constexpr (remembers) {
-      if (bits_of(overlaps) != 0xff) {
+      if (any(~overlaps)) {
         for (std::size_t l = 0; l < count; ++l)
           if (overlaps[l] == 0) part(now.pair[at + l], now.largest[at + l], 0.0);
       }
@@ -371,6 +380,38 @@ template <class L, class F>
 }
 
 }  // namespace
+
+void SweptPairs::take(const SweptPairs& list, std::span<const std::uint32_t> numbers) {
+  const std::size_t filled = count + numbers.size();
+  if (filled > first.size()) resize(filled + filled / 8, true, !list.radii.empty());
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const std::uint32_t pair = numbers[k];
+    first[count + k] = list.first[pair], second[count + k] = list.second[pair];
+    listed[count + k] = pair;
+    if (!list.radii.empty()) radii[count + k] = list.radii[pair];
+  }
+  count = filled;
+}
+
+void SweptPairs::fill_up(std::uint32_t nowhere) {
+  if (count == 0) return;
+  const std::size_t filled = count + pack_size;
+  // The first reach of a near list is a guess, and may take much more room than is needed later.
+  if (filled > first.size() || 2 * filled < first.size()) resize(filled, !listed.empty(), !radii.empty());
+  std::fill_n(first.begin() + static_cast<std::ptrdiff_t>(count), pack_size, nowhere);
+  std::fill_n(second.begin() + static_cast<std::ptrdiff_t>(count), pack_size, nowhere);
+}
+
+void SweptPairs::resize(std::size_t size, bool near, bool unlike) {
+  const auto resize = [size](auto& numbers) {
+    numbers.reserve(size);
+    numbers.resize(size);
+    if (numbers.capacity() > 2 * size) numbers.shrink_to_fit();
+  };
+  resize(first), resize(second);
+  if (near) resize(listed);
+  if (unlike) resize(radii);
+}
 
 TALUS_CLONES std::size_t find_near(const DiscSweep& sweep, double nearer, std::size_t from, std::size_t to,
                                    std::uint32_t* found) {

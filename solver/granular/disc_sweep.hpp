@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "solver/base/vec.hpp"
@@ -20,6 +21,13 @@ struct SweptPairs {
   std::size_t count{};
 
   void clear() { first.clear(), second.clear(), listed.clear(), radii.clear(); }
+  /// Takes those with these numbers from a whole list behind its own.
+  void take(const SweptPairs& list, std::span<const std::uint32_t> numbers);
+  /// Fills the lanes behind the last pair, wherever packs begin. nowhere: where that place begins.
+  void fill_up(std::uint32_t nowhere);
+
+ private:
+  void resize(std::size_t size, bool near, bool unlike);
 };
 
 /// Pairs that a sweep found touching, in their order, with what their contacts remember; behind them one whose number

@@ -13,7 +13,7 @@
 namespace talus {
 namespace {
 
-constexpr double making_cost = 2.0;   ///< c: of a listed pair, when the near list is made; of a near pair in a step: 1
+constexpr double making_cost = 1.5;   ///< c: of a listed pair, when the near list is made; of a near pair in a step: 1
 constexpr double first_reach = 0.05;  ///< of the near list, share of the skin
 constexpr double long_time = 10.0;    ///< until a decision is looked at again, in skins that the fastest discs cross
 constexpr double worth = 0.9;         ///< share of the cost of looking at all listed pairs that the near list saves
@@ -302,8 +302,7 @@ void FastDiscSystem<L, F>::end_drift(Discs& discs, double h) {
     store(discs);
     if (!list_.holds(discs)) return rebuild(discs);
   }
-  // Whether all are still to be near is asked again now and then.
-  if (used_ > (all_near_ ? long_time * skin_ : (1.0 - round_off) * reach_)) prune();
+  if (all_near_ || used_ > (1.0 - round_off) * reach_) prune();
 }
 
 template <SettledLaw L, class F>
@@ -455,23 +454,14 @@ void FastDiscSystem<L, F>::list_places() {
   if (sees_rates()) before_.resize(2 * (nowhere + 1));
   std::fill(places_.end() - 2, places_.end(), std::numeric_limits<double>::quiet_NaN());
   waiting_.resize(moved_.size());
-  fill_up(pairs_);
-}
-
-/// Fills the lanes behind the last pair, wherever packs begin, with pairs that are nowhere.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::fill_up(SweptPairs& pairs) {
-  pairs.count = pairs.first.size();
-  const std::size_t filled = pairs.count + pack_size;
-  const auto nowhere = static_cast<std::uint32_t>(places_.size() - 2);
-  pairs.first.resize(filled, nowhere), pairs.second.resize(filled, nowhere);
-  if (!pairs.listed.empty()) pairs.listed.resize(filled);
-  if (equal_radii_ == 0.0) pairs.radii.resize(filled);
+  pairs_.count = pairs_.first.size();
+  pairs_.fill_up(static_cast<std::uint32_t>(2 * nowhere));
 }
 
 /// Makes the near list.
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::prune() {
+  if (all_near_ && used_ <= long_time * skin_) return;
   used_ = 0.0;
   if (choose_reach()) return;
   ++prunings_;
@@ -484,44 +474,42 @@ void FastDiscSystem<L, F>::prune(Stripe& stripe) {
   place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
   DiscSweep of = work(stripe, 0.0, 0.0);
   of.pairs = &pairs_;
-  stripe.own.clear(), stripe.outgoing.clear();
+  stripe.own.count = stripe.outgoing.count = 0;
   const std::size_t from = stripe.begin < stripe.end ? list_.begin(stripe.begin) : 0;
   const std::size_t last = stripe.begin < stripe.end ? list_.end(stripe.end - 1) : 0;
-  std::array<std::uint32_t, sweep_block + pack_size> found;
+  std::array<std::uint32_t, sweep_block + pack_size> found, outgoing;
   for (std::size_t block = from; block < last; block += sweep_block) {
     // Blocks end with a pack, and so a little behind the stripe.
     const std::size_t to = std::min(block + sweep_block, block + whole(last - block, pack_size));
-    const std::size_t count = find_near(of, reach_, block, to, found.data());
-    for (std::size_t f = 0; f < count && found[f] < last; ++f) {
-      const std::size_t pair = found[f];
-      SweptPairs& near = disc(pairs_.second[pair]) < stripe.end ? stripe.own : stripe.outgoing;
-      near.first.push_back(pairs_.first[pair]), near.second.push_back(pairs_.second[pair]);
-      near.listed.push_back(found[f]);
-      if (equal_radii_ == 0.0) near.radii.push_back(pairs_.radii[pair]);
+    std::size_t near = find_near(of, reach_, block, to, found.data()), own = near, out = 0;
+    if (stripes_.size() > 1) {
+      own = 0;
+      for (std::size_t f = 0; f < near && found[f] < last; ++f)
+        (disc(pairs_.second[found[f]]) < stripe.end ? found[own++] : outgoing[out++]) = found[f];
     }
+    stripe.own.take(pairs_, {found.data(), own});
+    stripe.outgoing.take(pairs_, {outgoing.data(), out});
   }
-  for (SweptPairs* const near : {&stripe.own, &stripe.outgoing}) {
-    fill_up(*near);
-    // The first reach is a guess, and may take much more room than is needed later.
-    for (auto* numbers : {&near->first, &near->second, &near->listed})
-      if (numbers->capacity() > 2 * numbers->size()) numbers->shrink_to_fit();
-    if (near->radii.capacity() > 2 * near->radii.size()) near->radii.shrink_to_fit();
-  }
+  const auto nowhere = static_cast<std::uint32_t>(places_.size() - 2);
+  stripe.own.fill_up(nowhere), stripe.outgoing.fill_up(nowhere);
 }
 
 /// The reach of the next near list from what the last one was like; whether all listed pairs are near instead.
 template <SettledLaw L, class F>
 bool FastDiscSystem<L, F>::choose_reach() {
-  all_near_ = false;
+  // After a while without one a list is made, so that the next choice is by how things are then.
+  const bool looks_again = std::exchange(all_near_, false);
   if (reach_ == 0.0) reach_ = first_reach * skin_;
-  double near = 0.0;
-  for (const Stripe& stripe : stripes_)
+  double near = 0.0, touching = 0.0;
+  for (const Stripe& stripe : stripes_) {
     near += static_cast<double>(stripe.own.count + stripe.outgoing.count);
-  if (way_ == 0.0 || near == 0.0) return false;
+    touching += static_cast<double>(stripe.own_touching[turn_].count + stripe.outgoing_touching[turn_].count);
+  }
+  if (way_ == 0.0 || near == 0.0 || looks_again) return false;
   const double listed = static_cast<double>(pairs_.count);
   const double making = making_cost * listed * way_;
   const double least = std::min(2.0 * way_, skin_), last = reach_;
-  reach_ = std::clamp(std::sqrt(making * last / near), least, skin_);
+  reach_ = std::clamp(std::sqrt(making * last / std::max(near - touching, 1.0)), least, skin_);
   const bool settled = std::abs(reach_ / last - 1.0) < 0.2;
   // Of several stripes the lists also part what goes out.
   return all_near_ = stripes_.size() == 1 && settled && near + making / last > worth * listed;

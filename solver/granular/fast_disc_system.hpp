@@ -38,9 +38,9 @@ namespace talus {
 /// 2. Three lists. The neighbour list reaches far and lasts long. Of it the near list takes the pairs whose surfaces
 ///    are less than s apart; it holds until sum w = s, where no pair comes nearer by more than w = 2 v_max h in a step,
 ///    with velocities from the mean flow that neighbours share (NeighbourList::approach). Looking at a near pair costs
-///    1 each step, at a listed pair c each time that the near list is made, every s/w steps. With rho s near pairs and
-///    P listed ones that is least for
-///        d/ds (rho s + c P w/s) = 0,   s = sqrt(c P w/rho).
+///    1 each step, at a listed pair c each time that the near list is made, every s/w steps. With T pairs that touch,
+///    rho s near ones beside them and P listed ones that is least for
+///        d/ds (T + rho s + c P w/s) = 0,   s = sqrt(c P w/rho).
 ///    Where that would save little, as in jammed states, all listed pairs are near, and no near list is made. Of the
 ///    near pairs each step takes those that touch, of which alone the law is asked.
 /// 3. Lanes. Whether pairs are near, touch, and how they push is worked out eight pairs at a time; the two coordinates
@@ -154,7 +154,6 @@ class FastDiscSystem {
   void take_contacts(const std::vector<Kept>& kept);
   void list_stripes();
   void list_places();
-  void fill_up(SweptPairs& pairs);
   void prune();
   void prune(Stripe& stripe);
   bool choose_reach();
