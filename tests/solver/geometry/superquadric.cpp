@@ -37,6 +37,19 @@ double brute_distance(const Superquadric& shape, Vec2 p) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(roots_are_within_a_unit_and_a_half_of_the_last_place) {
+  for (const double degree : {1.5, 2.0, 2.2, 3.0, 4.0, 5.0, 7.0, 10.0, 20.0, 33.0, 63.0, 64.0, 100.0}) {
+    BOOST_TEST(root(1.0, degree) == 1.0);
+    double worst = 0.0;
+    for (int i = 1; i <= 20000; ++i) {
+      const double x = 1.0 + i / 20000.0;
+      const long double exact = std::pow(static_cast<long double>(x), 1.0L / static_cast<long double>(degree));
+      worst = std::max(worst, static_cast<double>(std::abs(static_cast<long double>(root(x, degree)) - exact)));
+    }
+    BOOST_TEST(worst < 1.5 * std::numeric_limits<double>::epsilon(), "degree " << degree << ": " << worst);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(rotation_is_within_a_unit_of_the_last_place) {
   std::mt19937_64 random{1};
   std::uniform_real_distribution<double> angles{-0.785, 0.785};
