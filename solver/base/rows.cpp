@@ -9,20 +9,14 @@
 namespace talus {
 
 TALUS_CLONES void add_scaled(double* out, const double* x, double h, const double* rate, std::size_t count) {
-  if (count < pack_size) {
-    for (std::size_t i = 0; i < count; ++i)
-      out[i] = x[i] + h * rate[i];
-    return;
-  }
-  // The last pack overlaps the one before it, and so is worked out before x may be written over.
-  Pack sum, more, last;
-  load(last, x + count - pack_size), load(more, rate + count - pack_size);
-  last += h * more;
-  for (std::size_t i = 0; i + pack_size < count; i += pack_size) {
+  std::size_t i = 0;
+  for (; i + pack_size <= count; i += pack_size) {
+    Pack sum, more;
     load(sum, x + i), load(more, rate + i);
     store(sum + h * more, out + i);
   }
-  store(last, out + count - pack_size);
+  for (; i < count; ++i)
+    out[i] = x[i] + h * rate[i];
 }
 
 TALUS_CLONES bool all_finite(const double* x, const double* y, std::size_t count) {

@@ -43,6 +43,10 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
         [&](const auto& law) {
           auto& array = std::get<CableArray<std::decay_t<decltype(law)>>>(laws_);
           places_.push_back({cable.law.index(), array.laws.size()});
+          if (!array.cable.empty() && array.cable.back() + 1 == c)
+            ++array.runs.back().count;
+          else
+            array.runs.push_back({.place = array.laws.size(), .cable = c, .count = 1});
           array.cable.push_back(c);
           array.laws.push_back(law);
           array.slots.push_back(layout.cable_slots[c]);
@@ -220,12 +224,14 @@ void CableForces::update(const State& state, Workspace& work) const {
   for (const JointRun& run : work.waking.joints) {
     if (run.on_body && !run.in_row) place_joints(run, constants_.body_x, constants_.body_y, work.poses, work.joints);
   }
+  work.waking.loaded = pull_rows(state, work);
+  if (work.waking.loaded) return;
   clear(work.pulls, work.waking.reached);
   work.waking.quiet = work.waking.rows_only;
   for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, CableRun& run) {
     if (!run.row) return lay_paths(run, work);
     if constexpr (HasLines<L>) keep_lines(array, run, state, work.lines);
-    run.quiet = pull_row(run, constants_, work.lines, work.poses, work.joints, work.paths, work.pulls);
+    run.quiet = lay_row(run, constants_, work.lines, work.poses, work.joints, work.paths, work.pulls);
     work.waking.quiet = work.waking.quiet && run.quiet;
   });
   if (work.rigging.chains.empty()) return;
@@ -234,6 +240,27 @@ void CableForces::update(const State& state, Workspace& work) const {
   for_each_run(laws_, work.waking, [](const auto&, CableRun& run) { run.quiet = false; });
   for (Chain& chain : work.rigging.chains)
     straighten(chain, state, work);
+}
+
+/// Whether nothing is asked for but what pulls on bodies, and that is found, without any path, as their wrenches.
+bool CableForces::pull_rows(const State& state, Workspace& work) const {
+  Waking& waking = work.waking;
+  if (!work.rates_only || !waking.rows_only || waking.any_asleep || !holders_.empty()) return false;
+  clear(work.wrenches, waking.reached);
+  // All are awake, and so they are looked at in fewer pieces than they are pulled in.
+  for_each_array(laws_, [&]<class L>(const CableArray<L>& array, std::size_t) {
+    if constexpr (HasLines<L>) {
+      for (const CableRun& run : array.runs)
+        keep_lines(array, run, state, work.lines);
+    }
+  });
+  bool quiet = true;
+  for_each_run(laws_, waking, [&](const auto&, CableRun& run) {
+    quiet = pull_row(run, constants_, work.lines, work.poses, work.joints, work.wrenches) && quiet;
+    run.quiet = true;
+  });
+  waking.quiet = quiet;
+  return quiet;
 }
 
 void CableForces::lay_paths(const CableRun& run, Workspace& work) const {
@@ -305,6 +332,7 @@ void CableForces::settle(State& state, const Workspace& work) const {
 }
 
 void CableForces::load(const State& state, Workspace& work, Rates* out) const {
+  if (work.waking.loaded) return;
   if (work.waking.quiet) {
     copy(work.pulls, work.waking.reached, work.wrenches);
   } else {

@@ -27,6 +27,7 @@ struct CableArray {
   std::vector<std::size_t> cable;  ///< place of each in Workspace::paths
   std::vector<L> laws;
   std::vector<Slot> slots;
+  std::vector<CableRun> runs;  ///< cables that follow each other in the model
 };
 
 /// Where one cable's law stands: in the list of laws, and in its array.
@@ -96,6 +97,7 @@ class CableForces {
 
   std::size_t joint(const CableEnd& end);
   void find_row(CableRun& run, const std::vector<std::size_t>& ends_at) const;
+  bool pull_rows(const State& state, Workspace& work) const;
   void lay_paths(const CableRun& run, Workspace& work) const;
   void sum_pulls(const State& state, Workspace& work, Rates* out) const;
   void sum_pulls(const CableRun& run, Workspace& work) const;

@@ -137,7 +137,7 @@ template <class Ask>
   }
 }
 
-/// Eight joints of a row: where they are and how they move.
+/// Eight joints of a row: where they are and, if that is asked for, how they move.
 struct Eight {
   Pack x, y, vx, vy;
   Pack arm_x, arm_y;
@@ -145,9 +145,9 @@ struct Eight {
 };
 
 /// Those of a row from its joint `first` on; those that are on no body stay where they are.
+template <bool told, class Joints>
 [[gnu::always_inline]] inline void place_eight(Eight& at, const CableRun& run, std::size_t first,
-                                               const CableConstants& constants, const Poses& poses,
-                                               JointPoints& joints) {
+                                               const CableConstants& constants, const Poses& poses, Joints& joints) {
   const auto from = static_cast<std::ptrdiff_t>(run.from), to = static_cast<std::ptrdiff_t>(run.to);
   const auto begin = static_cast<std::ptrdiff_t>(first);
   Sizes& on_body = at.on_body;
@@ -155,26 +155,105 @@ struct Eight {
   // A lane before the first body reads the room before it.
   const std::ptrdiff_t body = run.body + begin;
   const std::size_t joint = run.a + first;
-  Pack x, y, cosine, sine, vx, vy, w, p_x, p_y;
+  Pack x, y, cosine, sine, p_x, p_y;
   load(x, poses.x.at(body)), load(y, poses.y.at(body));
   load(cosine, poses.cosine.at(body)), load(sine, poses.sine.at(body));
-  load(vx, poses.vx.at(body)), load(vy, poses.vy.at(body)), load(w, poses.w.at(body));
   load(p_x, constants.body_x.at(joint)), load(p_y, constants.body_y.at(joint));
   const Pack dx = cosine * p_x - sine * p_y;
   const Pack dy = sine * p_x + cosine * p_y;
   at.arm_x = dx, at.arm_y = dy;
   load(at.x, joints.x.at(joint)), load(at.y, joints.y.at(joint));
-  load(at.vx, joints.vx.at(joint)), load(at.vy, joints.vy.at(joint));
   choose(at.x, on_body, x + dx), choose(at.y, on_body, y + dy);
-  choose(at.vx, on_body, vx - w * dy), choose(at.vy, on_body, vy + w * dx);
-  put(joints.arm_x.at(joint), on_body, dx), put(joints.arm_y.at(joint), on_body, dy);
-  store(at.x, joints.x.at(joint)), store(at.y, joints.y.at(joint));
-  store(at.vx, joints.vx.at(joint)), store(at.vy, joints.vy.at(joint));
+  if constexpr (told) {
+    Pack vx, vy, w;
+    load(vx, poses.vx.at(body)), load(vy, poses.vy.at(body)), load(w, poses.w.at(body));
+    load(at.vx, joints.vx.at(joint)), load(at.vy, joints.vy.at(joint));
+    choose(at.vx, on_body, vx - w * dy), choose(at.vy, on_body, vy + w * dx);
+    put(joints.arm_x.at(joint), on_body, dx), put(joints.arm_y.at(joint), on_body, dy);
+    store(at.x, joints.x.at(joint)), store(at.y, joints.y.at(joint));
+    store(at.vx, joints.vx.at(joint)), store(at.vy, joints.vy.at(joint));
+  }
 }
 
 /// Each lane's next; of the last, the first of the pack after.
 [[gnu::always_inline]] inline void ahead(Pack& next, const Pack& pack, const Pack& after) {
   next = __builtin_shufflevector(pack, after, 1, 2, 3, 4, 5, 6, 7, 8);
+}
+
+/// All in one pass, in registers from the poses to the pulls: written and read again between one stage and the next,
+/// each stage would wait for the one before. `told`: what comes of joints and cables is written down, too.
+template <bool told, class Joints>
+[[gnu::always_inline]] inline bool pull(const CableRun& run, const CableConstants& constants, const CableLines& lines,
+                                        const Poses& poses, Joints& joints, Paths* paths, Wrenches& pulls) {
+  const auto count = static_cast<std::ptrdiff_t>(run.count);
+  Sizes left{};
+  Pack before_x{}, before_y{};  // what the cables before pull at their ends B
+  Eight here;
+  place_eight<told>(here, run, 0, constants, poses, joints);
+  for (std::ptrdiff_t block = 0; block <= count; block += pack_size) {
+    Eight next{};
+    const auto first = static_cast<std::size_t>(block);
+    if (block + static_cast<std::ptrdiff_t>(pack_size) <= count)
+      place_eight<told>(next, run, first + pack_size, constants, poses, joints);
+    const std::size_t cable = run.cable + first, joint = run.a + first;
+    Sizes is;
+    between(is, 0, count - block);
+    Pack x, y, vx, vy;
+    ahead(x, here.x, next.x), ahead(y, here.y, next.y);
+    Lanes dx, dy, dvx{}, dvy{}, across, length, rate, pull_x, pull_y;
+    Pack pack;
+    dx.set(x - here.x), dy.set(y - here.y);
+    if constexpr (told) {
+      ahead(vx, here.vx, next.vx), ahead(vy, here.vy, next.vy);
+      dvx.set(vx - here.vx), dvy.set(vy - here.vy);
+    }
+    load(pack, constants.across_squared.at(cable)), across.set(pack);
+    for_lanes([&](std::size_t i) {
+      const Path line = path(dx[i], dy[i], dvx[i], dvy[i], across[i]);
+      length[i] = line.length, rate[i] = line.length_rate;
+      pull_x[i] = line.pull_A.x, pull_y[i] = line.pull_A.y;
+    });
+    Pack rest, stiffness, natural, low, high, lengths, pulls_x, pulls_y;
+    load(rest, constants.rest_length.at(cable));
+    load(stiffness, lines.stiffness.at(cable)), load(natural, lines.natural.at(cable));
+    load(low, lines.low.at(cable)), load(high, lines.high.at(cable));
+    length.get(lengths), pull_x.get(pulls_x), pull_y.get(pulls_y);
+    const Pack extent = lengths - rest;
+    const Pack tension = stiffness * (extent - natural);
+    Lanes extents, lows, highs;
+    extents.set(extent), lows.set(low), highs.set(high);
+    Sizes off;
+    ask_lanes(off, [&](std::size_t i) { return !(extents[i] > lows[i] && extents[i] < highs[i]); });
+    left |= off & is;
+    if constexpr (told) {
+      rate.get(pack);
+      put(paths->length.at(cable), is, lengths), put(paths->length_rate.at(cable), is, pack);
+      put(paths->pull_x.at(cable), is, pulls_x), put(paths->pull_y.at(cable), is, pulls_y);
+      put(paths->tension.at(cable), is, tension);
+    }
+    // Joint i takes the pull of cable i and of the one before it.
+    Pack force_x{}, force_y{};
+    choose(force_x, is, tension * pulls_x), choose(force_y, is, tension * pulls_y);
+    Pack share_a, share_b;
+    load(share_a, constants.share_a.at(cable)), load(share_b, constants.share_b.at(cable));
+    const Pack end_x = share_b * force_x, end_y = share_b * force_y;
+    const Pack x_B = __builtin_shufflevector(before_x, end_x, 7, 8, 9, 10, 11, 12, 13, 14);
+    const Pack y_B = __builtin_shufflevector(before_y, end_y, 7, 8, 9, 10, 11, 12, 13, 14);
+    const Pack joint_x = share_a * force_x - x_B, joint_y = share_a * force_y - y_B;
+    if constexpr (told) {
+      between(is, 0, count + 1 - block);
+      put(joints.force_x.at(joint), is, joint_x), put(joints.force_y.at(joint), is, joint_y);
+    }
+    const std::ptrdiff_t body = run.body + block;
+    Pack sum_x, sum_y, sum;
+    load(sum_x, pulls.x.at(body)), load(sum_y, pulls.y.at(body)), load(sum, pulls.moment.at(body));
+    choose(sum_x, here.on_body, sum_x + joint_x), choose(sum_y, here.on_body, sum_y + joint_y);
+    choose(sum, here.on_body, sum + (here.arm_x * joint_y - here.arm_y * joint_x));
+    store(sum_x, pulls.x.at(body)), store(sum_y, pulls.y.at(body)), store(sum, pulls.moment.at(body));
+    before_x = end_x, before_y = end_y;
+    here = next;
+  }
+  return !any(left);
 }
 
 }  // namespace
@@ -206,12 +285,11 @@ TALUS_CLONES void accelerate_bodies(const BodyRun& run, const BodyConstants& con
     std::copy_n(few.begin(), 3 * run.count, a);
     return;
   }
-  std::size_t i = 0;
-  for (; i + pack_size <= run.count; i += pack_size)
+  // The last eight first, some of which come once more: who reads the packs from the start finds each as it was stored.
+  const std::size_t last = run.count - pack_size;
+  if (last % pack_size != 0) accelerate_eight(run.place + last, run.body + last, constants, wrenches, a + 3 * last);
+  for (std::size_t i = 0; i + pack_size <= run.count; i += pack_size)
     accelerate_eight(run.place + i, run.body + i, constants, wrenches, a + 3 * i);
-  if (i == run.count) return;
-  i = run.count - pack_size;  // some of them once more
-  accelerate_eight(run.place + i, run.body + i, constants, wrenches, a + 3 * i);
 }
 
 TALUS_CLONES void clear(Wrenches& wrenches, std::size_t count) {
@@ -242,71 +320,14 @@ void place_joints(const JointRun& run, const Row& p_x, const Row& p_y, const Pos
   }
 }
 
-/// All in one pass, in registers from the poses to the pulls: written and read again between one stage and the next,
-/// each stage would wait for the one before.
+TALUS_CLONES bool lay_row(const CableRun& run, const CableConstants& constants, const CableLines& lines,
+                          const Poses& poses, JointPoints& joints, Paths& paths, Wrenches& pulls) {
+  return pull<true>(run, constants, lines, poses, joints, &paths, pulls);
+}
+
 TALUS_CLONES bool pull_row(const CableRun& run, const CableConstants& constants, const CableLines& lines,
-                           const Poses& poses, JointPoints& joints, Paths& paths, Wrenches& pulls) {
-  const auto count = static_cast<std::ptrdiff_t>(run.count);
-  Sizes left{};
-  Pack before_x{}, before_y{};  // what the cables before pull at their ends B
-  Eight here;
-  place_eight(here, run, 0, constants, poses, joints);
-  for (std::ptrdiff_t block = 0; block <= count; block += pack_size) {
-    Eight next{};
-    const auto first = static_cast<std::size_t>(block);
-    if (block + static_cast<std::ptrdiff_t>(pack_size) <= count)
-      place_eight(next, run, first + pack_size, constants, poses, joints);
-    const std::size_t cable = run.cable + first, joint = run.a + first;
-    Sizes is;
-    between(is, 0, count - block);
-    Pack x, y, vx, vy;
-    ahead(x, here.x, next.x), ahead(y, here.y, next.y), ahead(vx, here.vx, next.vx), ahead(vy, here.vy, next.vy);
-    Lanes dx, dy, dvx, dvy, across, length, rate, pull_x, pull_y;
-    Pack pack;
-    dx.set(x - here.x), dy.set(y - here.y), dvx.set(vx - here.vx), dvy.set(vy - here.vy);
-    load(pack, constants.across_squared.at(cable)), across.set(pack);
-    for_lanes([&](std::size_t i) {
-      const Path line = path(dx[i], dy[i], dvx[i], dvy[i], across[i]);
-      length[i] = line.length, rate[i] = line.length_rate;
-      pull_x[i] = line.pull_A.x, pull_y[i] = line.pull_A.y;
-    });
-    Pack rest, stiffness, natural, low, high, lengths, pulls_x, pulls_y;
-    load(rest, constants.rest_length.at(cable));
-    load(stiffness, lines.stiffness.at(cable)), load(natural, lines.natural.at(cable));
-    load(low, lines.low.at(cable)), load(high, lines.high.at(cable));
-    length.get(lengths), pull_x.get(pulls_x), pull_y.get(pulls_y);
-    const Pack extent = lengths - rest;
-    const Pack tension = stiffness * (extent - natural);
-    Lanes extents, lows, highs;
-    extents.set(extent), lows.set(low), highs.set(high);
-    Sizes off;
-    ask_lanes(off, [&](std::size_t i) { return !(extents[i] > lows[i] && extents[i] < highs[i]); });
-    left |= off & is;
-    rate.get(pack);
-    put(paths.length.at(cable), is, lengths), put(paths.length_rate.at(cable), is, pack);
-    put(paths.pull_x.at(cable), is, pulls_x), put(paths.pull_y.at(cable), is, pulls_y);
-    put(paths.tension.at(cable), is, tension);
-    // Joint i takes the pull of cable i and of the one before it.
-    Pack force_x{}, force_y{};
-    choose(force_x, is, tension * pulls_x), choose(force_y, is, tension * pulls_y);
-    Pack share_a, share_b;
-    load(share_a, constants.share_a.at(cable)), load(share_b, constants.share_b.at(cable));
-    const Pack end_x = share_b * force_x, end_y = share_b * force_y;
-    const Pack x_B = __builtin_shufflevector(before_x, end_x, 7, 8, 9, 10, 11, 12, 13, 14);
-    const Pack y_B = __builtin_shufflevector(before_y, end_y, 7, 8, 9, 10, 11, 12, 13, 14);
-    between(is, 0, count + 1 - block);
-    const Pack joint_x = share_a * force_x - x_B, joint_y = share_a * force_y - y_B;
-    put(joints.force_x.at(joint), is, joint_x), put(joints.force_y.at(joint), is, joint_y);
-    const std::ptrdiff_t body = run.body + block;
-    Pack sum_x, sum_y, sum;
-    load(sum_x, pulls.x.at(body)), load(sum_y, pulls.y.at(body)), load(sum, pulls.moment.at(body));
-    choose(sum_x, here.on_body, sum_x + joint_x), choose(sum_y, here.on_body, sum_y + joint_y);
-    choose(sum, here.on_body, sum + (here.arm_x * joint_y - here.arm_y * joint_x));
-    store(sum_x, pulls.x.at(body)), store(sum_y, pulls.y.at(body)), store(sum, pulls.moment.at(body));
-    before_x = end_x, before_y = end_y;
-    here = next;
-  }
-  return !any(left);
+                           const Poses& poses, const JointPoints& joints, Wrenches& pulls) {
+  return pull<false>(run, constants, lines, poses, joints, nullptr, pulls);
 }
 
 TALUS_CLONES bool stays_straight(const CableRun& run, const Row& rest_length, const CableLines& lines,

@@ -37,10 +37,13 @@ struct CableConstants {
 
 /// A row's joints and the lines of its cables; if all cables are on the straight lines of their modes, which it then
 /// says, their tensions and the pulls at the joints as well, which are added to the pulls on the bodies.
+bool lay_row(const CableRun& run, const CableConstants& constants, const CableLines& lines, const Poses& poses,
+             JointPoints& joints, Paths& paths, Wrenches& pulls);
+/// The pulls on the bodies alone, in two thirds of the time. Of joints those that are on no body are read.
 bool pull_row(const CableRun& run, const CableConstants& constants, const CableLines& lines, const Poses& poses,
-              JointPoints& joints, Paths& paths, Wrenches& pulls);
+              const JointPoints& joints, Wrenches& pulls);
 
-/// Whether, after pull_row() said so, all of them stay on their lines for the time ahead [T] at the rates they have.
+/// Whether, after lay_row() said so, all of them stay on their lines for the time ahead [T] at the rates they have.
 bool stays_straight(const CableRun& run, const Row& rest_length, const CableLines& lines, const Paths& paths,
                     double ahead);
 

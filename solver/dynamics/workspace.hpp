@@ -22,7 +22,8 @@ struct Waking {
   std::vector<JointRun> joints;               ///< joints to work out
   std::vector<std::vector<CableRun>> cables;  ///< for each law, cables to work out
   bool rows_only{};                           ///< all these cables are in rows, in the order of their joints
-  bool quiet{};  ///< as last laid, all of them stay on their straight lines: Workspace::pulls are what they pull
+  bool quiet{};   ///< as last laid, all of them stay on their straight lines: Workspace::pulls are what they pull
+  bool loaded{};  ///< as last laid, these pulls are the wrenches already, and nothing else of joints and paths is known
   std::vector<std::size_t> borders;  ///< of these, the ones with a sleeping body at one end only
 };
 
@@ -51,6 +52,8 @@ struct Rigging {
 /// Scratch of one force evaluation, kept by the caller so that Dynamics stays pure and a step of a scene with neither
 /// broken hangers nor many bodies allocates nothing.
 struct Workspace {
+  /// Asks for rates alone, without accounts: joints and paths of rows of cables may be left as they were.
+  bool rates_only{};
   Poses poses;                ///< one for each body
   Wrenches wrenches;          ///< one for each body
   Wrenches pulls;             ///< of rows of cables alone

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/dynamics/dynamics.hpp"
+#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/model/model_builder.hpp"
 
 using namespace talus;
@@ -111,6 +112,14 @@ BOOST_AUTO_TEST_CASE(rows_of_any_length_pull_as_their_cables_do_one_by_one) {
         BOOST_TEST(work.waking.quiet == std::holds_alternative<ElasticPlastic>(law));
         dynamics.rates(state, work, rates);
 
+        Workspace bare = dynamics.workspace();
+        Rates alone{state};
+        bare.rates_only = true;
+        dynamics.update(state, bare);
+        BOOST_TEST(bare.waking.loaded == work.waking.quiet);
+        dynamics.rates(state, bare, alone, false);
+        BOOST_TEST(alone.v == rates.v);
+
         std::vector<Wrench> wrenches(bodies);
         for (std::size_t c = 0; c < scene.model.cables.size(); ++c) {
           const Cable& cable = scene.model.cables[c];
@@ -136,5 +145,29 @@ BOOST_AUTO_TEST_CASE(rows_of_any_length_pull_as_their_cables_do_one_by_one) {
         }
       }
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cables_that_go_slack_and_yield_move_the_same_whether_paths_are_told_or_not) {
+  std::mt19937 random{11};
+  for (const std::size_t bodies : {3, 8, 13}) {
+    const Hung scene = hung(bodies, {true, true}, ElasticPlastic{.stiffness = 80.0, .yield = 40.0}, random);
+    const Dynamics dynamics{scene.model};
+    RigidBodySystem with{dynamics, true}, without{dynamics, false};
+    State told = rest_state(scene.model);
+    for (std::size_t i = 0; i < told.v.size(); ++i)
+      told.v[i] = i % 2 == 0 ? 1.5 : -1.0;
+    with.begin(told);
+    State bare = told;
+    long changes = 0;
+    for (int n = 0; n < 4000; ++n) {
+      const std::vector<Mode> before = told.mode;
+      with.kick(told, 1e-3), with.drift(told, 1e-3);
+      without.kick(bare, 1e-3), without.drift(bare, 1e-3);
+      changes += told.mode == before ? 0 : 1;
+      if (told.q != bare.q || told.v != bare.v || told.mode != bare.mode) BOOST_FAIL("they part at step " << n);
+    }
+    BOOST_TEST(changes > 20);
+    BOOST_TEST(changes < 3000);  // most steps change none, and tell no path
   }
 }
