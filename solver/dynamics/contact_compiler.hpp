@@ -40,6 +40,7 @@ class ContactCompiler {
       array.groups.push_back(group(id_a, id_b, array.laws.size()));
     array.shapes_a.push_back(a);
     array.shapes_b.push_back(b);
+    if constexpr (BoxedRule<ShapeB>) array.node_x.push_back(a.center_A.x), array.node_y.push_back(a.center_A.y);
     array.laws.push_back(law_);
     array.slots.push_back(next_);
     array.groups.back().last = array.laws.size();

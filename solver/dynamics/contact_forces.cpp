@@ -1,6 +1,7 @@
 #include "solver/dynamics/contact_forces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "solver/base/error.hpp"
 #include "solver/dynamics/contact_compiler.hpp"
 #include "solver/dynamics/law_modes.hpp"
+#include "solver/dynamics/runs.hpp"
 
 namespace talus {
 namespace {
@@ -102,28 +104,62 @@ void add_pair(Workspace& work, const ContactGroup& group, const Gap& gap, Vec2 o
 /// Works out the gaps of one array's groups that are within reach. Of a ball outside its target that does not act
 /// (`state` given) only the depth: nothing else is asked of it.
 template <class Array>
-void update_gaps(const Array& array, const State* state, Workspace& work) {
-  for (const ContactGroup& group : array.groups) {
-    if (work.near[group.candidate] != Workspace::wanted) continue;
-    const Pose A = work.poses[index(group.a)];
-    const Pose B = work.poses[index(group.b)];
-    [[maybe_unused]] const Placement A_in_B = placement(A, B);
-    for (std::size_t i = group.first; i < group.last; ++i) {
-      const std::size_t instance = array.slots[i].mode;
-      if constexpr (std::is_same_v<typename Array::ShapeA, Ball>) {
-        const Depth found = ball_depth(array.shapes_a[i], A_in_B, array.shapes_b[i]);
-        if (found.depth < 0.0 && state && state->mode[instance] == 0) {
-          work.gaps[instance].depth = found.depth;
-          continue;
-        }
-        work.gaps[instance] = ball_gap(array.shapes_a[i], A, found, B);
-      } else {
-        work.gaps[instance] = gap(array.shapes_a[i], A, array.shapes_b[i], B);
-      }
-      work.rates[instance] = depth_rate(work.gaps[instance], A, B);
+class GapUpdate {
+ public:
+  GapUpdate(const Array& array, const State* state, Workspace& work) : array_{array}, state_{state}, work_{work} {}
+
+  void run() const {
+    for (const ContactGroup& group : array_.groups) {
+      if (work_.near[group.candidate] == Workspace::wanted) update(group);
     }
   }
-}
+
+ private:
+  static constexpr bool are_balls = std::is_same_v<typename Array::ShapeA, Ball>;
+  static constexpr bool boxed = BoxedRule<typename Array::ShapeB>;
+  static constexpr std::size_t block = 64;
+
+  void update(const ContactGroup& group) const {
+    const Pose A = work_.poses[index(group.a)], B = work_.poses[index(group.b)];
+    [[maybe_unused]] const Placement A_in_B = placement(A, B);
+    if constexpr (boxed) {
+      // Of all nodes the depths in the box at once: few are in it.
+      std::array<double, block + pack_size> depths;
+      for (std::size_t first = group.first; first < group.last; first += block) {
+        const std::size_t count = std::min(block, group.last - first);
+        box_depths(array_.node_x, array_.node_y, first, count, A_in_B, array_.shapes_b[first].outline, depths.data());
+        for (std::size_t i = 0; i < count; ++i) {
+          if (!is_idle(first + i, depths[i])) update(first + i, A, B, A_in_B);
+        }
+      }
+    } else {
+      for (std::size_t i = group.first; i < group.last; ++i)
+        update(i, A, B, A_in_B);
+    }
+  }
+  void update(std::size_t i, const Pose& A, const Pose& B, [[maybe_unused]] const Placement& A_in_B) const {
+    const std::size_t instance = array_.slots[i].mode;
+    if constexpr (are_balls) {
+      const Depth found = ball_depth(array_.shapes_a[i], A_in_B, array_.shapes_b[i]);
+      if (is_idle(i, found.depth)) return;
+      work_.gaps[instance] = ball_gap(array_.shapes_a[i], A, found, B);
+    } else {
+      work_.gaps[instance] = gap(array_.shapes_a[i], A, array_.shapes_b[i], B);
+    }
+    work_.rates[instance] = depth_rate(work_.gaps[instance], A, B);
+  }
+  /// Whether a ball of that depth is outside and does not act; then that is its gap's.
+  bool is_idle(std::size_t i, double depth) const {
+    const std::size_t instance = array_.slots[i].mode;
+    if (!(depth < 0.0 && state_ && state_->mode[instance] == 0)) return false;
+    work_.gaps[instance].depth = depth;
+    return true;
+  }
+
+  const Array& array_;
+  const State* state_;
+  Workspace& work_;
+};
 
 }  // namespace
 
@@ -164,13 +200,13 @@ void ContactForces::update(const State& state, Workspace& work) const {
     work.near[c] = work.near[c] || acting != 0;
     work.any_near = work.any_near || work.near[c];
   }
-  if (work.any_near) for_each_array(laws_, [&](const auto& array) { update_gaps(array, &state, work); });
+  if (work.any_near) for_each_array(laws_, [&](const auto& array) { GapUpdate{array, &state, work}.run(); });
 }
 
 void ContactForces::update_all(Workspace& work) const {
   std::fill(work.near.begin(), work.near.end(), Workspace::wanted);
   work.any_near = candidates() > 0;
-  for_each_array(laws_, [&](const auto& array) { update_gaps(array, nullptr, work); });
+  for_each_array(laws_, [&](const auto& array) { GapUpdate{array, nullptr, work}.run(); });
 }
 
 void ContactForces::update_far(double ahead, double pull, Workspace& work) const {
@@ -187,7 +223,7 @@ void ContactForces::update_far(double ahead, double pull, Workspace& work) const
     }
   }
   work.any_near = work.any_near || any;
-  if (any) for_each_array(laws_, [&](const auto& array) { update_gaps(array, nullptr, work); });
+  if (any) for_each_array(laws_, [&](const auto& array) { GapUpdate{array, nullptr, work}.run(); });
 }
 
 void ContactForces::begin(State& state, const Workspace& work) const {

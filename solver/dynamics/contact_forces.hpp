@@ -40,6 +40,7 @@ struct ContactArrays {
     std::vector<ContactGroup> groups;
     std::vector<ShapeA> shapes_a;
     std::vector<ShapeB> shapes_b;
+    Row node_x, node_y;  ///< centres of the shapes A, if they are nodes of a rule that looks at boxes first [L]
     std::vector<L> laws;
     std::vector<Slot> slots;
   };

@@ -1,8 +1,9 @@
-/// What is worked out for neighbouring bodies, joints and cables eight at a time: the arithmetic of BodyForces and
-/// CableForces. A bare pointer is to the number of the run's first, those of the others behind it.
+/// What is worked out for neighbouring bodies, joints, cables and nodes eight at a time: the arithmetic of BodyForces,
+/// CableForces and ContactForces. A bare pointer is to the number of the run's first, those of the others behind it.
 #pragma once
 
 #include "solver/dynamics/lanes.hpp"
+#include "solver/geometry/node_depth.hpp"
 
 namespace talus {
 
@@ -46,6 +47,11 @@ bool pull_row(const CableRun& run, const CableConstants& constants, const CableL
 /// Whether, after lay_row() said so, all of them stay on their lines for the time ahead [T] at the rates they have.
 bool stays_straight(const CableRun& run, const Row& rest_length, const CableLines& lines, const Paths& paths,
                     double ahead);
+
+/// Depths of points of A [L], from the `first` of those at x, y in A's coordinates on, in the box around an outline of
+/// B: box_depth() of each. They are written to up to a pack further.
+void box_depths(const Row& x, const Row& y, std::size_t first, std::size_t count, const Placement& A_in_B,
+                const Superquadric& outline, double* depths);
 
 /// Adds the pulls at joints to the wrenches of the neighbouring bodies that they are on.
 void load_bodies(const JointRun& run, const JointPoints& joints, Wrenches& wrenches);

@@ -49,9 +49,12 @@ struct CentroidRays {
 };
 [[nodiscard]] Depth depth_in_box(const CentroidRays& shape, Vec2 p);
 
-/// By the rule of 1993 by which the outline is seen, wherever the point is.
+/// A rule of 1993: what lies outside the box around the outline is not looked at closer.
 template <class Rule>
-requires std::same_as<Rule, SideFaces> || std::same_as<Rule, CentroidRays>
+concept BoxedRule = std::same_as<Rule, SideFaces> || std::same_as<Rule, CentroidRays>;
+
+/// By the rule by which the outline is seen, wherever the point is.
+template <BoxedRule Rule>
 [[nodiscard]] Depth depth_below(const Rule& shape, Vec2 p) {
   const double depth = box_depth(shape.outline, p);
   return depth <= 0.0 ? Depth{depth, {std::copysign(1.0, p.x), 0.0}} : depth_in_box(shape, p);
