@@ -1,8 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
+#include <cstring>
 #include <span>
 #include <tuple>
 
@@ -59,13 +58,9 @@ void keep_lines(const CableArray<L>& array, const CableRun& run, const State& st
   const Mode* const modes = &state.mode[first.mode];
   const double* const kept = state.z.data() + first.memory;
   const std::size_t numbers = L::memory_size * run.count;
-  unsigned other_modes = 0;
-  for (std::size_t i = 0; i < run.count; ++i)
-    other_modes |= modes[i] ^ lines.mode[run.cable + i];
-  std::uint64_t other_bits = 0;
-  for (std::size_t i = 0; i < numbers; ++i)
-    other_bits |= std::bit_cast<std::uint64_t>(kept[i]) ^ std::bit_cast<std::uint64_t>(lines.memory[run.cable + i]);
-  if (other_modes == 0 && other_bits == 0) return;
+  if (std::memcmp(modes, &lines.mode[run.cable], run.count * sizeof(Mode)) == 0 &&
+      std::memcmp(kept, &lines.memory[run.cable], numbers * sizeof(double)) == 0)
+    return;
   std::copy_n(modes, run.count, &lines.mode[run.cable]);
   std::copy_n(kept, numbers, &lines.memory[run.cable]);
   for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
