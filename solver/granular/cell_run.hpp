@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/granular/block_means.hpp"
+#include "solver/granular/cell_plan.hpp"
 #include "solver/granular/cell_profile.hpp"
 #include "solver/granular/disc_method.hpp"
 #include "solver/granular/disc_system.hpp"
@@ -15,38 +16,6 @@
 #include "solver/granular/virtual_discs.hpp"
 
 namespace talus {
-
-/// How discs act across the borders of a field that repeats itself.
-enum class Images {
-  nearest,        ///< of each pair the images that are nearest, from a list by cells
-  virtual_discs,  ///< as in 1989, by all pairs (VirtualDiscs): slow, a check of the other
-};
-template <>
-struct Names<Images> {
-  static constexpr std::array<std::string_view, 2> list{"nearest", "virtual"};
-};
-
-/// How a cell is run; the names of CNTRL.DAT stand beside. Times [T].
-struct CellPlan {
-  std::string integrator{"central_difference"};
-  double step{};      ///< STEP > 0
-  double every{};     ///< LOOP: what is written, is written so often; >= step
-  double end{};       ///< TIME >= every
-  bool historical{};  ///< a run as that of 1989 may have been: steps that change the restitution are not refused
-  bool jump{};        ///< whether time in which nothing can touch is passed at once
-  Images images{};
-
-  static constexpr std::array<Field<CellPlan>, 3> fields() {
-    return {{{"step", dimension::time, &CellPlan::step, Range::positive, "step STEP"},
-             {"every", dimension::time, &CellPlan::every, Range::positive, "time LOOP between outputs"},
-             {"end", dimension::time, &CellPlan::end, Range::positive, "time TIME at which the run ends"}}};
-  }
-};
-
-/// All that keeps a cell from being run so. A leapfrog needs 10 steps in a contact; Euler and Taylor may move the
-/// restitution by .05, in a historical run by any amount, which is known of the law of 1989 alone: other laws and
-/// friction go with leapfrogs.
-[[nodiscard]] std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& plan);
 
 /// What is averaged of a cell. Stresses as ShearCell::overburden() [F/L^2]; shear is positive where the block is
 /// dragged against its speed; virials are those stresses times the depth between the centre lines [F/L].
@@ -91,8 +60,6 @@ class CellRun {
   /// Limits that a flow of hard discs keeps: all space that equal discs can fill, and a tenth of a diameter of overlap.
   /// Beyond them a run goes on, until discs pass through each other.
   static constexpr double fullest = 0.9069, deepest = 0.1;
-  /// Discs whose pairs are all tried at each step.
-  static constexpr std::size_t most_virtual = 2000;
 
   /// Errors: InputError for the first of the objections.
   CellRun(const ShearCell& cell, const CellPlan& plan);

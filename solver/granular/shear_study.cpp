@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "solver/base/error.hpp"
+#include "solver/granular/cell_run.hpp"
 
 namespace talus {
 namespace {

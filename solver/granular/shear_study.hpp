@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/granular/cell_run.hpp"
+#include "solver/granular/block_means.hpp"
+#include "solver/granular/cell_plan.hpp"
 
 namespace talus {
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "solver/base/error.hpp"
+#include "solver/granular/disc_method.hpp"
 #include "solver/io/fortran.hpp"
 #include "solver/io/list_directed.hpp"
 #include "solver/io/scene_parts.hpp"

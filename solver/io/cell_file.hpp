@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "solver/base/units.hpp"
-#include "solver/granular/cell_run.hpp"
+#include "solver/granular/cell_plan.hpp"
 
 namespace talus {
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/granular/cell_run.hpp"
 #include "solver/io/cell_file.hpp"
 
 namespace talus {

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "solver/base/error.hpp"
+#include "solver/granular/neighbour_list.hpp"
 #include "solver/io/fortran.hpp"
 #include "solver/io/list_directed.hpp"
 #include "solver/io/toml_document.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "solver/granular/cell_run.hpp"
+#include "solver/granular/shear_cell.hpp"
 
 namespace talus {
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "solver/base/error.hpp"
+#include "solver/granular/cell_run.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell_runs.hpp"
 
