@@ -351,15 +351,12 @@ TALUS_CLONES bool stays_straight(const CableRun& run, const Row& rest_length, co
 
 TALUS_CLONES void box_depths(const Row& x, const Row& y, std::size_t first, std::size_t count, const Placement& A_in_B,
                              const Superquadric& outline, double* depths) {
-  const auto [cosine, sine] = A_in_B.R;
-  const auto [p_x, p_y] = A_in_B.p;
+  const Rotation R = A_in_B.R;
+  const Vec2 p = A_in_B.p;
   for (std::size_t i = 0; i < count; i += pack_size) {
     const double *const x_A = x.at(first + i), *const y_A = y.at(first + i);
     Lanes depth;
-    for_lanes([&](std::size_t l) {
-      const Vec2 p{p_x + (cosine * x_A[l] - sine * y_A[l]), p_y + (sine * x_A[l] + cosine * y_A[l])};
-      depth[l] = box_depth(outline, p);
-    });
+    for_lanes([&](std::size_t l) { depth[l] = box_depth(outline, p + R * Vec2{x_A[l], y_A[l]}); });
     Pack pack;
     depth.get(pack);
     store(pack, depths + i);

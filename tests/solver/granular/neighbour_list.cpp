@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(discs_that_have_gone_astray_leave_the_list_of_the_others_as
   for (const PeriodicBox& box : boxes) {
     Packing p = scattered(60, std::min(box.width, 30.0), std::min(box.height, 25.0), 3);
     NeighbourList list{box, 0.3};
-    for (const std::size_t gone : {7, 20, 41}) {
+    for (const std::size_t gone : {7UL, 20UL, 41UL}) {
       p.shapes.inverse_mass[gone] = 0.0;
       p.discs.x[gone] = gone == 7 ? std::nan("") : 0.0;
       p.discs.y[gone] = gone == 7 ? 0.0 : gone == 20 ? 1e300 : -HUGE_VAL;
