@@ -19,8 +19,8 @@ namespace {
 constexpr const char* page = R"(
 **Problem.** A step works out less than the scene holds. Columns that nothing has moved sleep until a pull on them
 changes; of two bodies out of each other's reach no gap is worked out, and of a node outside its target only that it
-is outside; rows of cables that stay on the straight lines of their laws are not asked law by law. None of it may
-change a result, and a fence ten times as long must not cost more while the motion has not come further.
+is outside; rows of cables that stay on the straight lines of their laws are not asked law by law, and without a
+ledger their paths are not told. None of it may change a result, and a fence ten times as long must not cost more while the motion has not come further.
 
 ```
    asleep                       awake                        asleep
@@ -31,7 +31,7 @@ change a result, and a fence ten times as long must not cost more while the moti
 default (a change by 1e-13 of the tension wakes) against `off`: the difference is measured. Contacts: the same scene
 with every gap of every pair worked out at each evaluation: the same bits; between located events the guards of
 bodies that at their speed do not meet in sixteen steps are left out: the same bits as with all guards. Cables: the tensions of the rows against
-those of the laws, one by one: the same bits. The columns awake, summed over the steps, are a count that is the same
+those of the laws, one by one: the same bits; a run without ledger against one with it, likewise. The columns awake, summed over the steps, are a count that is the same
 on every machine; `make bench` says what each saves in time.
 
 **Scenes.** The fence of Table 2 with 101 and 1,001 columns, hit in the middle, 25 000 steps of 2e-6 s: with a sag
@@ -193,7 +193,8 @@ Case left_out() {
                       "yard, located events: state from that with every guard, largest difference",
                       "16 discs, swept, located events: state from that with every guard, largest difference",
                       "fence of two layers, located events: state from that with every guard, largest difference",
-                      "tensions of rows of cables from those of the laws, one by one, largest difference over a run"},
+                      "tensions of rows of cables from those of the laws, one by one, largest difference over a run",
+                      "without ledger, paths not told: state at the end from that with, largest difference"},
       .source = "Baraff 1992 for the sweep",
       .page = page,
       .faults = {{"default_for_exact", "the default's threshold where `exact` is asked for",
@@ -205,7 +206,9 @@ Case left_out() {
                  {"no_time_ahead", "located events without the guards of what does not act yet",
                   "yard, located events: state from that with every guard, largest difference"},
                  {"line_of_another", "one cable's law stiffer by 1e-15",
-                  "tensions of rows of cables from those of the laws, one by one, largest difference over a run"}},
+                  "tensions of rows of cables from those of the laws, one by one, largest difference over a run"},
+                 {"paths_of_another", "the run with ledger of a fence one of whose cables is stiffer by 1e-15",
+                  "without ledger, paths not told: state at the end from that with, largest difference"}},
       .tier = Tier::quick,
       .time_limit = 60.0,
       .run = run};

@@ -177,12 +177,15 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
   const Scene scene = scenes::fence_scene(fence).scene;
   const Dynamics dynamics{scene.model};
   Model other = scene.model;
-  if (setup.has("line_of_another")) std::get<ElasticPlastic>(other.cables.front().law).stiffness *= 1.0 + 1e-15;
+  if (setup.has("line_of_another") || setup.has("paths_of_another"))
+    std::get<ElasticPlastic>(other.cables.front().law).stiffness *= 1.0 + 1e-15;
   const Dynamics asked{other};
+  const auto unwatched = [](const Dynamics&, const State&) {};
+  constexpr long count = 5000;
+  const State told = stepped(scene, asked, VelocityVerlet{}, RigidBodySystem{asked, true}, 1e-5, count, unwatched);
   Workspace work = dynamics.workspace(), laws = asked.workspace();
   LawForces forces;
   Rates rates{scene.initial};
-  constexpr long count = 5000;
   double largest = 0.0, by_law = 0.0;
   const auto watch = [&](const Dynamics&, const State& state) {
     dynamics.update(state, work);
@@ -197,7 +200,12 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
       }
     }
   };
-  stepped(scene, dynamics, VelocityVerlet{}, RigidBodySystem{dynamics, false}, 1e-5, count, watch);
+  const State bare = stepped(scene, dynamics, VelocityVerlet{}, RigidBodySystem{dynamics, false}, 1e-5, count, watch);
+  const auto [place, velocity] = difference(bare, told);
+  findings.count(static_cast<std::uint64_t>(2 * count));
+  findings.expect("without ledger, paths not told: state at the end from that with, largest difference",
+                  std::max(place, velocity), 0.0,
+                  Tolerance::exact("what pulls on bodies is the same sum, whether the paths are kept or not"));
   findings.expect("tensions of rows of cables from those of the laws, one by one, largest difference over a run",
                   largest, 0.0, Tolerance::exact("the same operations on the same numbers, several at a time"), "lb");
   table.rows.push_back({"cables asked by their laws, fence that yields", fmt::format("{}", scene.model.cables.size()),

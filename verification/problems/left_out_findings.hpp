@@ -14,7 +14,8 @@ namespace talus::verification::problems {
 void check_contacts(Findings& findings, const Setup& setup, Table& table);
 
 /// The tensions of rows of cables are those of the laws, one by one, through a run in which cables slacken and yield.
-/// Fault `line_of_another`.
+/// Fault `line_of_another`. Without a ledger, when paths are not told, it ends in the same bits. Fault
+/// `paths_of_another`.
 void check_rows(Findings& findings, const Setup& setup, Table& table);
 
 }  // namespace talus::verification::problems
