@@ -51,12 +51,12 @@ using Sizes [[gnu::vector_size(64)]] = std::int64_t;
   raise(most, bits & std::numeric_limits<std::int64_t>::max());
 }
 
-/// Whether any lane is true, all of whose bits are then set.
+/// A byte for each lane, the first lowest: all of its bits are set where the lane is true, all of whose bits are.
 using Bytes [[gnu::vector_size(8)]] = std::uint8_t;
 [[gnu::always_inline]] inline std::uint64_t bytes_of(const Sizes& is) {
   return std::bit_cast<std::uint64_t>(__builtin_convertvector(is, Bytes));
 }
-[[gnu::always_inline]] inline bool any(const Sizes& is) { return bytes_of(is) != 0; }
+[[gnu::always_inline]] inline bool any(const Sizes& is) { return bytes_of(is) != 0; }  ///< whether a lane is true
 
 /// Whether any bit is set in any lane.
 [[gnu::always_inline]] inline bool any_bit(const Sizes& bits) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "solver/base/error.hpp"
 #include "solver/dynamics/cable_arrays.hpp"
 #include "solver/dynamics/law_modes.hpp"
 #include "solver/dynamics/runs.hpp"
@@ -332,7 +333,10 @@ void CableForces::settle(State& state, const Workspace& work) const {
 }
 
 void CableForces::load(const State& state, Workspace& work, Rates* out) const {
-  if (work.waking.loaded) return;
+  if (work.waking.loaded) {
+    TALUS_ASSERT(!out);  // accounts need the joints, which were left as they were
+    return;
+  }
   if (work.waking.quiet) {
     copy(work.pulls, work.waking.reached, work.wrenches);
   } else {

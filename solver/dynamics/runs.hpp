@@ -40,7 +40,7 @@ struct CableConstants {
 /// says, their tensions and the pulls at the joints as well, which are added to the pulls on the bodies.
 bool lay_row(const CableRun& run, const CableConstants& constants, const CableLines& lines, const Poses& poses,
              JointPoints& joints, Paths& paths, Wrenches& pulls);
-/// The pulls on the bodies alone, in two thirds of the time. Of joints those that are on no body are read.
+/// The pulls on the bodies alone. Of joints those that are on no body are read.
 bool pull_row(const CableRun& run, const CableConstants& constants, const CableLines& lines, const Poses& poses,
               const JointPoints& joints, Wrenches& pulls);
 

@@ -17,7 +17,7 @@ namespace {
                                                      std::size_t to, std::uint32_t* found) {
   const std::uint32_t *const first = w.pairs->first.data(), *const second = w.pairs->second.data();
   const double* const sums = w.pairs->radii.empty() ? nullptr : w.pairs->radii.data();
-  // In two passes, for in one each pack would wait for where the last one's numbers end: that takes twice as long.
+  // In two passes, for in one each pack would wait for where the last one's numbers end: half as long again.
   std::array<std::uint64_t, sweep_block / pack_size> near;
   Pack within = Pack{} + (w.equal_radii + nearer);
   for (std::size_t k = from; k < to; k += pack_size) {

@@ -20,7 +20,8 @@ constexpr const char* page = R"(
 **Problem.** A step works out less than the scene holds. Columns that nothing has moved sleep until a pull on them
 changes; of two bodies out of each other's reach no gap is worked out, and of a node outside its target only that it
 is outside; rows of cables that stay on the straight lines of their laws are not asked law by law, and without a
-ledger their paths are not told. None of it may change a result, and a fence ten times as long must not cost more while the motion has not come further.
+ledger their paths are not told. None of it may change a result, and a fence ten times as long must not cost more
+while the motion has not come further.
 
 ```
    asleep                       awake                        asleep
@@ -30,9 +31,10 @@ ledger their paths are not told. None of it may change a result, and a fence ten
 **How it is shown.** Sleep `exact` (any pull that is not the one at rest wakes) against `off`: the same bits. Sleep by
 default (a change by 1e-13 of the tension wakes) against `off`: the difference is measured. Contacts: the same scene
 with every gap of every pair worked out at each evaluation: the same bits; between located events the guards of
-bodies that at their speed do not meet in sixteen steps are left out: the same bits as with all guards. Cables: the tensions of the rows against
-those of the laws, one by one: the same bits; a run without ledger against one with it, likewise. The columns awake, summed over the steps, are a count that is the same
-on every machine; `make bench` says what each saves in time.
+bodies that at their speed do not meet in sixteen steps are left out: the same bits as with all guards. Cables: the
+tensions of the rows against those of the laws, one by one: the same bits; a run without ledger against one with it,
+likewise. The columns awake, summed over the steps, are a count that is the same on every machine; `make bench` says
+what each saves in time.
 
 **Scenes.** The fence of Table 2 with 101 and 1,001 columns, hit in the middle, 25 000 steps of 2e-6 s: with a sag
 that grows as the square of the span, which leaves the cables as tight, so that nothing near the hit knows how long
