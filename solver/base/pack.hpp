@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 // Marks a function that is compiled for several instruction sets, of which the loader takes the best that the
 // processor has: the same arithmetic on more lanes at once, and so the same bits. With TALUS_PORTABLE it is compiled
@@ -38,6 +39,21 @@ inline constexpr std::size_t pack_size = 8;
   } else {
     std::memcpy(row, &pack, left * sizeof(double));
   }
+}
+
+/// Calls visit(first, left) for packs from `first` on, until all of a row is visited; `left` is a whole pack, but of a
+/// row shorter than one. The last pack may overlap the one before: nothing may depend on how often it is visited.
+template <class Visit>
+[[gnu::always_inline]] inline void for_packs(std::size_t count, Visit&& visit) {
+  using Whole = std::integral_constant<std::size_t, pack_size>;
+  std::size_t first = 0;
+  for (; first + pack_size <= count; first += pack_size)
+    visit(first, Whole{});
+  if (first == count) return;
+  if (first > 0)
+    visit(count - pack_size, Whole{});
+  else
+    visit(first, count);
 }
 
 /// The largest size in each lane so far. Sizes have the order of their bits as whole numbers, in which what is not a

@@ -31,17 +31,33 @@ TALUS_CLONES void push(double* table, std::size_t stride, std::size_t rows, cons
   }
 }
 
-TALUS_CLONES void add_rows(const double* table, std::size_t stride, std::size_t rows, const double* weights,
+TALUS_CLONES void sum_rows(const double* x, const double* table, std::size_t stride, std::span<const double> weights,
                            double* sums, std::size_t count) {
-  for (std::size_t c = 0; c < count; c += pack_size) {
-    Pack sum, row;
-    load(sum, sums + c, count - c);
-    for (std::size_t i = 0; i < rows; ++i) {
-      load(row, table + i * stride + c, count - c);
-      sum += row * weights[i];
-    }
-    store(sum, sums + c, count - c);
-  }
+  for_packs(
+      count, [&](std::size_t c, auto left) __attribute__((always_inline)) {
+        Pack sum, row;
+        load(sum, x + c, left);
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+          load(row, table + i * stride + c, left);
+          sum += row * weights[i];
+        }
+        store(sum, sums + c, left);
+      });
+}
+
+TALUS_CLONES void move_rows(const double* q, const double* v, double h, const double* table, std::size_t stride,
+                            std::span<const Differences::Basis> basis, double* to_q, double* to_v, std::size_t count) {
+  for_packs(
+      count, [&](std::size_t c, auto left) __attribute__((always_inline)) {
+        Pack way, speed, row;
+        load(way, q + c, left), load(speed, v + c, left);
+        way += h * speed;
+        for (std::size_t i = 0; i < basis.size(); ++i) {
+          load(row, table + i * stride + c, left);
+          way += row * basis[i].twice, speed += row * basis[i].once;
+        }
+        store(way, to_q + c, left), store(speed, to_v + c, left);
+      });
 }
 
 /// Sizes of x and of its sums with one row and with another; the largest of each.
@@ -49,17 +65,46 @@ TALUS_CLONES std::array<double, 3> largest_sums(const double* x, const double* o
                                                 const double* other, double weight_other, const double* factors,
                                                 std::size_t count) {
   Sizes most{}, most_one{}, most_other{};
-  for (std::size_t c = 0; c < count; c += pack_size) {
-    Pack sum, row, factor = Pack{} + 1.0;
-    load(sum, x + c, count - c);
-    if (factors != nullptr) load(factor, factors + c, count - c);
-    raise(most, factor * sum);
-    load(row, one + c, count - c);
-    raise(most_one, factor * (sum + row * weight_one));
-    load(row, other + c, count - c);
-    raise(most_other, factor * (sum + row * weight_other));
-  }
+  for_packs(
+      count, [&](std::size_t c, auto left) __attribute__((always_inline)) {
+        Pack sum, row, factor = Pack{} + 1.0;
+        load(sum, x + c, left);
+        if (factors != nullptr) load(factor, factors + c, left);
+        raise(most, factor * sum);
+        load(row, one + c, left);
+        raise(most_one, factor * (sum + row * weight_one));
+        load(row, other + c, left);
+        raise(most_other, factor * (sum + row * weight_other));
+      });
   return {talus::largest(most), talus::largest(most_one), talus::largest(most_other)};
+}
+
+/// Let G_i^q be the integral of N_i, q times over, from the newest time to t. As N_(i+1) = (s - t_i) N_i at the time s,
+/// by parts G_(i+1)^q = (t - t_i) G_i^q - q G_i^(q+1), and G_0^q = h^q/q!, h = t - t_0. By q side by side, each over
+/// h^q: H_(i+1)^q = (t - t_i) H_i^q - q h H_i^(q+1). Little cancels, for N_i never falls: q H_i^(q+1) is at most
+/// H_i^q q/(q + 1), and t - t_i at least h.
+TALUS_CLONES void integrate_basis(const double* times, double t, std::size_t terms, Differences::Basis* out) {
+  static_assert(Differences::most + 2 <= 2 * pack_size);
+  static constexpr auto inverse_factorials = [] {
+    std::array<double, 2 * pack_size> made{1.0};
+    for (std::size_t q = 1; q < made.size(); ++q)
+      made[q] = made[q - 1] / static_cast<double>(q);
+    return made;
+  }();
+  const double h = t - times[0];
+  Pack low, high;
+  load(low, inverse_factorials.data()), load(high, inverse_factorials.data() + pack_size);
+  const Pack q = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+  const Pack low_factor = h * q, high_factor = h * (q + 8.0);
+  for (std::size_t i = 0;; ++i) {
+    out[i] = {low[0], h * low[1], h * h * low[2]};
+    if (i + 1 == terms) return;
+    const double back = t - times[i];
+    const Pack next_low = __builtin_shufflevector(low, high, 1, 2, 3, 4, 5, 6, 7, 8);
+    const Pack next_high = __builtin_shufflevector(high, Pack{}, 1, 2, 3, 4, 5, 6, 7, 8);
+    low = back * low - low_factor * next_low;
+    high = back * high - high_factor * next_high;
+  }
 }
 
 }  // namespace
@@ -86,8 +131,14 @@ void Differences::add(double t, std::span<const double> rates) {
   times_.resize(count);
 }
 
-void Differences::add_to(std::span<double> sums, std::size_t first, std::span<const double> weights) const {
-  add_rows(table_.data() + first, stride_, weights.size(), weights.data(), sums.data(), sums.size());
+void Differences::sum(std::span<const double> x, std::size_t first, std::span<const double> weights,
+                      std::span<double> sums) const {
+  sum_rows(x.data(), table_.data() + first, stride_, weights, sums.data(), sums.size());
+}
+
+void Differences::move(std::span<const double> q, std::span<const double> v, double h, std::span<const Basis> basis,
+                       std::span<double> to_q, std::span<double> to_v) const {
+  move_rows(q.data(), v.data(), h, table_.data(), stride_, basis, to_q.data(), to_v.data(), to_q.size());
 }
 
 std::array<double, 3> Differences::largest(std::span<const double> x, std::size_t first,
@@ -98,33 +149,7 @@ std::array<double, 3> Differences::largest(std::span<const double> x, std::size_
 }
 
 void Differences::basis(double t, std::size_t terms, std::span<Basis> out) const {
-  // What integrating a power once and twice divides by; as factors, for a division takes ten times as long.
-  static constexpr auto divisors = [] {
-    std::array<std::array<double, 2>, most + 2> made{};
-    for (std::size_t p = 0; p < made.size(); ++p) {
-      const double below = static_cast<double>(p) + 1.0;
-      made[p] = {1.0 / below, 1.0 / (below * (below + 1.0))};
-    }
-    return made;
-  }();
-  // N_i in powers of s/h, with s = t - t_0 and h the interval: all its zeros are at s <= 0, so that no coefficient is
-  // negative and nothing cancels in the integrals.
-  const double h = t - times_.front();
-  std::array<double, most + 2> power{1.0};
-  for (std::size_t i = 0; i < terms; ++i) {
-    Basis sum;
-    for (std::size_t p = i + 1; p-- > 0;) {
-      sum.value += power[p];
-      sum.once += power[p] * divisors[p][0];
-      sum.twice += power[p] * divisors[p][1];
-    }
-    out[i] = {sum.value, h * sum.once, h * h * sum.twice};
-    if (i + 1 == terms) break;
-    const double back = times_.front() - times_[i];
-    for (std::size_t p = i + 1; p > 0; --p)
-      power[p] = h * power[p - 1] + back * power[p];
-    power[0] *= back;
-  }
+  integrate_basis(times_.data(), t, terms, out.data());
 }
 
 void Differences::remember(Memory& memory, std::size_t width) {

@@ -36,9 +36,13 @@ class Differences {
   /// Those of N_0 .. N_(terms - 1); terms <= count() + 1.
   void basis(double t, std::size_t terms, std::span<Basis> out) const;
 
-  /// Adds sum_i d_i weight_i of neighbouring quantities, the first of which is told, i < weights.size(). The terms are
-  /// added one by one, i rising.
-  void add_to(std::span<double> sums, std::size_t first, std::span<const double> weights) const;
+  /// x + sum_i d_i weight_i of neighbouring quantities, the first of which is told, i < weights.size(). The terms are
+  /// added one by one, i rising. The sums are written elsewhere than x is.
+  void sum(std::span<const double> x, std::size_t first, std::span<const double> weights, std::span<double> sums) const;
+  /// Where coordinates q that move at v are h later [T] if the first quantities are their accelerations:
+  /// q + h v + sum_i d_i twice_i, and v + sum_i d_i once_i. They are written elsewhere than q and v are.
+  void move(std::span<const double> q, std::span<const double> v, double h, std::span<const Basis> basis,
+            std::span<double> to_q, std::span<double> to_v) const;
   /// A term that is added, or none.
   struct Term {
     std::size_t i{};

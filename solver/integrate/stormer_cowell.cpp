@@ -4,28 +4,66 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
 #include "solver/base/error.hpp"
+#include "solver/base/pack.hpp"
 
 namespace talus {
 namespace {
 
 constexpr std::size_t most_terms = 12;
+/// The first step of a piece, as a share of the usual one.
+constexpr double first_share = 0.25;
 
 /// How much longer than the last a step may be: the first few feel their way, high orders bear little.
 double largest_growth(std::size_t terms) { return terms == 1 ? 8.0 : terms <= 3 ? 4.0 : terms <= 6 ? 2.0 : 1.3; }
 
-/// e^(-1/n) to .6 percent, e > 0, by nothing but sums, products and powers of two: the library's power is not the same
-/// on all processors, and this decides the length of steps.
+/// e^(-1/n) to .6 percent, e > 0 and not subnormal, by nothing but sums, products and the bits of the exponent: the
+/// library's power is not the same on all processors, and this decides the length of steps.
 double inverse_root(double e, std::size_t n) {
-  int exponent = 0;
-  const double m = 2.0 * std::frexp(e, &exponent) - 1.0;  // e = (1 + m) 2^(exponent - 1)
-  const double x = -(exponent - 1.0 + m * (1.346 - 0.346 * m)) / static_cast<double>(n);
+  constexpr std::int64_t one = std::int64_t{1} << 52;
+  const auto bits = std::bit_cast<std::int64_t>(std::max(e, std::numeric_limits<double>::min()));
+  const double m = std::bit_cast<double>((bits & (one - 1)) | std::bit_cast<std::int64_t>(1.0)) - 1.0;
+  const double exponent = static_cast<double>(bits / one - 1023);  // e = (1 + m) 2^exponent
+  const double x = -(exponent + m * (1.346 - 0.346 * m)) / static_cast<double>(n);
   const double floor = std::floor(x), f = x - floor;
-  return std::ldexp(1.0 + f * (0.6565 + 0.3435 * f), static_cast<int>(floor));
+  return (1.0 + f * (0.6565 + 0.3435 * f)) * std::bit_cast<double>((static_cast<std::int64_t>(floor) + 1023) * one);
+}
+
+/// from + x factor; `to` may be `from`.
+TALUS_CLONES void add(const double* from, const double* x, double factor, double* to, std::size_t count) {
+  std::size_t i = 0;
+  for (; i + pack_size <= count; i += pack_size) {
+    Pack pack, more;
+    load(pack, from + i), load(more, x + i);
+    store(pack + more * factor, to + i);
+  }
+  for (; i < count; ++i)
+    to[i] = from[i] + x[i] * factor;
+}
+
+/// Largest sizes of coordinates' speeds and ways, each in the length that one unit of it moves its body by.
+struct Reach {
+  double speed{};
+  double way{};
+};
+TALUS_CLONES Reach reach(const State& begin, const State& end, const std::vector<double>& start,
+                         const std::vector<double>& lengths) {
+  Sizes speeds{}, ways{};
+  for_packs(
+      lengths.size(), [&](std::size_t i, auto left) __attribute__((always_inline)) {
+        Pack length, before, after, from, to;
+        load(length, &lengths[i], left), load(before, &begin.v[i], left), load(after, &end.v[i], left);
+        load(from, &start[i], left), load(to, &begin.q[i], left);
+        raise(speeds, length * before), raise(speeds, length * after);
+        raise(ways, length * (to - from));
+      });
+  return {largest(speeds), largest(ways)};
 }
 
 }  // namespace
@@ -56,13 +94,22 @@ void PolynomialMotion::begin(EventfulSystem& system, const State& start, double 
   rates_.begin(start.t, new_);
   order_ = 1;
   if (usual_ == 0.0) usual_ = interval;
-  step_ = 0.25 * usual_;
+  step_ = first_share * usual_;
+  hesitates_ = false;
 }
 
 std::string PolynomialMotion::advance(EventfulSystem& system, const State& begin, State& end, double longest) {
   if (lengths_.empty()) lengths_ = system.lengths(begin);
   // The rates at the end of the last step join the others only now: until then they told of that step.
-  if (begin.t > rates_.newest()) rates_.add(begin.t, new_);
+  if (begin.t > rates_.newest()) {
+    if (hesitates_) {
+      rates_.begin(begin.t, new_);
+      order_ = 1;
+      hesitates_ = false;
+    } else {
+      rates_.add(begin.t, new_);
+    }
+  }
   double h = std::min(step_, longest);
   for (int attempt = 0; attempt < 60 && begin.t + h > begin.t; ++attempt) {
     used_ = std::min(order_, rates_.count());
@@ -87,72 +134,64 @@ void PolynomialMotion::try_step(EventfulSystem& system, const State& begin, doub
   move(begin, t, {basis_.data(), used_}, predicted_);
   system.derivative(predicted_, found_);
   flatten(found_);
-  miss_ = new_;
   std::array<double, most_terms> weights;
   for (std::size_t i = 0; i < used_; ++i)
     weights[i] = -basis_[i].value;
-  rates_.add_to(miss_, 0, {weights.data(), used_});
-  end = predicted_;
-  correct(basis_[used_], end);
+  miss_.resize(new_.size());
+  rates_.sum(new_, 0, {weights.data(), used_}, miss_);
+  end.t = t;
+  end.mode = begin.mode;
+  correct(basis_[used_], predicted_, end);
   measure(h, begin, end);
 }
 
 /// The state at a time by the first terms of the polynomial.
 void PolynomialMotion::move(const State& begin, double t, std::span<const Basis> basis, State& to) const {
-  const double h = t - begin.t;
   to.t = t;
-  to.q = begin.q, to.v = begin.v;
-  for (std::size_t i = 0; i < to.q.size(); ++i)
-    to.q[i] += h * begin.v[i];
-  std::array<double, most_terms> once, twice;
+  rates_.move(begin.q, begin.v, t - begin.t, basis, to.q, to.v);
+  std::array<double, most_terms> once;
   for (std::size_t i = 0; i < basis.size(); ++i)
-    once[i] = basis[i].once, twice[i] = basis[i].twice;
-  const std::span<const double> weights{once.data(), basis.size()};
-  rates_.add_to(to.q, 0, {twice.data(), basis.size()});
-  rates_.add_to(to.v, 0, weights);
-  to.z = begin.z, to.work = begin.work, to.impulse = begin.impulse;
+    once[i] = basis[i].once;
   std::size_t first = to.v.size();
-  if (moves_memory_) rates_.add_to(to.z, std::exchange(first, first + to.z.size()), weights);
-  if (!keeps_accounts_) return;
-  rates_.add_to(to.work, std::exchange(first, first + to.work.size()), weights);
-  rates_.add_to(to.impulse, first, weights);
+  const auto integrate = [&](bool moves, const auto& from, auto& sums) {
+    if (!moves) return void(sums = from);
+    rates_.sum(from, first, {once.data(), basis.size()}, sums);
+    first += sums.size();
+  };
+  integrate(moves_memory_, begin.z, to.z);
+  integrate(keeps_accounts_, begin.work, to.work);
+  integrate(keeps_accounts_, begin.impulse, to.impulse);
 }
 
-/// Adds the term of what the prediction missed: its integral over time, and the integral of that.
-void PolynomialMotion::correct(const Basis& last, State& to) const {
+/// Adds the term of what the prediction missed: its integral over time, and the integral of that. `to` may be `from`.
+void PolynomialMotion::correct(const Basis& last, const State& from, State& to) const {
   const double once = last.once / last_value_, twice = last.twice / last_value_;
-  const std::size_t n = to.v.size();
-  for (std::size_t i = 0; i < n; ++i)
-    to.v[i] += miss_[i] * once, to.q[i] += miss_[i] * twice;
-  auto rate = miss_.begin() + static_cast<std::ptrdiff_t>(n);
-  if (moves_memory_) {
-    for (double& z : to.z)
-      z += *rate++ * once;
-  }
-  if (!keeps_accounts_) return;
-  for (double& work : to.work)
-    work += *rate++ * once;
-  for (double& impulse : to.impulse)
-    impulse += *rate++ * once;
+  const double* missed = miss_.data();
+  add(from.q.data(), missed, twice, to.q.data(), to.q.size());
+  const auto integrate = [&](bool moves, const auto& start, auto& sums) {
+    if (!moves) return void(sums = start);
+    add(start.data(), missed, once, sums.data(), sums.size());
+    missed += sums.size();
+  };
+  integrate(true, from.v, to.v);
+  integrate(moves_memory_, from.z, to.z);
+  integrate(keeps_accounts_, from.work, to.work);
+  integrate(keeps_accounts_, from.impulse, to.impulse);
 }
 
 void PolynomialMotion::state_at(const State& begin, const State&, double t, State& out) const {
   std::array<Basis, Differences::most + 1> basis;
   rates_.basis(t, used_ + 1, basis);
   move(begin, t, {basis.data(), used_}, out);
-  correct(basis[used_], out);
+  correct(basis[used_], out, out);
 }
 
 /// How large a motion has to be for its errors to count fully: the longest way and the largest speed so far.
 void PolynomialMotion::measure(double h, const State& begin, const State& end) {
-  double speed = 0.0, way = 0.0;
-  for (std::size_t i = 0; i < end.q.size(); ++i) {
-    speed = std::max(speed, lengths_[i] * std::max(std::abs(begin.v[i]), std::abs(end.v[i])));
-    way = std::max(way, lengths_[i] * std::abs(begin.q[i] - start_[i]));
-  }
+  const Reach now = reach(begin, end, start_, lengths_);
   // Of a step that fails nothing is to be remembered: its end may be anywhere.
-  speed_now_ = std::max(speed_, speed);
-  way_now_ = std::max(way_, std::max(way, h * speed_now_));
+  speed_now_ = std::max(speed_, now.speed);
+  way_now_ = std::max(way_, std::max(now.way, h * speed_now_));
 }
 
 /// The last step's errors as multiples of the tolerance: the difference between prediction and correction.
@@ -208,12 +247,18 @@ void PolynomialMotion::choose_next(double h, const Errors& errors) {
       if (higher > best) best = higher, ++order_;
     }
   }
+  if (hesitates_) {
+    // It has told how long the first step may be.
+    step_ = std::min(best * h, first_share * usual_);
+    return;
+  }
   const double most = largest_growth(used_);
   step_ = h * std::clamp(best, 0.3, most);
   usual_ = best < most ? step_ : std::max(usual_, step_);
 }
 
 void PolynomialMotion::remember(Memory& memory, const State& like) {
+  memory.flag("hesitates", hesitates_);
   memory.flag("moves_memory", moves_memory_);
   memory.flag("keeps_accounts", keeps_accounts_);
   new_.resize(width(like));

@@ -28,12 +28,13 @@ class PolynomialMotion {
   PolynomialMotion(const State& state, double tolerance);
 
   void begin(EventfulSystem& system, const State& start, double interval);
-  void hesitate() { step_ *= 1e-4; }
+  void hesitate() { step_ *= 1e-4, hesitates_ = true; }
   std::string advance(EventfulSystem& system, const State& begin, State& end, double longest);
   NearEnd near_end(const State&) const { return {&predicted_, true}; }
   void state_at(const State& begin, const State& end, double t, State& out) const;
   void complete(EventfulSystem&, const State&, State&) {}
   bool ends_at_outputs(const EventfulSystem&) const { return false; }
+  double next_step() const { return step_; }
   double usual_step() const { return usual_; }
   void remember(Memory& memory, const State& like);
 
@@ -52,7 +53,7 @@ class PolynomialMotion {
   void choose_next(double h, const Errors& errors);
   void measure(double h, const State& begin, const State& end);
   void move(const State& begin, double t, std::span<const Basis> basis, State& to) const;
-  void correct(const Basis& last, State& to) const;
+  void correct(const Basis& last, const State& from, State& to) const;
   void flatten(const Rates& rates);
   std::size_t width(const State& like) const;
 
@@ -65,6 +66,7 @@ class PolynomialMotion {
   std::size_t used_{1};        ///< and the last
   double step_{};              ///< length of the next step [T]
   double usual_{};             ///< the last that was not held short by an event [T]
+  bool hesitates_{};           ///< the step is too short to build on: after it the piece begins anew
   bool moves_memory_{true};    ///< see EventfulSystem
   bool keeps_accounts_{true};  ///< likewise
   double tolerance_{};

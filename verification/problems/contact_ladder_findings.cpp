@@ -132,7 +132,10 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
   const Blow single =
       blow(struck_column(n, {linear.stiffness, linear.damping, EndRule::clamped}, 0, 0.0), end, findings);
   findings.expect("one resultant: speed, by the formula", single.exit, formula,
-                  Tolerance::truncation(65e-7, 3.0, "a tolerance of 1e-7 of the largest speed"), "ft/s");
+                  Tolerance::truncation(6.5e-7, 1.0,
+                                        "a prediction may miss 1e-7 of the largest speed; what is corrected is of an "
+                                        "order more: a tenth"),
+                  "ft/s");
   findings.expect("one resultant: push, by its closed form", single.push, events.largest_force,
                   Tolerance::truncation(2e-5, 1.0,
                                         "read every .0015 of the contact time, up to half of that beside the peak: "

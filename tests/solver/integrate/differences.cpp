@@ -45,20 +45,23 @@ BOOST_AUTO_TEST_CASE(polynomials_are_integrated_exactly) {
     std::vector<double> value, once, twice;
     for (const auto& b : basis)
       value.push_back(b.value), once.push_back(b.once), twice.push_back(b.twice);
-    std::vector<double> values(width, 1.0), integrals(width, 2.0), second(width, 3.0);
-    differences.add_to(values, 0, value);
-    differences.add_to(integrals, 0, once);
-    differences.add_to(second, 0, twice);
+    const std::vector<double> ones(width, 1.0), twos(width, 2.0);
+    std::vector<double> values(width), integrals(width), second(width), speeds(width);
+    differences.sum(ones, 0, value, values);
+    differences.sum(twos, 0, once, integrals);
+    differences.move(ones, twos, t - 0.8, basis, second, speeds);
     for (std::size_t c = 0; c < width; ++c) {
       const Known known{static_cast<double>(c), 0.8};
       BOOST_TEST(values[c] == 1.0 + known.value(t), boost::test_tools::tolerance(1e-12));
       BOOST_TEST(integrals[c] == 2.0 + known.once(t), boost::test_tools::tolerance(1e-12));
-      BOOST_TEST(second[c] == 3.0 + known.twice(t), boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(second[c] == 1.0 + 2.0 * (t - 0.8) + known.twice(t), boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(speeds[c] == integrals[c]);
     }
     // From a quantity on; and of the largest sums.
     if (width < 3) continue;
-    std::vector<double> last(1, 0.0);
-    differences.add_to(last, width - 1, value);
+    const std::vector<double> none(1, 0.0);
+    std::vector<double> last(1);
+    differences.sum(none, width - 1, value, last);
     BOOST_TEST(1.0 + last.front() == values[width - 1], boost::test_tools::tolerance(1e-12));
     std::vector<double> x(width, 0.0), factors(width, 1.0);
     x[width - 1] = -2.0, factors[width - 1] = 3.0;
@@ -78,7 +81,8 @@ BOOST_AUTO_TEST_CASE(the_oldest_times_are_forgotten) {
   BOOST_TEST(differences.newest() == 0.1 * 39);
   std::vector<Differences::Basis> basis(2);
   differences.basis(5.0, 2, basis);
+  const std::vector<double> none{0.0};
   std::vector<double> line{0.0};
-  differences.add_to(line, 0, std::vector<double>{basis[0].value, basis[1].value});
+  differences.sum(none, 0, std::vector<double>{basis[0].value, basis[1].value}, line);
   BOOST_TEST(line.front() == 6.0, boost::test_tools::tolerance(1e-12));
 }
