@@ -188,6 +188,14 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) {
         contact.law);
   }
   search_.prepare(model.bodies.size());
+  pair_of_.assign(layout.mode_count, candidates());
+  for (std::size_t c = 0; c < candidates(); ++c) {
+    const auto mark = [&](Slot slot) {
+      std::fill_n(pair_of_.begin() + static_cast<std::ptrdiff_t>(slot.mode), layout.contact_instances[c], c);
+    };
+    mark(layout.contact_slots[c]);
+    if (model.contacts[c].friction) mark(layout.friction_slots[c]);
+  }
 }
 
 void ContactForces::update(const State& state, Workspace& work) const {
@@ -211,7 +219,17 @@ void ContactForces::update_all(Workspace& work) const {
   for_each_array(laws_, [&](const auto& array) { GapUpdate{array, nullptr, work}.run(); });
 }
 
-void ContactForces::update_far(double ahead, double pull, Workspace& work) const {
+bool ContactForces::update_of(const State& state, std::span<const std::size_t> modes, Workspace& work) const {
+  std::fill(work.near.begin(), work.near.end(), char{0});
+  work.any_near = false;
+  for (const std::size_t mode : modes) {
+    if (has(mode)) work.near[pair_of_[mode]] = Workspace::wanted, work.any_near = true;
+  }
+  if (work.any_near) for_each_array(laws_, [&](const auto& array) { GapUpdate{array, &state, work}.run(); });
+  return work.any_near;
+}
+
+bool ContactForces::update_far(const State& state, double ahead, double pull, Workspace& work) const {
   bool any = false;
   for (std::size_t c = 0; c < candidates(); ++c) {
     char& near = work.near[c];
@@ -225,7 +243,8 @@ void ContactForces::update_far(double ahead, double pull, Workspace& work) const
     }
   }
   work.any_near = work.any_near || any;
-  if (any) for_each_array(laws_, [&](const auto& array) { GapUpdate{array, nullptr, work}.run(); });
+  if (any) for_each_array(laws_, [&](const auto& array) { GapUpdate{array, &state, work}.run(); });
+  return work.any_near;
 }
 
 void ContactForces::begin(State& state, const Workspace& work) const {
@@ -324,9 +343,11 @@ ContactForces::Passing ContactForces::passing(const Workspace& work, double pull
     const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
     const double speed = largest_closing_speed(pair, A, B);
     const double way = 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b));
+    const double most = found.longest_step;
+    if ((speed + 0.5 * pull * most) * most <= way) continue;
     // way = speed h + pull h^2/2, solved so that nothing cancels.
     const double step = 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * pull * way));
-    if (step < found.longest_step) found = {step, static_cast<ContactId>(c)};
+    if (step < most) found = {step, static_cast<ContactId>(c)};
   }
   return found;
 }

@@ -70,8 +70,12 @@ class ContactForces {
   /// Gaps of all pairs.
   void update_all(Workspace& work) const;
   /// After update(): the gaps that it left out, but of bodies that at their present speed, and under this pull [L/T^2],
-  /// do not come within reach of each other in the time ahead [T].
-  void update_far(double ahead, double pull, Workspace& work) const;
+  /// do not come within reach of each other in the time ahead [T]. Whether any pair has gaps now.
+  bool update_far(const State& state, double ahead, double pull, Workspace& work) const;
+  /// Gaps of the pairs that have one of these modes alone; whether there are any.
+  bool update_of(const State& state, std::span<const std::size_t> modes, Workspace& work) const;
+  /// Whether a mode is of a contact or its friction.
+  bool has(std::size_t mode) const { return mode < pair_of_.size() && pair_of_[mode] < candidates(); }
   /// Before the first settle() of a run: friction within reach sticks, so that what pushes keeps the stretch it has.
   void begin(State& state, const Workspace& work) const;
   void settle(State& state, const Workspace& work) const;
@@ -126,6 +130,7 @@ class ContactForces {
   ContactLaws::Tuple<ContactArrays> laws_;
   bool rough_{};  ///< some contact has friction
   ContactSearch search_;
+  std::vector<std::size_t> pair_of_;  ///< of each mode slot, in the search; the number of pairs for other modes
   std::vector<Pair> pairs_;
   std::vector<Tangent> tangents_;
 };

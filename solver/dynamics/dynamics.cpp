@@ -96,7 +96,8 @@ std::size_t Dynamics::moving(const State& state, const Workspace& work) const {
   return std::equal(known.begin(), known.end(), modes, state.mode.end()) ? work.waking.moving : state.q.size();
 }
 
-void Dynamics::update(const State& state, Workspace& work) const {
+/// Brings the rigging and what is worked out up to the state's hangers and sleepers.
+void Dynamics::follow_modes(const State& state, Workspace& work) const {
   const bool rerigged = cables_.rig(state, work.rigging);
   if (!layout_.sleepers.empty()) {
     const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
@@ -104,6 +105,10 @@ void Dynamics::update(const State& state, Workspace& work) const {
         rerigged || !std::equal(work.waking.modes.begin(), work.waking.modes.end(), modes, state.mode.end());
     if (changed || (work.waking.whole && work.waking.summed)) list_awake(state, work, changed);
   }
+}
+
+void Dynamics::update(const State& state, Workspace& work) const {
+  follow_modes(state, work);
   bodies_.update(state, work);
   cables_.update(state, work);
   contacts_.update(state, work);
@@ -202,6 +207,20 @@ void Dynamics::guards(const State& state, const Workspace& work, std::span<doubl
   std::fill(out.begin(), out.end(), std::numeric_limits<double>::infinity());
   contacts_.guards(state, work, out);
   cables_.guards(state, work, ahead, out);
+}
+
+void Dynamics::guards_of(const State& state, std::span<const std::size_t> modes, Workspace& work,
+                         std::span<double> out) const {
+  follow_modes(state, work);
+  bodies_.update(state, work);
+  for (const std::size_t mode : modes)
+    out[mode] = std::numeric_limits<double>::infinity();
+  if (contacts_.update_of(state, modes, work)) contacts_.guards(state, work, out);
+  const bool of_cables =
+      std::any_of(modes.begin(), modes.end(), [this](std::size_t mode) { return !contacts_.has(mode); });
+  if (!of_cables) return;
+  cables_.update(state, work);
+  cables_.guards(state, work, std::numeric_limits<double>::infinity(), out);
 }
 
 bool Dynamics::follows(const State& state) const { return contacts_.follows(state) || cables_.follows(state); }

@@ -46,8 +46,10 @@ class Dynamics {
   /// The same with all gaps, however far apart the bodies.
   void update_all(const State& state, Workspace& work) const;
   /// After update(): the gaps of bodies out of reach as well that may come within it in the time ahead [T] at the speed
-  /// they have, under their weight. Those of others have none, and infinite guards.
-  void update_far(double ahead, Workspace& work) const { contacts_.update_far(ahead, norm(model_.gravity), work); }
+  /// they have, under their weight. Those of others have none, and infinite guards. Whether any have gaps now.
+  bool update_far(const State& state, double ahead, Workspace& work) const {
+    return contacts_.update_far(state, ahead, norm(model_.gravity), work);
+  }
   /// Whether some memory follows the motion, as that of friction does.
   bool follows_motion() const { return follows_motion_; }
   /// Rates of that memory alone, to out.z, which was made from a state.
@@ -65,6 +67,9 @@ class Dynamics {
   /// in the time ahead [T].
   void guards(const State& state, const Workspace& work, std::span<double> out,
               double ahead = std::numeric_limits<double>::infinity()) const;
+  /// Those of a few modes; the numbers of others may change, too. Works out what they need alone: after it only
+  /// longest_step() may be asked without another update().
+  void guards_of(const State& state, std::span<const std::size_t> modes, Workspace& work, std::span<double> out) const;
 
   /// Whether some memory is taken along by settle() alone, in the state's modes.
   [[nodiscard]] bool follows(const State& state) const;
@@ -91,6 +96,7 @@ class Dynamics {
 
  private:
   void find_rest();
+  void follow_modes(const State& state, Workspace& work) const;
   void list_awake(const State& state, Workspace& work, bool whole) const;
   void wake(State& state, const std::vector<BodyId>& bodies) const;
   bool break_hangers(State& state, Workspace& work) const;

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "solver/base/error.hpp"
+#include "solver/base/pack.hpp"
 
 namespace talus {
 
@@ -23,18 +26,36 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 /// none should come to its end in the first step that looks at it. One that does is found there all the same.
 constexpr double steps_ahead = 16.0;
 
+/// Lists the numbers that are not the endless one; how many.
+TALUS_CLONES std::size_t list_finite_numbers(const std::vector<double>& numbers, std::size_t* list) {
+  constexpr auto without_end = std::bit_cast<std::int64_t>(endless);
+  std::size_t count = 0, first = 0;
+  for (; first + pack_size <= numbers.size(); first += pack_size) {
+    Sizes bits;
+    std::memcpy(&bits, &numbers[first], sizeof bits);
+    if (!any_bit(bits ^ without_end)) continue;
+    for (std::size_t i = first; i < first + pack_size; ++i)
+      list[count] = i, count += numbers[i] != endless ? 1 : 0;
+  }
+  for (std::size_t i = first; i < numbers.size(); ++i)
+    list[count] = i, count += numbers[i] != endless ? 1 : 0;
+  return count;
+}
+
 }  // namespace
 
 bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const std::vector<Mode>& before) {
   earlier_.clear();
   system.guards(start, true, endless, guards_);
   dormant_.resize(guards_.size());
-  ended_.reserve(guards_.size()), finite_.reserve(guards_.size());
+  ended_.reserve(guards_.size()), finite_.reserve(guards_.size() + 1);
   bool in_doubt = false;
+  any_dormant_ = false;
   for (std::size_t i = 0; i < guards_.size(); ++i) {
     const bool lasted = dormant_[i] != 0.0 && before[i] == start.mode[i];
     dormant_[i] = guards_[i] > 0.0 ? 0.0 : lasted ? 2.0 : 1.0;
     in_doubt = in_doubt || dormant_[i] == 1.0;
+    any_dormant_ = any_dormant_ || dormant_[i] != 0.0;
   }
   return in_doubt;
 }
@@ -46,18 +67,12 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
   list_finite();
   bool near = false, worse = false;
   for (const std::size_t i : finite_) {
-    if (dormant_[i] == 0.0) {
-      near = near || may_have_ended(i);
-    } else {
-      worse = worse || (dormant_[i] == 1.0 && guards_[i] <= 0.0 && guards_[i] < before_[i]);
-    }
+    // Without branches: hardly any is so, and which are not dormant is hard to foretell.
+    near |= dormant_[i] == 0.0 && may_have_ended(i);
+    worse |= dormant_[i] == 1.0 && guards_[i] <= 0.0 && guards_[i] < before_[i];
   }
   std::optional<double> last = near ? std::optional{end} : dip(begin.t, end);
-  const auto ends_by = [&](const std::optional<double>& t) {
-    if (!t) return false;
-    look_at(system, begin, *t, motion);
-    return find_ended();
-  };
+  const auto ends_by = [&](const std::optional<double>& t) { return t && find_ended(system, begin, *t, motion); };
   bool ends = ends_by(last);
   if (near && !ends) {
     last = dip(begin.t, end);
@@ -67,8 +82,7 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
     // A mode that began at its very end, and goes on past it, ends with the first short step.
     if (worse) return end;
     // What has come out of its end is looked at from the next step on.
-    for (std::size_t i = 0; i < guards_.size(); ++i)
-      dormant_[i] = guards_[i] > 0.0 ? 0.0 : dormant_[i];
+    if (any_dormant_) wake_dormant();
     std::swap(earlier_, before_);
     earlier_time_ = begin.t;
     return std::nullopt;
@@ -88,13 +102,16 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
 
 /// Lists the guards that are finite at the end of the last step: the others have not ended and did not dip.
 void EventSearch::list_finite() {
-  finite_.resize(guards_.size());
-  std::size_t count = 0;
+  finite_.resize(guards_.size() + 1);  // the last is written to by what is not listed
+  finite_.resize(list_finite_numbers(guards_, finite_.data()));
+}
+
+void EventSearch::wake_dormant() {
+  any_dormant_ = false;
   for (std::size_t i = 0; i < guards_.size(); ++i) {
-    finite_[count] = i;
-    count += guards_[i] != endless ? 1 : 0;
+    dormant_[i] = guards_[i] > 0.0 ? 0.0 : dormant_[i];
+    any_dormant_ = any_dormant_ || dormant_[i] != 0.0;
   }
-  finite_.resize(count);
 }
 
 bool EventSearch::may_have_ended(std::size_t guard) const {
@@ -106,7 +123,7 @@ bool EventSearch::may_have_ended(std::size_t guard) const {
 /// the parabola through three times.
 std::optional<double> EventSearch::dip(double begin, double end) const {
   std::optional<double> found;
-  if (earlier_.size() != guards_.size()) return found;
+  if (earlier_.size() != guards_.size() || finite_.empty()) return found;
   double least = std::numeric_limits<double>::infinity();
   const double b = end - begin;
   const double per_a = 1.0 / (begin - earlier_time_), per_b = 1.0 / b, per_both = 1.0 / (end - earlier_time_);
@@ -114,10 +131,12 @@ std::optional<double> EventSearch::dip(double begin, double end) const {
     // What nothing could end before is infinite: nothing holds of what follows from it.
     const double from = (before_[i] - earlier_[i]) * per_a, to = (guards_[i] - before_[i]) * per_b;
     const double curvature = (to - from) * per_both;  // half the second derivative
-    if (!(curvature > 0.0) || !std::isfinite(curvature) || dormant_[i] != 0.0) continue;
-    const double slope = to - curvature * b;  // at the beginning of the step
-    const double s = -0.5 * slope / curvature;
-    if (!(s > 0.0 && s < b)) continue;
+    const double slope = to - curvature * b;          // at the beginning of the step; at its end: to + curvature b
+    // All asked at once: hardly any guard turns in a step, and each answer alone is hard to foretell.
+    if (!((curvature > 0.0) & (curvature < endless) & (slope < 0.0) & (to + curvature * b > 0.0) &
+          (dormant_[i] == 0.0)))
+      continue;
+    const double s = std::min(-0.5 * slope / curvature, b);
     const double share = 1.0 + 0.5 * slope * s / before_[i];
     if (share > 0.1 * std::min(1.0, guards_[i] / before_[i]) || share >= least) continue;
     least = share;
@@ -126,19 +145,22 @@ std::optional<double> EventSearch::dip(double begin, double end) const {
   return found;
 }
 
-/// The guards at a time in the last step.
+/// Those guards that are listed as ended at a time in the last step.
 void EventSearch::look_at(EventfulSystem& system, const State& begin, double t, const Motion& motion) {
   motion(t, looked_at_);
   looked_at_.mode = begin.mode;
-  system.guards(looked_at_, false, endless, looked_);
+  looked_.resize(guards_.size());
+  system.guards_of(looked_at_, ended_, looked_);
 }
 
-/// Lists the guards that are past their end where they were looked at, of those that were not since the piece began.
-bool EventSearch::find_ended() {
+/// Lists the guards that are past their end at a time in the last step, of those that were not since the piece began.
+bool EventSearch::find_ended(EventfulSystem& system, const State& begin, double t, const Motion& motion) {
   ended_.clear();
-  for (std::size_t i = 0; i < looked_.size(); ++i) {
-    if (dormant_[i] == 0.0 && looked_[i] <= 0.0) ended_.push_back(i);
+  for (const std::size_t i : finite_) {
+    if (dormant_[i] == 0.0) ended_.push_back(i);
   }
+  look_at(system, begin, t, motion);
+  std::erase_if(ended_, [this](std::size_t i) { return looked_[i] > 0.0; });
   return !ended_.empty();
 }
 
@@ -157,7 +179,7 @@ void EventSearch::settle(EventfulSystem& system, State& at) {
   modes_ = at.mode;
   system.settle(at);
   // What slid is at first brought to its limit, and only then seen to stick.
-  system.guards(at, false, endless, looked_);
+  system.guards(at, true, 0.0, looked_);
   bool lasts = true;
   for (std::size_t i = 0; i < looked_.size(); ++i)
     lasts = lasts && (looked_[i] > 0.0 || dormant_[i] != 0.0 || at.mode[i] != modes_[i]);
@@ -169,6 +191,7 @@ void EventSearch::remember(Memory& memory, std::size_t modes) {
   memory.list("earlier", earlier_);
   memory.number("earlier_time", earlier_time_);
   memory.list("dormant", dormant_);
+  any_dormant_ = std::any_of(dormant_.begin(), dormant_.end(), [](double dormant) { return dormant != 0.0; });
   if (guards_.size() != dormant_.size() || (!guards_.empty() && guards_.size() != modes))
     throw InputError{fmt::format("guards: found {}, of which {} may be dormant; there must be {}", guards_.size(),
                                  dormant_.size(), modes)};

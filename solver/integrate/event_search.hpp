@@ -44,10 +44,11 @@ class EventSearch {
 
  private:
   void list_finite();
+  void wake_dormant();
   bool may_have_ended(std::size_t guard) const;
   std::optional<double> dip(double begin, double end) const;
   void look_at(EventfulSystem& system, const State& begin, double t, const Motion& motion);
-  bool find_ended();
+  bool find_ended(EventfulSystem& system, const State& begin, double t, const Motion& motion);
   double least_share() const;
 
   std::vector<double> guards_;   ///< at the end of the last step
@@ -56,10 +57,12 @@ class EventSearch {
   std::vector<double> dormant_;  ///< of guards that are past their end since the piece began: 1, or 2 where the mode
                                  ///< was seen to last all the same (a slider whose limit falls)
 
+  bool any_dormant_{};  ///< whether there are any
+
   // Scratch of a step.
   std::vector<double> before_, looked_;
   std::vector<std::size_t> finite_;  ///< guards that something may end
-  std::vector<std::size_t> ended_;   ///< guards that are past their end at the end of the search
+  std::vector<std::size_t> ended_;   ///< guards that are past their end where they were looked at first
   State looked_at_;
   std::vector<Mode> modes_;
 };

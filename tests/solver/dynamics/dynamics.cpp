@@ -1,8 +1,10 @@
 #define BOOST_TEST_MODULE dynamics
 #include "solver/dynamics/dynamics.hpp"
 
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "solver/dynamics/rigid_body_system.hpp"
@@ -284,4 +286,29 @@ BOOST_AUTO_TEST_CASE(guards_tell_which_modes_last) {
   dynamics.guards(open, now.work, guards);
   for (const double guard : guards)
     BOOST_TEST(guard < 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_guard_asked_for_alone_is_the_same_as_among_all) {
+  for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
+    Model model = crowded(method);
+    for (Contact& contact : model.contacts)
+      contact.friction = CoulombFriction{0.5, 300.0};
+    model.hangers.push_back({"hook", model.cables[1].a.body.value(), model.cables[1].a.p, 40.0});
+    const Dynamics dynamics{model};
+    for (const double away : {0.0, 3.0, 50.0}) {
+      State state = evaluate(dynamics, moving(model)).state;
+      state.q[0] += away, state.q[3] -= away;
+      RigidBodySystem system{dynamics};
+      std::vector<double> all;
+      system.guards(state, false, std::numeric_limits<double>::infinity(), all);
+      for (std::size_t mode = 0; mode < all.size(); ++mode) {
+        RigidBodySystem asked{dynamics};
+        Rates rates{state};
+        asked.derivative(moving(model), rates);  // what it keeps is of another state
+        std::vector<double> alone(all.size(), std::numeric_limits<double>::quiet_NaN());
+        asked.guards_of(state, std::array{mode}, alone);
+        BOOST_TEST(alone[mode] == all[mode], "mode " << mode << " " << away << ": " << alone[mode] << " " << all[mode]);
+      }
+    }
+  }
 }
