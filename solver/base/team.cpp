@@ -78,6 +78,8 @@ struct Team::Shared {
 Team::Team(std::size_t size) : shared_{std::make_unique<Shared>(size)} {}
 Team::~Team() = default;
 
+std::size_t Team::size() const { return shared_->failures.size(); }
+
 void Team::each(const std::function<void(std::size_t)>& work) {
   Shared& shared = *shared_;
   shared.work = &work;

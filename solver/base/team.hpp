@@ -18,10 +18,25 @@ class Team {
   /// Calls work(k) for 0 <= k < size, each by another thread, and waits until all are done. Errors: what work(k)
   /// throws, that of the smallest k.
   void each(const std::function<void(std::size_t)>& work);
+  std::size_t size() const;
 
  private:
   struct Shared;
   std::unique_ptr<Shared> shared_;
 };
+
+/// Some of a number of things that follow each other.
+struct Part {
+  std::size_t number{};  ///< which part it is
+  std::size_t begin{}, end{};
+};
+
+/// Calls work(part) for as many even parts of so many things as the team has threads, each by another thread; of no
+/// team for all, here.
+template <class Work>
+void in_parts(Team* team, std::size_t count, Work&& work) {
+  if (team == nullptr) return work(Part{0, 0, count});
+  team->each([&](std::size_t k) { work(Part{k, count * k / team->size(), count * (k + 1) / team->size()}); });
+}
 
 }  // namespace talus

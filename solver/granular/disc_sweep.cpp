@@ -380,6 +380,11 @@ template <class L, class F>
 
 }  // namespace
 
+void SweptPairs::list(std::size_t size, bool unlike) {
+  resize(size + pack_size, false, unlike);
+  count = size;
+}
+
 void SweptPairs::take(const SweptPairs& list, std::span<const std::uint32_t> numbers) {
   const std::size_t filled = count + numbers.size();
   if (filled > first.size()) resize(filled + filled / 8, true, !list.radii.empty());

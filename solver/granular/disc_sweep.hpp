@@ -20,7 +20,8 @@ struct SweptPairs {
   std::vector<double> radii;                 ///< their sum, if discs are unlike [L]
   std::size_t count{};
 
-  void clear() { first.clear(), second.clear(), listed.clear(), radii.clear(); }
+  /// Makes room for a whole list of so many, of unlike discs or like ones.
+  void list(std::size_t size, bool unlike);
   /// Takes those with these numbers from a whole list behind its own.
   void take(const SweptPairs& list, std::span<const std::uint32_t> numbers);
   /// Fills the lanes behind the last pair, wherever packs begin. nowhere: where that place begins.

@@ -307,20 +307,24 @@ void FastDiscSystem<L, F>::end_drift(Discs& discs, double h) {
 
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::load(const Discs& discs) {
-  for (std::size_t i = 0; i < discs.size(); ++i) {
-    places_[2 * i] = discs.x[i], places_[2 * i + 1] = discs.y[i];
-    velocities_[2 * i] = discs.vx[i], velocities_[2 * i + 1] = discs.vy[i];
-  }
+  each([&](const Stripe& stripe) {
+    for (std::size_t i = stripe.begin; i < stripe.end; ++i) {
+      places_[2 * i] = discs.x[i], places_[2 * i + 1] = discs.y[i];
+      velocities_[2 * i] = discs.vx[i], velocities_[2 * i + 1] = discs.vy[i];
+    }
+  });
   if (turns) std::copy(discs.spin.begin(), discs.spin.end(), spins_.begin());
   slid_ = discs.slid, work_ = discs.work;
 }
 
 template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::store(Discs& discs) const {
-  for (std::size_t i = 0; i < discs.size(); ++i) {
-    discs.x[i] = places_[2 * i], discs.y[i] = places_[2 * i + 1];
-    discs.vx[i] = velocities_[2 * i], discs.vy[i] = velocities_[2 * i + 1];
-  }
+void FastDiscSystem<L, F>::store(Discs& discs) {
+  each([&](const Stripe& stripe) {
+    for (std::size_t i = stripe.begin; i < stripe.end; ++i) {
+      discs.x[i] = places_[2 * i], discs.y[i] = places_[2 * i + 1];
+      discs.vx[i] = velocities_[2 * i], discs.vy[i] = velocities_[2 * i + 1];
+    }
+  });
   if (turns) std::copy(spins_.begin(), spins_.end(), discs.spin.begin());
   discs.slid = slid_, discs.work = work_;
 }
@@ -342,7 +346,7 @@ template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::rebuild(Discs& discs) {
   const std::vector<Kept> kept = kept_contacts();
   wrap(list_.box(), discs);
-  list_.build(shapes_, discs);
+  list_.build(shapes_, discs, team_);
   ++builds_;
   list_stripes();
   list_places();
@@ -416,37 +420,44 @@ template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::list_places() {
   const std::size_t discs = shapes_.size();
   constexpr std::uint8_t here = NeighbourList::images / 2;
-  ghost_disc_.clear(), ghost_image_.clear();
-  pairs_.clear();
-  pairs_.first.reserve(list_.size() + pack_size), pairs_.second.reserve(list_.size() + pack_size);
-  std::vector<std::pair<std::uint32_t, std::uint8_t>> ghosts;
-  for (Stripe& stripe : stripes_) {
-    ghosts.clear();
+  using Ghost = std::pair<std::uint32_t, std::uint8_t>;
+  std::vector<std::vector<Ghost>> ghosts(stripes_.size());
+  const auto ghosts_of = [&](const Stripe& stripe) -> auto& { return ghosts[&stripe - stripes_.data()]; };
+  each([&](const Stripe& stripe) {
+    std::vector<Ghost>& own = ghosts_of(stripe);
     for (std::size_t i = stripe.begin; i < stripe.end; ++i) {
       for (std::size_t pair = list_.begin(i); pair < list_.end(i); ++pair) {
         if (list_.image(pair) != here)
-          ghosts.emplace_back(static_cast<std::uint32_t>(list_.second(pair)), list_.image(pair));
+          own.emplace_back(static_cast<std::uint32_t>(list_.second(pair)), list_.image(pair));
       }
     }
-    std::sort(ghosts.begin(), ghosts.end());
-    ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
-    stripe.first_ghost = ghost_disc_.size(), stripe.end_of_ghosts = stripe.first_ghost + ghosts.size();
-    for (const auto& [disc, image] : ghosts)
+    std::sort(own.begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+  });
+  ghost_disc_.clear(), ghost_image_.clear();
+  for (Stripe& stripe : stripes_) {
+    stripe.first_ghost = ghost_disc_.size();
+    for (const auto& [disc, image] : ghosts_of(stripe))
       ghost_disc_.push_back(disc), ghost_image_.push_back(image);
+    stripe.end_of_ghosts = ghost_disc_.size();
+  }
+  pairs_.list(list_.size(), equal_radii_ == 0.0);
+  each([&](const Stripe& stripe) {
+    const std::vector<Ghost>& own = ghosts_of(stripe);
     for (std::size_t i = stripe.begin; i < stripe.end; ++i) {
       for (std::size_t pair = list_.begin(i); pair < list_.end(i); ++pair) {
         const auto j = static_cast<std::uint32_t>(list_.second(pair));
         std::size_t place = j;
         if (list_.image(pair) != here) {
-          const auto ghost = std::lower_bound(ghosts.begin(), ghosts.end(), std::pair{j, list_.image(pair)});
-          place = discs + stripe.first_ghost + static_cast<std::size_t>(ghost - ghosts.begin());
+          const auto ghost = std::lower_bound(own.begin(), own.end(), Ghost{j, list_.image(pair)});
+          place = discs + stripe.first_ghost + static_cast<std::size_t>(ghost - own.begin());
         }
-        pairs_.first.push_back(static_cast<std::uint32_t>(2 * i));
-        pairs_.second.push_back(static_cast<std::uint32_t>(2 * place));
-        if (equal_radii_ == 0.0) pairs_.radii.push_back(shapes_.radius[i] + shapes_.radius[j]);
+        pairs_.first[pair] = static_cast<std::uint32_t>(2 * i);
+        pairs_.second[pair] = static_cast<std::uint32_t>(2 * place);
+        if (equal_radii_ == 0.0) pairs_.radii[pair] = shapes_.radius[i] + shapes_.radius[j];
       }
     }
-  }
+  });
   const std::size_t nowhere = discs + ghost_disc_.size();
   places_.resize(2 * (nowhere + 1));
   velocities_.resize(2 * discs);
@@ -454,7 +465,6 @@ void FastDiscSystem<L, F>::list_places() {
   if (sees_rates()) before_.resize(2 * (nowhere + 1));
   std::fill(places_.end() - 2, places_.end(), std::numeric_limits<double>::quiet_NaN());
   waiting_.resize(moved_.size());
-  pairs_.count = pairs_.first.size();
   pairs_.fill_up(static_cast<std::uint32_t>(2 * nowhere));
 }
 

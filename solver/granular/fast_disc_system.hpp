@@ -54,7 +54,8 @@ namespace talus {
 /// them. Of those the few whose second disc belongs to a later stripe come first: what they do is found while no disc
 /// moves. Then each thread gives its discs what comes in from earlier stripes, whose first discs have smaller numbers
 /// than all of its own; then it sweeps its own pairs, and gives the first discs of the pairs that go out their
-/// impulses where these stand in the order. So each velocity is the same sum as with one thread.
+/// impulses where these stand in the order. So each velocity is the same sum as with one thread. Lists are made by all
+/// threads, too.
 ///
 /// Errors: InputError without a thread; of all that lists pairs that of NeighbourList::build.
 template <SettledLaw L, class F = Frictionless>
@@ -147,7 +148,7 @@ class FastDiscSystem {
   DiscSweep work(Stripe& stripe, double kick, double drift);
   void end_drift(Discs& discs, double h);
   void load(const Discs& discs);
-  void store(Discs& discs) const;
+  void store(Discs& discs);
   void place_ghosts(Stripe& stripe, double* numbers, double NeighbourList::Shift::*along);
   void rebuild(Discs& discs);
   std::vector<Kept> kept_contacts() const;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -40,7 +39,7 @@ std::size_t whole_between(double least, double x, double most) {
 /// around, where images are.
 class Cells {
  public:
-  Cells(const DiscShapes& shapes, const Discs& discs, const PeriodicBox& box, double offset, double reach) {
+  Cells(const DiscShapes& shapes, const Discs& discs, const PeriodicBox& box, double offset, double reach, Team* team) {
     const auto range = [&](const std::vector<double>& at, double period) {
       if (period < PeriodicBox::endless) return std::pair{-0.5 * period, 0.5 * period};
       const auto [low, high] = std::minmax_element(at.begin(), at.end());
@@ -57,24 +56,42 @@ class Cells {
     const auto disc = [&](std::size_t i) {
       return Standing{discs.x[i], discs.y[i], shapes.radius[i], numbered(i, code({}))};
     };
-    cell_.reserve(discs.size());
-    std::vector<Standing> images;
-    for (std::size_t i = 0; i < discs.size(); ++i) {
-      const Standing one = disc(i);
-      cell_.push_back(cell(one));
-      add_images(box, offset, reach, one, images);
+    // Of each thread the images of its discs, and how many stand in each cell; then where its first there is to stand.
+    struct Share {
+      std::vector<Standing> images;
+      std::vector<std::uint32_t> in_cell;
+    };
+    std::vector<Share> shares(team == nullptr ? 1 : team->size());
+    const std::size_t cells = stride_ * (rows_ + 2);
+    cell_.resize(discs.size());
+    in_parts(team, discs.size(), [&](const Part& part) {
+      Share& share = shares[part.number];
+      share.in_cell.assign(cells, 0);
+      for (std::size_t i = part.begin; i < part.end; ++i) {
+        const Standing one = disc(i);
+        cell_[i] = static_cast<std::uint32_t>(cell(one));
+        ++share.in_cell[cell_[i]];
+        add_images(box, offset, reach, one, share.images);
+      }
+      for (const Standing& image : share.images)
+        ++share.in_cell[cell(image)];
+    });
+    begin_.resize(cells + 1);
+    std::uint32_t count = 0;
+    for (std::size_t c = 0; c < cells; ++c) {
+      begin_[c] = count;
+      for (Share& share : shares)
+        count += std::exchange(share.in_cell[c], count);
     }
-    for (const Standing& image : images)
-      cell_.push_back(cell(image));
-
-    begin_.assign(stride_ * (rows_ + 2) + 1, 0);
-    for (const std::size_t cell : cell_)
-      ++begin_[cell + 1];
-    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-    std::vector<std::uint32_t> next{begin_.begin(), begin_.end() - 1};
-    standing_.resize(cell_.size());
-    for (std::size_t k = 0; k < cell_.size(); ++k)
-      standing_[next[cell_[k]]++] = k < discs.size() ? disc(k) : images[k - discs.size()];
+    begin_[cells] = count;
+    standing_.resize(count);
+    in_parts(team, discs.size(), [&](const Part& part) {
+      Share& share = shares[part.number];
+      for (std::size_t i = part.begin; i < part.end; ++i)
+        standing_[share.in_cell[cell_[i]]++] = disc(i);
+      for (const Standing& image : share.images)
+        standing_[share.in_cell[cell(image)]++] = image;
+    });
   }
 
   /// All that stand in the cells around that of a disc: three times those of a row.
@@ -119,7 +136,7 @@ class Cells {
   std::size_t columns_{}, rows_{};
   std::size_t stride_{};              ///< from a row of cells to the next
   std::vector<std::uint32_t> begin_;  ///< of each cell in standing_
-  std::vector<std::size_t> cell_;     ///< of each disc, and of images
+  std::vector<std::uint32_t> cell_;   ///< of each disc
   std::vector<Standing> standing_;
 };
 
@@ -148,13 +165,13 @@ void NeighbourList::check_periods() const {
   }
 }
 
-void NeighbourList::build(const DiscShapes& shapes, const Discs& discs) {
+void NeighbourList::build(const DiscShapes& shapes, const Discs& discs, Team* team) {
   used_ = 0.0;
   slid_ = discs.slid;
   offset_ = box_.offset(discs.slid);
   x_ = discs.x, y_ = discs.y;
   find_flow(discs);
-  find_pairs(shapes, discs);
+  find_pairs(shapes, discs, team);
 }
 
 void NeighbourList::find_flow(const Discs& discs) {
@@ -192,38 +209,57 @@ double NeighbourList::furthest(const Discs& discs) const {
   return std::sqrt(most);
 }
 
-void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs) {
+void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, Team* team) {
   reach_ = 2.0 * *std::max_element(shapes.radius.begin(), shapes.radius.end()) + skin_;
   check_periods();
-  second_.clear();
-  image_.clear();
-  first_.reserve(shapes.size() + 1);
-  first_.assign(1, 0);
-  const Cells cells{shapes, discs, box_, offset_, reach_};
-  std::vector<Numbered> row;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const auto around = cells.around(i);
-    row.resize(around[0].size() + around[1].size() + around[2].size());
-    // Whether one is near is as good as drawn by lot: written down is each, and kept if it is.
-    std::size_t count = 0;
-    const Numbered own = numbered(i, 0xff);
-    for (const std::span<const Standing> standing : around) {
-      for (const Standing& other : standing) {
-        const double dx = other.x - discs.x[i], dy = other.y - discs.y[i];
-        const double within = shapes.radius[i] + other.radius + skin_;
-        row[count] = other.number;
-        count += static_cast<std::size_t>(dx * dx + dy * dy < within * within) &
-                 static_cast<std::size_t>(other.number > own);
+  const Cells cells{shapes, discs, box_, offset_, reach_, team};
+  first_.resize(shapes.size() + 1);
+  first_[0] = 0;
+  // The first thread's pairs stand where they belong; those of the others join them, with where each disc's end.
+  struct Found {
+    Part of;
+    std::vector<std::uint32_t> second;
+    std::vector<std::uint8_t> image;
+  };
+  std::vector<Found> found(team == nullptr ? 1 : team->size());
+  found[0].second.swap(second_), found[0].image.swap(image_);
+  in_parts(team, shapes.size(), [&](const Part& part) {
+    auto& [of, second, image] = found[part.number];
+    of = part;
+    second.clear(), image.clear();
+    std::vector<Numbered> row;
+    for (std::size_t i = part.begin; i < part.end; ++i) {
+      const auto around = cells.around(i);
+      row.resize(around[0].size() + around[1].size() + around[2].size());
+      // Whether one is near is as good as drawn by lot: written down is each, and kept if it is.
+      std::size_t count = 0;
+      const Numbered own = numbered(i, 0xff);
+      for (const std::span<const Standing> standing : around) {
+        for (const Standing& other : standing) {
+          const double dx = other.x - discs.x[i], dy = other.y - discs.y[i];
+          const double within = shapes.radius[i] + other.radius + skin_;
+          row[count] = other.number;
+          count += static_cast<std::size_t>(dx * dx + dy * dy < within * within) &
+                   static_cast<std::size_t>(other.number > own);
+        }
       }
+      std::sort(row.data(), row.data() + count);
+      for (std::size_t k = 0; k < count; ++k) {
+        const auto j = static_cast<std::size_t>(row[k] >> image_bits);
+        if (shapes.inverse_mass[i] == 0.0 && shapes.inverse_mass[j] == 0.0) continue;
+        second.push_back(static_cast<std::uint32_t>(j));
+        image.push_back(static_cast<std::uint8_t>(row[k] & numbered(0, 0xff)));
+      }
+      first_[i + 1] = static_cast<std::uint32_t>(second.size());
     }
-    std::sort(row.data(), row.data() + count);
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto j = static_cast<std::size_t>(row[k] >> image_bits);
-      if (shapes.inverse_mass[i] == 0.0 && shapes.inverse_mass[j] == 0.0) continue;
-      second_.push_back(static_cast<std::uint32_t>(j));
-      image_.push_back(static_cast<std::uint8_t>(row[k] & numbered(0, 0xff)));
-    }
-    first_.push_back(static_cast<std::uint32_t>(second_.size()));
+  });
+  second_.swap(found[0].second), image_.swap(found[0].image);
+  for (const Found& other : std::span{found}.subspan(1)) {
+    const auto before = static_cast<std::uint32_t>(second_.size());
+    for (std::size_t i = other.of.begin; i < other.of.end; ++i)
+      first_[i + 1] += before;
+    second_.insert(second_.end(), other.second.begin(), other.second.end());
+    image_.insert(image_.end(), other.image.begin(), other.image.end());
   }
   // Lists of many discs are most of what a run takes.
   if (4 * second_.capacity() > 5 * second_.size()) second_.shrink_to_fit(), image_.shrink_to_fit();
@@ -239,7 +275,7 @@ void NeighbourList::remember(Memory& memory, const DiscShapes& shapes) {
   if (!memory.puts_back()) return;
   Discs then;
   then.x = x_, then.y = y_;
-  find_pairs(shapes, then);
+  find_pairs(shapes, then, nullptr);
 }
 
 std::size_t NeighbourList::find(std::size_t first, std::size_t second) const {

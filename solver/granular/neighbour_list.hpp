@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/base/team.hpp"
 #include "solver/base/vec.hpp"
 #include "solver/granular/discs.hpp"
 #include "solver/granular/periodic_box.hpp"
@@ -32,7 +33,8 @@ class NeighbourList {
 
   /// Lists the pairs of which at least one disc can move. Errors: InputError if a period is shorter than the discs
   /// and the skin need so that no disc meets two images of another.
-  void build(const DiscShapes& shapes, const Discs& discs);
+  /// With a team by its threads, the same list.
+  void build(const DiscShapes& shapes, const Discs& discs, Team* team = nullptr);
 
   /// Names what the list is made of. The list that is put back is the one that was saved. Errors: as build().
   void remember(Memory& memory, const DiscShapes& shapes);
@@ -106,7 +108,7 @@ class NeighbourList {
 
  private:
   void check_periods() const;
-  void find_pairs(const DiscShapes& shapes, const Discs& discs);
+  void find_pairs(const DiscShapes& shapes, const Discs& discs, Team* team);
   double furthest(const Discs& discs) const;
   void find_flow(const Discs& discs);
 

@@ -108,6 +108,27 @@ BOOST_AUTO_TEST_CASE(discs_that_have_gone_astray_leave_the_list_of_the_others_as
   }
 }
 
+BOOST_AUTO_TEST_CASE(any_number_of_threads_makes_the_same_list) {
+  for (const PeriodicBox& box : boxes) {
+    for (const std::size_t discs : {2U, 5U, 120U}) {
+      const Packing p = scattered(discs, std::min(box.width, 30.0), std::min(box.height, 25.0), 3);
+      NeighbourList alone{box, 0.3};
+      alone.build(p.shapes, p.discs);
+      for (const std::size_t threads : {1U, 2U, 3U, 7U}) {
+        Team team{threads};
+        NeighbourList list{box, 0.3};
+        for (int again = 0; again < 2; ++again)
+          list.build(p.shapes, p.discs, &team);
+        BOOST_REQUIRE(list.size() == alone.size());
+        for (std::size_t i = 0; i < discs; ++i)
+          BOOST_TEST((list.begin(i) == alone.begin(i) && list.end(i) == alone.end(i)));
+        for (std::size_t pair = 0; pair < list.size(); ++pair)
+          BOOST_TEST((list.second(pair) == alone.second(pair) && list.image(pair) == alone.image(pair)));
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_list_lasts_until_discs_have_gone_half_its_skin) {
   Packing p = scattered(30, 20.0, 20.0, 5);
   NeighbourList list{PeriodicBox{}, 0.5};
