@@ -7,8 +7,8 @@
 namespace talus {
 namespace {
 
-constexpr std::size_t kept = 4;
-enum Kept : std::size_t { area, momentum, mass, energy };
+constexpr std::size_t kept = 5;
+enum Kept : std::size_t { area, momentum, mass, energy, turning };
 
 /// Area of a disc of radius 1 below the height s over its centre.
 double area_below(double s) {
@@ -35,6 +35,7 @@ void CellProfile::add(const Disc& disc, double weight) {
     sums[momentum] += weight * part * disc.mass * disc.vx;
     sums[mass] += weight * part * disc.mass;
     sums[energy] += weight * part * 0.5 * disc.mass * (disc.vx * disc.vx + disc.vy * disc.vy);
+    sums[turning] += weight * part * disc.mass * disc.spin;
   }
 }
 
@@ -46,6 +47,7 @@ std::vector<CellProfile::Layer> CellProfile::layers() const {
     if (sums[area] > 0.0) {
       layer.velocity = sums[momentum] / sums[mass];
       layer.temperature = (sums[energy] - 0.5 * sums[momentum] * layer.velocity) / sums[area];
+      layer.spin = sums[turning] / sums[mass];
       layer.fraction = sums[area] / (time_ * width_ * thickness_);
     }
     made.push_back(layer);

@@ -253,7 +253,8 @@ void CellRun::look_across(double time) {
                     .vx = discs_.vx[i],
                     .vy = discs_.vy[i],
                     .radius = 0.5 * cell_.diameter,
-                    .mass = cell_.mass},
+                    .mass = cell_.mass,
+                    .spin = cell_.friction ? discs_.spin[i] : 0.0},
                    profile_waiting_);
     }
     profile_.add_time(profile_waiting_);

@@ -24,6 +24,7 @@ struct Kind {
   std::string_view name, title, axis;
   Dimension dimension;
   std::vector<Drawn> columns;
+  bool with_friction{};  ///< only of cells whose discs turn
 };
 
 const std::vector<Kind>& histories() {
@@ -61,7 +62,8 @@ const std::vector<Kind>& profiles() {
        "Solid fraction over the height",
        "solid fraction",
        dimension::number,
-       {{"solid_fraction", ""}}}};
+       {{"solid_fraction", ""}}},
+      {"spin_profile", "Spin over the height", "spin", dimension::angular_velocity, {{"spin", ""}}, true}};
   return all;
 }
 
@@ -113,7 +115,8 @@ std::string cell_plot_json(const CellScene& scene, const CellRun& run) {
   for (const Kind& kind : histories())
     if (run.intervals() > 0) figures.push_back(history_figure(scene, kind));
   for (const Kind& kind : profiles())
-    if (!filled_layers(run).empty()) figures.push_back(profile_figure(scene, kind));
+    if (!filled_layers(run).empty() && (scene.cell.friction || !kind.with_friction))
+      figures.push_back(profile_figure(scene, kind));
   json["figures"] = std::move(figures);
   return json.dump(2) + "\n";
 }

@@ -206,13 +206,16 @@ std::vector<CellProfile::Layer> filled_layers(const CellRun& run) {
 }
 
 std::string cell_profile_csv(const CellScene& scene, const CellRun& run) {
-  std::string text = fmt::format("{},{},{},solid_fraction\n", cell_header(scene, "y", dimension::length),
+  std::string text = fmt::format("{},{},{},solid_fraction", cell_header(scene, "y", dimension::length),
                                  cell_header(scene, "velocity", dimension::velocity),
                                  cell_header(scene, "temperature", dimension::energy));
-  for (const CellProfile::Layer& layer : filled_layers(run))
-    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", layer.y, layer.velocity, layer.temperature,
+  if (scene.cell.friction) text += "," + cell_header(scene, "spin", dimension::angular_velocity);
+  for (const CellProfile::Layer& layer : filled_layers(run)) {
+    fmt::format_to(std::back_inserter(text), "\n{},{},{},{}", layer.y, layer.velocity, layer.temperature,
                    layer.fraction);
-  return text;
+    if (scene.cell.friction) fmt::format_to(std::back_inserter(text), ",{}", layer.spin);
+  }
+  return text + "\n";
 }
 
 std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOutcome& outcome) {

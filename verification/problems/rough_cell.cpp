@@ -86,6 +86,7 @@ void expect_balances(Findings& findings, const Setup& setup) {
 struct Flow {
   double torque{};
   double spin{}, rate{};  ///< mean [1/T]
+  double layers{};        ///< spin over half the shear rate, of layers inside
   double ratio{}, sliding{}, rubbed{};
 };
 
@@ -127,6 +128,29 @@ class Accounts {
                                 Series{.label = "held", .x = {}, .y = {}, .style = Style::lines}};
 };
 
+/// Draws spins over the height beside half of how fast the layers pass each other; their ratio in layers that are two
+/// diameters from both walls. Above them the block rises and falls through layers of few discs.
+double spins_over_rates(Findings& findings, CellRun& run, double depth) {
+  Series spins{.label = "-spin", .x = {}, .y = {}}, rates{.label = "half the shear rate", .x = {}, .y = {}};
+  const std::vector<CellProfile::Layer> layers = run.profile().layers();
+  const double d = run.cell().diameter, unit = run.cell().block_speed / d;
+  double spin = 0.0, turning = 0.0;
+  for (std::size_t k = 1; k + 1 < layers.size() && layers[k].y < depth; ++k) {
+    const double rate = 0.5 * (layers[k + 1].velocity - layers[k - 1].velocity) / (layers[k + 1].y - layers[k - 1].y);
+    spins.x.push_back(layers[k].y / d), spins.y.push_back(-layers[k].spin / unit);
+    rates.x.push_back(layers[k].y / d), rates.y.push_back(rate / unit);
+    if (layers[k].y > 2.0 * d && layers[k].y < depth - 2.0 * d) spin -= layers[k].spin, turning += rate;
+  }
+  findings.figure({.name = "spins",
+                   .title = "Spins and the flow that turns the discs",
+                   .caption = "Mean spin, clockwise, and half of the rate at which layers of half a diameter pass each "
+                              "other, over the height above the base up to the block's mean; after the start-up.",
+                   .x = {"height", "d"},
+                   .y = {.label = "rate", .unit = "speed of the block / d"},
+                   .series = {spins, rates}});
+  return spin / turning;
+}
+
 Flow flow(Findings& findings, const Setup& setup, bool rough) {
   ShearCell cell = cell_with(setup);
   if (!rough) cell.friction.reset();
@@ -154,6 +178,7 @@ Flow flow(Findings& findings, const Setup& setup, bool rough) {
   return {all > 0.0 ? turning / all : 0.0,
           run.mean(Q::spin).value,
           cell.block_speed / apart,
+          rough ? spins_over_rates(findings, run, run.mean(Q::depth).value) : 0.0,
           run.ratio(Q::top_shear, Q::top_normal).value,
           run.ratio(Q::sliding, Q::contacts).value,
           ledger.rubbed / ledger.dissipated};
@@ -174,6 +199,10 @@ void run(Findings& findings, const Setup& setup) {
       "mean spin over half the shear rate between the walls", -2.0 * rough.spin / rough.rate, 0.8, 1.5,
       "1 if contacts lie all around, 2 <n_y^2> else: discs in rows touch those above and below more "
       "than those beside, at most three times as often; slip at the walls takes some of the rate");
+  findings.expect("spin over half the shear rate of layers inside, all together", rough.layers, 1.0,
+                  Tolerance::model(0.2,
+                                   "contacts lie all around a disc inside, and a disc turns as it rolls between its "
+                                   "neighbours; the layers' own ratios scatter by that much in this time"));
   findings.expect_between("share of contact time in contacts that slide", rough.sliding, 0.15, 0.65,
                           "impacts at all angles: one slides from its start where its angle exceeds some "
                           "atan(2 mu (1 + 1/e)), and any slides at its end, where the normal force falls to nought; "
@@ -198,7 +227,8 @@ Case rough_cell() {
           .main_checks = {"momentum of the discs less the walls' impulses",
                           "energy unaccounted for over what contacts kept",
                           "torque of friction on the free discs, over what it would be one way",
-                          "mean spin over half the shear rate between the walls"},
+                          "mean spin over half the shear rate between the walls",
+                          "spin over half the shear rate of layers inside, all together"},
           .source = "Cundall & Strack 1979; balances and spin, derived here",
           .page = page,
           .faults = {{"friction_off_the_base", "a millionth of the base's shear left out",
