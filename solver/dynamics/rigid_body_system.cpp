@@ -8,7 +8,11 @@ namespace talus {
 static_assert(Splittable<RigidBodySystem> && Differentiable<RigidBodySystem>);
 
 RigidBodySystem::RigidBodySystem(const Dynamics& dynamics, bool ledger)
-    : dynamics_{&dynamics}, work_{dynamics.workspace()}, rates_{rest_state(dynamics.model())}, ledger_{ledger} {}
+    : dynamics_{&dynamics},
+      work_{dynamics.workspace()},
+      rates_{rest_state(dynamics.model())},
+      apart_until_{-std::numeric_limits<double>::infinity()},
+      ledger_{ledger} {}
 
 void RigidBodySystem::drift(State& state, double h) {
   const std::size_t moving = dynamics_->moving(state, work_);
