@@ -229,7 +229,7 @@ bool ContactForces::update_of(const State& state, std::span<const std::size_t> m
   return work.any_near;
 }
 
-bool ContactForces::update_far(const State& state, double ahead, double pull, Workspace& work) const {
+void ContactForces::update_far(const State& state, double ahead, double pull, Workspace& work) const {
   bool any = false;
   for (std::size_t c = 0; c < candidates(); ++c) {
     char& near = work.near[c];
@@ -244,7 +244,6 @@ bool ContactForces::update_far(const State& state, double ahead, double pull, Wo
   }
   work.any_near = work.any_near || any;
   if (any) for_each_array(laws_, [&](const auto& array) { GapUpdate{array, &state, work}.run(); });
-  return work.any_near;
 }
 
 void ContactForces::begin(State& state, const Workspace& work) const {

@@ -70,8 +70,8 @@ class ContactForces {
   /// Gaps of all pairs.
   void update_all(Workspace& work) const;
   /// After update(): the gaps that it left out, but of bodies that at their present speed, and under this pull [L/T^2],
-  /// do not come within reach of each other in the time ahead [T]. Whether any pair has gaps now.
-  bool update_far(const State& state, double ahead, double pull, Workspace& work) const;
+  /// do not come within reach of each other in the time ahead [T].
+  void update_far(const State& state, double ahead, double pull, Workspace& work) const;
   /// Gaps of the pairs that have one of these modes alone; whether there are any.
   bool update_of(const State& state, std::span<const std::size_t> modes, Workspace& work) const;
   /// Whether a mode is of a contact or its friction.

@@ -46,9 +46,9 @@ class Dynamics {
   /// The same with all gaps, however far apart the bodies.
   void update_all(const State& state, Workspace& work) const;
   /// After update(): the gaps of bodies out of reach as well that may come within it in the time ahead [T] at the speed
-  /// they have, under their weight. Those of others have none, and infinite guards. Whether any have gaps now.
-  bool update_far(const State& state, double ahead, Workspace& work) const {
-    return contacts_.update_far(state, ahead, norm(model_.gravity), work);
+  /// they have, under their weight. Those of others have none, and infinite guards.
+  void update_far(const State& state, double ahead, Workspace& work) const {
+    contacts_.update_far(state, ahead, norm(model_.gravity), work);
   }
   /// Whether some memory follows the motion, as that of friction does.
   bool follows_motion() const { return follows_motion_; }

@@ -8,11 +8,7 @@ namespace talus {
 static_assert(Splittable<RigidBodySystem> && Differentiable<RigidBodySystem>);
 
 RigidBodySystem::RigidBodySystem(const Dynamics& dynamics, bool ledger)
-    : dynamics_{&dynamics},
-      work_{dynamics.workspace()},
-      rates_{rest_state(dynamics.model())},
-      apart_until_{-std::numeric_limits<double>::infinity()},
-      ledger_{ledger} {}
+    : dynamics_{&dynamics}, work_{dynamics.workspace()}, rates_{rest_state(dynamics.model())}, ledger_{ledger} {}
 
 void RigidBodySystem::drift(State& state, double h) {
   const std::size_t moving = dynamics_->moving(state, work_);
@@ -39,25 +35,17 @@ void RigidBodySystem::begin(State& state) {
 void RigidBodySystem::settle(State& state) {
   dynamics_->update(state, work_);
   dynamics_->settle(state, work_);
-  apart_until_ = state.t;
 }
 
 void RigidBodySystem::guards(const State& state, bool same, double ahead, std::vector<double>& out) {
   if (!same) dynamics_->update(state, work_);
-  if (work_.any_near || state.t + 0.5 * ahead > apart_until_)
-    apart_until_ = dynamics_->update_far(state, ahead, work_) ? state.t : state.t + ahead;
-  apart_for_ = apart_until_ - state.t;
+  dynamics_->update_far(state, ahead, work_);
   out.resize(state.mode.size());
   dynamics_->guards(state, work_, out, ahead);
 }
 
 void RigidBodySystem::guards_of(const State& state, std::span<const std::size_t> modes, std::span<double> out) {
   dynamics_->guards_of(state, modes, work_, out);
-}
-
-double RigidBodySystem::longest_step(double wanted) const {
-  if (wanted <= apart_for_) return std::numeric_limits<double>::infinity();
-  return dynamics_->longest_step(work_);
 }
 
 void RigidBodySystem::count() {

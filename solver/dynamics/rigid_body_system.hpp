@@ -30,14 +30,13 @@ class RigidBodySystem {
   void evaluate(State& state, Rates& out);
 
   /// Guards in the state's modes; `same`: of the state that was settled, or whose derivative was asked for, last. Of
-  /// bodies that at their speed do not touch in the time ahead [T] they are infinite; when all have been found so, they
-  /// are looked at again only once half of that time is gone. No force evaluation.
+  /// bodies that at their speed do not touch in the time ahead [T] they are infinite. No force evaluation.
   void guards(const State& state, bool same, double ahead, std::vector<double>& out);
   /// Those of a few modes, at any state; the numbers of others may change, too.
   void guards_of(const State& state, std::span<const std::size_t> modes, std::span<double> out);
   bool follows(const State& state) const { return dynamics_->follows(state); }
-  /// From the state whose guards were asked for last; infinite if it is longer than wanted [T].
-  double longest_step(double wanted) const;
+  /// From the state that was looked at last.
+  double longest_step() const { return dynamics_->longest_step(work_); }
   std::vector<double> lengths() const { return dynamics_->lengths(); }
   /// The linear piece of the state whose derivative was the last.
   void affine_piece(const State& state, AffinePiece& out) const { dynamics_->affine_piece(state, work_, out); }
@@ -60,8 +59,6 @@ class RigidBodySystem {
   const Dynamics* dynamics_;
   Workspace work_;
   Rates rates_;
-  double apart_until_{};  ///< time until which all bodies stay apart at the speeds that they had; past if some do not
-  double apart_for_{};    ///< the same from the state whose guards were asked for last [T]
   bool ledger_;
   long evaluations_{0};
   long allowed_{std::numeric_limits<long>::max()};

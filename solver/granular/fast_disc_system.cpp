@@ -422,7 +422,9 @@ void FastDiscSystem<L, F>::list_places() {
   constexpr std::uint8_t here = NeighbourList::images / 2;
   using Ghost = std::pair<std::uint32_t, std::uint8_t>;
   std::vector<std::vector<Ghost>> ghosts(stripes_.size());
-  const auto ghosts_of = [&](const Stripe& stripe) -> auto& { return ghosts[&stripe - stripes_.data()]; };
+  const auto ghosts_of = [&](const Stripe& stripe) -> auto& {
+    return ghosts[static_cast<std::size_t>(&stripe - stripes_.data())];
+  };
   each([&](const Stripe& stripe) {
     std::vector<Ghost>& own = ghosts_of(stripe);
     for (std::size_t i = stripe.begin; i < stripe.end; ++i) {

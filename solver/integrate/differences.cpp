@@ -84,7 +84,8 @@ TALUS_CLONES std::array<double, 3> largest_sums(const double* x, const double* o
 /// h^q: H_(i+1)^q = (t - t_i) H_i^q - q h H_i^(q+1). Little cancels, for N_i never falls: q H_i^(q+1) is at most
 /// H_i^q q/(q + 1), and t - t_i at least h.
 TALUS_CLONES void integrate_basis(const double* times, double t, std::size_t terms, Differences::Basis* out) {
-  static_assert(Differences::most + 2 <= 2 * pack_size);
+  // The last of most + 1 terms is integrated twice: the first needs most + 3 of its integrals.
+  static_assert(Differences::most + 3 <= 2 * pack_size);
   static constexpr auto inverse_factorials = [] {
     std::array<double, 2 * pack_size> made{1.0};
     for (std::size_t q = 1; q < made.size(); ++q)

@@ -17,7 +17,7 @@ namespace talus {
 class Differences {
  public:
   /// The most times that are kept.
-  static constexpr std::size_t most = 14;
+  static constexpr std::size_t most = 13;
 
   /// Begins anew with the rates at one time.
   void begin(double t, std::span<const double> rates);

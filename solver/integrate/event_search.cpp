@@ -48,7 +48,7 @@ bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const 
   earlier_.clear();
   system.guards(start, true, endless, guards_);
   dormant_.resize(guards_.size());
-  ended_.reserve(guards_.size()), finite_.reserve(guards_.size() + 1);
+  ended_.reserve(guards_.size()), finite_.reserve(guards_.size());
   bool in_doubt = false;
   any_dormant_ = false;
   for (std::size_t i = 0; i < guards_.size(); ++i) {
@@ -102,7 +102,7 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
 
 /// Lists the guards that are finite at the end of the last step: the others have not ended and did not dip.
 void EventSearch::list_finite() {
-  finite_.resize(guards_.size() + 1);  // the last is written to by what is not listed
+  finite_.resize(guards_.size());
   finite_.resize(list_finite_numbers(guards_, finite_.data()));
 }
 
@@ -160,7 +160,7 @@ bool EventSearch::find_ended(EventfulSystem& system, const State& begin, double 
     if (dormant_[i] == 0.0) ended_.push_back(i);
   }
   look_at(system, begin, t, motion);
-  std::erase_if(ended_, [this](std::size_t i) { return looked_[i] > 0.0; });
+  std::erase_if(ended_, [this](std::size_t i) { return !(looked_[i] <= 0.0); });
   return !ended_.empty();
 }
 

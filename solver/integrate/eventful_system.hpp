@@ -28,8 +28,9 @@ struct AffinePiece {
 struct EventfulSystem {
   /// Rates in the state's present modes: one force evaluation.
   std::function<void(const State&, Rates&)> derivative;
-  /// Guards in the state's present modes, one for each mode; `same`: of the state that was asked about last. One that
-  /// at the present speeds cannot end in the time `ahead` [T] may be infinite. None: the motion is smooth.
+  /// Guards in the state's present modes, one for each mode; `same`: of the state that was settled, or whose derivative
+  /// was asked for, last. One that at the present speeds cannot end in the time `ahead` [T] may be infinite. None: the
+  /// motion is smooth.
   std::function<void(const State&, bool same, double ahead, std::vector<double>&)> guards;
   /// Those of a few modes; the numbers of others may change, too.
   std::function<void(const State&, std::span<const std::size_t> modes, std::span<double>)> guards_of;
@@ -37,9 +38,8 @@ struct EventfulSystem {
   std::function<void(State&)> settle;
   /// Whether some memory must be settled as the motion goes on, in the state's modes.
   std::function<bool(const State&)> follows;
-  /// The longest step [T] in which no body can pass another unseen, from the state whose guards were asked for last;
-  /// infinite where that is longer than wanted.
-  std::function<double(double wanted)> longest_step;
+  /// The longest step [T] in which no body can pass another unseen, from the state that was looked at last.
+  std::function<double()> longest_step;
   /// Of each coordinate of a state, the length [L] that one unit of it moves its body by: the same at all times.
   std::function<std::vector<double>(const State&)> lengths;
   /// The linear piece that the state is in: none if the system has no such pieces.
@@ -64,7 +64,7 @@ EventfulSystem eventful(System& system) {
       system.guards_of(at, modes, out);
     };
     asked.follows = [&system](const State& at) { return system.follows(at); };
-    asked.longest_step = [&system](double wanted) { return system.longest_step(wanted); };
+    asked.longest_step = [&system] { return system.longest_step(); };
     asked.lengths = [&system](const State&) { return system.lengths(); };
   } else {
     asked.lengths = [](const State& at) { return std::vector<double>(at.q.size(), 1.0); };

@@ -31,7 +31,6 @@ struct NearEnd {
 ///   state_at(begin, end, t, out)         the state at a time within the last step
 ///   complete(system, begin, end)         the step ends here: what it kept for its end
 ///   ends_at_outputs(system)              whether no step may go beyond an output
-///   next_step()                          length of the next step if nothing holds it short [T]
 ///   usual_step()                         length of a step that no event holds short [T]
 ///   remember(memory, like)               its parts
 ///   name, order, needs_tolerance, needs_closed_form   of the method that it makes
@@ -120,7 +119,7 @@ class LocatedSteps {
     fresh_ = false;
     if (!system.guards) return;
     if (search_.begin_piece(system, end_, begin_.mode)) motion_.hesitate();
-    longest_ = system.longest_step(motion_.next_step());
+    longest_ = system.longest_step();
     follows_ = system.follows(end_);  // as long as no mode changes
   }
 
@@ -147,7 +146,7 @@ class LocatedSteps {
     const auto near_end = motion_.near_end(end_);
     const std::optional<double> event = search_.find(system, begin_, end_.t, *near_end.state, near_end.same,
                                                      [this](double t, State& out) { state_at(t, out); });
-    longest_ = system.longest_step(motion_.next_step());
+    longest_ = system.longest_step();
     return event;
   }
 

@@ -248,8 +248,9 @@ void PolynomialMotion::choose_next(double h, const Errors& errors) {
     }
   }
   if (hesitates_) {
-    // It has told how long the first step may be.
-    step_ = std::min(best * h, first_share * usual_);
+    // It has told how long the first step may be; one without an error, that any may.
+    step_ = first_share * usual_;
+    if (errors.now > 0.0) step_ = std::min(best * h, step_);
     return;
   }
   const double most = largest_growth(used_);

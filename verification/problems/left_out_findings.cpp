@@ -61,7 +61,7 @@ class EveryPair {
     dynamics_->guards(state, work_, out);
   }
   bool follows(const State& state) const { return dynamics_->follows(state); }
-  double longest_step(double) const { return dynamics_->longest_step(work_); }
+  double longest_step() const { return dynamics_->longest_step(work_); }
   std::vector<double> lengths() const { return dynamics_->lengths(); }
   bool moves_memory() const { return dynamics_->follows_motion(); }
   void wake_all(State& state) const { dynamics_->wake_all(state); }

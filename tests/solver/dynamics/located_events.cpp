@@ -161,6 +161,24 @@ BOOST_AUTO_TEST_CASE(a_fast_body_does_not_pass_another_unseen) {
   BOOST_TEST(state.v[0] == -300.0, boost::test_tools::tolerance(1e-7));
 }
 
+BOOST_AUTO_TEST_CASE(nor_does_one_that_a_force_sets_in_motion) {
+  ModelBuilder builder;
+  const BodyId post =
+      builder.add(Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{0.01}, .p_WB = {1.3, 0.0}});
+  const BodyId stone = builder.add(
+      Body{.name = "stone", .mobility = Mobility::particle, .mass = 1.0, .shape = Circle{0.01}, .force = {1.0, 0.0}});
+  builder.add(Contact{.name = "hit", .a = post, .b = stone, .law = LinearSpringDashpot{1e8, 0.0, EndRule::clamped}});
+  const Model model = builder.build();
+  const Dynamics dynamics{model};
+  RigidBodySystem system{dynamics, false};
+  State state = rest_state(model);
+  Integrator method = make_integrator("stormer_cowell", 1e-9);
+  // It is at the post at t = 1.6 s and back before 3.25 s.
+  BOOST_TEST(static_cast<bool>(simulate(system, method, state, {1.0, 3.0, 1.0, false})));
+  BOOST_TEST(state.q[0] < 1.28);
+  BOOST_TEST(state.v[0] < 0.0);
+}
+
 BOOST_AUTO_TEST_CASE(what_cannot_go_on_says_why) {
   // A force that is not a number from the first overlap on: no step is short enough.
   ModelBuilder builder;

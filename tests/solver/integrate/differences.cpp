@@ -2,6 +2,8 @@
 #define BOOST_TEST_MODULE differences
 #include "solver/integrate/differences.hpp"
 
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <vector>
@@ -69,6 +71,40 @@ BOOST_AUTO_TEST_CASE(polynomials_are_integrated_exactly) {
     BOOST_TEST(most[0] == 6.0);
     BOOST_TEST(most[1] == 6.0);
     BOOST_TEST(most[2] == 6.0, boost::test_tools::tolerance(1e-8));  // of degree 5: the seventh difference vanishes
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_term_is_integrated_to_round_off) {
+  // Gauss's rule of 20 points is exact for these.
+  using Rule = boost::math::quadrature::gauss<long double, 20>;
+  for (const double growth : {1.0, 1.3, 4.0}) {
+    Differences differences;
+    std::vector<double> times{0.0};
+    differences.begin(0.0, std::vector<double>{1.0});
+    double h = 0.1;
+    for (std::size_t n = 1; n < Differences::most; ++n, h *= n < 4 ? growth : std::min(growth, 1.3)) {
+      times.insert(times.begin(), times.front() + h);
+      differences.add(times.front(), std::vector<double>{1.0});
+    }
+    const double t = times.front() + h;
+    std::vector<Differences::Basis> basis(Differences::most + 1);
+    differences.basis(t, basis.size(), basis);
+    for (std::size_t i = 0; i < basis.size(); ++i) {
+      const auto value = [&](long double s) {
+        long double product = 1.0L;
+        for (std::size_t k = 0; k < i; ++k)
+          product *= s - static_cast<long double>(times[k]);
+        return product;
+      };
+      const auto integral = [&](auto&& f) {
+        return static_cast<double>(
+            Rule::integrate(f, static_cast<long double>(times.front()), static_cast<long double>(t)));
+      };
+      BOOST_TEST(basis[i].value == static_cast<double>(value(t)), boost::test_tools::tolerance(1e-13));
+      BOOST_TEST(basis[i].once == integral(value), boost::test_tools::tolerance(1e-13));
+      BOOST_TEST(basis[i].twice == integral([&](long double s) { return (t - s) * value(s); }),
+                 boost::test_tools::tolerance(1e-13));
+    }
   }
 }
 
