@@ -163,6 +163,12 @@ class GapUpdate {
   Workspace& work_;
 };
 
+/// Works out the gaps that are wanted.
+template <class Laws>
+void update_gaps(const Laws& laws, const State* state, Workspace& work) {
+  for_each_array(laws, [&](const auto& array) { GapUpdate{array, state, work}.run(); });
+}
+
 }  // namespace
 
 ContactForces::ContactForces(const Model& model, const Layout& layout) {
@@ -210,13 +216,13 @@ void ContactForces::update(const State& state, Workspace& work) const {
     work.near[c] = work.near[c] || acting != 0;
     work.any_near = work.any_near || work.near[c];
   }
-  if (work.any_near) for_each_array(laws_, [&](const auto& array) { GapUpdate{array, &state, work}.run(); });
+  if (work.any_near) update_gaps(laws_, &state, work);
 }
 
 void ContactForces::update_all(Workspace& work) const {
   std::fill(work.near.begin(), work.near.end(), Workspace::wanted);
   work.any_near = candidates() > 0;
-  for_each_array(laws_, [&](const auto& array) { GapUpdate{array, nullptr, work}.run(); });
+  update_gaps(laws_, nullptr, work);
 }
 
 bool ContactForces::update_of(const State& state, std::span<const std::size_t> modes, Workspace& work) const {
@@ -225,7 +231,7 @@ bool ContactForces::update_of(const State& state, std::span<const std::size_t> m
   for (const std::size_t mode : modes) {
     if (has(mode)) work.near[pair_of_[mode]] = Workspace::wanted, work.any_near = true;
   }
-  if (work.any_near) for_each_array(laws_, [&](const auto& array) { GapUpdate{array, &state, work}.run(); });
+  if (work.any_near) update_gaps(laws_, &state, work);
   return work.any_near;
 }
 
@@ -243,7 +249,7 @@ void ContactForces::update_far(const State& state, double ahead, double pull, Wo
     }
   }
   work.any_near = work.any_near || any;
-  if (any) for_each_array(laws_, [&](const auto& array) { GapUpdate{array, &state, work}.run(); });
+  if (any) update_gaps(laws_, &state, work);
 }
 
 void ContactForces::begin(State& state, const Workspace& work) const {

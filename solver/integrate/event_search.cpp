@@ -50,12 +50,10 @@ bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const 
   dormant_.resize(guards_.size());
   ended_.reserve(guards_.size()), finite_.reserve(guards_.size());
   bool in_doubt = false;
-  any_dormant_ = false;
   for (std::size_t i = 0; i < guards_.size(); ++i) {
     const bool lasted = dormant_[i] != 0.0 && before[i] == start.mode[i];
     dormant_[i] = guards_[i] > 0.0 ? 0.0 : lasted ? 2.0 : 1.0;
     in_doubt = in_doubt || dormant_[i] == 1.0;
-    any_dormant_ = any_dormant_ || dormant_[i] != 0.0;
   }
   return in_doubt;
 }
@@ -67,7 +65,6 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
   list_finite();
   bool near = false, worse = false;
   for (const std::size_t i : finite_) {
-    // Without branches: hardly any is so, and which are not dormant is hard to foretell.
     near |= dormant_[i] == 0.0 && may_have_ended(i);
     worse |= dormant_[i] == 1.0 && guards_[i] <= 0.0 && guards_[i] < before_[i];
   }
@@ -82,7 +79,8 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
     // A mode that began at its very end, and goes on past it, ends with the first short step.
     if (worse) return end;
     // What has come out of its end is looked at from the next step on.
-    if (any_dormant_) wake_dormant();
+    for (std::size_t i = 0; i < guards_.size(); ++i)
+      dormant_[i] = guards_[i] > 0.0 ? 0.0 : dormant_[i];
     std::swap(earlier_, before_);
     earlier_time_ = begin.t;
     return std::nullopt;
@@ -104,14 +102,6 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
 void EventSearch::list_finite() {
   finite_.resize(guards_.size());
   finite_.resize(list_finite_numbers(guards_, finite_.data()));
-}
-
-void EventSearch::wake_dormant() {
-  any_dormant_ = false;
-  for (std::size_t i = 0; i < guards_.size(); ++i) {
-    dormant_[i] = guards_[i] > 0.0 ? 0.0 : dormant_[i];
-    any_dormant_ = any_dormant_ || dormant_[i] != 0.0;
-  }
 }
 
 bool EventSearch::may_have_ended(std::size_t guard) const {
@@ -178,7 +168,7 @@ double EventSearch::least_share() const {
 void EventSearch::settle(EventfulSystem& system, State& at) {
   modes_ = at.mode;
   system.settle(at);
-  // What slid is at first brought to its limit, and only then seen to stick.
+  // What slid is at first brought to its limit, and only then seen to stick. What is out of reach lasts: nothing ahead.
   system.guards(at, true, 0.0, looked_);
   bool lasts = true;
   for (std::size_t i = 0; i < looked_.size(); ++i)
@@ -191,7 +181,6 @@ void EventSearch::remember(Memory& memory, std::size_t modes) {
   memory.list("earlier", earlier_);
   memory.number("earlier_time", earlier_time_);
   memory.list("dormant", dormant_);
-  any_dormant_ = std::any_of(dormant_.begin(), dormant_.end(), [](double dormant) { return dormant != 0.0; });
   if (guards_.size() != dormant_.size() || (!guards_.empty() && guards_.size() != modes))
     throw InputError{fmt::format("guards: found {}, of which {} may be dormant; there must be {}", guards_.size(),
                                  dormant_.size(), modes)};

@@ -44,7 +44,6 @@ class EventSearch {
 
  private:
   void list_finite();
-  void wake_dormant();
   bool may_have_ended(std::size_t guard) const;
   std::optional<double> dip(double begin, double end) const;
   void look_at(EventfulSystem& system, const State& begin, double t, const Motion& motion);
@@ -56,8 +55,6 @@ class EventSearch {
   double earlier_time_{};        ///< and when that was
   std::vector<double> dormant_;  ///< of guards that are past their end since the piece began: 1, or 2 where the mode
                                  ///< was seen to last all the same (a slider whose limit falls)
-
-  bool any_dormant_{};  ///< whether there are any
 
   // Scratch of a step.
   std::vector<double> before_, looked_;

@@ -12,6 +12,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/base/pack.hpp"
+#include "solver/base/rows.hpp"
 
 namespace talus {
 namespace {
@@ -33,18 +34,6 @@ double inverse_root(double e, std::size_t n) {
   const double x = -(exponent + m * (1.346 - 0.346 * m)) / static_cast<double>(n);
   const double floor = std::floor(x), f = x - floor;
   return (1.0 + f * (0.6565 + 0.3435 * f)) * std::bit_cast<double>((static_cast<std::int64_t>(floor) + 1023) * one);
-}
-
-/// from + x factor; `to` may be `from`.
-TALUS_CLONES void add(const double* from, const double* x, double factor, double* to, std::size_t count) {
-  std::size_t i = 0;
-  for (; i + pack_size <= count; i += pack_size) {
-    Pack pack, more;
-    load(pack, from + i), load(more, x + i);
-    store(pack + more * factor, to + i);
-  }
-  for (; i < count; ++i)
-    to[i] = from[i] + x[i] * factor;
 }
 
 /// Largest sizes of coordinates' speeds and ways, each in the length that one unit of it moves its body by.
@@ -167,10 +156,10 @@ void PolynomialMotion::move(const State& begin, double t, std::span<const Basis>
 void PolynomialMotion::correct(const Basis& last, const State& from, State& to) const {
   const double once = last.once / last_value_, twice = last.twice / last_value_;
   const double* missed = miss_.data();
-  add(from.q.data(), missed, twice, to.q.data(), to.q.size());
+  add_scaled(to.q.data(), from.q.data(), twice, missed, to.q.size());
   const auto integrate = [&](bool moves, const auto& start, auto& sums) {
     if (!moves) return void(sums = start);
-    add(start.data(), missed, once, sums.data(), sums.size());
+    add_scaled(sums.data(), start.data(), once, missed, sums.size());
     missed += sums.size();
   };
   integrate(true, from.v, to.v);

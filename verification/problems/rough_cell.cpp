@@ -130,7 +130,7 @@ class Accounts {
 
 /// Draws spins over the height beside half of how fast the layers pass each other; their ratio in layers that are two
 /// diameters from both walls. Above them the block rises and falls through layers of few discs.
-double spins_over_rates(Findings& findings, CellRun& run, double depth) {
+double spins_over_rates(Findings& findings, const CellRun& run, double depth) {
   Series spins{.label = "-spin", .x = {}, .y = {}}, rates{.label = "half the shear rate", .x = {}, .y = {}};
   const std::vector<CellProfile::Layer> layers = run.profile().layers();
   const double d = run.cell().diameter, unit = run.cell().block_speed / d;
