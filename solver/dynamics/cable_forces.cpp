@@ -116,6 +116,7 @@ void CableForces::find_row(CableRun& run, const std::vector<std::size_t>& ends_a
 }
 
 bool CableForces::rig(const State& state, Rigging& rigging) const {
+  if (holders_.empty()) return false;
   const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(first_hanger_);
   const auto last = modes + static_cast<std::ptrdiff_t>(holders_.size());
   if (std::equal(rigging.modes.begin(), rigging.modes.end(), modes, last)) return false;

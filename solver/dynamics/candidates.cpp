@@ -74,12 +74,13 @@ double largest_closing_speed(const Candidate& pair, const Pose& A, const Pose& B
 
 namespace {
 
-/// Up to so many pairs looking at each is cheaper than a sweep (the table of `make bench`).
-constexpr std::size_t worth_a_sweep = 64;
+/// Of a body's least half width: a rock of the fence of 1993 is listed anew every few hundred steps of its path, and
+/// the skins add few pairs that are not in reach.
+constexpr double skin_share = 0.05;
 
-/// Range along x, a little wider than the box.
-Stretch stretch(const Bounds& bounds, const Pose& pose) {
-  const double reach = extent(bounds, pose.R_WB).x * (1.0 + 1e-12) + 1e-12 * std::abs(pose.p_WB.x);
+/// Range along x, by the skin and a little more wider than the box.
+Stretch stretch(const Bounds& bounds, const Pose& pose, double skin) {
+  const double reach = skin + extent(bounds, pose.R_WB).x * (1.0 + 1e-12) + 1e-12 * std::abs(pose.p_WB.x);
   return {pose.p_WB.x - reach, pose.p_WB.x + reach};
 }
 
@@ -99,9 +100,7 @@ void sort(std::vector<std::size_t>& order, const std::vector<Stretch>& stretches
 
 }  // namespace
 
-void ContactSearch::prepare(std::size_t bodies) { prepare(bodies, pairs_.size() > worth_a_sweep); }
-
-void ContactSearch::prepare(std::size_t bodies, bool sweep) {
+void ContactSearch::prepare(std::size_t bodies) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> place(bodies, none);
   std::vector<std::size_t> sweepable;
@@ -110,9 +109,19 @@ void ContactSearch::prepare(std::size_t bodies, bool sweep) {
     place[index(body)] = swept_.size();
     swept_.push_back({body, bounds});
   };
+  leeways_ = {Row{bodies}, Row{bodies, std::numeric_limits<double>::infinity()}, bodies, 0};
+  const auto bind = [this](BodyId body, const Bounds& bounds) {
+    const std::size_t i = index(body);
+    // A disc that turns moves no point of its outline; ground does not move.
+    leeways_.radius[i] = bounds.round ? 0.0 : furthest(bounds);
+    leeways_.way[i] = endless(bounds) ? 0.0 : skin_share * least_half_width(bounds);
+    leeways_.first = std::min(leeways_.first, i), leeways_.last = std::max(leeways_.last, i + 1);
+  };
+  for (const Candidate& pair : pairs_)
+    bind(pair.a, pair.bounds_a), bind(pair.b, pair.bounds_b);
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const Candidate& pair = pairs_[p];
-    if (!sweep || endless(pair.bounds_a) || endless(pair.bounds_b)) {
+    if (endless(pair.bounds_a) || endless(pair.bounds_b)) {
       single_.push_back(p);
       continue;
     }
@@ -131,30 +140,45 @@ void ContactSearch::prepare(std::size_t bodies, bool sweep) {
   }
 }
 
-bool ContactSearch::near(std::size_t pair, const Poses& poses) const {
-  const Candidate& two = pairs_[pair];
-  return !out_of_reach(two, poses[index(two.a)], poses[index(two.b)]);
+bool ContactSearch::find(const Poses& poses, std::vector<char>& found, Sweep& sweep) const {
+  if (sweep.places.x.size() == 0 || have_moved(poses, sweep.places, leeways_)) list_close(poses, sweep);
+  bool any = false;
+  for (const std::size_t p : sweep.close) {
+    const Candidate& pair = pairs_[p];
+    found[p] = !out_of_reach(pair, poses[index(pair.a)], poses[index(pair.b)]);
+    any = any || found[p];
+  }
+  return any;
 }
 
-void ContactSearch::find(const Poses& poses, std::vector<char>& found, Sweep& sweep) const {
-  if (!swept_.empty()) std::fill(found.begin(), found.end(), char{0});
-  for (const std::size_t p : single_)
-    found[p] = near(p, poses);
-  if (swept_.empty()) return;
-  if (sweep.order.empty()) {
+void ContactSearch::list_close(const Poses& poses, Sweep& sweep) const {
+  if (sweep.places.x.size() == 0) {
+    sweep.close.reserve(pairs_.size());
     sweep.order.resize(swept_.size());
     std::iota(sweep.order.begin(), sweep.order.end(), std::size_t{0});
     sweep.stretches.resize(swept_.size());
   }
-  for (std::size_t i = 0; i < swept_.size(); ++i)
-    sweep.stretches[i] = stretch(swept_[i].bounds, poses[index(swept_[i].body)]);
+  sweep.places.x = poses.x, sweep.places.y = poses.y;
+  sweep.places.cosine = poses.cosine, sweep.places.sine = poses.sine;
+  sweep.close.clear();
+  const auto look = [&](std::size_t p) {
+    const Candidate& pair = pairs_[p];
+    const std::size_t a = index(pair.a), b = index(pair.b);
+    if (!out_of_reach(pair, poses[a], poses[b], leeways_.way[a] + leeways_.way[b])) sweep.close.push_back(p);
+  };
+  for (const std::size_t p : single_)
+    look(p);
+  for (std::size_t i = 0; i < swept_.size(); ++i) {
+    const auto& [body, bounds] = swept_[i];
+    sweep.stretches[i] = stretch(bounds, poses[index(body)], leeways_.way[index(body)]);
+  }
   sort(sweep.order, sweep.stretches);
   for (std::size_t i = 0; i < sweep.order.size(); ++i) {
     const double high = sweep.stretches[sweep.order[i]].high;
     const std::size_t* const pairs = &swept_pairs_[sweep.order[i] * swept_.size()];
-    for (std::size_t j = i + 1; j < sweep.order.size() && sweep.stretches[sweep.order[j]].low <= high; ++j) {
+    for (std::size_t j = i + 1; j < sweep.order.size() && !(sweep.stretches[sweep.order[j]].low > high); ++j) {
       const std::size_t p = pairs[sweep.order[j]];
-      if (p != pairs_.size()) found[p] = near(p, poses);
+      if (p != pairs_.size()) look(p);
     }
   }
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "solver/base/ids.hpp"
-#include "solver/dynamics/lanes.hpp"
+#include "solver/dynamics/runs.hpp"
 #include "solver/geometry/shape.hpp"
 
 namespace talus {
@@ -55,22 +55,26 @@ struct Stretch {
 struct Sweep {
   std::vector<std::size_t> order;  ///< of the swept bodies, by their least x
   std::vector<Stretch> stretches;  ///< one for each swept body
+  std::vector<std::size_t> close;  ///< pairs whose skins were within each other's reach
+  Places places;                   ///< of the bodies, when these were listed
 };
 
-/// Finds the pairs within reach of each other. A few are looked at one by one; among many the bodies are swept in the
-/// order of their least x (Baraff 1992), which changes little from one evaluation to the next.
+/// Finds the pairs within reach of each other, among those that were close when they were listed last: with a skin
+/// around each body (Verlet 1967). The list stands until a point of a body has moved by its skin, wherever the poses
+/// come from. For a list the bodies are swept in the order of their least x (Baraff 1992), which changes little
+/// from one list to the next.
 class ContactSearch {
  public:
   void add(const Candidate& pair) { pairs_.push_back(pair); }
-  /// After the last add: chooses the way of searching, by the number of pairs or as told.
+  /// After the last add; `bodies`: of the model.
   void prepare(std::size_t bodies);
-  void prepare(std::size_t bodies, bool sweep);
 
   const std::vector<Candidate>& pairs() const { return pairs_; }
 
-  /// Sets found[p] to whether pair p is within reach. Of pairs that lie apart along x it may deny that where
-  /// out_of_reach alone would not see it. The scratch: empty, or as this function left it.
-  void find(const Poses& poses, std::vector<char>& found, Sweep& sweep) const;
+  /// Marks in `found`, which is all nought, the pairs within reach. Of pairs that lie apart it may leave out some that
+  /// out_of_reach would not, which depends on when they were listed. Whether there are any. The scratch: empty, or as
+  /// this function left it.
+  bool find(const Poses& poses, std::vector<char>& found, Sweep& sweep) const;
 
  private:
   /// A body that is swept.
@@ -78,12 +82,13 @@ class ContactSearch {
     BodyId body{};
     Bounds bounds;
   };
-  bool near(std::size_t pair, const Poses& poses) const;
+  void list_close(const Poses& poses, Sweep& sweep) const;
 
   std::vector<Candidate> pairs_;
-  std::vector<std::size_t> single_;  ///< pairs looked at one by one
+  std::vector<std::size_t> single_;  ///< pairs that are not swept: with ground, or once more of the same two
   std::vector<Swept> swept_;
   std::vector<std::size_t> swept_pairs_;  ///< of each two swept bodies, row by row; the number of pairs for none
+  Leeways leeways_;
 };
 
 }  // namespace talus

@@ -205,16 +205,15 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) {
 }
 
 void ContactForces::update(const State& state, Workspace& work) const {
-  search_.find(work.poses, work.near, work.sweep);
-  work.any_near = false;
-  for (std::size_t c = 0; c < candidates(); ++c) {
-    const Candidate& pair = search_.pairs()[c];
-    // Bodies may have parted within one step: what still acts is looked at once more, to be ended.
-    unsigned acting = 0;
-    for (std::size_t i = pair.first; i < pair.last; ++i)
-      acting |= state.mode[i];
-    work.near[c] = work.near[c] || acting != 0;
-    work.any_near = work.any_near || work.near[c];
+  if (work.any_near) std::fill(work.near.begin(), work.near.end(), char{0});
+  work.any_near = search_.find(work.poses, work.near, work.sweep);
+  // Bodies may have parted within one step: what still acts is looked at once more, to be ended.
+  if (any_set(state.mode.data(), size())) {
+    work.any_near = true;
+    for (std::size_t c = 0; c < candidates(); ++c) {
+      const Candidate& pair = search_.pairs()[c];
+      if (any_set(&state.mode[pair.first], pair.last - pair.first)) work.near[c] = Workspace::wanted;
+    }
   }
   if (work.any_near) update_gaps(laws_, &state, work);
 }
@@ -291,13 +290,11 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
   for (std::size_t c = 0; c < candidates(); ++c) {
     if (!work.near[c]) continue;
     const Candidate& pair = search_.pairs()[c];
-    // Ground without end is always near; only where it is touched does it wake.
-    const auto touched = [&] {
-      const auto gaps = work.gaps.begin();
-      return std::any_of(gaps + static_cast<std::ptrdiff_t>(pair.first), gaps + static_cast<std::ptrdiff_t>(pair.last),
-                         [](const Gap& gap) { return gap.depth >= 0.0; });
-    };
-    if ((endless(pair.bounds_a) || endless(pair.bounds_b)) && !touched()) continue;
+    const auto gaps = work.gaps.begin();
+    const bool touches =
+        std::any_of(gaps + static_cast<std::ptrdiff_t>(pair.first), gaps + static_cast<std::ptrdiff_t>(pair.last),
+                    [](const Gap& gap) { return gap.depth >= 0.0; });
+    if (!touches) continue;
     for (const BodyId body : {pair.a, pair.b}) {
       if (!work.waking.awake[index(body)]) woken.push_back(body);
     }

@@ -79,7 +79,7 @@ class ContactForces {
   /// Before the first settle() of a run: friction within reach sticks, so that what pushes keeps the stretch it has.
   void begin(State& state, const Workspace& work) const;
   void settle(State& state, const Workspace& work) const;
-  /// Lists the sleeping bodies that have another within reach.
+  /// Lists the sleeping bodies that another touches.
   void list_woken(const Workspace& work, std::vector<BodyId>& woken) const;
   /// Adds the forces to the wrenches of both bodies; with out, the dissipated power as well.
   void add(const State& state, Workspace& work, Rates* out) const;

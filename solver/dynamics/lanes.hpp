@@ -69,6 +69,12 @@ struct Poses {
   }
 };
 
+/// Where the bodies are.
+struct Places {
+  Row x, y;          ///< centre of mass [L]
+  Row cosine, sine;  ///< orientation
+};
+
 /// Force and moment on a body about its centre of mass, world components.
 struct Wrench {
   Vec2 force;       ///< [F]

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include "solver/base/pack.hpp"
 
@@ -275,6 +276,35 @@ TALUS_CLONES void place_bodies(const BodyRun& run, const double* q, const double
   if (i == run.count) return;
   i = run.count - pack_size;  // some of them once more
   place_eight(q + 3 * i, v + 3 * i, run.body + i, all, poses);
+}
+
+TALUS_CLONES bool have_moved(const Poses& poses, const Places& places, const Leeways& leeways) {
+  const auto size_of = [](const Pack& pack, Sizes& bits) {
+    std::memcpy(&bits, &pack, sizeof bits);
+    bits &= std::numeric_limits<std::int64_t>::max();
+  };
+  const auto change = [&](Pack& size, const Row& now, const Row& then, std::size_t i) {
+    Pack there;
+    load(size, now.at(i)), load(there, then.at(i));
+    size -= there;
+    Sizes bits;
+    size_of(size, bits);
+    std::memcpy(&size, &bits, sizeof size);
+  };
+  // Sizes are ordered as their bits are, as whole numbers, in which what is not a number is above all others: of the
+  // greater less the smaller the sign is set.
+  Sizes moved{};
+  for (std::size_t i = leeways.first; i < leeways.last; i += pack_size) {
+    Pack x, y, cosine, sine, radius;
+    change(x, poses.x, places.x, i), change(y, poses.y, places.y, i);
+    change(cosine, poses.cosine, places.cosine, i), change(sine, poses.sine, places.sine, i);
+    load(radius, leeways.radius.at(i));
+    Sizes most, way;
+    std::memcpy(&most, leeways.way.at(i), sizeof most);
+    size_of(x + y + radius * (cosine + sine), way);
+    moved |= most - way;
+  }
+  return any_bit(moved & std::numeric_limits<std::int64_t>::min());
 }
 
 TALUS_CLONES void accelerate_bodies(const BodyRun& run, const BodyConstants& constants, const Wrenches& wrenches,

@@ -13,6 +13,16 @@ void place_bodies(const BodyRun& run, const double* q, const double* v, Poses& p
 /// Joints on neighbouring bodies, from the bodies' poses; p_x, p_y in body coordinates [L].
 void place_joints(const JointRun& run, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints);
 
+/// How far bodies may go, one number for each.
+struct Leeways {
+  Row radius;  ///< within which all of a body lies from its centre of mass [L]
+  Row way;     ///< that no point of it may exceed from where it was [L]; infinite if it may go anywhere
+  std::size_t first{}, last{};  ///< all others may
+};
+
+/// Whether a point of some body is, or may be, further from where it was than it may be; also if its pose is no number.
+bool have_moved(const Poses& poses, const Places& places, const Leeways& leeways);
+
 /// What is constant of free bodies, one number for each.
 struct BodyConstants {
   Row inverse_mass, inverse_inertia;

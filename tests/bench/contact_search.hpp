@@ -2,8 +2,8 @@
 
 namespace talus::bench {
 
-/// Prints what finding the pairs within reach costs one by one and by the sweep: which of the two the search takes by
-/// the number of pairs rests on this table.
+/// Prints what finding the pairs within reach costs: by looking at each, by listing those that are close, and while
+/// that list stands.
 void print_search_costs();
 
 }  // namespace talus::bench

@@ -42,9 +42,9 @@ the fence is; and with a sag of the same share of the span, which makes those of
 and motion along them at most three times as fast. The fence of two layers; a yard of bodies of every outline, with
 friction.
 
-**Source.** None beyond the laws themselves; the sweep of the contact search is Baraff 1992.
+**Source.** None beyond the laws themselves; the list of close pairs is Verlet 1967, the sweep that makes it Baraff 1992.
 
-**What would break it.** A column left asleep that is pulled; a pair that the search forgets; a row that stays on a
+**What would break it.** A column left asleep that is pulled; a pair that the search forgets, or a list of close pairs that stands too long; a row that stays on a
 line which one of its cables has left.
 )";
 
@@ -190,14 +190,14 @@ Case left_out() {
                       "columns awake in .05 s, as tight: with 1,001 over with 101",
                       "columns awake in .05 s, by share of the span: with 1,001 over with 101",
                       "yard: state at the end from that with every pair, largest difference",
-                      "16 discs, swept: state at the end from that with every pair, largest difference",
+                      "16 discs: state at the end from that with every pair, largest difference",
                       "fence of two layers: state at the end from that with every pair, largest difference",
                       "yard, located events: state from that with every guard, largest difference",
-                      "16 discs, swept, located events: state from that with every guard, largest difference",
+                      "16 discs, located events: state from that with every guard, largest difference",
                       "fence of two layers, located events: state from that with every guard, largest difference",
                       "tensions of rows of cables from those of the laws, one by one, largest difference over a run",
                       "without ledger, paths not told: state at the end from that with, largest difference"},
-      .source = "Baraff 1992 for the sweep",
+      .source = "Verlet 1967 and Baraff 1992 for the contact search",
       .page = page,
       .faults = {{"default_for_exact", "the default's threshold where `exact` is asked for",
                   "101 columns, sleep exact: state at .05 s from that without sleep, largest difference"},
