@@ -421,9 +421,11 @@ bool CableForces::follows(const State& state) const {
   return found;
 }
 
-void CableForces::guards(const State& state, const Workspace& work, double ahead, std::span<double> out) const {
+bool CableForces::guards(const State& state, const Workspace& work, double ahead, std::span<double> out) const {
+  bool any = !holders_.empty();
   for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, const CableRun& run) {
     if (run.quiet && stays_straight(run, constants_.rest_length, work.lines, work.paths, ahead)) return;
+    any = true;
     for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
       out[slot.mode] = law.guard(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);
     });
@@ -432,6 +434,7 @@ void CableForces::guards(const State& state, const Workspace& work, double ahead
     if (state.mode[first_hanger_ + h] == 0)
       out[first_hanger_ + h] = holders_[h].strength - pull_on(holders_[h], state, work);
   }
+  return any;
 }
 
 double CableForces::stored_energy(const State& state, const Workspace& work) const {

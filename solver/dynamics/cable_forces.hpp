@@ -73,8 +73,8 @@ class CableForces {
   void load(const State& state, Workspace& work, Rates* out) const;
   /// Whether some memory is taken along by settle() alone: of cables that yield.
   bool follows(const State& state) const;
-  /// Of rows that at their rates stay on their straight lines for the time ahead [T] none.
-  void guards(const State& state, const Workspace& work, double ahead, std::span<double> out) const;
+  /// Of rows that at their rates stay on their straight lines for the time ahead [T] none. Whether there are any.
+  bool guards(const State& state, const Workspace& work, double ahead, std::span<double> out) const;
   double stored_energy(const State& state, const Workspace& work) const;
   /// Lists the sleeping bodies on which a cable pulls otherwise than at rest, by more than `share` of its tension.
   void list_woken(const State& state, const Workspace& work, double share, std::vector<BodyId>& woken) const;

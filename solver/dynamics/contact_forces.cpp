@@ -163,6 +163,19 @@ class GapUpdate {
   Workspace& work_;
 };
 
+/// Whether it is a body and ground that goes on for ever.
+bool never_passes(const Candidate& pair) { return endless(pair.bounds_a) || endless(pair.bounds_b); }
+
+/// Brings the longest step down to what a pair allows that closes so fast [L/T], under this pull [L/T^2].
+void shorten(ContactForces::Passing& passing, const Candidate& pair, std::size_t contact, double speed, double pull) {
+  const double way = 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b));
+  const double most = passing.longest_step;
+  if ((speed + 0.5 * pull * most) * most <= way) return;
+  // way = speed h + pull h^2/2, solved so that nothing cancels.
+  const double step = 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * pull * way));
+  if (step < most) passing = {step, static_cast<ContactId>(contact)};
+}
+
 /// Works out the gaps that are wanted.
 template <class Laws>
 void update_gaps(const Laws& laws, const State* state, Workspace& work) {
@@ -234,21 +247,24 @@ bool ContactForces::update_of(const State& state, std::span<const std::size_t> m
   return work.any_near;
 }
 
-void ContactForces::update_far(const State& state, double ahead, double pull, Workspace& work) const {
+double ContactForces::update_far(const State& state, double ahead, double pull, Workspace& work) const {
+  Passing passing;
   bool any = false;
   for (std::size_t c = 0; c < candidates(); ++c) {
     char& near = work.near[c];
     const Candidate& pair = search_.pairs()[c];
+    if (near) near = Workspace::known;
+    if (near && never_passes(pair)) continue;
     const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
-    if (near) {
-      near = Workspace::known;
-    } else if (!out_of_reach(pair, A, B, ahead * (largest_closing_speed(pair, A, B) + 0.5 * pull * ahead))) {
-      near = Workspace::wanted;
-      any = true;
-    }
+    const double speed = largest_closing_speed(pair, A, B);
+    shorten(passing, pair, c, speed, pull);
+    if (near || out_of_reach(pair, A, B, ahead * (speed + 0.5 * pull * ahead))) continue;
+    near = Workspace::wanted;
+    any = true;
   }
   work.any_near = work.any_near || any;
   if (any) update_gaps(laws_, &state, work);
+  return passing.longest_step;
 }
 
 void ContactForces::begin(State& state, const Workspace& work) const {
@@ -338,18 +354,11 @@ bool ContactForces::follows(const State& state) const {
 }
 
 ContactForces::Passing ContactForces::passing(const Workspace& work, double pull) const {
-  Passing found{std::numeric_limits<double>::infinity(), {}};
+  Passing found;
   for (std::size_t c = 0; c < candidates(); ++c) {
     const Candidate& pair = search_.pairs()[c];
-    if (endless(pair.bounds_a) || endless(pair.bounds_b)) continue;
-    const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
-    const double speed = largest_closing_speed(pair, A, B);
-    const double way = 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b));
-    const double most = found.longest_step;
-    if ((speed + 0.5 * pull * most) * most <= way) continue;
-    // way = speed h + pull h^2/2, solved so that nothing cancels.
-    const double step = 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * pull * way));
-    if (step < most) found = {step, static_cast<ContactId>(c)};
+    if (never_passes(pair)) continue;
+    shorten(found, pair, c, largest_closing_speed(pair, work.poses[index(pair.a)], work.poses[index(pair.b)]), pull);
   }
   return found;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -70,8 +71,8 @@ class ContactForces {
   /// Gaps of all pairs.
   void update_all(Workspace& work) const;
   /// After update(): the gaps that it left out, but of bodies that at their present speed, and under this pull [L/T^2],
-  /// do not come within reach of each other in the time ahead [T].
-  void update_far(const State& state, double ahead, double pull, Workspace& work) const;
+  /// do not come within reach of each other in the time ahead [T]. The longest step, as passing() says.
+  double update_far(const State& state, double ahead, double pull, Workspace& work) const;
   /// Gaps of the pairs that have one of these modes alone; whether there are any.
   bool update_of(const State& state, std::span<const std::size_t> modes, Workspace& work) const;
   /// Whether a mode is of a contact or its friction.
@@ -88,7 +89,7 @@ class ContactForces {
   /// The longest step [T] in which no body passes half the least width of another, under this pull [L/T^2], and the
   /// contact that sets it; infinite where none does.
   struct Passing {
-    double longest_step{};
+    double longest_step{std::numeric_limits<double>::infinity()};
     ContactId contact{};
   };
   Passing passing(const Workspace& work, double pull) const;

@@ -203,10 +203,10 @@ void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledge
   bodies_.rates(work, out, ledger);
 }
 
-void Dynamics::guards(const State& state, const Workspace& work, std::span<double> out, double ahead) const {
+bool Dynamics::guards(const State& state, const Workspace& work, std::span<double> out, double ahead) const {
   std::fill(out.begin(), out.end(), std::numeric_limits<double>::infinity());
   contacts_.guards(state, work, out);
-  cables_.guards(state, work, ahead, out);
+  return cables_.guards(state, work, ahead, out) || work.any_near;
 }
 
 void Dynamics::guards_of(const State& state, std::span<const std::size_t> modes, Workspace& work,

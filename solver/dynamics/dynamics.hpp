@@ -46,9 +46,9 @@ class Dynamics {
   /// The same with all gaps, however far apart the bodies.
   void update_all(const State& state, Workspace& work) const;
   /// After update(): the gaps of bodies out of reach as well that may come within it in the time ahead [T] at the speed
-  /// they have, under their weight. Those of others have none, and infinite guards.
-  void update_far(const State& state, double ahead, Workspace& work) const {
-    contacts_.update_far(state, ahead, norm(model_.gravity), work);
+  /// they have, under their weight. Those of others have none, and infinite guards. As longest_step().
+  double update_far(const State& state, double ahead, Workspace& work) const {
+    return contacts_.update_far(state, ahead, norm(model_.gravity), work);
   }
   /// Whether some memory follows the motion, as that of friction does.
   bool follows_motion() const { return follows_motion_; }
@@ -64,11 +64,11 @@ class Dynamics {
   void rates(const State& state, Workspace& work, Rates& out, bool ledger = true) const;
   /// Guards of all law instances and hangers in the state's modes, by mode slot; positive while the mode lasts, and
   /// infinite where nothing can end it from here, or, for rows of cables on straight lines, at their rates nothing does
-  /// in the time ahead [T].
-  void guards(const State& state, const Workspace& work, std::span<double> out,
+  /// in the time ahead [T]. Whether any may be finite.
+  bool guards(const State& state, const Workspace& work, std::span<double> out,
               double ahead = std::numeric_limits<double>::infinity()) const;
-  /// Those of a few modes; the numbers of others may change, too. Works out what they need alone: after it only
-  /// longest_step() may be asked without another update().
+  /// Those of a few modes; the numbers of others may change, too. Works out what they need alone: nothing more
+  /// may be asked after it without another update().
   void guards_of(const State& state, std::span<const std::size_t> modes, Workspace& work, std::span<double> out) const;
 
   /// Whether some memory is taken along by settle() alone, in the state's modes.

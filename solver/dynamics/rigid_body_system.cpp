@@ -37,11 +37,11 @@ void RigidBodySystem::settle(State& state) {
   dynamics_->settle(state, work_);
 }
 
-void RigidBodySystem::guards(const State& state, bool same, double ahead, std::vector<double>& out) {
+Prospect RigidBodySystem::guards(const State& state, bool same, double ahead, std::vector<double>& out) {
   if (!same) dynamics_->update(state, work_);
-  dynamics_->update_far(state, ahead, work_);
+  const double longest_step = dynamics_->update_far(state, ahead, work_);
   out.resize(state.mode.size());
-  dynamics_->guards(state, work_, out, ahead);
+  return {dynamics_->guards(state, work_, out, ahead), longest_step};
 }
 
 void RigidBodySystem::guards_of(const State& state, std::span<const std::size_t> modes, std::span<double> out) {

@@ -31,12 +31,10 @@ class RigidBodySystem {
 
   /// Guards in the state's modes; `same`: of the state that was settled, or whose derivative was asked for, last. Of
   /// bodies that at their speed do not touch in the time ahead [T] they are infinite. No force evaluation.
-  void guards(const State& state, bool same, double ahead, std::vector<double>& out);
+  Prospect guards(const State& state, bool same, double ahead, std::vector<double>& out);
   /// Those of a few modes, at any state; the numbers of others may change, too.
   void guards_of(const State& state, std::span<const std::size_t> modes, std::span<double> out);
   bool follows(const State& state) const { return dynamics_->follows(state); }
-  /// From the state that was looked at last.
-  double longest_step() const { return dynamics_->longest_step(work_); }
   std::vector<double> lengths() const { return dynamics_->lengths(); }
   /// The linear piece of the state whose derivative was the last.
   void affine_piece(const State& state, AffinePiece& out) const { dynamics_->affine_piece(state, work_, out); }

@@ -22,8 +22,9 @@ std::string crowd_failure(double t) {
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-/// Guards are asked for as far ahead as this many times the last step; the next is at most eight times as long, so that
-/// none should come to its end in the first step that looks at it. One that does is found there all the same.
+/// Guards are asked for as far ahead as this many times the last step; the next is at most eight times as long, but
+/// after one that hesitates or ends at an output, so that none should come to its end in the first step that looks at
+/// it. One that does is found there all the same.
 constexpr double steps_ahead = 16.0;
 
 /// Lists the numbers that are not the endless one; how many.
@@ -46,9 +47,9 @@ TALUS_CLONES std::size_t list_finite_numbers(const std::vector<double>& numbers,
 
 bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const std::vector<Mode>& before) {
   earlier_.clear();
-  system.guards(start, true, endless, guards_);
+  longest_step_ = system.guards(start, true, endless, guards_).longest_step;
   dormant_.resize(guards_.size());
-  ended_.reserve(guards_.size()), finite_.reserve(guards_.size());
+  ended_.reserve(guards_.size());
   bool in_doubt = false;
   for (std::size_t i = 0; i < guards_.size(); ++i) {
     const bool lasted = dormant_[i] != 0.0 && before[i] == start.mode[i];
@@ -61,10 +62,16 @@ bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const 
 std::optional<double> EventSearch::find(EventfulSystem& system, const State& begin, double end, const State& near_end,
                                         bool same, const Motion& motion) {
   std::swap(before_, guards_);
-  system.guards(near_end, same, steps_ahead * (end - begin.t), guards_);
+  const Prospect ahead = system.guards(near_end, same, steps_ahead * (end - begin.t), guards_);
+  longest_step_ = ahead.longest_step;
+  if (!ahead.finite) {
+    std::fill(dormant_.begin(), dormant_.end(), 0.0);
+    go_on(begin.t);
+    return std::nullopt;
+  }
   list_finite();
   bool near = false, worse = false;
-  for (const std::size_t i : finite_) {
+  for (const std::size_t i : finite()) {
     near |= dormant_[i] == 0.0 && may_have_ended(i);
     worse |= dormant_[i] == 1.0 && guards_[i] <= 0.0 && guards_[i] < before_[i];
   }
@@ -81,8 +88,7 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
     // What has come out of its end is looked at from the next step on.
     for (std::size_t i = 0; i < guards_.size(); ++i)
       dormant_[i] = guards_[i] > 0.0 ? 0.0 : dormant_[i];
-    std::swap(earlier_, before_);
-    earlier_time_ = begin.t;
+    go_on(begin.t);
     return std::nullopt;
   }
   const double after = least_share();
@@ -98,10 +104,16 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
   return found.second;
 }
 
+/// No event ended the step that began then.
+void EventSearch::go_on(double begin) {
+  std::swap(earlier_, before_);
+  earlier_time_ = begin;
+}
+
 /// Lists the guards that are finite at the end of the last step: the others have not ended and did not dip.
 void EventSearch::list_finite() {
   finite_.resize(guards_.size());
-  finite_.resize(list_finite_numbers(guards_, finite_.data()));
+  finite_count_ = list_finite_numbers(guards_, finite_.data());
 }
 
 bool EventSearch::may_have_ended(std::size_t guard) const {
@@ -113,11 +125,11 @@ bool EventSearch::may_have_ended(std::size_t guard) const {
 /// the parabola through three times.
 std::optional<double> EventSearch::dip(double begin, double end) const {
   std::optional<double> found;
-  if (earlier_.size() != guards_.size() || finite_.empty()) return found;
+  if (earlier_.size() != guards_.size() || finite().empty()) return found;
   double least = std::numeric_limits<double>::infinity();
   const double b = end - begin;
   const double per_a = 1.0 / (begin - earlier_time_), per_b = 1.0 / b, per_both = 1.0 / (end - earlier_time_);
-  for (const std::size_t i : finite_) {
+  for (const std::size_t i : finite()) {
     // What nothing could end before is infinite: nothing holds of what follows from it.
     const double from = (before_[i] - earlier_[i]) * per_a, to = (guards_[i] - before_[i]) * per_b;
     const double curvature = (to - from) * per_both;  // half the second derivative
@@ -146,7 +158,7 @@ void EventSearch::look_at(EventfulSystem& system, const State& begin, double t, 
 /// Lists the guards that are past their end at a time in the last step, of those that were not since the piece began.
 bool EventSearch::find_ended(EventfulSystem& system, const State& begin, double t, const Motion& motion) {
   ended_.clear();
-  for (const std::size_t i : finite_) {
+  for (const std::size_t i : finite()) {
     if (dormant_[i] == 0.0) ended_.push_back(i);
   }
   look_at(system, begin, t, motion);

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ class EventSearch {
   /// step, and is found there.
   [[nodiscard]] std::optional<double> find(EventfulSystem& system, const State& begin, double end,
                                            const State& near_end, bool same, const Motion& motion);
+  /// From the beginning of the piece, or from near the end of the last step, in which no body can pass another unseen.
+  double longest_step() const { return longest_step_; }
   /// Brings the modes up to date at an event.
   void settle(EventfulSystem& system, State& at);
 
@@ -43,7 +46,9 @@ class EventSearch {
   void remember(Memory& memory, std::size_t modes);
 
  private:
+  void go_on(double begin);
   void list_finite();
+  std::span<const std::size_t> finite() const { return {finite_.data(), finite_count_}; }
   bool may_have_ended(std::size_t guard) const;
   std::optional<double> dip(double begin, double end) const;
   void look_at(EventfulSystem& system, const State& begin, double t, const Motion& motion);
@@ -57,9 +62,11 @@ class EventSearch {
                                  ///< was seen to last all the same (a slider whose limit falls)
 
   // Scratch of a step.
+  double longest_step_{};
   std::vector<double> before_, looked_;
-  std::vector<std::size_t> finite_;  ///< guards that something may end
-  std::vector<std::size_t> ended_;   ///< guards that are past their end where they were looked at first
+  std::vector<std::size_t> finite_;  ///< the first so many are the guards that something may end
+  std::size_t finite_count_{};
+  std::vector<std::size_t> ended_;  ///< guards that are past their end where they were looked at first
   State looked_at_;
   std::vector<Mode> modes_;
 };

@@ -24,6 +24,12 @@ struct AffinePiece {
   std::vector<Term> terms;
 };
 
+/// What is said along with the guards of a state.
+struct Prospect {
+  bool finite{};          ///< some of them may be
+  double longest_step{};  ///< from there in which no body can pass another unseen [T]
+};
+
 /// What a method that locates events asks of its system.
 struct EventfulSystem {
   /// Rates in the state's present modes: one force evaluation.
@@ -31,15 +37,13 @@ struct EventfulSystem {
   /// Guards in the state's present modes, one for each mode; `same`: of the state that was settled, or whose derivative
   /// was asked for, last. One that at the present speeds cannot end in the time `ahead` [T] may be infinite. None: the
   /// motion is smooth.
-  std::function<void(const State&, bool same, double ahead, std::vector<double>&)> guards;
+  std::function<Prospect(const State&, bool same, double ahead, std::vector<double>&)> guards;
   /// Those of a few modes; the numbers of others may change, too.
   std::function<void(const State&, std::span<const std::size_t> modes, std::span<double>)> guards_of;
   /// Brings modes and memory up to date.
   std::function<void(State&)> settle;
   /// Whether some memory must be settled as the motion goes on, in the state's modes.
   std::function<bool(const State&)> follows;
-  /// The longest step [T] in which no body can pass another unseen, from the state that was looked at last.
-  std::function<double()> longest_step;
   /// Of each coordinate of a state, the length [L] that one unit of it moves its body by: the same at all times.
   std::function<std::vector<double>(const State&)> lengths;
   /// The linear piece that the state is in: none if the system has no such pieces.
@@ -58,13 +62,12 @@ EventfulSystem eventful(System& system) {
   asked.settle = [&system](State& at) { system.settle(at); };
   if constexpr (requires(std::vector<double> & out) { system.guards(State{}, true, 0.0, out); }) {
     asked.guards = [&system](const State& at, bool same, double ahead, std::vector<double>& out) {
-      system.guards(at, same, ahead, out);
+      return system.guards(at, same, ahead, out);
     };
     asked.guards_of = [&system](const State& at, std::span<const std::size_t> modes, std::span<double> out) {
       system.guards_of(at, modes, out);
     };
     asked.follows = [&system](const State& at) { return system.follows(at); };
-    asked.longest_step = [&system] { return system.longest_step(); };
     asked.lengths = [&system](const State&) { return system.lengths(); };
   } else {
     asked.lengths = [](const State& at) { return std::vector<double>(at.q.size(), 1.0); };

@@ -119,7 +119,7 @@ class LocatedSteps {
     fresh_ = false;
     if (!system.guards) return;
     if (search_.begin_piece(system, end_, begin_.mode)) motion_.hesitate();
-    longest_ = system.longest_step();
+    longest_ = search_.longest_step();
     follows_ = system.follows(end_);  // as long as no mode changes
   }
 
@@ -146,7 +146,7 @@ class LocatedSteps {
     const auto near_end = motion_.near_end(end_);
     const std::optional<double> event = search_.find(system, begin_, end_.t, *near_end.state, near_end.same,
                                                      [this](double t, State& out) { state_at(t, out); });
-    longest_ = system.longest_step();
+    longest_ = search_.longest_step();
     return event;
   }
 

@@ -40,8 +40,8 @@ class Unguarded {
 class AllGuards : public RigidBodySystem {
  public:
   explicit AllGuards(const Dynamics& dynamics) : RigidBodySystem{dynamics, false} {}
-  void guards(const State& state, bool same, double, std::vector<double>& out) {
-    RigidBodySystem::guards(state, same, std::numeric_limits<double>::infinity(), out);
+  Prospect guards(const State& state, bool same, double, std::vector<double>& out) {
+    return RigidBodySystem::guards(state, same, std::numeric_limits<double>::infinity(), out);
   }
 };
 

@@ -51,17 +51,16 @@ class EveryPair {
   }
 
   // For steps between located events.
-  void guards(const State& state, bool, double, std::vector<double>& out) {
+  Prospect guards(const State& state, bool, double, std::vector<double>& out) {
     dynamics_->update_all(state, work_);
     out.resize(state.mode.size());
-    dynamics_->guards(state, work_, out);
+    return {dynamics_->guards(state, work_, out), dynamics_->longest_step(work_)};
   }
   void guards_of(const State& state, std::span<const std::size_t>, std::span<double> out) {
     dynamics_->update_all(state, work_);
     dynamics_->guards(state, work_, out);
   }
   bool follows(const State& state) const { return dynamics_->follows(state); }
-  double longest_step() const { return dynamics_->longest_step(work_); }
   std::vector<double> lengths() const { return dynamics_->lengths(); }
   bool moves_memory() const { return dynamics_->follows_motion(); }
   void wake_all(State& state) const { dynamics_->wake_all(state); }
@@ -74,10 +73,11 @@ class EveryPair {
 
 /// Looks out for nothing that does not act yet.
 struct ShortSighted : RigidBodySystem {
-  void guards(const State& state, bool same, double ahead, std::vector<double>& out) {
-    RigidBodySystem::guards(state, same, ahead, out);
+  Prospect guards(const State& state, bool same, double ahead, std::vector<double>& out) {
+    const Prospect found = RigidBodySystem::guards(state, same, ahead, out);
     for (std::size_t i = 0; i < out.size(); ++i)
       out[i] = state.mode[i] == 0 ? std::numeric_limits<double>::infinity() : out[i];
+    return found;
   }
 };
 
