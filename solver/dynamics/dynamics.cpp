@@ -91,6 +91,7 @@ void Dynamics::list_awake(const State& state, Workspace& work, bool whole) const
 }
 
 std::size_t Dynamics::moving(const State& state, const Workspace& work) const {
+  if (layout_.sleepers.empty()) return work.waking.moving;
   const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
   const std::vector<Mode>& known = work.waking.modes;
   return std::equal(known.begin(), known.end(), modes, state.mode.end()) ? work.waking.moving : state.q.size();
@@ -191,9 +192,11 @@ void Dynamics::memory_rates(const State& state, const Workspace& work, Rates& ou
 }
 
 void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledger) const {
+  if (ledger || out.accounts) {
+    out.work.fill(0.0);
+    out.impulse.fill(0.0);
+  }
   out.accounts = ledger;
-  out.work.fill(0.0);
-  out.impulse.fill(0.0);
   memory_rates(state, work, out);
   Rates* const accounts = ledger ? &out : nullptr;
   // Cables first: a half model's doubled pull and a full model's two pulls are then the same sum to the last bit.

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
 #include "solver/base/vec.hpp"
 
 namespace talus {
@@ -35,9 +39,7 @@ inline constexpr double eighth_of_a_turn = 0.78539816339744830962;
 }
 
 /// Whether the series gives the rotation by this angle [rad].
-[[nodiscard]] constexpr bool within_series(double angle) {
-  return angle <= eighth_of_a_turn && angle >= -eighth_of_a_turn;
-}
+[[nodiscard]] inline bool within_series(double angle) { return std::abs(angle) <= eighth_of_a_turn; }
 
 /// Rotation by an angle, if it was found.
 struct Turned {
@@ -52,7 +54,7 @@ struct Turned {
 [[nodiscard]] inline Turned rotation_by_quarter_turns(double angle) {
   constexpr double quarter_1 = 0x1.921fb544p+0, quarter_2 = 0x1.0b4611a6p-34, quarter_3 = 0x1.3198a2e037073p-69;
   constexpr double to_whole = 0x1.8p+52;  // added and taken off again it leaves the nearest whole number
-  const double k = (angle * 0x1.45f306dc9c883p-1 + to_whole) - to_whole;
+  const double shifted = angle * 0x1.45f306dc9c883p-1 + to_whole, k = shifted - to_whole;
   const double first = angle - k * quarter_1;
   const double second = k * quarter_2;
   const double difference = first - second;
@@ -62,13 +64,13 @@ struct Turned {
   const Rotation near = rotation_by_series(rest);
   const double cosine = near.cosine - tail * near.sine;
   const double sine = near.sine + tail * near.cosine;
-  // Quarter turns beyond whole turns: -2 .. 2.
-  const double over = k - 4.0 * ((k * 0.25 + to_whole) - to_whole);
-  const bool half = (over == 2.0) | (over == -2.0), odd = (over == 1.0) | (over == -1.0);
-  const double x = odd ? sine : cosine, y = odd ? cosine : sine;
-  const bool back = half | (over == 1.0), down = half | (over == -1.0);
-  const bool found = within_series(rest) && angle <= 1e5 && angle >= -1e5;
-  return {{back ? -x : x, down ? -y : y}, found};
+  // The lowest bits of a number so shifted are those of k. Odd: sine and cosine change places.
+  const auto turns = std::bit_cast<std::uint64_t>(shifted), odd = std::uint64_t{0} - (turns & 1);
+  const auto c = std::bit_cast<std::uint64_t>(cosine), s = std::bit_cast<std::uint64_t>(sine);
+  const std::uint64_t x = ((c & ~odd) | (s & odd)) ^ (((turns + 1) & 2) << 62);
+  const std::uint64_t y = ((s & ~odd) | (c & odd)) ^ ((turns & 2) << 62);
+  const bool found = within_series(rest) & (std::abs(angle) <= 1e5);
+  return {{std::bit_cast<double>(x), std::bit_cast<double>(y)}, found};
 }
 
 /// Rotation by `angle` [rad], counter-clockwise > 0. The one place where the solver takes a sine, so that all machines,
