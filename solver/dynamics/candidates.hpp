@@ -61,8 +61,8 @@ struct Sweep {
 
 /// Finds the pairs within reach of each other, among those that were close when they were listed last: with a skin
 /// around each body (Verlet 1967). The list stands until a point of a body has moved by its skin, wherever the poses
-/// come from. For a list the bodies are swept in the order of their least x (Baraff 1992), which changes little
-/// from one list to the next.
+/// come from. For a list the bodies are swept in the order of their least x (Baraff 1992), which changes little from
+/// one list to the next.
 class ContactSearch {
  public:
   void add(const Candidate& pair) { pairs_.push_back(pair); }

@@ -253,11 +253,12 @@ double ContactForces::update_far(const State& state, double ahead, double pull, 
   for (std::size_t c = 0; c < candidates(); ++c) {
     char& near = work.near[c];
     const Candidate& pair = search_.pairs()[c];
+    const bool passes = !never_passes(pair);
     if (near) near = Workspace::known;
-    if (near && never_passes(pair)) continue;
+    if (near && !passes) continue;
     const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
     const double speed = largest_closing_speed(pair, A, B);
-    shorten(passing, pair, c, speed, pull);
+    if (passes) shorten(passing, pair, c, speed, pull);
     if (near || out_of_reach(pair, A, B, ahead * (speed + 0.5 * pull * ahead))) continue;
     near = Workspace::wanted;
     any = true;
