@@ -51,21 +51,28 @@ concept HasLines = L::memory_size <= 1 && requires(const L law, std::span<const 
   law.linear_piece(memory, Mode{});
 };
 
-/// Works out the straight lines of a run anew if modes or memories are not those that they stand for.
+/// Works out the straight lines of a run.
 template <class L>
-void keep_lines(const CableArray<L>& array, const CableRun& run, const State& state, CableLines& lines) {
+[[gnu::noinline]] void make_lines(const CableArray<L>& array, const CableRun& run, const State& state,
+                                  CableLines& lines) {
   const Slot first = array.slots[run.place];
-  const Mode* const modes = &state.mode[first.mode];
-  const double* const kept = state.z.data() + first.memory;
-  const std::size_t numbers = L::memory_size * run.count;
-  if (std::memcmp(modes, &lines.mode[run.cable], run.count * sizeof(Mode)) == 0 &&
-      std::memcmp(kept, &lines.memory[run.cable], numbers * sizeof(double)) == 0)
-    return;
-  std::copy_n(modes, run.count, &lines.mode[run.cable]);
-  std::copy_n(kept, numbers, &lines.memory[run.cable]);
+  std::copy_n(&state.mode[first.mode], run.count, &lines.mode[run.cable]);
+  std::copy_n(state.z.data() + first.memory, L::memory_size * run.count, &lines.memory[run.cable]);
   for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
     lines.set(c, law.linear_piece(memory<L>(state, slot), state.mode[slot.mode]));
   });
+}
+
+/// The same if modes or memories are not those that they stand for: asked at each evaluation, and hardly ever so.
+template <class L>
+[[gnu::always_inline]] inline void keep_lines(const CableArray<L>& array, const CableRun& run, const State& state,
+                                              CableLines& lines) {
+  const Slot first = array.slots[run.place];
+  const double* const kept = state.z.data() + first.memory;
+  const std::size_t numbers = L::memory_size * run.count;
+  if (std::memcmp(&state.mode[first.mode], &lines.mode[run.cable], run.count * sizeof(Mode)) != 0 ||
+      std::memcmp(kept, &lines.memory[run.cable], numbers * sizeof(double)) != 0)
+    make_lines(array, run, state, lines);
 }
 
 /// Calls visit(law, slot) for one cable.

@@ -129,8 +129,9 @@ void Dynamics::begin(State& state, Workspace& work) const {
 }
 
 void Dynamics::settle(State& state, Workspace& work) const {
-  contacts_.settle(state, work);
-  cables_.settle(state, work);
+  // Calls of what has nothing to do would be a thirtieth of a small fence's step.
+  if (work.any_near) contacts_.settle(state, work);
+  if (!work.waking.quiet) cables_.settle(state, work);
   if (!model_.hangers.empty() && (part_chains(state, work) || break_hangers(state, work))) return settle(state, work);
   if (!work.waking.any_asleep) return;
   std::vector<BodyId> woken;
@@ -202,7 +203,7 @@ void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledge
   // Cables first: a half model's doubled pull and a full model's two pulls are then the same sum to the last bit.
   cables_.load(state, work, accounts);
   work.waking.summed = true;
-  contacts_.add(state, work, accounts);
+  if (work.any_near) contacts_.add(state, work, accounts);
   bodies_.rates(work, out, ledger);
 }
 
