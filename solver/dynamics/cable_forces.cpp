@@ -324,7 +324,6 @@ std::vector<BodyId> CableForces::joined_bodies(HangerId hanger) const {
 }
 
 void CableForces::settle(State& state, const Workspace& work) const {
-  if (work.waking.quiet) return;
   for_each_run(laws_, work.waking, [&](const auto& array, const CableRun& run) {
     if (run.quiet) return;
     for_each_of(array, run, [&](const auto& law, Slot slot, std::size_t c) {

@@ -74,8 +74,8 @@ double largest_closing_speed(const Candidate& pair, const Pose& A, const Pose& B
 
 namespace {
 
-/// Of a body's least half width: a rock of the fence of 1993 is listed anew every few hundred steps of its path, and
-/// the skins add few pairs that are not in reach.
+/// Of a body's least half width: a rock of the fence of 1993 is listed anew every few hundred steps of its path. Table
+/// 2's step takes .151, .153, .156 and .157 us with .02, .05, .1 and .2, that of two layers .403, .384, .404 and .405.
 constexpr double skin_share = 0.05;
 
 /// Range along x, by the skin and a little more wider than the box.

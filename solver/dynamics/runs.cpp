@@ -279,16 +279,12 @@ TALUS_CLONES void place_bodies(const BodyRun& run, const double* q, const double
 }
 
 TALUS_CLONES bool have_moved(const Poses& poses, const Places& places, const Leeways& leeways) {
-  const auto size_of = [](const Pack& pack, Sizes& bits) {
-    std::memcpy(&bits, &pack, sizeof bits);
-    bits &= std::numeric_limits<std::int64_t>::max();
-  };
-  const auto change = [&](Pack& size, const Row& now, const Row& then, std::size_t i) {
+  const auto change = [](Pack& size, const Row& now, const Row& then, std::size_t i) {
     Pack there;
     load(size, now.at(i)), load(there, then.at(i));
     size -= there;
-    Sizes bits;
-    size_of(size, bits);
+    Sizes bits{};
+    raise(bits, size);
     std::memcpy(&size, &bits, sizeof size);
   };
   // Sizes are ordered as their bits are, as whole numbers, in which what is not a number is above all others: of the
@@ -299,9 +295,9 @@ TALUS_CLONES bool have_moved(const Poses& poses, const Places& places, const Lee
     change(x, poses.x, places.x, i), change(y, poses.y, places.y, i);
     change(cosine, poses.cosine, places.cosine, i), change(sine, poses.sine, places.sine, i);
     load(radius, leeways.radius.at(i));
-    Sizes most, way;
+    Sizes most, way{};
     std::memcpy(&most, leeways.way.at(i), sizeof most);
-    size_of(x + y + radius * (cosine + sine), way);
+    raise(way, x + y + radius * (cosine + sine));
     moved |= most - way;
   }
   return any_bit(moved & std::numeric_limits<std::int64_t>::min());

@@ -44,8 +44,8 @@ friction.
 
 **Source.** None beyond the laws themselves; the list of close pairs is Verlet 1967, the sweep that makes it Baraff 1992.
 
-**What would break it.** A column left asleep that is pulled; a pair that the search forgets, or a list of close pairs that stands too long; a row that stays on a
-line which one of its cables has left.
+**What would break it.** A column left asleep that is pulled; a pair that the search forgets, or a list of close pairs
+that stands too long; a row that stays on a line which one of its cables has left.
 )";
 
 constexpr long steps = 25000;

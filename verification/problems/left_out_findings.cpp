@@ -129,7 +129,7 @@ void check_pairs(Findings& findings, const Setup& setup, Table& table, const cha
                         fmt::format("{}", dynamics.contacts().candidates()), fmt::format("{:.2f}", near), "none"});
 }
 
-/// Discs thrown together, each meeting each: each paired with each.
+/// Discs thrown together, each paired with each.
 Scene thrown_discs() {
   constexpr int side = 4;
   std::mt19937 random{7};
