@@ -83,9 +83,14 @@ void BodyForces::list_awake(Waking& waking) const {
   }
 }
 
-void BodyForces::update(const State& state, Workspace& work) const {
-  for (const BodyRun& run : work.waking.whole ? free_runs_ : work.waking.bodies)
-    place_bodies(run, &state.q[free_[run.place].first], &state.v[free_[run.place].first], work.poses);
+void BodyForces::set_velocities(const State& state, Workspace& work) const {
+  for (const BodyRun& run : worked_out(work))
+    talus::set_velocities(run, &state.v[free_[run.place].first], work.poses);
+}
+
+void BodyForces::place(const State& state, Workspace& work) const {
+  for (const BodyRun& run : worked_out(work))
+    place_bodies(run, &state.q[free_[run.place].first], work.poses);
   if (only_free_) return;
   for (const Compiled& body : particles_) {
     const double* q = &state.q[body.first];

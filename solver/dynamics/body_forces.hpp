@@ -20,8 +20,10 @@ class BodyForces {
   void place_fixed(Workspace& work) const;
   /// Lists the free bodies that are awake.
   void list_awake(Waking& waking) const;
-  /// Poses of all others, or of those that are awake.
-  void update(const State& state, Workspace& work) const;
+  /// Poses of all others, or of those that are awake; of free bodies without the velocities,
+  void place(const State& state, Workspace& work) const;
+  /// and these.
+  void set_velocities(const State& state, Workspace& work) const;
   /// Accelerations from the wrenches in `work` (contacts and cables), the weights and the applied forces; with `ledger`
   /// also the impulse from outside: weights, applied forces and the reactions of whatever holds a body.
   void rates(Workspace& work, Rates& out, bool ledger) const;
@@ -55,6 +57,9 @@ class BodyForces {
   void guided_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const;
 
   std::vector<Compiled>& array(Mobility mobility);
+  const std::vector<BodyRun>& worked_out(const Workspace& work) const {
+    return work.waking.whole ? free_runs_ : work.waking.bodies;
+  }
   BodyRun run_of(std::size_t free) const { return {free, free_[free].body, 1}; }
 
   Vec2 gravity_;

@@ -223,11 +223,10 @@ void CableForces::place_anchors(Workspace& work) const {
 }
 
 void CableForces::update(const State& state, Workspace& work) const {
+  work.waking.loaded = false;
   for (const JointRun& run : work.waking.joints) {
     if (run.on_body && !run.in_row) place_joints(run, constants_.body_x, constants_.body_y, work.poses, work.joints);
   }
-  work.waking.loaded = pull_rows(state, work);
-  if (work.waking.loaded) return;
   clear(work.pulls, work.waking.reached);
   work.waking.quiet = work.waking.rows_only;
   for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, CableRun& run) {
@@ -244,7 +243,6 @@ void CableForces::update(const State& state, Workspace& work) const {
     straighten(chain, state, work);
 }
 
-/// Whether nothing is asked for but what pulls on bodies, and that is found, without any path, as their wrenches.
 bool CableForces::pull_rows(const State& state, Workspace& work) const {
   Waking& waking = work.waking;
   if (!work.rates_only || !waking.rows_only || waking.any_asleep || !holders_.empty()) return false;
@@ -261,7 +259,7 @@ bool CableForces::pull_rows(const State& state, Workspace& work) const {
     quiet = pull_row(run, constants_, work.lines, work.poses, work.joints, work.wrenches) && quiet;
     run.quiet = true;
   });
-  waking.quiet = quiet;
+  waking.quiet = waking.loaded = quiet;
   return quiet;
 }
 

@@ -60,6 +60,10 @@ class CableForces {
   /// Lists the joints and cables to work out: all, or those of which an end is on a body that is awake or held, and
   /// those that go on through broken hangers.
   void list_awake(Waking& waking, const Rigging& rigging) const;
+  /// Whether nothing is asked for but what pulls on bodies, and that is found, without any path and whatever the
+  /// velocities, as their wrenches.
+  bool pull_rows(const State& state, Workspace& work) const;
+  /// Joints, paths and what follows from them.
   void update(const State& state, Workspace& work) const;
   /// Hangers on which the cables pull with their strength or more, and of these the ones most overloaded.
   std::vector<HangerId> overloaded(const State& state, const Workspace& work) const;
@@ -97,7 +101,6 @@ class CableForces {
 
   std::size_t joint(const CableEnd& end);
   void find_row(CableRun& run, const std::vector<std::size_t>& ends_at) const;
-  bool pull_rows(const State& state, Workspace& work) const;
   void lay_paths(const CableRun& run, Workspace& work) const;
   void sum_pulls(const State& state, Workspace& work, Rates* out) const;
   void sum_pulls(const CableRun& run, Workspace& work) const;

@@ -217,7 +217,7 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) {
   }
 }
 
-void ContactForces::update(const State& state, Workspace& work) const {
+bool ContactForces::find(const State& state, Workspace& work) const {
   if (work.any_near) std::fill(work.near.begin(), work.near.end(), char{0});
   work.any_near = search_.find(work.poses, work.near, work.sweep);
   // Bodies may have parted within one step: what still acts is looked at once more, to be ended.
@@ -228,8 +228,10 @@ void ContactForces::update(const State& state, Workspace& work) const {
       if (any_set(&state.mode[pair.first], pair.last - pair.first)) work.near[c] = Workspace::wanted;
     }
   }
-  if (work.any_near) update_gaps(laws_, &state, work);
+  return work.any_near;
 }
+
+void ContactForces::update(const State& state, Workspace& work) const { update_gaps(laws_, &state, work); }
 
 void ContactForces::update_all(Workspace& work) const {
   std::fill(work.near.begin(), work.near.end(), Workspace::wanted);

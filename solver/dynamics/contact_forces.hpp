@@ -66,7 +66,9 @@ class ContactForces {
   /// The pair of a contact, as the search sees it.
   const Candidate& pair(ContactId contact) const { return search_.pairs()[index(contact)]; }
 
-  /// Gaps of the pairs within reach, and of those that still act in this state.
+  /// Finds the pairs within reach, and those that still act in this state; whether there are any.
+  bool find(const State& state, Workspace& work) const;
+  /// Their gaps.
   void update(const State& state, Workspace& work) const;
   /// Gaps of all pairs.
   void update_all(Workspace& work) const;

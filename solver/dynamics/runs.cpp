@@ -101,14 +101,11 @@ template <class Ask>
   join(inverse_mass * (x + load_x), inverse_mass * (y + load_y), inverse_inertia * (moment + applied), a);
 }
 
-/// Poses of eight bodies, or of as many as there are.
-[[gnu::always_inline]] inline void place_eight(const double* q, const double* v, std::size_t body, const Sizes& are,
-                                               Poses& poses) {
-  Pack x, y, angle, vx, vy, w;
+/// Places of eight bodies, or of as many as there are.
+[[gnu::always_inline]] inline void place_eight(const double* q, std::size_t body, const Sizes& are, Poses& poses) {
+  Pack x, y, angle;
   part(q, x, y, angle);
-  part(v, vx, vy, w);
   put(poses.x.at(body), are, x), put(poses.y.at(body), are, y);
-  put(poses.vx.at(body), are, vx), put(poses.vy.at(body), are, vy), put(poses.w.at(body), are, w);
   Lanes angles, cosine, sine;
   angles.set(angle);
   Sizes beyond, lost{};
@@ -136,6 +133,27 @@ template <class Ask>
     const Rotation turned = rotation_by_any_angle(angles[i]);
     poses.cosine[body + i] = turned.cosine, poses.sine[body + i] = turned.sine;
   }
+}
+
+/// Calls visit(threes, body, are) for each eight of neighbouring bodies, with their three numbers each, and which of
+/// the eight there are. Some may be visited twice.
+template <class Visit>
+[[gnu::always_inline]] inline void for_eights(const BodyRun& run, const double* threes, Visit&& visit) {
+  if (run.count < pack_size) {
+    // Behind the last body nothing may be read.
+    std::array<double, 3 * pack_size> few{};
+    std::copy_n(threes, 3 * run.count, few.begin());
+    Sizes are;
+    between(are, 0, static_cast<std::ptrdiff_t>(run.count));
+    return visit(few.data(), run.body, are);
+  }
+  constexpr Sizes all{-1, -1, -1, -1, -1, -1, -1, -1};
+  std::size_t i = 0;
+  for (; i + pack_size <= run.count; i += pack_size)
+    visit(threes + 3 * i, run.body + i, all);
+  if (i == run.count) return;
+  i = run.count - pack_size;
+  visit(threes + 3 * i, run.body + i, all);
 }
 
 /// Eight joints of a row: where they are and, if that is asked for, how they move.
@@ -259,23 +277,20 @@ template <bool told, class Joints>
 
 }  // namespace
 
-TALUS_CLONES void place_bodies(const BodyRun& run, const double* q, const double* v, Poses& poses) {
-  if (run.count < pack_size) {
-    // Behind the last body nothing may be read.
-    std::array<double, 3 * pack_size> few_q{}, few_v{};
-    std::copy_n(q, 3 * run.count, few_q.begin());
-    std::copy_n(v, 3 * run.count, few_v.begin());
-    Sizes are;
-    between(are, 0, static_cast<std::ptrdiff_t>(run.count));
-    return place_eight(few_q.data(), few_v.data(), run.body, are, poses);
-  }
-  constexpr Sizes all{-1, -1, -1, -1, -1, -1, -1, -1};
-  std::size_t i = 0;
-  for (; i + pack_size <= run.count; i += pack_size)
-    place_eight(q + 3 * i, v + 3 * i, run.body + i, all, poses);
-  if (i == run.count) return;
-  i = run.count - pack_size;  // some of them once more
-  place_eight(q + 3 * i, v + 3 * i, run.body + i, all, poses);
+TALUS_CLONES void place_bodies(const BodyRun& run, const double* q, Poses& poses) {
+  for_eights(
+      run, q, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
+        place_eight(threes, body, are, poses);
+      });
+}
+
+TALUS_CLONES void set_velocities(const BodyRun& run, const double* v, Poses& poses) {
+  for_eights(
+      run, v, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
+        Pack vx, vy, w;
+        part(threes, vx, vy, w);
+        put(poses.vx.at(body), are, vx), put(poses.vy.at(body), are, vy), put(poses.w.at(body), are, w);
+      });
 }
 
 TALUS_CLONES bool have_moved(const Poses& poses, const Places& places, const Leeways& leeways) {

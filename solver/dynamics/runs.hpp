@@ -8,7 +8,9 @@
 namespace talus {
 
 /// Poses of neighbouring free bodies from their coordinates q and rates v, three for each body.
-void place_bodies(const BodyRun& run, const double* q, const double* v, Poses& poses);
+void place_bodies(const BodyRun& run, const double* q, Poses& poses);
+/// Velocities of neighbouring free bodies, of which there are as many as coordinates.
+void set_velocities(const BodyRun& run, const double* v, Poses& poses);
 
 /// Joints on neighbouring bodies, from the bodies' poses; p_x, p_y in body coordinates [L].
 void place_joints(const JointRun& run, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints);
