@@ -418,10 +418,16 @@ bool CableForces::follows(const State& state) const {
   return found;
 }
 
+bool CableForces::last(const Workspace& work, double ahead) const {
+  if (!holders_.empty()) return false;
+  return size() == 0 ||
+         (work.waking.quiet && stay_straight(0, size(), constants_.rest_length, work.lines, work.paths, ahead));
+}
+
 bool CableForces::guards(const State& state, const Workspace& work, double ahead, std::span<double> out) const {
   bool any = !holders_.empty();
   for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, const CableRun& run) {
-    if (run.quiet && stays_straight(run, constants_.rest_length, work.lines, work.paths, ahead)) return;
+    if (run.quiet && stay_straight(run.cable, run.count, constants_.rest_length, work.lines, work.paths, ahead)) return;
     any = true;
     for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
       out[slot.mode] = law.guard(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);

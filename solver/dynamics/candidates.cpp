@@ -46,13 +46,9 @@ double furthest(const Bounds& bounds) {
 }  // namespace
 
 Bounds bounds(const Shape& shape) {
-  return std::visit([](const auto& s) { return box(s); }, shape);
-}
-
-bool endless(const Bounds& bounds) { return bounds.plane || bounds.half_width > 1e100; }
-
-double least_half_width(const Bounds& bounds) {
-  return endless(bounds) ? std::numeric_limits<double>::infinity() : std::min(bounds.half_width, bounds.half_height);
+  Bounds found = std::visit([](const auto& s) { return box(s); }, shape);
+  found.furthest = furthest(found);
+  return found;
 }
 
 double smaller_size(const Candidate& pair) {
@@ -65,11 +61,6 @@ bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B, double ma
   if (pair.bounds_b.round) return beyond(pair.bounds_b, B, pair.bounds_a, A, margin);
   return beyond(pair.bounds_a, A, pair.bounds_b, B, margin) ||
          (!pair.bounds_a.round && beyond(pair.bounds_b, B, pair.bounds_a, A, margin));
-}
-
-double largest_closing_speed(const Candidate& pair, const Pose& A, const Pose& B) {
-  return norm(B.v_WB - A.v_WB) + std::abs(A.w_WB) * furthest(pair.bounds_a) +
-         std::abs(B.w_WB) * furthest(pair.bounds_b);
 }
 
 namespace {
@@ -113,7 +104,7 @@ void ContactSearch::prepare(std::size_t bodies) {
   const auto bind = [this](BodyId body, const Bounds& bounds) {
     const std::size_t i = index(body);
     // A disc that turns moves no point of its outline; ground does not move.
-    leeways_.radius[i] = bounds.round ? 0.0 : furthest(bounds);
+    leeways_.radius[i] = bounds.round ? 0.0 : bounds.furthest;
     leeways_.way[i] = endless(bounds) ? 0.0 : skin_share * least_half_width(bounds);
     leeways_.first = std::min(leeways_.first, i), leeways_.last = std::max(leeways_.last, i + 1);
   };

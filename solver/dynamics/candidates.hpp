@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "solver/base/ids.hpp"
@@ -14,16 +17,19 @@ struct Bounds {
   double half_width{};   ///< [L]
   double half_height{};  ///< [L]
   bool round{};
-  bool plane{};  ///< a half-plane: no box, all that lies below the body's x axis
+  bool plane{};       ///< a half-plane: no box, all that lies below the body's x axis
+  double furthest{};  ///< distance of its furthest point from the centre of mass, or more [L]; of ground nought
 };
 
 [[nodiscard]] Bounds bounds(const Shape& shape);
 
 /// Whether it is ground that goes on for ever.
-[[nodiscard]] bool endless(const Bounds& bounds);
+[[nodiscard]] inline bool endless(const Bounds& bounds) { return bounds.plane || bounds.half_width > 1e100; }
 
 /// Half the least width [L]; infinite of ground.
-[[nodiscard]] double least_half_width(const Bounds& bounds);
+[[nodiscard]] inline double least_half_width(const Bounds& bounds) {
+  return endless(bounds) ? std::numeric_limits<double>::infinity() : std::min(bounds.half_width, bounds.half_height);
+}
 
 /// Two bodies that may touch, and their law instances in the state.
 struct Candidate {
@@ -43,7 +49,9 @@ struct Candidate {
 [[nodiscard]] bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B, double margin = 0.0);
 
 /// No point of one of the two bodies nears the other faster than this [L/T].
-[[nodiscard]] double largest_closing_speed(const Candidate& pair, const Pose& A, const Pose& B);
+[[nodiscard]] inline double largest_closing_speed(const Candidate& pair, const Pose& A, const Pose& B) {
+  return norm(B.v_WB - A.v_WB) + std::abs(A.w_WB) * pair.bounds_a.furthest + std::abs(B.w_WB) * pair.bounds_b.furthest;
+}
 
 /// Where a swept body lies along x [L].
 struct Stretch {

@@ -73,7 +73,8 @@ class ContactForces {
   /// Gaps of all pairs.
   void update_all(Workspace& work) const;
   /// After update(): the gaps that it left out, but of bodies that at their present speed, and under this pull [L/T^2],
-  /// do not come within reach of each other in the time ahead [T]. The longest step, as passing() says.
+  /// do not come within reach of each other in the time ahead [T]. The longest step, as passing() says, up to that
+  /// time.
   double update_far(const State& state, double ahead, double pull, Workspace& work) const;
   /// Gaps of the pairs that have one of these modes alone; whether there are any.
   bool update_of(const State& state, std::span<const std::size_t> modes, Workspace& work) const;

@@ -22,7 +22,12 @@ double inertia(const Model& model, const Coordinate& coordinate) {
 }  // namespace
 
 Dynamics::Dynamics(const Model& model)
-    : model_{model}, layout_{model}, bodies_{model_, layout_}, contacts_{model_, layout_}, cables_{model_, layout_} {
+    : model_{model},
+      pull_{norm(model.gravity)},
+      layout_{model},
+      bodies_{model_, layout_},
+      contacts_{model_, layout_},
+      cables_{model_, layout_} {
   for (const Coordinate& coordinate : layout_.coordinates)
     inertias_.push_back(inertia(model_, coordinate));
   follows_motion_ = std::any_of(model_.contacts.begin(), model_.contacts.end(),
@@ -234,9 +239,7 @@ void Dynamics::guards_of(const State& state, std::span<const std::size_t> modes,
 
 bool Dynamics::follows(const State& state) const { return contacts_.follows(state) || cables_.follows(state); }
 
-double Dynamics::longest_step(const Workspace& work) const {
-  return contacts_.passing(work, norm(model_.gravity)).longest_step;
-}
+double Dynamics::longest_step(const Workspace& work) const { return contacts_.passing(work, pull_).longest_step; }
 
 std::vector<double> Dynamics::lengths() const {
   std::vector<double> lengths;

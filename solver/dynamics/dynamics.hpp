@@ -46,9 +46,9 @@ class Dynamics {
   /// The same with all gaps, however far apart the bodies.
   void update_all(const State& state, Workspace& work) const;
   /// After update(): the gaps of bodies out of reach as well that may come within it in the time ahead [T] at the speed
-  /// they have, under their weight. Those of others have none, and infinite guards. As longest_step().
+  /// they have, under their weight. Those of others have none, and infinite guards. As longest_step(), up to that time.
   double update_far(const State& state, double ahead, Workspace& work) const {
-    return contacts_.update_far(state, ahead, norm(model_.gravity), work);
+    return contacts_.update_far(state, ahead, pull_, work);
   }
   /// Whether some memory follows the motion, as that of friction does.
   bool follows_motion() const { return follows_motion_; }
@@ -62,6 +62,10 @@ class Dynamics {
   void settle(State& state, Workspace& work) const;
   /// Rates of change in the state's modes; with `ledger` off the powers and impulses are left at zero.
   void rates(const State& state, Workspace& work, Rates& out, bool ledger = true) const;
+  /// Whether no guard of the state that was updated last comes to its end in the time ahead [T], as guards() says it.
+  [[nodiscard]] bool lasts(const Workspace& work, double ahead) const {
+    return !work.any_near && cables_.last(work, ahead);
+  }
   /// Guards of all law instances and hangers in the state's modes, by mode slot; positive while the mode lasts, and
   /// infinite where nothing can end it from here, or, for rows of cables on straight lines, at their rates nothing does
   /// in the time ahead [T]. Whether any may be finite.
@@ -110,6 +114,7 @@ class Dynamics {
   void relax(State& state, Workspace& work, Energy before, Mechanism loss) const;
 
   Model model_;
+  double pull_{};  ///< of gravity [L/T^2]
   Layout layout_;
   BodyForces bodies_;
   ContactForces contacts_;

@@ -371,11 +371,11 @@ TALUS_CLONES bool pull_row(const CableRun& run, const CableConstants& constants,
   return pull<false>(run, constants, lines, poses, joints, nullptr, pulls);
 }
 
-TALUS_CLONES bool stays_straight(const CableRun& run, const Row& rest_length, const CableLines& lines,
-                                 const Paths& paths, double ahead) {
+TALUS_CLONES bool stay_straight(std::size_t first, std::size_t count, const Row& rest_length, const CableLines& lines,
+                                const Paths& paths, double ahead) {
   Sizes left{};
-  for (std::size_t i = 0; i < run.count; i += pack_size) {
-    const std::size_t cable = run.cable + i;
+  for (std::size_t i = 0; i < count; i += pack_size) {
+    const std::size_t cable = first + i;
     const double *const length = paths.length.at(cable), *const rest = rest_length.at(cable);
     const double* const rate = paths.length_rate.at(cable);
     const double *const low = lines.low.at(cable), *const high = lines.high.at(cable);
@@ -384,7 +384,7 @@ TALUS_CLONES bool stays_straight(const CableRun& run, const Row& rest_length, co
       const double extent = length[l] - rest[l], way = ahead * std::abs(rate[l]);
       return !((extent - low[l] > way) & (high[l] - extent > way));
     });
-    between(is, 0, static_cast<std::ptrdiff_t>(run.count - i));
+    between(is, 0, static_cast<std::ptrdiff_t>(count - i));
     left |= off & is;
   }
   return !any(left);

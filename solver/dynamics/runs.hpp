@@ -56,9 +56,10 @@ bool lay_row(const CableRun& run, const CableConstants& constants, const CableLi
 bool pull_row(const CableRun& run, const CableConstants& constants, const CableLines& lines, const Poses& poses,
               const JointPoints& joints, Wrenches& pulls);
 
-/// Whether, after lay_row() said so, all of them stay on their lines for the time ahead [T] at the rates they have.
-bool stays_straight(const CableRun& run, const Row& rest_length, const CableLines& lines, const Paths& paths,
-                    double ahead);
+/// Whether cables that are on their lines, as lay_row() said, stay there for the time ahead [T] at the rates they have:
+/// so many from the first on.
+bool stay_straight(std::size_t first, std::size_t count, const Row& rest_length, const CableLines& lines,
+                   const Paths& paths, double ahead);
 
 /// Depths of points of A [L], from the `first` of those at x, y in A's coordinates on, in the box around an outline of
 /// B: box_depth() of each. They are written to up to a pack further.

@@ -21,59 +21,71 @@ std::string crowd_failure(double t) {
 
 namespace {
 
-constexpr double endless = std::numeric_limits<double>::infinity();
-/// Guards are asked for as far ahead as this many times the last step; the next is at most eight times as long, but
-/// after one that hesitates or ends at an output, so that none should come to its end in the first step that looks at
-/// it. One that does is found there all the same.
-constexpr double steps_ahead = 16.0;
+constexpr double without_end = std::numeric_limits<double>::infinity();
+/// Guards are asked for as far ahead as this many times the next step, so that none should come to its end in the
+/// first step that looks at it. One that does is found there all the same.
+constexpr double steps_ahead = 4.0;
 
 /// Lists the numbers that are not the endless one; how many.
 TALUS_CLONES std::size_t list_finite_numbers(const std::vector<double>& numbers, std::size_t* list) {
-  constexpr auto without_end = std::bit_cast<std::int64_t>(endless);
+  constexpr auto its_bits = std::bit_cast<std::int64_t>(without_end);
   std::size_t count = 0, first = 0;
   for (; first + pack_size <= numbers.size(); first += pack_size) {
     Sizes bits;
     std::memcpy(&bits, &numbers[first], sizeof bits);
-    if (!any_bit(bits ^ without_end)) continue;
+    if (!any_bit(bits ^ its_bits)) continue;
     for (std::size_t i = first; i < first + pack_size; ++i)
-      list[count] = i, count += numbers[i] != endless ? 1 : 0;
+      list[count] = i, count += numbers[i] != without_end ? 1 : 0;
   }
   for (std::size_t i = first; i < numbers.size(); ++i)
-    list[count] = i, count += numbers[i] != endless ? 1 : 0;
+    list[count] = i, count += numbers[i] != without_end ? 1 : 0;
   return count;
 }
 
 }  // namespace
 
+void EventSearch::Guards::write() {
+  if (endless) std::fill(each.begin(), each.end(), without_end);
+  endless = false;
+}
+
 bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const std::vector<Mode>& before) {
-  earlier_.clear();
-  longest_step_ = system.guards(start, true, endless, guards_).longest_step;
-  dormant_.resize(guards_.size());
-  ended_.reserve(guards_.size());
+  earlier_.each.clear(), earlier_.endless = false;
+  const Prospect ahead = system.guards(start, true, without_end, guards_.each);
+  longest_step_ = ahead.longest_step;
+  guards_.endless = !ahead.finite;
+  guards_.write();
+  const std::vector<double>& guards = guards_.each;
+  dormant_.resize(guards.size());
+  ended_.reserve(guards.size());
+  any_dormant_ = false;
   bool in_doubt = false;
-  for (std::size_t i = 0; i < guards_.size(); ++i) {
+  for (std::size_t i = 0; i < guards.size(); ++i) {
     const bool lasted = dormant_[i] != 0.0 && before[i] == start.mode[i];
-    dormant_[i] = guards_[i] > 0.0 ? 0.0 : lasted ? 2.0 : 1.0;
+    dormant_[i] = guards[i] > 0.0 ? 0.0 : lasted ? 2.0 : 1.0;
+    any_dormant_ = any_dormant_ || dormant_[i] != 0.0;
     in_doubt = in_doubt || dormant_[i] == 1.0;
   }
   return in_doubt;
 }
 
-std::optional<double> EventSearch::find(EventfulSystem& system, const State& begin, double end, const State& near_end,
-                                        bool same, const Motion& motion) {
+double EventSearch::find(EventfulSystem& system, const State& begin, double end, double next, NearEnd near_end,
+                         const Motion& motion) {
   std::swap(before_, guards_);
-  const Prospect ahead = system.guards(near_end, same, steps_ahead * (end - begin.t), guards_);
+  const Prospect ahead = system.guards(*near_end.state, near_end.same, steps_ahead * next, guards_.each);
   longest_step_ = ahead.longest_step;
-  if (!ahead.finite) {
-    std::fill(dormant_.begin(), dormant_.end(), 0.0);
+  guards_.endless = !ahead.finite;
+  if (guards_.endless) {
+    wake();
     go_on(begin.t);
-    return std::nullopt;
+    return without_end;
   }
+  before_.write(), earlier_.write();
   list_finite();
   bool near = false, worse = false;
   for (const std::size_t i : finite()) {
     near |= dormant_[i] == 0.0 && may_have_ended(i);
-    worse |= dormant_[i] == 1.0 && guards_[i] <= 0.0 && guards_[i] < before_[i];
+    worse |= dormant_[i] == 1.0 && guards_.each[i] <= 0.0 && guards_.each[i] < before_.each[i];
   }
   std::optional<double> last = near ? std::optional{end} : dip(begin.t, end);
   const auto ends_by = [&](const std::optional<double>& t) { return t && find_ended(system, begin, *t, motion); };
@@ -86,10 +98,10 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
     // A mode that began at its very end, and goes on past it, ends with the first short step.
     if (worse) return end;
     // What has come out of its end is looked at from the next step on.
-    for (std::size_t i = 0; i < guards_.size(); ++i)
-      dormant_[i] = guards_[i] > 0.0 ? 0.0 : dormant_[i];
+    for (std::size_t i = 0; i < guards_.each.size(); ++i)
+      dormant_[i] = guards_.each[i] > 0.0 ? 0.0 : dormant_[i];
     go_on(begin.t);
-    return std::nullopt;
+    return without_end;
   }
   const double after = least_share();
   const auto share_at = [&](double t) {
@@ -104,6 +116,12 @@ std::optional<double> EventSearch::find(EventfulSystem& system, const State& beg
   return found.second;
 }
 
+/// What was dormant may end again.
+void EventSearch::wake() {
+  if (any_dormant_) std::fill(dormant_.begin(), dormant_.end(), 0.0);
+  any_dormant_ = false;
+}
+
 /// No event ended the step that began then.
 void EventSearch::go_on(double begin) {
   std::swap(earlier_, before_);
@@ -112,35 +130,35 @@ void EventSearch::go_on(double begin) {
 
 /// Lists the guards that are finite at the end of the last step: the others have not ended and did not dip.
 void EventSearch::list_finite() {
-  finite_.resize(guards_.size());
-  finite_count_ = list_finite_numbers(guards_, finite_.data());
+  finite_.resize(guards_.each.size());
+  finite_count_ = list_finite_numbers(guards_.each, finite_.data());
 }
 
 bool EventSearch::may_have_ended(std::size_t guard) const {
-  const double change = std::abs(before_[guard] - guards_[guard]);
-  return guards_[guard] <= (std::isfinite(change) ? 1e-3 * change : 0.0);
+  const double change = std::abs(before_.each[guard] - guards_.each[guard]);
+  return guards_.each[guard] <= (std::isfinite(change) ? 1e-3 * change : 0.0);
 }
 
 /// When in the last step a guard that is positive at both its ends was least, if that may have been past its end: by
 /// the parabola through three times.
 std::optional<double> EventSearch::dip(double begin, double end) const {
   std::optional<double> found;
-  if (earlier_.size() != guards_.size() || finite().empty()) return found;
+  if (earlier_.each.size() != guards_.each.size() || finite().empty()) return found;
   double least = std::numeric_limits<double>::infinity();
   const double b = end - begin;
   const double per_a = 1.0 / (begin - earlier_time_), per_b = 1.0 / b, per_both = 1.0 / (end - earlier_time_);
   for (const std::size_t i : finite()) {
     // What nothing could end before is infinite: nothing holds of what follows from it.
-    const double from = (before_[i] - earlier_[i]) * per_a, to = (guards_[i] - before_[i]) * per_b;
+    const double from = (before_.each[i] - earlier_.each[i]) * per_a, to = (guards_.each[i] - before_.each[i]) * per_b;
     const double curvature = (to - from) * per_both;  // half the second derivative
     const double slope = to - curvature * b;          // at the beginning of the step; at its end: to + curvature b
     // All asked at once: hardly any guard turns in a step, and each answer alone is hard to foretell.
-    if (!((curvature > 0.0) & (curvature < endless) & (slope < 0.0) & (to + curvature * b > 0.0) &
+    if (!((curvature > 0.0) & (curvature < without_end) & (slope < 0.0) & (to + curvature * b > 0.0) &
           (dormant_[i] == 0.0)))
       continue;
     const double s = std::min(-0.5 * slope / curvature, b);
-    const double share = 1.0 + 0.5 * slope * s / before_[i];
-    if (share > 0.1 * std::min(1.0, guards_[i] / before_[i]) || share >= least) continue;
+    const double share = 1.0 + 0.5 * slope * s / before_.each[i];
+    if (share > 0.1 * std::min(1.0, guards_.each[i] / before_.each[i]) || share >= least) continue;
     least = share;
     found = begin + s;
   }
@@ -151,7 +169,7 @@ std::optional<double> EventSearch::dip(double begin, double end) const {
 void EventSearch::look_at(EventfulSystem& system, const State& begin, double t, const Motion& motion) {
   motion(t, looked_at_);
   looked_at_.mode = begin.mode;
-  looked_.resize(guards_.size());
+  looked_.resize(guards_.each.size());
   system.guards_of(looked_at_, ended_, looked_);
 }
 
@@ -171,8 +189,8 @@ bool EventSearch::find_ended(EventfulSystem& system, const State& begin, double 
 double EventSearch::least_share() const {
   double least = std::numeric_limits<double>::max();
   for (const std::size_t i : ended_) {
-    const bool measured = before_[i] > 0.0 && std::isfinite(before_[i]);
-    least = std::min(least, measured ? looked_[i] / before_[i] : looked_[i] > 0.0 ? 1.0 : -1.0);
+    const bool measured = before_.each[i] > 0.0 && std::isfinite(before_.each[i]);
+    least = std::min(least, measured ? looked_[i] / before_.each[i] : looked_[i] > 0.0 ? 1.0 : -1.0);
   }
   return least;
 }
@@ -181,7 +199,7 @@ void EventSearch::settle(EventfulSystem& system, State& at) {
   modes_ = at.mode;
   system.settle(at);
   // What slid is at first brought to its limit, and only then seen to stick. What is out of reach lasts: nothing ahead.
-  system.guards(at, true, 0.0, looked_);
+  if (!system.guards(at, true, 0.0, looked_).finite) return;
   bool lasts = true;
   for (std::size_t i = 0; i < looked_.size(); ++i)
     lasts = lasts && (looked_[i] > 0.0 || dormant_[i] != 0.0 || at.mode[i] != modes_[i]);
@@ -189,12 +207,14 @@ void EventSearch::settle(EventfulSystem& system, State& at) {
 }
 
 void EventSearch::remember(Memory& memory, std::size_t modes) {
-  memory.list("guards", guards_);
-  memory.list("earlier", earlier_);
+  guards_.write(), earlier_.write();
+  memory.list("guards", guards_.each);
+  memory.list("earlier", earlier_.each);
   memory.number("earlier_time", earlier_time_);
   memory.list("dormant", dormant_);
-  if (guards_.size() != dormant_.size() || (!guards_.empty() && guards_.size() != modes))
-    throw InputError{fmt::format("guards: found {}, of which {} may be dormant; there must be {}", guards_.size(),
+  any_dormant_ = true;
+  if (guards_.each.size() != dormant_.size() || (!guards_.each.empty() && guards_.each.size() != modes))
+    throw InputError{fmt::format("guards: found {}, of which {} may be dormant; there must be {}", guards_.each.size(),
                                  dormant_.size(), modes)};
 }
 

@@ -17,6 +17,12 @@ inline constexpr long crowd_limit = 1000;
 /// And what is said.
 [[nodiscard]] std::string crowd_failure(double t);
 
+/// A state near the end of a step.
+struct NearEnd {
+  const State* state{};
+  bool same{};  ///< its derivative was the last that the system was asked for
+};
+
 /// Finds the first event in each step of a motion that is known at all times between the steps' ends: the first time at
 /// which a guard is no longer positive, to round-off (Alefeld, Potra & Shi 1995).
 class EventSearch {
@@ -30,14 +36,14 @@ class EventSearch {
   /// A piece of the motion begins; `before`: the modes before it. True if some mode began at its very end: then only a
   /// short first step tells whether it lasts.
   [[nodiscard]] bool begin_piece(EventfulSystem& system, const State& start, const std::vector<Mode>& before);
-  /// When the step from `begin` to the time `end` meets its first event, if it does. `near_end`: a state near that at
-  /// the end, which screens out most steps; `same`: its derivative was the last that the system was asked for. Only
-  /// where a guard comes within a thousandth of its way in the step to its end there, or may have been past it in
-  /// between, are the guards asked again. An event that hides in that thousandth is past at the beginning of the next
-  /// step, and is found there.
-  [[nodiscard]] std::optional<double> find(EventfulSystem& system, const State& begin, double end,
-                                           const State& near_end, bool same, const Motion& motion);
-  /// From the beginning of the piece, or from near the end of the last step, in which no body can pass another unseen.
+  /// When the step from `begin` to the time `end` meets its first event; infinite if it meets none. The next step is no
+  /// longer than `next` [T]. `near_end` screens out most steps: only where a guard comes within a thousandth of its way
+  /// in the step to its end there, or may have been past it in between, are the guards asked again. An event that hides
+  /// in that thousandth is past at the beginning of the next step, and is found there.
+  [[nodiscard]] double find(EventfulSystem& system, const State& begin, double end, double next, NearEnd near_end,
+                            const Motion& motion);
+  /// From the beginning of the piece, or from near the end of the last step, in which no body can pass another unseen:
+  /// how long the next may be at most.
   double longest_step() const { return longest_step_; }
   /// Brings the modes up to date at an event.
   void settle(EventfulSystem& system, State& at);
@@ -46,6 +52,14 @@ class EventSearch {
   void remember(Memory& memory, std::size_t modes);
 
  private:
+  /// Of a state, one for each mode.
+  struct Guards {
+    std::vector<double> each;
+    bool endless{};  ///< all of them are, and not written
+    void write();
+  };
+
+  void wake();
   void go_on(double begin);
   void list_finite();
   std::span<const std::size_t> finite() const { return {finite_.data(), finite_count_}; }
@@ -55,15 +69,17 @@ class EventSearch {
   bool find_ended(EventfulSystem& system, const State& begin, double t, const Motion& motion);
   double least_share() const;
 
-  std::vector<double> guards_;   ///< at the end of the last step
-  std::vector<double> earlier_;  ///< at the beginning of the last step; empty in the first of a piece
+  Guards guards_;                ///< at the end of the last step
+  Guards earlier_;               ///< at the beginning of the last step; empty in the first of a piece
   double earlier_time_{};        ///< and when that was
   std::vector<double> dormant_;  ///< of guards that are past their end since the piece began: 1, or 2 where the mode
                                  ///< was seen to last all the same (a slider whose limit falls)
+  bool any_dormant_{};           ///< there may be some
 
   // Scratch of a step.
   double longest_step_{};
-  std::vector<double> before_, looked_;
+  Guards before_;
+  std::vector<double> looked_;
   std::vector<std::size_t> finite_;  ///< the first so many are the guards that something may end
   std::size_t finite_count_{};
   std::vector<std::size_t> ended_;  ///< guards that are past their end where they were looked at first

@@ -26,8 +26,8 @@ struct AffinePiece {
 
 /// What is said along with the guards of a state.
 struct Prospect {
-  bool finite{};          ///< some of them may be
-  double longest_step{};  ///< from there in which no body can pass another unseen [T]
+  bool finite{};          ///< some of them may be; else they are not written
+  double longest_step{};  ///< from there in which no body can pass another unseen; none beyond the time ahead [T]
 };
 
 /// What a method that locates events asks of its system.

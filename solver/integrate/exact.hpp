@@ -31,6 +31,7 @@ class LinearMotion {
   void state_at(const State& begin, const State& end, double t, State& out) const;
   void complete(EventfulSystem& system, const State& begin, State& end);
   bool ends_at_outputs(const EventfulSystem& system) const { return system.keeps_accounts; }
+  double next_step() const { return step_; }
   double usual_step() const { return step_; }
   void remember(Memory& memory, const State& like);
 

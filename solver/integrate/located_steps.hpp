@@ -1,8 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,12 +13,6 @@
 #include "solver/state/state_memory.hpp"
 
 namespace talus {
-
-/// A state near the end of a step.
-struct NearEnd {
-  const State* state{};
-  bool same{};  ///< its derivative was the last that the system was asked for
-};
 
 /// A method of integration: steps of a motion, each cut at its first event, to round-off; there modes change, and the
 /// motion begins anew.
@@ -31,6 +25,7 @@ struct NearEnd {
 ///   state_at(begin, end, t, out)         the state at a time within the last step
 ///   complete(system, begin, end)         the step ends here: what it kept for its end
 ///   ends_at_outputs(system)              whether no step may go beyond an output
+///   next_step()                          the next step of the piece is no longer than this [T]
 ///   usual_step()                         length of a step that no event holds short [T]
 ///   remember(memory, like)               its parts
 ///   name, order, needs_tolerance, needs_closed_form   of the method that it makes
@@ -128,24 +123,24 @@ class LocatedSteps {
     const double longest = motion_.ends_at_outputs(system) ? std::min(longest_, t - begin_.t) : longest_;
     failure_ = motion_.advance(system, begin_, end_, longest);
     if (!failure_.empty()) return std::swap(begin_, end_);
-    const std::optional<double> event = system.guards ? find_event(system) : std::nullopt;
-    if (event && *event < end_.t) {
-      motion_.state_at(begin_, end_, *event, cut_);
+    const double event = system.guards ? find_event(system) : std::numeric_limits<double>::infinity();
+    if (event < end_.t) {
+      motion_.state_at(begin_, end_, event, cut_);
       cut_.mode = begin_.mode;
       std::swap(end_, cut_);
     }
     motion_.complete(system, begin_, end_);
-    if (event) return settle_event(system);
+    if (std::isfinite(event)) return settle_event(system);
     if (!follows_) return;
     modes_ = end_.mode;
     system.settle(end_);
     if (end_.mode != modes_) ++events_, fresh_ = true;
   }
 
-  std::optional<double> find_event(EventfulSystem& system) {
+  double find_event(EventfulSystem& system) {
     const auto near_end = motion_.near_end(end_);
-    const std::optional<double> event = search_.find(system, begin_, end_.t, *near_end.state, near_end.same,
-                                                     [this](double t, State& out) { state_at(t, out); });
+    const double event = search_.find(system, begin_, end_.t, motion_.next_step(), near_end,
+                                      [this](double t, State& out) { state_at(t, out); });
     longest_ = search_.longest_step();
     return event;
   }

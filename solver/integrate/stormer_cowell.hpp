@@ -34,6 +34,7 @@ class PolynomialMotion {
   void state_at(const State& begin, const State& end, double t, State& out) const;
   void complete(EventfulSystem&, const State&, State&) {}
   bool ends_at_outputs(const EventfulSystem&) const { return false; }
+  double next_step() const { return step_; }
   double usual_step() const { return usual_; }
   void remember(Memory& memory, const State& like);
 

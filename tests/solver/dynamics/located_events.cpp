@@ -132,6 +132,33 @@ BOOST_AUTO_TEST_CASE(grazing) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_cable_taut_for_a_moment) {
+  // As grazing, but what turns the particle is a cable from the origin, of length 2: taut only within a step.
+  for (const double beyond : {-1e-9, 0.0, 1e-9, 1e-4}) {
+    ModelBuilder builder;
+    builder.gravity({-2.0, 0.0});
+    const BodyId particle =
+        builder.add(Body{.name = "particle", .mobility = Mobility::particle, .mass = 1.0, .p_WB = {1.0, 0.0}});
+    builder.add(Cable{.name = "cable",
+                      .a = {std::nullopt, {0.0, 0.0}},
+                      .b = {particle, {}},
+                      .rest_length = 2.0,
+                      .law = TensionOnly{stiffness}});
+    const Model model = builder.build();
+    const Dynamics dynamics{model};
+    RigidBodySystem system{dynamics, false};
+    State state = rest_state(model);
+    const double speed = 2.0 * std::sqrt(1.0 + beyond);
+    set_velocity(model, state, particle, {speed, 0.0}, 0.0);
+    Integrator method = make_integrator("stormer_cowell", 1e-12);
+    BOOST_TEST_REQUIRE(static_cast<bool>(simulate(system, method, state, {speed / 3.0, speed, speed / 3.0, false})));
+    const double early = 2.0 * std::sqrt(std::max(beyond, 0.0));
+    BOOST_TEST(state.q[0] <= 1.0 + 1e-9);
+    BOOST_TEST(state.q[0] >= 1.0 - early * speed - 1e-9);
+    if (beyond == 1e-4) BOOST_TEST(located_events(method).value() == 2);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(bounces_to_rest_come_to_an_end) {
   const double damping = 0.4 * std::sqrt(stiffness);
   const Ran found = run(discs({0.5}, damping), 30.0, 30, 1e-8);
