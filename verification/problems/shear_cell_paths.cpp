@@ -38,8 +38,8 @@ and shares nothing with the solver: what both ways of the solver have wrong it w
 | symbol | meaning | value |
 |:--|:-----|:-----|
 | cell | 80 discs of ice, 8 kPa, 5000 diameters a second | see case `shear_cell` |
-| $h$ | semi-implicit Euler, 20 steps in a contact | .62 us |
-| steps | compared from a start that touches early | 10,000 |
+| $h$ | semi-implicit Euler, 40 steps in a contact | .31 us |
+| steps | compared from a start that touches early | 20,000 |
 
 **What would break it.** An image on the wrong side, or two of one pair; a pair that the list misses; memory of a contact
 that is lost where a disc crosses the border, where the list is made anew, or at a restart; forces that depend on the
@@ -69,7 +69,8 @@ void expect_virtual(Findings& findings, const Setup& setup) {
   const FilledCell start = fill(cell);
   CellPlan plan = cell_plan(cell, 1.0);
   plan.integrator = "euler_cromer";
-  const long steps = setup.coarse ? 8000 : 10000;
+  plan.step *= 0.5;
+  const long steps = setup.coarse ? 16000 : 20000;
   plan.end = static_cast<double>(steps) * plan.step, plan.every = plan.end;
   CellRun run{cell, plan, start};
   const auto& law = std::get<LatchingSpring>(cell.law);
@@ -111,8 +112,8 @@ void expect_virtual(Findings& findings, const Setup& setup) {
                            "steps, in boxes whose borders discs cross at other times: 2e-13, and its growth"));
   findings.expect("the same after twice as many steps", most, 0.0,
                   Tolerance::round_off(1e-9,
-                                       "neighbouring paths part: 2e-13 grows a hundredfold in 5,000 steps, and "
-                                       "tenfold that is admitted"));
+                                       "neighbouring paths part: 2e-13 grows a hundredfold in 10,000 steps, "
+                                       "and tenfold that is admitted"));
   findings.figure({.name = "difference",
                    .title = "Minimum image beside virtual discs",
                    .caption =
