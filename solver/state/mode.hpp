@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -13,21 +11,17 @@ namespace talus {
 /// others anew.
 using Mode = std::uint16_t;
 
-/// Whether one of so many modes is another than the first of its law; eight at a time.
+/// Whether one of so many modes is another than the first of its law; four at a time.
 [[nodiscard]] inline bool any_set(const Mode* modes, std::size_t count) {
-  using Eight [[gnu::vector_size(16)]] = Mode;
-  Eight eights{};
-  std::uint64_t set = 0;
   std::size_t i = 0;
-  for (constexpr std::size_t many = sizeof(Eight) / sizeof(Mode); i + many <= count; i += many) {
-    Eight eight;
-    std::memcpy(&eight, modes + i, sizeof eight);
-    eights |= eight;
+  for (std::uint64_t four = 0; i + sizeof four / sizeof(Mode) <= count; i += sizeof four / sizeof(Mode)) {
+    std::memcpy(&four, modes + i, sizeof four);
+    if (four != 0) return true;
   }
-  for (; i < count; ++i)
-    set |= modes[i];
-  const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(eights);
-  return (set | halves[0] | halves[1]) != 0;
+  for (; i < count; ++i) {
+    if (modes[i] != 0) return true;
+  }
+  return false;
 }
 
 }  // namespace talus
