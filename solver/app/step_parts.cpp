@@ -46,7 +46,7 @@ void StepParts::look(const State& state, const StepInfo& info) {
   });
   count(copy);
   contacts_ += time([&] {
-    dynamics_->contacts().update(copy, work_);
+    if (dynamics_->contacts().find(copy, work_)) dynamics_->contacts().update(copy, work_);
     dynamics_->contacts().settle(copy, work_);
     dynamics_->contacts().add(copy, work_, accounts);
   });

@@ -83,9 +83,9 @@ void BodyForces::list_awake(Waking& waking) const {
   }
 }
 
-void BodyForces::set_velocities(const State& state, Workspace& work) const {
+void BodyForces::place_velocities(const State& state, Workspace& work) const {
   for (const BodyRun& run : worked_out(work))
-    talus::set_velocities(run, &state.v[free_[run.place].first], work.poses);
+    talus::place_velocities(run, &state.v[free_[run.place].first], work.poses);
 }
 
 void BodyForces::place(const State& state, Workspace& work) const {

@@ -20,10 +20,12 @@ class BodyForces {
   void place_fixed(Workspace& work) const;
   /// Lists the free bodies that are awake.
   void list_awake(Waking& waking) const;
-  /// Poses of all others, or of those that are awake; of free bodies without the velocities,
+  /// Poses of all others, or of those that are awake, but for the velocities of free bodies.
   void place(const State& state, Workspace& work) const;
-  /// and these.
-  void set_velocities(const State& state, Workspace& work) const;
+  /// The velocities of the free bodies that place() places.
+  void place_velocities(const State& state, Workspace& work) const;
+  /// Both.
+  void update(const State& state, Workspace& work) const { place(state, work), place_velocities(state, work); }
   /// Accelerations from the wrenches in `work` (contacts and cables), the weights and the applied forces; with `ledger`
   /// also the impulse from outside: weights, applied forces and the reactions of whatever holds a body.
   void rates(Workspace& work, Rates& out, bool ledger) const;

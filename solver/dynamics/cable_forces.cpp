@@ -418,7 +418,7 @@ bool CableForces::follows(const State& state) const {
   return found;
 }
 
-bool CableForces::last(const Workspace& work, double ahead) const {
+bool CableForces::none_ends(const Workspace& work, double ahead) const {
   if (!holders_.empty()) return false;
   return size() == 0 ||
          (work.waking.quiet && stay_straight(0, size(), constants_.rest_length, work.lines, work.paths, ahead));

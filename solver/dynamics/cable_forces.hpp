@@ -77,8 +77,8 @@ class CableForces {
   void load(const State& state, Workspace& work, Rates* out) const;
   /// Whether some memory is taken along by settle() alone: of cables that yield.
   bool follows(const State& state) const;
-  /// Whether guards() finds none that is finite, as quick to say as it often is so.
-  bool last(const Workspace& work, double ahead) const;
+  /// Whether all guards() are infinite, as far as that is quickly said.
+  bool none_ends(const Workspace& work, double ahead) const;
   /// Of rows that at their rates stay on their straight lines for the time ahead [T] none. Whether there are any.
   bool guards(const State& state, const Workspace& work, double ahead, std::span<double> out) const;
   double stored_energy(const State& state, const Workspace& work) const;

@@ -37,18 +37,10 @@ bool above(const Bounds& bounds, const Pose& body, const Pose& plane, double mar
   return dot(body.p_WB - plane.p_WB, n) > std::abs(n.x) * reach.x + std::abs(n.y) * reach.y + margin;
 }
 
-/// Distance of its furthest point from the centre of mass, or more [L]; of endless ground, which does not turn, nought.
-double furthest(const Bounds& bounds) {
-  if (endless(bounds)) return 0.0;
-  return bounds.round ? bounds.half_width : bounds.half_width + bounds.half_height;
-}
-
 }  // namespace
 
 Bounds bounds(const Shape& shape) {
-  Bounds found = std::visit([](const auto& s) { return box(s); }, shape);
-  found.furthest = furthest(found);
-  return found;
+  return std::visit([](const auto& s) { return box(s); }, shape);
 }
 
 double smaller_size(const Candidate& pair) {
@@ -104,7 +96,7 @@ void ContactSearch::prepare(std::size_t bodies) {
   const auto bind = [this](BodyId body, const Bounds& bounds) {
     const std::size_t i = index(body);
     // A disc that turns moves no point of its outline; ground does not move.
-    leeways_.radius[i] = bounds.round ? 0.0 : bounds.furthest;
+    leeways_.radius[i] = bounds.round ? 0.0 : furthest(bounds);
     leeways_.way[i] = endless(bounds) ? 0.0 : skin_share * least_half_width(bounds);
     leeways_.first = std::min(leeways_.first, i), leeways_.last = std::max(leeways_.last, i + 1);
   };

@@ -17,8 +17,7 @@ struct Bounds {
   double half_width{};   ///< [L]
   double half_height{};  ///< [L]
   bool round{};
-  bool plane{};       ///< a half-plane: no box, all that lies below the body's x axis
-  double furthest{};  ///< distance of its furthest point from the centre of mass, or more [L]; of ground nought
+  bool plane{};  ///< a half-plane: no box, all that lies below the body's x axis
 };
 
 [[nodiscard]] Bounds bounds(const Shape& shape);
@@ -29,6 +28,12 @@ struct Bounds {
 /// Half the least width [L]; infinite of ground.
 [[nodiscard]] inline double least_half_width(const Bounds& bounds) {
   return endless(bounds) ? std::numeric_limits<double>::infinity() : std::min(bounds.half_width, bounds.half_height);
+}
+
+/// Distance of its furthest point from the centre of mass, or more [L]; of endless ground, which does not turn, nought.
+[[nodiscard]] inline double furthest(const Bounds& bounds) {
+  if (endless(bounds)) return 0.0;
+  return bounds.round ? bounds.half_width : bounds.half_width + bounds.half_height;
 }
 
 /// Two bodies that may touch, and their law instances in the state.
@@ -50,7 +55,29 @@ struct Candidate {
 
 /// No point of one of the two bodies nears the other faster than this [L/T].
 [[nodiscard]] inline double largest_closing_speed(const Candidate& pair, const Pose& A, const Pose& B) {
-  return norm(B.v_WB - A.v_WB) + std::abs(A.w_WB) * pair.bounds_a.furthest + std::abs(B.w_WB) * pair.bounds_b.furthest;
+  return norm(B.v_WB - A.v_WB) + std::abs(A.w_WB) * furthest(pair.bounds_a) +
+         std::abs(B.w_WB) * furthest(pair.bounds_b);
+}
+
+/// No less than that, and sooner found [L/T].
+[[nodiscard]] inline double closing_speed_bound(const Candidate& pair, const Poses& poses) {
+  const std::size_t a = index(pair.a), b = index(pair.b);
+  return std::abs(poses.vx[b] - poses.vx[a]) + std::abs(poses.vy[b] - poses.vy[a]) +
+         std::abs(poses.w[a]) * furthest(pair.bounds_a) + std::abs(poses.w[b]) * furthest(pair.bounds_b);
+}
+
+/// What one body can move past another in a step and be seen [L].
+[[nodiscard]] inline double unseen_way(const Candidate& pair) {
+  return 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b));
+}
+
+/// Whether two bodies, neither of them ground, that close by such a way [L] >= 0 neither touch nor pass each other
+/// unseen, by circles around them: soon said, and of most pairs it can be.
+[[nodiscard]] inline bool stay_apart(const Candidate& pair, const Poses& poses, double way) {
+  const std::size_t a = index(pair.a), b = index(pair.b);
+  const double x = poses.x[b] - poses.x[a], y = poses.y[b] - poses.y[a];
+  const double reach = furthest(pair.bounds_a) + furthest(pair.bounds_b) + way;
+  return way <= unseen_way(pair) && x * x + y * y > reach * reach;
 }
 
 /// Where a swept body lies along x [L].

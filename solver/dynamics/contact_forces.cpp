@@ -166,27 +166,6 @@ class GapUpdate {
 /// Whether it is a body and ground that goes on for ever.
 bool never_passes(const Candidate& pair) { return endless(pair.bounds_a) || endless(pair.bounds_b); }
 
-/// What one body can move past another in a step and be seen [L].
-double unseen_way(const Candidate& pair) {
-  return 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b));
-}
-
-/// No less than largest_closing_speed(), and sooner found [L/T].
-double speed_bound(const Candidate& pair, const Poses& poses) {
-  const std::size_t a = index(pair.a), b = index(pair.b);
-  return std::abs(poses.vx[b] - poses.vx[a]) + std::abs(poses.vy[b] - poses.vy[a]) +
-         std::abs(poses.w[a]) * pair.bounds_a.furthest + std::abs(poses.w[b]) * pair.bounds_b.furthest;
-}
-
-/// Whether two bodies, neither of them ground, go such a way [L] that neither passes the other unseen, nor do circles
-/// around them touch: soon answered, and so of most.
-bool stay_far(const Candidate& pair, const Poses& poses, double way) {
-  const std::size_t a = index(pair.a), b = index(pair.b);
-  const double x = poses.x[b] - poses.x[a], y = poses.y[b] - poses.y[a];
-  const double reach = pair.bounds_a.furthest + pair.bounds_b.furthest + way;
-  return way <= unseen_way(pair) && x * x + y * y > reach * reach;
-}
-
 /// Brings the longest step down to what a pair allows that closes so fast [L/T], under this pull [L/T^2].
 void shorten(ContactForces::Passing& passing, const Candidate& pair, std::size_t contact, double speed, double pull) {
   const double way = unseen_way(pair);
@@ -280,8 +259,8 @@ double ContactForces::update_far(const State& state, double ahead, double pull, 
     if (near) near = Workspace::known;
     if (near && !passes) continue;
     const auto way = [&](double speed) { return ahead * (speed + 0.5 * pull * ahead); };
-    double speed = speed_bound(pair, work.poses);
-    if (!near && passes && stay_far(pair, work.poses, way(speed))) continue;
+    double speed = closing_speed_bound(pair, work.poses);
+    if (!near && passes && stay_apart(pair, work.poses, way(speed))) continue;
     const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
     if (passes) speed = largest_closing_speed(pair, A, B), shorten(passing, pair, c, speed, pull);
     if (near || out_of_reach(pair, A, B, way(speed))) continue;

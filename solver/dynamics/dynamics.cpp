@@ -116,9 +116,9 @@ void Dynamics::follow_modes(const State& state, Workspace& work) const {
 void Dynamics::update(const State& state, Workspace& work) const {
   follow_modes(state, work);
   bodies_.place(state, work);
-  // Velocities are a fifteenth of a small fence's step: only where something follows from them.
+  // Velocities are a twenty-fifth of a small fence's step: only if something follows from them.
   const bool pulled = cables_.pull_rows(state, work), near = contacts_.find(state, work);
-  if (!pulled || near) bodies_.set_velocities(state, work);
+  if (!pulled || near) bodies_.place_velocities(state, work);
   if (!pulled) cables_.update(state, work);
   if (near) contacts_.update(state, work);
 }
@@ -126,8 +126,7 @@ void Dynamics::update(const State& state, Workspace& work) const {
 void Dynamics::update_all(const State& state, Workspace& work) const {
   const bool rerigged = cables_.rig(state, work.rigging);
   if (rerigged || !layout_.sleepers.empty()) list_awake(state, work, true);
-  bodies_.place(state, work);
-  bodies_.set_velocities(state, work);
+  bodies_.update(state, work);
   cables_.update(state, work);
   contacts_.update_all(work);
 }
@@ -225,8 +224,7 @@ bool Dynamics::guards(const State& state, const Workspace& work, std::span<doubl
 void Dynamics::guards_of(const State& state, std::span<const std::size_t> modes, Workspace& work,
                          std::span<double> out) const {
   follow_modes(state, work);
-  bodies_.place(state, work);
-  bodies_.set_velocities(state, work);
+  bodies_.update(state, work);
   for (const std::size_t mode : modes)
     out[mode] = std::numeric_limits<double>::infinity();
   if (contacts_.update_of(state, modes, work)) contacts_.guards(state, work, out);

@@ -62,9 +62,9 @@ class Dynamics {
   void settle(State& state, Workspace& work) const;
   /// Rates of change in the state's modes; with `ledger` off the powers and impulses are left at zero.
   void rates(const State& state, Workspace& work, Rates& out, bool ledger = true) const;
-  /// Whether no guard of the state that was updated last comes to its end in the time ahead [T], as guards() says it.
-  [[nodiscard]] bool lasts(const Workspace& work, double ahead) const {
-    return !work.any_near && cables_.last(work, ahead);
+  /// Whether all guards() are infinite, as far as that is quickly said.
+  [[nodiscard]] bool none_ends(const Workspace& work, double ahead) const {
+    return !work.any_near && cables_.none_ends(work, ahead);
   }
   /// Guards of all law instances and hangers in the state's modes, by mode slot; positive while the mode lasts, and
   /// infinite where nothing can end it from here, or, for rows of cables on straight lines, at their rates nothing does

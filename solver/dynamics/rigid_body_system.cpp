@@ -41,8 +41,8 @@ Prospect RigidBodySystem::guards(const State& state, bool same, double ahead, st
   if (!same) dynamics_->update(state, work_);
   const double longest_step = dynamics_->update_far(state, ahead, work_);
   out.resize(state.mode.size());
-  const bool lasts = dynamics_->lasts(work_, ahead);
-  return {!lasts && dynamics_->guards(state, work_, out, ahead), longest_step};
+  const bool none_ends = dynamics_->none_ends(work_, ahead);
+  return {!none_ends && dynamics_->guards(state, work_, out, ahead), longest_step};
 }
 
 void RigidBodySystem::guards_of(const State& state, std::span<const std::size_t> modes, std::span<double> out) {

@@ -284,7 +284,7 @@ TALUS_CLONES void place_bodies(const BodyRun& run, const double* q, Poses& poses
       });
 }
 
-TALUS_CLONES void set_velocities(const BodyRun& run, const double* v, Poses& poses) {
+TALUS_CLONES void place_velocities(const BodyRun& run, const double* v, Poses& poses) {
   for_eights(
       run, v, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
         Pack vx, vy, w;

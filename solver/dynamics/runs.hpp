@@ -7,10 +7,11 @@
 
 namespace talus {
 
-/// Poses of neighbouring free bodies from their coordinates q and rates v, three for each body.
+/// Places of neighbouring free bodies from their coordinates q, three for each body; of their poses the velocities stay
+/// as they are.
 void place_bodies(const BodyRun& run, const double* q, Poses& poses);
-/// Velocities of neighbouring free bodies, of which there are as many as coordinates.
-void set_velocities(const BodyRun& run, const double* v, Poses& poses);
+/// Their velocities, from the rates v of those coordinates.
+void place_velocities(const BodyRun& run, const double* v, Poses& poses);
 
 /// Joints on neighbouring bodies, from the bodies' poses; p_x, p_y in body coordinates [L].
 void place_joints(const JointRun& run, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints);

@@ -52,8 +52,8 @@ struct Rigging {
 /// Scratch of one force evaluation, kept by the caller so that Dynamics stays pure and a step of a scene with neither
 /// broken hangers nor many bodies allocates nothing.
 struct Workspace {
-  /// Asks for rates alone, without accounts: joints and paths of rows of cables, and velocities of free bodies that
-  /// nothing follows from, may be left as they were.
+  /// Asks for rates alone, without accounts: joints and paths of rows of cables may be left as they were, and, as long
+  /// as no pair is near, the velocities of free bodies.
   bool rates_only{};
   Poses poses;                ///< one for each body
   Wrenches wrenches;          ///< one for each body

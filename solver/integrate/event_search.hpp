@@ -55,11 +55,12 @@ class EventSearch {
   /// Of a state, one for each mode.
   struct Guards {
     std::vector<double> each;
-    bool endless{};  ///< all of them are, and not written
-    void write();
+    bool all_endless{};  ///< and so not written
+    void fill_in();
   };
 
-  void wake();
+  void ask(EventfulSystem& system, NearEnd at, double ahead);
+  void forget_dormant();
   void go_on(double begin);
   void list_finite();
   std::span<const std::size_t> finite() const { return {finite_.data(), finite_count_}; }

@@ -35,8 +35,8 @@ struct EventfulSystem {
   /// Rates in the state's present modes: one force evaluation.
   std::function<void(const State&, Rates&)> derivative;
   /// Guards in the state's present modes, one for each mode; `same`: of the state that was settled, or whose derivative
-  /// was asked for, last. One that at the present speeds cannot end in the time `ahead` [T] may be infinite. None: the
-  /// motion is smooth.
+  /// was asked for, last. One that at the present speeds cannot end in the time `ahead` [T] may be infinite. No
+  /// function: the motion is smooth.
   std::function<Prospect(const State&, bool same, double ahead, std::vector<double>&)> guards;
   /// Those of a few modes; the numbers of others may change, too.
   std::function<void(const State&, std::span<const std::size_t> modes, std::span<double>)> guards_of;

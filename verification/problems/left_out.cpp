@@ -31,7 +31,7 @@ while the motion has not come further.
 **How it is shown.** Sleep `exact` (any pull that is not the one at rest wakes) against `off`: the same bits. Sleep by
 default (a change by 1e-13 of the tension wakes) against `off`: the difference is measured. Contacts: the same scene
 with every gap of every pair worked out at each evaluation: the same bits; between located events the guards of
-bodies that at their speed do not meet in sixteen steps are left out: the same bits as with all guards. Cables: the
+bodies that at their speed do not meet in five of the next steps are left out: the same bits as with all guards. Cables: the
 tensions of the rows against those of the laws, one by one: the same bits; a run without ledger against one with it,
 likewise. The columns awake, summed over the steps, are a count that is the same on every machine; `make bench` says
 what each saves in time.

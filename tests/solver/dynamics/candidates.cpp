@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -181,6 +182,32 @@ BOOST_AUTO_TEST_CASE(a_list_stands_until_a_body_has_moved_by_its_skin) {
     BOOST_TEST(!stands(0, {{sign * none, 0.0}, {}, {}, 0.0}));
     BOOST_TEST(!stands(1, {{3.0, 0.0}, {1.0, sign * none}, {}, 0.0}));
   }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_said_at_once_is_never_too_little) {
+  const Strewn strewn{5};
+  std::mt19937 random{6};
+  std::uniform_real_distribution<double> speed{-3.0, 3.0}, size{0.0, 0.5};
+  Poses poses = strewn.poses;
+  const auto largest_radius = [](const Bounds& of) {
+    return of.round ? of.half_width : std::hypot(of.half_width, of.half_height);
+  };
+  long apart = 0;
+  for (int i = 0; i < 200; ++i) {
+    for (std::size_t body = 0; body < Strewn::bodies; ++body)
+      poses.vx[body] = speed(random), poses.vy[body] = speed(random), poses.w[body] = speed(random);
+    for (const Candidate& pair : strewn.search.pairs()) {
+      if (endless(pair.bounds_a) || endless(pair.bounds_b)) continue;
+      const Pose A = poses[index(pair.a)], B = poses[index(pair.b)];
+      BOOST_REQUIRE(closing_speed_bound(pair, poses) >= largest_closing_speed(pair, A, B));
+      const double way = size(random);
+      if (!stay_apart(pair, poses, way)) continue;
+      ++apart;
+      BOOST_REQUIRE(norm(B.p_WB - A.p_WB) - largest_radius(pair.bounds_a) - largest_radius(pair.bounds_b) > way);
+      BOOST_REQUIRE(way <= 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b)));
+    }
+  }
+  BOOST_TEST(apart > 10000);
 }
 
 BOOST_AUTO_TEST_CASE(bodies_that_come_from_beyond_their_skins_are_found_as_they_touch) {
