@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "solver/dynamics/lane_masks.hpp"
+#include "solver/dynamics/runs.hpp"
+
+namespace talus {
+namespace {
+
+/// From (x, y, angle) of eight bodies, one after the other, to eight of each.
+[[gnu::always_inline]] inline void part(const double* threes, Pack& x, Pack& y, Pack& angle) {
+  Pack a, b, c;
+  load(a, threes), load(b, threes + 8), load(c, threes + 16);
+  const Pack x_ab = __builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, 0, 0);
+  const Pack y_ab = __builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 0, 0, 0);
+  const Pack angle_ab = __builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 0, 0, 0);
+  x = __builtin_shufflevector(x_ab, c, 0, 1, 2, 3, 4, 5, 10, 13);
+  y = __builtin_shufflevector(y_ab, c, 0, 1, 2, 3, 4, 8, 11, 14);
+  angle = __builtin_shufflevector(angle_ab, c, 0, 1, 2, 3, 4, 9, 12, 15);
+}
+
+/// The other way round.
+[[gnu::always_inline]] inline void join(const Pack& x, const Pack& y, const Pack& angle, double* threes) {
+  const Pack first = __builtin_shufflevector(x, y, 0, 8, 0, 1, 9, 0, 2, 10);
+  const Pack middle = __builtin_shufflevector(x, y, 0, 3, 11, 0, 4, 12, 0, 5);
+  const Pack last = __builtin_shufflevector(x, y, 13, 0, 6, 14, 0, 7, 15, 0);
+  store(__builtin_shufflevector(first, angle, 0, 1, 8, 3, 4, 9, 6, 7), threes);
+  store(__builtin_shufflevector(middle, angle, 10, 1, 2, 11, 4, 5, 12, 7), threes + 8);
+  store(__builtin_shufflevector(last, angle, 0, 13, 2, 3, 14, 5, 6, 15), threes + 16);
+}
+
+/// Accelerations of eight free bodies, at `place` among them.
+[[gnu::always_inline]] inline void accelerate_eight(std::size_t place, std::size_t body, const BodyConstants& constants,
+                                                    const Wrenches& wrenches, double* a) {
+  Pack inverse_mass, inverse_inertia, load_x, load_y, applied, x, y, moment;
+  load(inverse_mass, constants.inverse_mass.at(place)), load(inverse_inertia, constants.inverse_inertia.at(place));
+  load(load_x, constants.load_x.at(place)), load(load_y, constants.load_y.at(place));
+  load(applied, constants.moment.at(place));
+  load(x, wrenches.x.at(body)), load(y, wrenches.y.at(body)), load(moment, wrenches.moment.at(body));
+  join(inverse_mass * (x + load_x), inverse_mass * (y + load_y), inverse_inertia * (moment + applied), a);
+}
+
+/// Places of eight bodies, or of as many as there are.
+[[gnu::always_inline]] inline void place_eight(const double* q, std::size_t body, const Sizes& are, Poses& poses) {
+  Pack x, y, angle;
+  part(q, x, y, angle);
+  put(poses.x.at(body), are, x), put(poses.y.at(body), are, y);
+  Lanes angles, cosine, sine;
+  angles.set(angle);
+  Sizes beyond, lost{};
+  ask_lanes(beyond, [&](std::size_t i) { return !within_series(angles[i]); });
+  beyond &= are;
+  if (any(beyond)) {
+    ask_lanes(lost, [&](std::size_t i) {
+      const Turned turned = rotation_by_quarter_turns(angles[i]);
+      cosine[i] = turned.rotation.cosine, sine[i] = turned.rotation.sine;
+      return !turned.found;
+    });
+    lost &= are;
+  } else {
+    for_lanes([&](std::size_t i) {
+      const Rotation turned = rotation_by_series(angles[i]);
+      cosine[i] = turned.cosine, sine[i] = turned.sine;
+    });
+  }
+  Pack cosines, sines;
+  cosine.get(cosines), sine.get(sines);
+  put(poses.cosine.at(body), are, cosines), put(poses.sine.at(body), are, sines);
+  if (!any(lost)) return;
+  for (std::size_t i = 0; i < pack_size; ++i) {
+    if (lost[i] == 0) continue;
+    const Rotation turned = rotation_by_any_angle(angles[i]);
+    poses.cosine[body + i] = turned.cosine, poses.sine[body + i] = turned.sine;
+  }
+}
+
+/// Calls visit(threes, body, are) for each eight of neighbouring bodies, with their three numbers each, and which of
+/// the eight there are. Some may be visited twice.
+template <class Visit>
+[[gnu::always_inline]] inline void for_eights(const BodyRun& run, const double* threes, Visit&& visit) {
+  if (run.count < pack_size) {
+    // Behind the last body nothing may be read.
+    std::array<double, 3 * pack_size> few{};
+    std::copy_n(threes, 3 * run.count, few.begin());
+    Sizes are;
+    between(are, 0, static_cast<std::ptrdiff_t>(run.count));
+    return visit(few.data(), run.body, are);
+  }
+  constexpr Sizes all{-1, -1, -1, -1, -1, -1, -1, -1};
+  std::size_t i = 0;
+  for (; i + pack_size <= run.count; i += pack_size)
+    visit(threes + 3 * i, run.body + i, all);
+  if (i == run.count) return;
+  i = run.count - pack_size;
+  visit(threes + 3 * i, run.body + i, all);
+}
+
+}  // namespace
+
+TALUS_CLONES void place_bodies(const BodyRun& run, const double* q, Poses& poses) {
+  for_eights(
+      run, q, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
+        place_eight(threes, body, are, poses);
+      });
+}
+
+TALUS_CLONES void place_velocities(const BodyRun& run, const double* v, Poses& poses) {
+  for_eights(
+      run, v, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
+        Pack vx, vy, w;
+        part(threes, vx, vy, w);
+        put(poses.vx.at(body), are, vx), put(poses.vy.at(body), are, vy), put(poses.w.at(body), are, w);
+      });
+}
+
+TALUS_CLONES bool have_moved(const Poses& poses, const Places& places, const Leeways& leeways) {
+  const auto change = [](Pack& size, const Row& now, const Row& then, std::size_t i) {
+    Pack there;
+    load(size, now.at(i)), load(there, then.at(i));
+    size -= there;
+    Sizes bits{};
+    raise(bits, size);
+    std::memcpy(&size, &bits, sizeof size);
+  };
+  // Sizes are ordered as their bits are, as whole numbers, in which what is not a number is above all others: of the
+  // greater less the smaller the sign is set.
+  Sizes moved{};
+  for (std::size_t i = leeways.first; i < leeways.last; i += pack_size) {
+    Pack x, y, cosine, sine, radius;
+    change(x, poses.x, places.x, i), change(y, poses.y, places.y, i);
+    change(cosine, poses.cosine, places.cosine, i), change(sine, poses.sine, places.sine, i);
+    load(radius, leeways.radius.at(i));
+    Sizes most, way{};
+    std::memcpy(&most, leeways.way.at(i), sizeof most);
+    raise(way, x + y + radius * (cosine + sine));
+    moved |= most - way;
+  }
+  return any_bit(moved & std::numeric_limits<std::int64_t>::min());
+}
+
+TALUS_CLONES void accelerate_bodies(const BodyRun& run, const BodyConstants& constants, const Wrenches& wrenches,
+                                    double* a) {
+  if (run.count < pack_size) {
+    std::array<double, 3 * pack_size> few;
+    accelerate_eight(run.place, run.body, constants, wrenches, few.data());
+    std::copy_n(few.begin(), 3 * run.count, a);
+    return;
+  }
+  // The last eight first, some of which come once more: who reads the packs from the start finds each as it was stored.
+  const std::size_t last = run.count - pack_size;
+  if (last % pack_size != 0) accelerate_eight(run.place + last, run.body + last, constants, wrenches, a + 3 * last);
+  for (std::size_t i = 0; i + pack_size <= run.count; i += pack_size)
+    accelerate_eight(run.place + i, run.body + i, constants, wrenches, a + 3 * i);
+}
+
+TALUS_CLONES void box_depths(const Row& x, const Row& y, std::size_t first, std::size_t count, const Placement& A_in_B,
+                             const Superquadric& outline, double* depths) {
+  const Rotation R = A_in_B.R;
+  const Vec2 p = A_in_B.p;
+  for (std::size_t i = 0; i < count; i += pack_size) {
+    const double *const x_A = x.at(first + i), *const y_A = y.at(first + i);
+    Lanes depth;
+    for_lanes([&](std::size_t l) { depth[l] = box_depth(outline, p + R * Vec2{x_A[l], y_A[l]}); });
+    Pack pack;
+    depth.get(pack);
+    store(pack, depths + i);
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,161 @@
+/// The part of CableForces that is about hangers: which are overloaded, and how cables go on through broken ones.
+#include "solver/dynamics/cable_forces.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "solver/dynamics/cable_arrays.hpp"
+
+namespace talus {
+
+bool CableForces::rig(const State& state, Rigging& rigging) const {
+  if (holders_.empty()) return false;
+  const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(first_hanger_);
+  const auto last = modes + static_cast<std::ptrdiff_t>(holders_.size());
+  if (std::equal(rigging.modes.begin(), rigging.modes.end(), modes, last)) return false;
+  rigging.modes.assign(modes, last);
+  rigging.broken.assign(joints_.size(), 0);
+  rigging.chains.clear();
+  rigging.loose.clear();
+  for (std::size_t h = 0; h < holders_.size(); ++h) {
+    rigging.broken[holders_[h].joint] = rigging.modes[h] != 0;
+    if (rigging.modes[h] != 0) rigging.loose.push_back(holders_[h].joint);
+  }
+  std::vector<char> used(ends_.size(), 0);
+  for (std::size_t c = 0; c < ends_.size(); ++c) {
+    if (used[c] || (!rigging.broken[ends_[c].a] && !rigging.broken[ends_[c].b])) continue;
+    rigging.chains.push_back(chain_from(c, rigging, used));
+  }
+  return true;
+}
+
+/// The whole chain of which a cable is part, from an end that is held if there is one.
+Chain CableForces::chain_from(std::size_t cable, const Rigging& rigging, std::vector<char>& used) const {
+  used[cable] = 1;
+  Chain chain{.joints = {ends_[cable].a, ends_[cable].b}, .cables = {cable}};
+  extend(chain, rigging, used);
+  std::reverse(chain.joints.begin(), chain.joints.end());
+  std::reverse(chain.cables.begin(), chain.cables.end());
+  extend(chain, rigging, used);
+  if (rigging.broken[chain.joints.back()] && !rigging.broken[chain.joints.front()]) {
+    std::reverse(chain.joints.begin(), chain.joints.end());
+    std::reverse(chain.cables.begin(), chain.cables.end());
+  }
+  const std::size_t start = chain.joints.front();
+  if (!rigging.broken[start]) return chain;
+  const std::size_t first = chain.cables.front();
+  const bool mirrored = (ends_[first].a == start ? constants_.share_a : constants_.share_b)[first] > 1.0;
+  chain.start = mirrored && !rigging.broken[chain.joints.back()] ? Chain::Start::mirrored : Chain::Start::loose;
+  return chain;
+}
+
+/// Goes on from the chain's last joint as long as that is a broken hanger with another cable.
+void CableForces::extend(Chain& chain, const Rigging& rigging, std::vector<char>& used) const {
+  for (bool found = true; found && rigging.broken[chain.joints.back()];) {
+    found = false;
+    const std::size_t end = chain.joints.back();
+    for (std::size_t c = 0; c < ends_.size() && !found; ++c) {
+      if (used[c] || (ends_[c].a != end && ends_[c].b != end)) continue;
+      used[c] = 1;
+      chain.cables.push_back(c);
+      chain.joints.push_back(ends_[c].a == end ? ends_[c].b : ends_[c].a);
+      found = true;
+    }
+  }
+}
+
+/// Lays a chain straight. Its points have no mass, so that all its cables have one tension T and each an elongation
+/// e_i = p_i + T/k_i of its own natural elongation p_i and compliance 1/k_i:  T = (l - sum(l0_i + p_i))/sum(1/k_i).
+/// Behind a plane of symmetry the chain goes on as its mirror image: it runs straight along the fence and pulls nothing
+/// in the plane of motion. Loose, or with a broken cable in it, it carries nothing.
+void CableForces::straighten(Chain& chain, const State& state, Workspace& work) const {
+  double natural = 0.0, compliance = 0.0;
+  bool carries = chain.start != Chain::Start::loose;
+  std::vector<double> lengths, compliances;
+  for (const std::size_t c : chain.cables) {
+    lengths.push_back(constants_.rest_length[c]);
+    compliances.push_back(1.0 / tangents_[c].stiffness);
+    visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
+      if constexpr (requires { law.natural_elongation(memory<L>(state, slot)); })
+        lengths.back() += law.natural_elongation(memory<L>(state, slot));
+      if constexpr (requires { L::broken; }) carries = carries && state.mode[slot.mode] != L::broken;
+    });
+    natural += lengths.back();
+    compliance += compliances.back();
+  }
+  chain.carries = carries;
+  const std::size_t first = chain.joints.front(), last = chain.joints.back();
+  const Vec2 p_WStart = work.joints.p_WP(first), v_WStart = work.joints.v_WP(first);
+  const Vec2 p_WEnd = work.joints.p_WP(last), v_WEnd = work.joints.v_WP(last);
+  const double across = joints_[last].along - joints_[first].along;
+  Path whole = chain.start == Chain::Start::held ? path(p_WStart, v_WStart, p_WEnd, v_WEnd, across * across)
+                                                 : Path{std::abs(across), 0.0, {}};
+  if (chain.start == Chain::Start::loose) whole.length = natural;
+  const double tension = carries ? (whole.length - natural) / compliance : 0.0;
+  double along = 0.0;
+  for (std::size_t i = 0; i < chain.cables.size(); ++i) {
+    const std::size_t c = chain.cables[i];
+    const double share = compliances[i] / compliance;
+    const double length = lengths[i] + tension * compliances[i];
+    const Vec2 pull = ends_[c].a == chain.joints[i] ? whole.pull_A : -whole.pull_A;
+    work.paths.set(c, {length, share * whole.length_rate, pull});
+    along += length;
+    if (i + 1 == chain.cables.size()) break;
+    const double part = whole.length > 0.0 ? std::clamp(along / whole.length, 0.0, 1.0) : 1.0;
+    const bool held = chain.start == Chain::Start::held;
+    const Vec2 p_WFrom = held ? p_WStart : p_WEnd, v_WFrom = held ? v_WStart : v_WEnd;
+    work.joints.place(chain.joints[i + 1], p_WFrom + part * (p_WEnd - p_WFrom), v_WFrom + part * (v_WEnd - v_WFrom));
+  }
+  if (chain.start != Chain::Start::held) work.joints.place(first, p_WEnd, v_WEnd);
+}
+
+double CableForces::pull_on(const Holder& holder, const State& state, const Workspace& work) const {
+  Vec2 pull;
+  for (const std::size_t c : holder.cables) {
+    visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
+      const double tension = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]).total();
+      pull +=
+          (ends_[c].a == holder.joint ? constants_.share_a[c] : -constants_.share_b[c]) * tension * work.paths.pull(c);
+    });
+  }
+  return norm(pull);
+}
+
+std::vector<HangerId> CableForces::overloaded(const State& state, const Workspace& work) const {
+  std::vector<HangerId> found;
+  double most = 1.0;
+  for (std::size_t h = 0; h < holders_.size(); ++h) {
+    if (state.mode[first_hanger_ + h] != 0) continue;
+    const double share = pull_on(holders_[h], state, work) / holders_[h].strength;
+    if (share < most) continue;
+    if (share > most) found.clear();
+    most = share;
+    found.push_back(static_cast<HangerId>(h));
+  }
+  return found;
+}
+
+bool CableForces::chain_parted(const State& state, const Workspace& work) const {
+  bool parted = false;
+  for (const Chain& chain : work.rigging.chains) {
+    if (!chain.carries) continue;
+    for (const std::size_t c : chain.cables) {
+      visit_cable(laws_, places_[c], [&]<class L>(const L&, Slot slot) {
+        if constexpr (requires { L::broken; }) parted = parted || state.mode[slot.mode] == L::broken;
+      });
+    }
+  }
+  return parted;
+}
+
+std::vector<BodyId> CableForces::joined_bodies(HangerId hanger) const {
+  std::vector<BodyId> bodies;
+  for (const std::size_t c : holders_[index(hanger)].cables) {
+    for (const std::size_t j : {ends_[c].a, ends_[c].b}) {
+      if (joints_[j].on_body) bodies.push_back(joints_[j].body);
+    }
+  }
+  return bodies;
+}
+
+}  // namespace talus
