@@ -4,6 +4,7 @@
 #include <array>
 #include <concepts>
 #include <cstring>
+#include <span>
 
 #include "solver/base/pack.hpp"
 #include "solver/granular/disc_lanes.hpp"
@@ -75,17 +76,26 @@ class Sweep {
     w_.touching->count = 0;
   }
 
-  /// The touching ones of a block in order, with what they do; how many.
-  [[gnu::always_inline]] std::size_t push(std::size_t from, std::size_t to, std::uint32_t* touching,
-                                          const Pushes<double>& out) {
+  /// The touching ones of a block in order, with what they do; until the next block.
+  [[gnu::always_inline]] std::span<const std::uint32_t> push(std::size_t from, std::size_t to,
+                                                             const Pushes<double>& out) {
+    TouchingPairs& now = *w_.touching;
+    if (now.count + sweep_block + pack_size >= now.pair.size()) make_room(now.count + sweep_block + pack_size + 1);
+    std::uint32_t* const touching = now.pair.data() + now.count;
     const std::size_t count = near_pairs(w_, 0.0, from, to, touching);
-    if (count == 0) return 0;
+    if (count == 0) return {};
     std::fill_n(touching + count, pack_size, touching[count - 1]);
-    recall(touching, count);
+    if (remembers || turns || damps()) {
+      // Once after a near list was made.
+      if (w_.touched_as_listed && listed_ != nullptr)
+        carry(count, [this, touching](std::size_t t) { return listed_[touching[t]]; });
+      else
+        carry(count, [touching](std::size_t t) { return touching[t]; });
+    }
     for (std::size_t t = 0; t < count; t += pack_size)
-      push_pack(touching + t, std::min(count - t, pack_size), w_.touching->count + t, out.from(t));
-    w_.touching->count += count;
-    return count;
+      push_pack(touching + t, std::min(count - t, pack_size), now.count + t, out.from(t));
+    now.count += count;
+    return {touching, count};
   }
 
   /// After the last block.
@@ -106,20 +116,16 @@ class Sweep {
   [[gnu::noinline]] void part(std::uint32_t pair, double largest, double stretch) const {
     if (largest > 0.0 || (stretch != 0.0 && w_.keeps)) w_.parted->push_back({pair, largest, stretch});
   }
+  std::uint32_t listed(std::uint32_t pair) const { return listed_ != nullptr ? listed_[pair] : pair; }
   void part(std::size_t old) const {
-    part(w_.touched->pair[old], remembers ? w_.touched->largest[old] : 0.0, turns ? w_.touched->stretch[old] : 0.0);
+    const std::uint32_t pair = w_.touched->pair[old];
+    part(w_.touched_as_listed ? pair : listed(pair), remembers ? w_.touched->largest[old] : 0.0,
+         turns ? w_.touched->stretch[old] : 0.0);
   }
 
-  /// Numbers of touching pairs, and what those remember that touched in the last sweep.
-  [[gnu::always_inline]] void recall(const std::uint32_t* touching, std::size_t count) {
-    TouchingPairs& now = *w_.touching;
-    if (now.count + sweep_block + pack_size >= now.pair.size()) make_room(now.count + sweep_block + pack_size + 1);
-    std::uint32_t* const pair = now.pair.data() + now.count;
-    for (std::size_t t = 0; t < count; ++t)
-      pair[t] = listed_ != nullptr ? listed_[touching[t]] : touching[t];
-    if (remembers || turns || damps()) carry(pair, count);
-  }
-  [[gnu::always_inline]] void carry(const std::uint32_t* pair, std::size_t count) {
+  /// What touching pairs remember that touched in the last sweep; number(t): of the t-th as those are numbered.
+  template <class Number>
+  [[gnu::always_inline]] void carry(std::size_t count, Number&& number) {
     TouchingPairs& now = *w_.touching;
     const TouchingPairs& before = *w_.touched;
     const std::uint32_t* const then = before.pair.data();
@@ -129,10 +135,11 @@ class Sweep {
     double* const normal = now.normal.data() + now.count;
     std::size_t old = old_;
     for (std::size_t t = 0; t < count; ++t) {
-      for (; then[old] < pair[t]; ++old) {
+      const std::uint32_t pair = number(t);
+      for (; then[old] < pair; ++old) {
         if constexpr (remembers || turns) part(old);
       }
-      const bool since = then[old] == pair[t];
+      const bool since = then[old] == pair;
       if constexpr (remembers) largest[t] = since ? largest_then[old] : 0.0;
       if constexpr (turns) stretch[t] = since ? stretch_then[old] : 0.0;
       if constexpr (turns || !remembers) normal[t] = since ? normal_then[old] : -1.0;
@@ -166,7 +173,7 @@ class Sweep {
     if constexpr (remembers) {
       if (any(~overlaps)) {
         for (std::size_t l = 0; l < count; ++l)
-          if (overlaps[l] == 0) part(now.pair[at + l], now.largest[at + l], 0.0);
+          if (overlaps[l] == 0) part(listed(now.pair[at + l]), now.largest[at + l], 0.0);
       }
       keep_where(largest, overlaps);
       store(largest, &now.largest[at]);
@@ -245,8 +252,8 @@ class Giver {
   }
 
   /// To both of touching pairs of a block; before them what goes out by earlier pairs.
-  [[gnu::always_inline]] void give(const std::uint32_t* touching, std::size_t count, const Pushes<double>& pushes) {
-    for (std::size_t t = 0; t < count; ++t) {
+  [[gnu::always_inline]] void give(std::span<const std::uint32_t> touching, const Pushes<double>& pushes) {
+    for (std::size_t t = 0; t < touching.size(); ++t) {
       const std::uint32_t first = first_[touching[t]], second = second_[touching[t]];
       if (next_ < first) give_out(first);
       const Place force{pushes.x[t], pushes.y[t]};
@@ -329,7 +336,6 @@ class Giver {
 template <class L, class F>
 [[gnu::always_inline]] inline double sweep_pairs(const L& law, const F& friction, const DiscSweep& w) {
   constexpr bool turns = std::same_as<F, CoulombFriction>;
-  std::array<std::uint32_t, sweep_block + pack_size> touching;
   std::array<std::array<double, sweep_block + pack_size>, 5> numbers;
   const Pushes<double> pushes{numbers[0].data(), numbers[1].data(), numbers[2].data(), numbers[3].data(),
                               numbers[4].data()};
@@ -342,8 +348,7 @@ template <class L, class F>
     const std::size_t pairs = (w.pairs->count + pack_size - 1) / pack_size * pack_size;
     for (std::size_t from = 0; from < pairs; from += sweep_block) {
       const std::size_t to = std::min(from + sweep_block, pairs);
-      const std::size_t count = sweep.push(from, to, touching.data(), pushes);
-      if (count > 0) giver.give(touching.data(), count, pushes);
+      giver.give(sweep.push(from, to, pushes), pushes);
       if (!moves || to == pairs) continue;
       const std::size_t first = std::min<std::size_t>(w.pairs->first[to] / 2, w.end);
       const std::size_t done = moved + (first - std::min(first, moved)) / places_per_pack * places_per_pack;
@@ -365,15 +370,14 @@ template <class L, class F>
     numbers->resize(pairs + pack_size);
   out.first.resize(pairs), out.second.resize(pairs);
   out.count = 0;
-  std::array<std::uint32_t, sweep_block + pack_size> touching;
   Sweep<L, F> sweep{law, friction, w};
   const Pushes<double> all{out.x.data(), out.y.data(), out.friction.data(), out.arm_a.data(), out.arm_b.data()};
   for (std::size_t from = 0; from < pairs; from += sweep_block) {
     const std::size_t n = out.count;
-    const std::size_t count = sweep.push(from, std::min(from + sweep_block, pairs), touching.data(), all.from(n));
-    for (std::size_t t = 0; t < count; ++t)
+    const std::span<const std::uint32_t> touching = sweep.push(from, std::min(from + sweep_block, pairs), all.from(n));
+    for (std::size_t t = 0; t < touching.size(); ++t)
       out.first[n + t] = w.pairs->first[touching[t]], out.second[n + t] = w.pairs->second[touching[t]];
-    out.count += count;
+    out.count += touching.size();
   }
   sweep.end();
 }
@@ -459,7 +463,7 @@ void receive(const DiscSweep& sweep, const DiscPushes& pushes) {
     Giver<false>{sweep}.take_in(pushes);
 }
 
-TALUS_CLONES void stretch_contacts(const DiscSweep& w, const SweptPairs& all) {
+TALUS_CLONES void stretch_contacts(const DiscSweep& w) {
   TouchingPairs& now = *w.touching;
   const double later = 0.5 * w.drift;
   for (std::size_t t = 0; t < now.count; t += pack_size) {
@@ -469,7 +473,7 @@ TALUS_CLONES void stretch_contacts(const DiscSweep& w, const SweptPairs& all) {
     Pack radii = Pack{} + w.equal_radii, x, y, v_x, v_y, distance, arm_a = 0.5 * radii, arm_b = arm_a, spin_a, spin_b;
     for (std::size_t l = 0; l < pack_size; ++l) {
       const std::uint32_t pair = now.pair[t + std::min(l, count - 1)];
-      first[l] = all.first[pair], second[l] = all.second[pair];
+      first[l] = w.pairs->first[pair], second[l] = w.pairs->second[pair];
       a[l] = static_cast<std::uint32_t>(2 * disc(w, first[l])),
       b[l] = static_cast<std::uint32_t>(2 * disc(w, second[l]));
       const std::size_t place = second[l] / 2;

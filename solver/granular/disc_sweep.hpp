@@ -36,7 +36,7 @@ struct SweptPairs {
 struct TouchingPairs {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  std::vector<std::uint32_t> pair{none};  ///< numbers in the list
+  std::vector<std::uint32_t> pair{none};  ///< numbers in the list that is swept
   std::vector<double> largest;            ///< overlap since the touch, of laws that remember it [L]
   std::vector<double> stretch;            ///< of the spring of friction [L]
   std::vector<double> normal;             ///< force of the law, where it pushes [F]; < 0: the contact is new
@@ -57,7 +57,7 @@ struct TouchingPairs {
 
 /// A contact that has ended, of a law that remembers or with friction.
 struct PartedPair {
-  std::uint32_t pair{};
+  std::uint32_t pair{};         ///< number in the whole list
   double largest{}, stretch{};  ///< [L]
 };
 
@@ -95,6 +95,7 @@ struct DiscSweep {
   const std::uint32_t* wall{};                           ///< of discs; null if there are none
 
   const SweptPairs* pairs{};
+  bool touched_as_listed{};              ///< those of the last sweep have their numbers in the whole list
   const TouchingPairs* touched{};        ///< in the last sweep
   TouchingPairs* touching{};             ///< is filled
   std::vector<PartedPair>* parted{};     ///< is added to
@@ -126,8 +127,8 @@ double sweep_discs(const LatchingSpring&, const CoulombFriction&, const DiscSwee
 /// Gives second discs that are of this sweep what others' first discs do to them.
 void receive(const DiscSweep& sweep, const DiscPushes& pushes);
 
-/// Stretches the springs of friction over the drift, before the discs move. `all`: the whole list.
-void stretch_contacts(const DiscSweep& sweep, const SweptPairs& all);
+/// Stretches the springs of friction over the drift, before the discs move.
+void stretch_contacts(const DiscSweep& sweep);
 
 /// Moves the discs; the largest square of their own speeds.
 double move_discs(const DiscSweep& sweep);

@@ -125,9 +125,10 @@ void FastDiscSystem<L, F>::sweep(double kick, double drift) {
     each([&](Stripe& stripe) {
       if (kick == 0.0) place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
       DiscSweep of = work(stripe, kick, drift);
-      stretch_contacts(of, pairs_);
-      of.touching = &stripe.outgoing_touching[turn_];
-      stretch_contacts(of, pairs_);
+      of.pairs = by_near_ ? &stripe.own : &pairs_;
+      stretch_contacts(of);
+      of.pairs = by_near_ ? &stripe.outgoing : &pairs_, of.touching = &stripe.outgoing_touching[turn_];
+      stretch_contacts(of);
     });
     each([&](Stripe& stripe) { stripe.fastest = move_discs(work(stripe, kick, drift)); });
     for (const Stripe& stripe : stripes_)
@@ -160,6 +161,7 @@ double FastDiscSystem<L, F>::sweep_pairs(double kick, double drift) {
     }
     stripe.fastest = sweep_discs(law_, friction_, of);
   });
+  if (kick != 0.0) by_near_ = !all_near_;
   if (drift != 0.0) release_walls();
   if (kick != 0.0) book(), kick_walls(kick);
   double fastest = 0.0;
@@ -232,8 +234,8 @@ void FastDiscSystem<L, F>::book() {
   };
   if (books_work()) {
     const bool damps = law_.needs_rate();
-    for_each_touching([&](const TouchingPairs& touching, std::size_t t) {
-      if constexpr (turns) book_parted(touching.pair[t]), slid += touching.slid[t];
+    for_each_touching([&](const TouchingPairs& touching, std::size_t t, [[maybe_unused]] std::uint32_t pair) {
+      if constexpr (turns) book_parted(pair), slid += touching.slid[t];
       if (damps) power_ += touching.power[t], released += touching.released[t];
     });
   }
@@ -284,6 +286,7 @@ DiscSweep FastDiscSystem<L, F>::work(Stripe& stripe, double kick, double drift) 
           .equal_radii = equal_radii_,
           .wall = shapes_.walls.empty() ? nullptr : shapes_.wall.data(),
           .pairs = all_near_ ? &pairs_ : &stripe.own,
+          .touched_as_listed = !by_near_,
           .touched = &stripe.own_touching[1 - turn_],
           .touching = &stripe.own_touching[turn_],
           .parted = &stripe.parted,
@@ -358,8 +361,7 @@ void FastDiscSystem<L, F>::rebuild(Discs& discs) {
 template <SettledLaw L, class F>
 auto FastDiscSystem<L, F>::kept_contacts() const -> std::vector<Kept> {
   std::vector<Kept> kept;
-  for_each_touching([&](const TouchingPairs& touching, std::size_t t) {
-    const std::uint32_t pair = touching.pair[t];
+  for_each_touching([&](const TouchingPairs& touching, std::size_t t, std::uint32_t pair) {
     Kept contact{.first = disc(pairs_.first[pair]), .second = disc(pairs_.second[pair])};
     if (remembers) contact.largest = touching.largest[t];
     if (turns) contact.stretch = touching.stretch[t];
@@ -372,6 +374,7 @@ auto FastDiscSystem<L, F>::kept_contacts() const -> std::vector<Kept> {
 /// Contacts in the order of the pairs of the list, as at the last evaluation.
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::take_contacts(const std::vector<Kept>& kept) {
+  by_near_ = false;
   for (Stripe& stripe : stripes_) {
     for (TouchingPairs* const touching : {&stripe.own_touching[turn_], &stripe.outgoing_touching[turn_]}) {
       touching->pair.clear();
@@ -475,10 +478,25 @@ template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::prune() {
   if (all_near_ && used_ <= long_time * skin_) return;
   used_ = 0.0;
+  number_as_listed();
   if (choose_reach()) return;
   ++prunings_;
   if (!ghost_disc_.empty()) list_.shifts(slid_, shifts_);
   each([this](Stripe& stripe) { prune(stripe); });
+}
+
+/// Gives touching pairs their numbers in the whole list, which stay when a near list goes.
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::number_as_listed() {
+  if (!by_near_) return;
+  each([this](Stripe& stripe) {
+    const auto number = [](TouchingPairs& touching, const SweptPairs& near) {
+      for (std::size_t t = 0; t < touching.count; ++t)
+        touching.pair[t] = near.listed[touching.pair[t]];
+    };
+    number(stripe.own_touching[turn_], stripe.own), number(stripe.outgoing_touching[turn_], stripe.outgoing);
+  });
+  by_near_ = false;
 }
 
 template <SettledLaw L, class F>
@@ -531,7 +549,8 @@ template <SettledLaw L, class F>
 double FastDiscSystem<L, F>::lost() const {
   double lost = lost_;
   if constexpr (remembers)
-    for_each_touching([&](const TouchingPairs& touching, std::size_t t) { lost += law_.lost(touching.largest[t]); });
+    for_each_touching(
+        [&](const TouchingPairs& touching, std::size_t t, std::uint32_t) { lost += law_.lost(touching.largest[t]); });
   return lost;
 }
 

@@ -158,7 +158,10 @@ class FastDiscSystem {
   void prune();
   void prune(Stripe& stripe);
   bool choose_reach();
-  /// Calls visit(touching pairs, which of them) in the order of pairs.
+  void number_as_listed();
+  /// Number in the whole list of one of a near list's touching pairs.
+  std::uint32_t listed(const SweptPairs& near, std::uint32_t pair) const { return by_near_ ? near.listed[pair] : pair; }
+  /// Calls visit(touching pairs, which of them, number in the whole list) in the order of pairs.
   template <class Visit>
   void for_each_touching(Visit&& visit) const;
   /// The disc that is, or whose image is, at the place that begins there.
@@ -203,6 +206,7 @@ class FastDiscSystem {
   Team* team_{};                 ///< during advance(), of several threads
   std::size_t turn_{};           ///< of the touching pairs those of the last evaluation
   bool all_near_{};              ///< the near list is all pairs
+  bool by_near_{};               ///< touching pairs have their numbers in the near lists: from a sweep to the next list
   double reach_{};               ///< s, of the near list beyond contact [L]
   double used_{};                ///< of s [L]
   double way_{};                 ///< of the last step: no pair came nearer by more [L]
@@ -237,8 +241,7 @@ template <class Visit>
 void FastDiscSystem<L, F>::for_each_contact(const Discs& discs, Visit&& visit) const {
   std::array<NeighbourList::Shift, NeighbourList::images> shifts;
   list_.shifts(discs.slid, shifts);
-  for_each_touching([&](const TouchingPairs& touching, std::size_t t) {
-    const std::uint32_t pair = touching.pair[t];
+  for_each_touching([&](const TouchingPairs& touching, std::size_t t, std::uint32_t pair) {
     const std::size_t a = disc(pairs_.first[pair]), b = disc(pairs_.second[pair]);
     const NeighbourList::Shift& shift = shifts[list_.image(pair)];
     const Vec2 d{(discs.x[b] + shift.x) - discs.x[a], (discs.y[b] + shift.y) - discs.y[a]};
@@ -270,12 +273,13 @@ void FastDiscSystem<L, F>::for_each_touching(Visit&& visit) const {
     const TouchingPairs &own = stripe.own_touching[turn_], &outgoing = stripe.outgoing_touching[turn_];
     std::size_t out = 0;
     for (std::size_t t = 0; t < own.count; ++t) {
-      for (; out < outgoing.count && outgoing.pair[out] < own.pair[t]; ++out)
-        visit(outgoing, out);
-      visit(own, t);
+      const std::uint32_t pair = listed(stripe.own, own.pair[t]);
+      for (; out < outgoing.count && listed(stripe.outgoing, outgoing.pair[out]) < pair; ++out)
+        visit(outgoing, out, listed(stripe.outgoing, outgoing.pair[out]));
+      visit(own, t, pair);
     }
     for (; out < outgoing.count; ++out)
-      visit(outgoing, out);
+      visit(outgoing, out, listed(stripe.outgoing, outgoing.pair[out]));
   }
 }
 
