@@ -118,9 +118,10 @@ void expect_virtual(Findings& findings, const Setup& setup) {
                    .title = "Minimum image beside virtual discs",
                    .caption =
                        "Largest difference of places over a diameter between the solver (list of pairs, nearest image) "
-                       "and the reference (all pairs, a virtual disc beside the field for each); dashed: the bound.",
+                       "and the reference (all pairs, a virtual disc beside the field for each); dashed: the bound "
+                       "for the first half of the steps.",
                    .x = {"step", "1"},
-                   .y = {.label = "difference over D", .log = true, .min = 1e-16, .max = 1e-11},
+                   .y = {.label = "difference over D", .log = true, .min = 1e-16, .max = 1e-10},
                    .series = {difference},
                    .lines = {{'y', 1e-12, "bound"}}});
 }
