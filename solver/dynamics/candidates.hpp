@@ -66,8 +66,8 @@ struct Candidate {
          std::abs(poses.w[a]) * furthest(pair.bounds_a) + std::abs(poses.w[b]) * furthest(pair.bounds_b);
 }
 
-/// What one body can move past another in a step and be seen [L].
-[[nodiscard]] inline double unseen_way(const Candidate& pair) {
+/// How far one body can move past another in a step and still be seen [L].
+[[nodiscard]] inline double seen_way(const Candidate& pair) {
   return 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b));
 }
 
@@ -77,7 +77,7 @@ struct Candidate {
   const std::size_t a = index(pair.a), b = index(pair.b);
   const double x = poses.x[b] - poses.x[a], y = poses.y[b] - poses.y[a];
   const double reach = furthest(pair.bounds_a) + furthest(pair.bounds_b) + way;
-  return way <= unseen_way(pair) && x * x + y * y > reach * reach;
+  return way <= seen_way(pair) && x * x + y * y > reach * reach;
 }
 
 /// Where a swept body lies along x [L].

@@ -168,7 +168,7 @@ bool never_passes(const Candidate& pair) { return endless(pair.bounds_a) || endl
 
 /// Brings the longest step down to what a pair allows that closes so fast [L/T], under this pull [L/T^2].
 void shorten(ContactForces::Passing& passing, const Candidate& pair, std::size_t contact, double speed, double pull) {
-  const double way = unseen_way(pair);
+  const double way = seen_way(pair);
   const double most = passing.longest_step;
   if ((speed + 0.5 * pull * most) * most <= way) return;
   // way = speed h + pull h^2/2, solved so that nothing cancels.
