@@ -87,7 +87,7 @@ double EventSearch::find(EventfulSystem& system, const State& begin, double end,
   before_.fill_in(), earlier_.fill_in();
   list_finite();
   bool near = false, worse = false;
-  for (const std::size_t i : finite()) {
+  for (const std::size_t i : finite_) {
     near |= dormant_[i] == 0.0 && may_have_ended(i);
     worse |= dormant_[i] == 1.0 && guards_.each[i] <= 0.0 && guards_.each[i] < before_.each[i];
   }
@@ -135,7 +135,7 @@ void EventSearch::go_on(double begin) {
 /// Lists the guards that are finite at the end of the last step: the others have not ended and did not dip.
 void EventSearch::list_finite() {
   finite_.resize(guards_.each.size());
-  finite_count_ = list_finite_numbers(guards_.each, finite_.data());
+  finite_.resize(list_finite_numbers(guards_.each, finite_.data()));
 }
 
 bool EventSearch::may_have_ended(std::size_t guard) const {
@@ -147,11 +147,11 @@ bool EventSearch::may_have_ended(std::size_t guard) const {
 /// the parabola through three times.
 std::optional<double> EventSearch::dip(double begin, double end) const {
   std::optional<double> found;
-  if (earlier_.each.size() != guards_.each.size() || finite().empty()) return found;
+  if (earlier_.each.size() != guards_.each.size() || finite_.empty()) return found;
   double least = std::numeric_limits<double>::infinity();
   const double b = end - begin;
   const double per_a = 1.0 / (begin - earlier_time_), per_b = 1.0 / b, per_both = 1.0 / (end - earlier_time_);
-  for (const std::size_t i : finite()) {
+  for (const std::size_t i : finite_) {
     // What nothing could end before is infinite: nothing holds of what follows from it.
     const double from = (before_.each[i] - earlier_.each[i]) * per_a, to = (guards_.each[i] - before_.each[i]) * per_b;
     const double curvature = (to - from) * per_both;  // half the second derivative
@@ -180,7 +180,7 @@ void EventSearch::look_at(EventfulSystem& system, const State& begin, double t, 
 /// Lists the guards that are past their end at a time in the last step, of those that were not since the piece began.
 bool EventSearch::find_ended(EventfulSystem& system, const State& begin, double t, const Motion& motion) {
   ended_.clear();
-  for (const std::size_t i : finite()) {
+  for (const std::size_t i : finite_) {
     if (dormant_[i] == 0.0) ended_.push_back(i);
   }
   look_at(system, begin, t, motion);
@@ -216,6 +216,7 @@ void EventSearch::remember(Memory& memory, std::size_t modes) {
   memory.list("earlier", earlier_.each);
   memory.number("earlier_time", earlier_time_);
   memory.list("dormant", dormant_);
+  memory.number("longest_step", longest_step_);
   any_dormant_ = true;
   if (guards_.each.size() != dormant_.size() || (!guards_.each.empty() && guards_.each.size() != modes))
     throw InputError{fmt::format("guards: found {}, of which {} may be dormant; there must be {}", guards_.each.size(),

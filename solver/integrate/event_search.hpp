@@ -1,8 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -43,7 +43,7 @@ class EventSearch {
   [[nodiscard]] double find(EventfulSystem& system, const State& begin, double end, double next, NearEnd near_end,
                             const Motion& motion);
   /// From the beginning of the piece, or from near the end of the last step, in which no body can pass another unseen:
-  /// how long the next may be at most.
+  /// how long the next may be at most; infinite of a system that was never asked.
   double longest_step() const { return longest_step_; }
   /// Brings the modes up to date at an event.
   void settle(EventfulSystem& system, State& at);
@@ -63,7 +63,6 @@ class EventSearch {
   void forget_dormant();
   void go_on(double begin);
   void list_finite();
-  std::span<const std::size_t> finite() const { return {finite_.data(), finite_count_}; }
   bool may_have_ended(std::size_t guard) const;
   std::optional<double> dip(double begin, double end) const;
   void look_at(EventfulSystem& system, const State& begin, double t, const Motion& motion);
@@ -76,14 +75,13 @@ class EventSearch {
   std::vector<double> dormant_;  ///< of guards that are past their end since the piece began: 1, or 2 where the mode
                                  ///< was seen to last all the same (a slider whose limit falls)
   bool any_dormant_{};           ///< there may be some
+  double longest_step_{std::numeric_limits<double>::infinity()};
 
   // Scratch of a step.
-  double longest_step_{};
   Guards before_;
   std::vector<double> looked_;
-  std::vector<std::size_t> finite_;  ///< the first so many are the guards that something may end
-  std::size_t finite_count_{};
-  std::vector<std::size_t> ended_;  ///< guards that are past their end where they were looked at first
+  std::vector<std::size_t> finite_;  ///< guards that something may end
+  std::vector<std::size_t> ended_;   ///< guards that are past their end where they were looked at first
   State looked_at_;
   std::vector<Mode> modes_;
 };

@@ -81,7 +81,6 @@ class LocatedSteps {
     memory.flag("fresh", fresh_);
     motion_.remember(memory, end_);
     search_.remember(memory, end_.mode.size());
-    memory.number("longest_step", longest_);
     memory.flag("follows", follows_);
     memory.number("event_time", event_time_);
     memory.count("events", events_);
@@ -114,13 +113,13 @@ class LocatedSteps {
     fresh_ = false;
     if (!system.guards) return;
     if (search_.begin_piece(system, end_, begin_.mode)) motion_.hesitate();
-    longest_ = search_.longest_step();
     follows_ = system.follows(end_);  // as long as no mode changes
   }
 
   void take_step(EventfulSystem& system, double t) {
     std::swap(begin_, end_);
-    const double longest = motion_.ends_at_outputs(system) ? std::min(longest_, t - begin_.t) : longest_;
+    double longest = search_.longest_step();
+    if (motion_.ends_at_outputs(system)) longest = std::min(longest, t - begin_.t);
     failure_ = motion_.advance(system, begin_, end_, longest);
     if (!failure_.empty()) return std::swap(begin_, end_);
     const double event = system.guards ? find_event(system) : std::numeric_limits<double>::infinity();
@@ -139,10 +138,8 @@ class LocatedSteps {
 
   double find_event(EventfulSystem& system) {
     const auto near_end = motion_.near_end(end_);
-    const double event = search_.find(system, begin_, end_.t, motion_.next_step(), near_end,
-                                      [this](double t, State& out) { state_at(t, out); });
-    longest_ = search_.longest_step();
-    return event;
+    return search_.find(system, begin_, end_.t, motion_.next_step(), near_end,
+                        [this](double t, State& out) { state_at(t, out); });
   }
 
   void settle_event(EventfulSystem& system) {
@@ -159,8 +156,7 @@ class LocatedSteps {
   State end_;    ///< ... and at its end, in the modes after it
   Motion motion_;
   EventSearch search_;
-  bool fresh_{true};  ///< the motion is to begin anew from the end of the last step
-  double longest_{std::numeric_limits<double>::infinity()};  ///< the next step may be [T]
+  bool fresh_{true};     ///< the motion is to begin anew from the end of the last step
   bool follows_{};       ///< some memory is to be settled after each step of the piece
   double event_time_{};  ///< of the last event
   long events_{};
