@@ -31,10 +31,10 @@ while the motion has not come further.
 **How it is shown.** Sleep `exact` (any pull that is not the one at rest wakes) against `off`: the same bits. Sleep by
 default (a change by 1e-13 of the tension wakes) against `off`: the difference is measured. Contacts: the same scene
 with every gap of every pair worked out at each evaluation: the same bits; between located events the guards of
-bodies that at their speed do not meet in five of the next steps are left out: the same bits as with all guards. Cables: the
-tensions of the rows against those of the laws, one by one: the same bits; a run without ledger against one with it,
-likewise. The columns awake, summed over the steps, are a count that is the same on every machine; `make bench` says
-what each saves in time.
+bodies that at their speed do not meet in five of the next steps are left out: the same bits as with all guards.
+Cables: the tensions of the rows against those of the laws, one by one: the same bits; a run without ledger against
+one with it, likewise. The columns awake, summed over the steps, are a count that is the same on every machine;
+`make bench` says what each saves in time.
 
 **Scenes.** The fence of Table 2 with 101 and 1,001 columns, hit in the middle, 25 000 steps of 2e-6 s: with a sag
 that grows as the square of the span, which leaves the cables as tight, so that nothing near the hit knows how long
@@ -42,7 +42,8 @@ the fence is; and with a sag of the same share of the span, which makes those of
 and motion along them at most three times as fast. The fence of two layers; a yard of bodies of every outline, with
 friction.
 
-**Source.** None beyond the laws themselves; the list of close pairs is Verlet 1967, the sweep that makes it Baraff 1992.
+**Source.** None beyond the laws themselves; the list of close pairs is Verlet 1967, the sweep that makes it Baraff
+1992.
 
 **What would break it.** A column left asleep that is pulled; a pair that the search forgets, or a list of close pairs
 that stands too long; a row that stays on a line which one of its cables has left.

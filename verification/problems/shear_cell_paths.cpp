@@ -105,15 +105,15 @@ void expect_virtual(Findings& findings, const Setup& setup) {
   findings.count(static_cast<std::uint64_t>(run.evaluations()));
   findings.expect_true("contacts were met on the way", run.impulse_on_block().y > 0.0 && run.ledger().dissipated > 0.0,
                        "without them there is nothing to compare");
-  findings.expect(
-      "places beside virtual discs and all pairs, over a diameter", early, 0.0,
-      Tolerance::round_off(1e-12,
-                           "places of some diameters are rounded to 1e-15 of one at each of thousands of "
-                           "steps, in boxes whose borders discs cross at other times: 2e-13, and its growth"));
+  findings.expect("places beside virtual discs and all pairs, over a diameter", early, 0.0,
+                  Tolerance::round_off(
+                      1e-12,
+                      "places of some diameters are rounded to 1e-15 of one at each of thousands of "
+                      "steps, in boxes whose borders discs cross at other times: 2e-13, which has grown to 4.6e-13"));
   findings.expect("the same after twice as many steps", most, 0.0,
-                  Tolerance::round_off(1e-9,
-                                       "neighbouring paths part: 2e-13 grows a hundredfold in 10,000 steps, "
-                                       "and tenfold that is admitted"));
+                  Tolerance::round_off(1e-10,
+                                       "neighbouring paths part: 4.6e-13 grows twentyfold in 10,000 steps, and tenfold "
+                                       "that is admitted"));
   findings.figure({.name = "difference",
                    .title = "Minimum image beside virtual discs",
                    .caption =
