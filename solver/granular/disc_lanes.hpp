@@ -37,18 +37,18 @@ using Places2 [[gnu::vector_size(32)]] = double;
   y = __builtin_shufflevector(even, odd, 1, 9, 3, 11, 5, 13, 7, 15);
 }
 
-/// From the first discs to the second of eight pairs, of places or velocities.
+/// From the first discs to the second of eight pairs with these numbers, of places or velocities.
 [[gnu::always_inline]] inline void differences(Pack& x, Pack& y, const double* numbers, const std::uint32_t* first,
-                                               const std::uint32_t* second) {
+                                               const std::uint32_t* second, const std::uint32_t* pairs) {
   std::array<Place, 4> p, q;
   for (std::size_t l = 0; l < 4; ++l) {
-    p[l] = difference(numbers, first[2 * l], second[2 * l]);
-    q[l] = difference(numbers, first[2 * l + 1], second[2 * l + 1]);
+    p[l] = difference(numbers, first[pairs[2 * l]], second[pairs[2 * l]]);
+    q[l] = difference(numbers, first[pairs[2 * l + 1]], second[pairs[2 * l + 1]]);
   }
   lay_out(x, y, p, q);
 }
 
-/// The same of pairs that were not written just before: their numbers are fetched two at once.
+/// The same of eight pairs that follow each other: where their places begin is fetched two at once.
 [[gnu::always_inline]] inline void listed_differences(Pack& x, Pack& y, const double* numbers,
                                                       const std::uint32_t* first, const std::uint32_t* second) {
   static_assert(std::endian::native == std::endian::little);
@@ -97,6 +97,22 @@ using Numbers [[gnu::vector_size(32)]] = std::uint32_t;
 template <class Lanes, class Number>
 [[gnu::always_inline]] inline void collect(Lanes& lanes, Number&& number) {
   lanes = Lanes{number(0), number(1), number(2), number(3), number(4), number(5), number(6), number(7)};
+}
+
+/// The numbers of eight pairs from a row that has one for each.
+[[gnu::always_inline]] inline void collect(Pack& lanes, const double* row, const std::uint32_t* pairs) {
+  std::array<Place, 4> two;
+  for (std::size_t l = 0; l < 4; ++l)
+    two[l] = Place{row[pairs[2 * l]], row[pairs[2 * l + 1]]};
+  const Places2 low = __builtin_shufflevector(two[0], two[1], 0, 1, 2, 3);
+  const Places2 high = __builtin_shufflevector(two[2], two[3], 0, 1, 2, 3);
+  lanes = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+/// The two coordinates of eight, those of each side by side.
+[[gnu::always_inline]] inline void store_places(const Pack& x, const Pack& y, double* places) {
+  store(__builtin_shufflevector(x, y, 0, 8, 1, 9, 2, 10, 3, 11), places);
+  store(__builtin_shufflevector(x, y, 4, 12, 5, 13, 6, 14, 7, 15), places + pack_size);
 }
 
 /// Nought in the lanes where it is not so.

@@ -7,70 +7,17 @@
 
 #include "solver/base/vec.hpp"
 #include "solver/granular/neighbour_list.hpp"
+#include "solver/granular/swept_pairs.hpp"
 #include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/latching_spring.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
 
 namespace talus {
 
-/// Pairs in the order of the neighbour list, and behind them as many of places that are nowhere as fill the lanes.
-struct SweptPairs {
-  std::vector<std::uint32_t> first, second;  ///< where the places begin; of a second disc across a border, its ghost's
-  std::vector<std::uint32_t> listed;         ///< numbers in the list; none if they are all of it
-  std::vector<double> radii;                 ///< their sum, if discs are unlike [L]
-  std::size_t count{};
-
-  /// Makes room for a whole list of so many, of unlike discs or like ones.
-  void list(std::size_t size, bool unlike);
-  /// Takes those with these numbers from a whole list behind its own.
-  void take(const SweptPairs& list, std::span<const std::uint32_t> numbers);
-  /// Fills the lanes behind the last pair, wherever packs begin. nowhere: where that place begins.
-  void fill_up(std::uint32_t nowhere);
-
- private:
-  void resize(std::size_t size, bool near, bool unlike);
-};
-
-/// Pairs that a sweep found touching, in their order, with what their contacts remember; behind them one whose number
-/// no pair has.
-struct TouchingPairs {
-  static constexpr std::uint32_t none = ~std::uint32_t{0};
-
-  std::vector<std::uint32_t> pair{none};  ///< numbers in the list that is swept
-  std::vector<double> largest;            ///< overlap since the touch, of laws that remember it [L]
-  std::vector<double> stretch;            ///< of the spring of friction [L]
-  std::vector<double> normal;             ///< force of the law, where it pushes [F]; < 0: the contact is new
-  std::vector<double> power, released;    ///< what the law keeps, of laws without memory (settled.hpp) [F L/T, F L]
-  std::vector<double> slid;               ///< what friction dissipates [F L]
-  std::size_t count{};
-
-  /// Of a law that remembers or not, with friction or without; what they keep only where it is asked for.
-  void resize(std::size_t size, bool remembers, bool turns, bool keeps) {
-    pair.resize(size, none);
-    if (remembers) largest.resize(size);
-    if (turns) stretch.resize(size);
-    if (turns || keeps) normal.resize(size);
-    if (keeps && !remembers) power.resize(size), released.resize(size);
-    if (keeps && turns) slid.resize(size);
-  }
-};
-
-/// A contact that has ended, of a law that remembers or with friction.
-struct PartedPair {
-  std::uint32_t pair{};         ///< number in the whole list
-  double largest{}, stretch{};  ///< [L]
-};
-
-/// A force on a wall, from one of its contacts.
-struct WallPush {
-  std::size_t wall{};
-  Vec2 force;  ///< [F]
-};
-
 /// What the first discs of pairs do to the second.
 struct DiscPushes {
   std::vector<std::uint32_t> first, second;    ///< where the places begin
-  std::vector<double> x, y;                    ///< force on the second [F]
+  std::vector<double> force;                   ///< on the second: x, y of each [F]
   std::vector<double> friction, arm_a, arm_b;  ///< turns both [F], at [L]
   std::size_t count{};
 };
@@ -89,23 +36,20 @@ struct DiscSweep {
   const std::uint8_t* ghost_image{};        ///< which image
   const NeighbourList::Shift* shifts{};     ///< by image
 
-  const double *inverse_mass{}, *radius{}, *per_mass{};  ///< of discs: [1/M], [L], 1/(inertia) over 1/mass [1/L^2]
-  std::size_t unlike_mass{}, unlike_radius{};            ///< all bits; 0 if the first number is that of all
-  double equal_radii{};                                  ///< sum of two, if all are equal [L]
-  const std::uint32_t* wall{};                           ///< of discs; null if there are none
+  const double* impulse_per_force{};           ///< of discs, twice each: the kick over the mass [T/M]
+  const double *radius{}, *per_mass{};         ///< of discs: [L], 1/(inertia) over 1/mass [1/L^2]
+  std::size_t unlike_mass{}, unlike_radius{};  ///< all bits; 0 if the first number is that of all
+  double equal_radii{};                        ///< sum of two, if all are equal [L]
+  const std::uint32_t* wall{};                 ///< of discs
+  std::size_t walls{};                         ///< no disc of a wall has its place before this
 
   const SweptPairs* pairs{};
-  bool touched_as_listed{};              ///< those of the last sweep have their numbers in the whole list
-  const TouchingPairs* touched{};        ///< in the last sweep
-  TouchingPairs* touching{};             ///< is filled
-  std::vector<PartedPair>* parted{};     ///< is added to
-  std::vector<WallPush>* wall_pushes{};  ///< is added to
-  const DiscPushes* outgoing{};          ///< of pairs whose first disc is of this sweep and whose second is not
-  bool keeps{};                          ///< whether `touching` and `parted` are to tell what contacts keep
+  SweptContacts* contacts{};          ///< of these pairs
+  std::vector<PartedPair>* parted{};  ///< is added to
+  std::vector<Vec2>* wall_pushes{};   ///< of each wall are added to: forces of its contacts [F]
+  const DiscPushes* outgoing{};       ///< of pairs whose first disc is of this sweep and whose second is not
+  bool keeps{};                       ///< whether `contacts` and `parted` are to tell what contacts keep
 };
-
-/// Pairs that are worked on together: to where lists of them are filled.
-inline constexpr std::size_t sweep_block = 256;
 
 /// Numbers of the pairs from <= k < to whose surfaces are nearer than so much; how many. At most sweep_block are asked
 /// for at once; beyond those found, `found` is written to up to a pack further.

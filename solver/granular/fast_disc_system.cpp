@@ -39,18 +39,28 @@ FastDiscSystem<L, F>::FastDiscSystem(DiscShapes shapes, PeriodicBox box, const L
     for (const double radius : shapes_.radius)
       per_mass_.push_back(2.0 / (radius * radius));
   }
+  impulse_per_force_.resize(equal_masses_ ? 2 : 2 * shapes_.size());
   wall_forces_.resize(shapes_.walls.size() + 1);
+  walls_ = static_cast<std::size_t>(
+      std::find_if(shapes_.wall.begin(), shapes_.wall.end(), [](auto wall) { return wall != DiscShapes::free; }) -
+      shapes_.wall.begin());
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const std::size_t wall = shapes_.wall[i];
-    if (wall != DiscShapes::free && shapes_.walls[wall - 1].mass > 0.0) moved_.push_back(i);
+    if (wall == DiscShapes::free || shapes_.walls[wall - 1].mass == 0.0) continue;
+    if (moved_.empty() || moved_.back().wall != wall || moved_.back().end != i) moved_.push_back({wall, i, i, {}});
+    ++moved_.back().end;
   }
+  for (WallDiscs& discs : moved_)
+    discs.places.resize(2 * (discs.end - discs.begin));
+  for (Stripe& stripe : stripes_)
+    stripe.wall_pushes.resize(wall_forces_.size());
 }
 
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::begin(Discs& discs) {
   if (turns) discs.spin.resize(discs.size());
   for (Stripe& stripe : stripes_)
-    stripe.own_touching = {}, stripe.outgoing_touching = {};
+    stripe.own.contacts.clear(kinds()), stripe.outgoing.contacts.clear(kinds());
   lost_ = 0.0;
   rebuild(discs);
   if (!turns) return;
@@ -58,7 +68,7 @@ void FastDiscSystem<L, F>::begin(Discs& discs) {
   std::vector<Kept> there;
   list_.for_each_pair(discs, [&](std::size_t a, std::size_t b, std::size_t, Vec2 d, const auto&) {
     if (norm(d) < shapes_.radius[a] + shapes_.radius[b])
-      there.push_back({.first = static_cast<std::uint32_t>(a), .second = static_cast<std::uint32_t>(b), .normal = 1.0});
+      there.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), {.normal = 1.0}});
   });
   take_contacts(there);
 }
@@ -121,13 +131,12 @@ void FastDiscSystem<L, F>::sweep(double kick, double drift) {
   double fastest = sweep_pairs(kick, turns ? 0.0 : drift);
   if (kick != 0.0) work_[static_cast<std::size_t>(L::dissipation)] += kick * power_;
   if (turns && drift != 0.0) {
-    if (!ghost_disc_.empty()) list_.shifts(slid_, shifts_);
+    if (list_.box().sliding() != 0.0) list_.shifts(slid_, shifts_);
     each([&](Stripe& stripe) {
       if (kick == 0.0) place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
       DiscSweep of = work(stripe, kick, drift);
-      of.pairs = by_near_ ? &stripe.own : &pairs_;
       stretch_contacts(of);
-      of.pairs = by_near_ ? &stripe.outgoing : &pairs_, of.touching = &stripe.outgoing_touching[turn_];
+      of.pairs = &pairs(stripe.outgoing), of.contacts = &stripe.outgoing.contacts;
       stretch_contacts(of);
     });
     each([&](Stripe& stripe) { stripe.fastest = move_discs(work(stripe, kick, drift)); });
@@ -140,19 +149,22 @@ void FastDiscSystem<L, F>::sweep(double kick, double drift) {
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::begin_kick() {
   ++evaluations_;
-  turn_ = 1 - turn_;
   if (sees_rates()) each([this](Stripe& stripe) { copy_before(stripe); });
 }
 
 /// The largest square of own speeds, if discs drift.
 template <SettledLaw L, class F>
 double FastDiscSystem<L, F>::sweep_pairs(double kick, double drift) {
-  const NeighbourList::Flow flow = list_.flow();
   if (kick != 0.0) {
-    if (!ghost_disc_.empty()) list_.shifts(slid_, shifts_);
+    if (kick != kicked_) {
+      kicked_ = kick;
+      for (std::size_t k = 0; k < impulse_per_force_.size(); ++k)
+        impulse_per_force_[k] = kick * shapes_.inverse_mass[k / 2];
+    }
+    if (list_.box().sliding() != 0.0) list_.shifts(slid_, shifts_);
     each([&](Stripe& stripe) { find_outgoing(stripe, kick); });
   }
-  if (drift != 0.0) hold_walls(flow);
+  if (drift != 0.0) hold_walls();
   each([&](Stripe& stripe) {
     const DiscSweep of = work(stripe, kick, drift);
     for (const Stripe& earlier : stripes_) {
@@ -161,72 +173,71 @@ double FastDiscSystem<L, F>::sweep_pairs(double kick, double drift) {
     }
     stripe.fastest = sweep_discs(law_, friction_, of);
   });
-  if (kick != 0.0) by_near_ = !all_near_;
-  if (drift != 0.0) release_walls();
   if (kick != 0.0) book(), kick_walls(kick);
   double fastest = 0.0;
   for (const Stripe& stripe : stripes_)
     fastest = std::max(fastest, stripe.fastest);
-  if (drift != 0.0) drift_walls(drift, flow, fastest);
+  if (drift != 0.0) fastest = std::max(fastest, drift_walls(drift));
   return fastest;
 }
 
-/// Where discs of a wall that forces move are, and how they move, is kept until all forces are known: till then they
-/// flow with the mean.
+/// Where discs of a wall that forces move are is kept until all forces are known: they move then.
 template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::hold_walls(const NeighbourList::Flow& flow) {
-  for (std::size_t m = 0; m < moved_.size(); ++m) {
-    double *const v = &velocities_[2 * moved_[m]], *const place = &places_[2 * moved_[m]];
-    waiting_[m] = {{place[0], place[1]}, {v[0], v[1]}};
-    v[0] = flow.x + flow.rate * place[1], v[1] = flow.y;
-  }
-}
-
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::release_walls() {
-  for (std::size_t m = 0; m < moved_.size(); ++m) {
-    double *const v = &velocities_[2 * moved_[m]], *const place = &places_[2 * moved_[m]];
-    place[0] = waiting_[m].place.x, place[1] = waiting_[m].place.y;
-    v[0] = waiting_[m].v.x, v[1] = waiting_[m].v.y;
-  }
+void FastDiscSystem<L, F>::hold_walls() {
+  for (WallDiscs& of : moved_)
+    std::copy_n(&places_[2 * of.begin], of.places.size(), of.places.data());
 }
 
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::kick_walls(double kick) {
-  if (shapes_.walls.empty()) return;
-  std::fill(wall_forces_.begin(), wall_forces_.end(), Vec2{});
-  for (const Stripe& stripe : stripes_) {
-    for (const WallPush& push : stripe.wall_pushes)
-      wall_forces_[push.wall] += push.force;
+  for (std::size_t wall = 1; wall < wall_forces_.size(); ++wall) {
+    Vec2 force;
+    for (const Stripe& stripe : stripes_) {
+      for (const Vec2 push : stripe.wall_pushes[wall])
+        force += push;
+    }
+    wall_forces_[wall] = force;
   }
-  for (const std::size_t disc : moved_) {
-    const std::size_t wall = shapes_.wall[disc];
-    const DiscWall& moved = shapes_.walls[wall - 1];
-    velocities_[2 * disc + 1] += kick * (wall_forces_[wall].y / moved.mass - moved.gravity);
+  for (const WallDiscs& of : moved_) {
+    const DiscWall& wall = shapes_.walls[of.wall - 1];
+    const double change = kick * (wall_forces_[of.wall].y / wall.mass - wall.gravity);
+    for (std::size_t disc = of.begin; disc < of.end; ++disc)
+      velocities_[2 * disc + 1] += change;
   }
 }
 
+/// From where they were held; the largest square of their own speeds.
 template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::drift_walls(double drift, const NeighbourList::Flow& flow, double& fastest) {
-  for (const std::size_t disc : moved_) {
-    double *const v = &velocities_[2 * disc], *const place = &places_[2 * disc];
-    fastest = std::max(fastest, flow.own_speed_squared({v[0], v[1]}, place[1]));
-    place[0] += drift * v[0], place[1] += drift * v[1];
+double FastDiscSystem<L, F>::drift_walls(double drift) {
+  const NeighbourList::Flow flow = list_.flow();
+  double fastest = 0.0;
+  for (const WallDiscs& of : moved_) {
+    const double* const v = &velocities_[2 * of.begin];
+    double* const place = &places_[2 * of.begin];
+    for (std::size_t k = 0; k < of.places.size(); k += 2) {
+      fastest = std::max(fastest, flow.own_speed_squared({v[k], v[k + 1]}, of.places[k + 1]));
+      place[k] = of.places[k] + drift * v[k], place[k + 1] = of.places[k + 1] + drift * v[k + 1];
+    }
   }
+  return fastest;
 }
 
 /// What contacts kept at this evaluation, in the order of pairs.
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::book() {
   power_ = 0.0;
+  const bool parts = std::any_of(stripes_.begin(), stripes_.end(), [](const Stripe& of) { return !of.parted.empty(); });
+  if (!parts && !books_work()) return;
   parted_.clear();
-  for (const Stripe& stripe : stripes_)
+  for (Stripe& stripe : stripes_) {
     parted_.insert(parted_.end(), stripe.parted.begin(), stripe.parted.end());
+    stripe.parted.clear();
+  }
   std::sort(parted_.begin(), parted_.end(), [](const auto& a, const auto& b) { return a.pair < b.pair; });
   [[maybe_unused]] double& released = work_[static_cast<std::size_t>(L::release)];
   [[maybe_unused]] double& slid = work_[static_cast<std::size_t>(Mechanism::friction)];
   auto parted = parted_.begin();
-  const auto book_parted = [&](std::uint32_t before) {
+  const auto book_parted = [&](std::size_t before) {
     for (; parted != parted_.end() && parted->pair < before; ++parted) {
       if constexpr (remembers) lost_ += law_.lost(parted->largest);
       if constexpr (turns) slid += keeps_work_ ? friction_.stored_energy(parted->stretch) : 0.0;
@@ -234,12 +245,12 @@ void FastDiscSystem<L, F>::book() {
   };
   if (books_work()) {
     const bool damps = law_.needs_rate();
-    for_each_touching([&](const TouchingPairs& touching, std::size_t t, [[maybe_unused]] std::uint32_t pair) {
-      if constexpr (turns) book_parted(pair), slid += touching.slid[t];
-      if (damps) power_ += touching.power[t], released += touching.released[t];
+    for_each_touching([&](const SweptContacts& of, std::size_t t, [[maybe_unused]] std::size_t pair) {
+      if constexpr (turns) book_parted(pair), slid += of.slid[t];
+      if (damps) power_ += of.power[t], released += of.released[t];
     });
   }
-  book_parted(TouchingPairs::none);
+  book_parted(list_.size());
 }
 
 template <SettledLaw L, class F>
@@ -254,11 +265,11 @@ template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::find_outgoing(Stripe& stripe, double kick) {
   place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
   if (sees_rates()) place_ghosts(stripe, before_.data(), &NeighbourList::Shift::vx);
-  stripe.parted.clear(), stripe.wall_pushes.clear();
+  for (std::vector<Vec2>& pushes : stripe.wall_pushes)
+    pushes.clear();
   if (stripes_.size() == 1) return;
   DiscSweep of = work(stripe, kick, 0.0);
-  of.pairs = &stripe.outgoing;
-  of.touching = &stripe.outgoing_touching[turn_], of.touched = &stripe.outgoing_touching[1 - turn_];
+  of.pairs = &stripe.outgoing.near, of.contacts = &stripe.outgoing.contacts;
   find_pushes(law_, friction_, of, stripe.pushes);
 }
 
@@ -278,19 +289,18 @@ DiscSweep FastDiscSystem<L, F>::work(Stripe& stripe, double kick, double drift) 
           .ghost_disc = ghost_disc_.data(),
           .ghost_image = ghost_image_.data(),
           .shifts = shifts_.data(),
-          .inverse_mass = shapes_.inverse_mass.data(),
+          .impulse_per_force = impulse_per_force_.data(),
           .radius = shapes_.radius.data(),
           .per_mass = per_mass_.data(),
           .unlike_mass = equal_masses_ ? std::size_t{0} : ~std::size_t{0},
           .unlike_radius = equal_radii_ > 0.0 ? std::size_t{0} : ~std::size_t{0},
           .equal_radii = equal_radii_,
-          .wall = shapes_.walls.empty() ? nullptr : shapes_.wall.data(),
-          .pairs = all_near_ ? &pairs_ : &stripe.own,
-          .touched_as_listed = !by_near_,
-          .touched = &stripe.own_touching[1 - turn_],
-          .touching = &stripe.own_touching[turn_],
+          .wall = shapes_.wall.data(),
+          .walls = 2 * walls_,
+          .pairs = &pairs(stripe.own),
+          .contacts = &stripe.own.contacts,
           .parted = &stripe.parted,
-          .wall_pushes = &stripe.wall_pushes,
+          .wall_pushes = stripe.wall_pushes.data(),
           .outgoing = &stripe.pushes,
           .keeps = books_work()};
 }
@@ -318,6 +328,7 @@ void FastDiscSystem<L, F>::load(const Discs& discs) {
   });
   if (turns) std::copy(discs.spin.begin(), discs.spin.end(), spins_.begin());
   slid_ = discs.slid, work_ = discs.work;
+  list_.shifts(slid_, shifts_);
 }
 
 template <SettledLaw L, class F>
@@ -361,12 +372,8 @@ void FastDiscSystem<L, F>::rebuild(Discs& discs) {
 template <SettledLaw L, class F>
 auto FastDiscSystem<L, F>::kept_contacts() const -> std::vector<Kept> {
   std::vector<Kept> kept;
-  for_each_touching([&](const TouchingPairs& touching, std::size_t t, std::uint32_t pair) {
-    Kept contact{.first = disc(pairs_.first[pair]), .second = disc(pairs_.second[pair])};
-    if (remembers) contact.largest = touching.largest[t];
-    if (turns) contact.stretch = touching.stretch[t];
-    if (turns || books_work()) contact.normal = touching.normal[t];
-    kept.push_back(contact);
+  for_each_touching([&](const SweptContacts& contacts, std::size_t t, std::size_t pair) {
+    kept.push_back({disc(pairs_.first[pair]), disc(pairs_.second[pair]), contacts.memory(contacts.now, t)});
   });
   return kept;
 }
@@ -374,13 +381,8 @@ auto FastDiscSystem<L, F>::kept_contacts() const -> std::vector<Kept> {
 /// Contacts in the order of the pairs of the list, as at the last evaluation.
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::take_contacts(const std::vector<Kept>& kept) {
-  by_near_ = false;
-  for (Stripe& stripe : stripes_) {
-    for (TouchingPairs* const touching : {&stripe.own_touching[turn_], &stripe.outgoing_touching[turn_]}) {
-      touching->pair.clear();
-      touching->largest.clear(), touching->stretch.clear(), touching->normal.clear();
-    }
-  }
+  for (Stripe& stripe : stripes_)
+    stripe.own.contacts.clear(kinds()), stripe.outgoing.contacts.clear(kinds());
   for (const Kept& contact : kept) {
     const std::size_t pair = list_.find(contact.first, contact.second);
     if (pair == list_.size()) {
@@ -389,20 +391,18 @@ void FastDiscSystem<L, F>::take_contacts(const std::vector<Kept>& kept) {
     }
     const auto stripe =
         std::find_if(stripes_.begin(), stripes_.end(), [&](const Stripe& of) { return contact.first < of.end; });
-    TouchingPairs& touching =
-        contact.second < stripe->end ? stripe->own_touching[turn_] : stripe->outgoing_touching[turn_];
-    touching.pair.push_back(static_cast<std::uint32_t>(pair));
-    if (remembers) touching.largest.push_back(contact.largest);
-    if (turns) touching.stretch.push_back(contact.stretch);
-    if (turns || books_work()) touching.normal.push_back(contact.normal);
+    Swept& swept = contact.second < stripe->end ? stripe->own : stripe->outgoing;
+    swept.contacts.add(static_cast<std::uint32_t>(pair), contact.memory);
   }
-  // Sweeps read and write to a pack beyond the last.
-  for (Stripe& stripe : stripes_) {
-    for (TouchingPairs* const touching : {&stripe.own_touching[turn_], &stripe.outgoing_touching[turn_]}) {
-      touching->count = touching->pair.size();
-      touching->resize(touching->count + pack_size + 1, remembers, turns, books_work());
-    }
-  }
+}
+
+/// Contacts keep their numbers in the whole list when a near list goes.
+template <SettledLaw L, class F>
+void FastDiscSystem<L, F>::number_as_listed() {
+  each([this](Stripe& stripe) {
+    for (Swept* const swept : {&stripe.own, &stripe.outgoing})
+      swept->contacts.number_as_listed(pairs(*swept));
+  });
 }
 
 /// Stripes of about as many listed pairs each.
@@ -469,11 +469,10 @@ void FastDiscSystem<L, F>::list_places() {
   if (turns) spins_.resize(discs), spins_before_.resize(discs);
   if (sees_rates()) before_.resize(2 * (nowhere + 1));
   std::fill(places_.end() - 2, places_.end(), std::numeric_limits<double>::quiet_NaN());
-  waiting_.resize(moved_.size());
   pairs_.fill_up(static_cast<std::uint32_t>(2 * nowhere));
 }
 
-/// Makes the near list.
+/// Makes the near list, if there is to be one.
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::prune() {
   if (all_near_ && used_ <= long_time * skin_) return;
@@ -481,22 +480,8 @@ void FastDiscSystem<L, F>::prune() {
   number_as_listed();
   if (choose_reach()) return;
   ++prunings_;
-  if (!ghost_disc_.empty()) list_.shifts(slid_, shifts_);
+  if (list_.box().sliding() != 0.0) list_.shifts(slid_, shifts_);
   each([this](Stripe& stripe) { prune(stripe); });
-}
-
-/// Gives touching pairs their numbers in the whole list, which stay when a near list goes.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::number_as_listed() {
-  if (!by_near_) return;
-  each([this](Stripe& stripe) {
-    const auto number = [](TouchingPairs& touching, const SweptPairs& near) {
-      for (std::size_t t = 0; t < touching.count; ++t)
-        touching.pair[t] = near.listed[touching.pair[t]];
-    };
-    number(stripe.own_touching[turn_], stripe.own), number(stripe.outgoing_touching[turn_], stripe.outgoing);
-  });
-  by_near_ = false;
 }
 
 template <SettledLaw L, class F>
@@ -504,7 +489,8 @@ void FastDiscSystem<L, F>::prune(Stripe& stripe) {
   place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
   DiscSweep of = work(stripe, 0.0, 0.0);
   of.pairs = &pairs_;
-  stripe.own.count = stripe.outgoing.count = 0;
+  SweptPairs &own_near = stripe.own.near, &outgoing_near = stripe.outgoing.near;
+  own_near.count = outgoing_near.count = 0;
   const std::size_t from = stripe.begin < stripe.end ? list_.begin(stripe.begin) : 0;
   const std::size_t last = stripe.begin < stripe.end ? list_.end(stripe.end - 1) : 0;
   std::array<std::uint32_t, sweep_block + pack_size> found, outgoing;
@@ -517,11 +503,11 @@ void FastDiscSystem<L, F>::prune(Stripe& stripe) {
       for (std::size_t f = 0; f < near && found[f] < last; ++f)
         (disc(pairs_.second[found[f]]) < stripe.end ? found[own++] : outgoing[out++]) = found[f];
     }
-    stripe.own.take(pairs_, {found.data(), own});
-    stripe.outgoing.take(pairs_, {outgoing.data(), out});
+    own_near.take(pairs_, {found.data(), own});
+    outgoing_near.take(pairs_, {outgoing.data(), out});
   }
   const auto nowhere = static_cast<std::uint32_t>(places_.size() - 2);
-  stripe.own.fill_up(nowhere), stripe.outgoing.fill_up(nowhere);
+  own_near.fill_up(nowhere), outgoing_near.fill_up(nowhere);
 }
 
 /// The reach of the next near list from what the last one was like; whether all listed pairs are near instead.
@@ -532,8 +518,8 @@ bool FastDiscSystem<L, F>::choose_reach() {
   if (reach_ == 0.0) reach_ = first_reach * skin_;
   double near = 0.0, touching = 0.0;
   for (const Stripe& stripe : stripes_) {
-    near += static_cast<double>(stripe.own.count + stripe.outgoing.count);
-    touching += static_cast<double>(stripe.own_touching[turn_].count + stripe.outgoing_touching[turn_].count);
+    near += static_cast<double>(stripe.own.near.count + stripe.outgoing.near.count);
+    touching += static_cast<double>(stripe.own.contacts.now.count + stripe.outgoing.contacts.now.count);
   }
   if (way_ == 0.0 || near == 0.0 || looks_again) return false;
   const double listed = static_cast<double>(pairs_.count);
@@ -549,8 +535,9 @@ template <SettledLaw L, class F>
 double FastDiscSystem<L, F>::lost() const {
   double lost = lost_;
   if constexpr (remembers)
-    for_each_touching(
-        [&](const TouchingPairs& touching, std::size_t t, std::uint32_t) { lost += law_.lost(touching.largest[t]); });
+    for_each_touching([&](const SweptContacts& contacts, std::size_t t, std::size_t) {
+      lost += law_.lost(contacts.memory(contacts.now, t).largest);
+    });
   return lost;
 }
 
@@ -561,7 +548,8 @@ void FastDiscSystem<L, F>::remember(Memory& memory, const Discs& discs) {
   if (!memory.puts_back()) {
     for (const Kept& contact : kept_contacts()) {
       first.push_back(contact.first), second.push_back(contact.second);
-      largest.push_back(contact.largest), stretch.push_back(contact.stretch), normal.push_back(contact.normal);
+      largest.push_back(contact.memory.largest), stretch.push_back(contact.memory.stretch);
+      normal.push_back(contact.memory.normal);
     }
   }
   memory.part("contact", [&] {
@@ -580,8 +568,9 @@ void FastDiscSystem<L, F>::remember(Memory& memory, const Discs& discs) {
   list_places();
   std::vector<Kept> kept;
   for (std::size_t k = 0; k < first.size(); ++k)
-    kept.push_back({static_cast<std::uint32_t>(first[k]), static_cast<std::uint32_t>(second[k]), largest[k], stretch[k],
-                    normal[k]});
+    kept.push_back({static_cast<std::uint32_t>(first[k]),
+                    static_cast<std::uint32_t>(second[k]),
+                    {largest[k], stretch[k], normal[k]}});
   take_contacts(kept);
   load(discs);
   prune();

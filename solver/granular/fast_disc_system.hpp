@@ -116,21 +116,25 @@ class FastDiscSystem {
   void remember(Memory& memory, const Discs& discs);
 
  private:
+  /// Near pairs and their contacts.
+  struct Swept {
+    SweptPairs near;
+    SweptContacts contacts;
+  };
   /// Discs of one thread and the pairs whose first they are.
   struct Stripe {
     std::size_t begin{}, end{};
     std::size_t first_ghost{}, end_of_ghosts{};
-    SweptPairs own, outgoing;  ///< near ones: with both discs of the stripe, or only the first
-    std::array<TouchingPairs, 2> own_touching, outgoing_touching;  ///< of two evaluations in turn
-    DiscPushes pushes;                                             ///< of the outgoing ones
-    std::vector<PartedPair> parted;
-    std::vector<WallPush> wall_pushes;
-    double fastest{};  ///< square of own speed [L^2/T^2]
+    Swept own, outgoing;                         ///< with both discs of the stripe, or only the first
+    DiscPushes pushes;                           ///< of the outgoing ones
+    std::vector<PartedPair> parted;              ///< since what contacts kept was booked
+    std::vector<std::vector<Vec2>> wall_pushes;  ///< of each wall, the first of none: of its contacts [F]
+    double fastest{};                            ///< square of own speed [L^2/T^2]
   };
   /// A contact between two lists.
   struct Kept {
     std::uint32_t first{}, second{};
-    double largest{}, stretch{}, normal{};
+    ContactMemory memory;
   };
 
   template <class Work>
@@ -140,10 +144,9 @@ class FastDiscSystem {
   double sweep_pairs(double kick, double drift);
   void copy_before(Stripe& stripe);
   void find_outgoing(Stripe& stripe, double kick);
-  void hold_walls(const NeighbourList::Flow& flow);
-  void release_walls();
+  void hold_walls();
   void kick_walls(double kick);
-  void drift_walls(double drift, const NeighbourList::Flow& flow, double& fastest);
+  double drift_walls(double drift);
   void book();
   DiscSweep work(Stripe& stripe, double kick, double drift);
   void end_drift(Discs& discs, double h);
@@ -155,13 +158,17 @@ class FastDiscSystem {
   void take_contacts(const std::vector<Kept>& kept);
   void list_stripes();
   void list_places();
+  void number_as_listed();
   void prune();
   void prune(Stripe& stripe);
   bool choose_reach();
-  void number_as_listed();
-  /// Number in the whole list of one of a near list's touching pairs.
-  std::uint32_t listed(const SweptPairs& near, std::uint32_t pair) const { return by_near_ ? near.listed[pair] : pair; }
-  /// Calls visit(touching pairs, which of them, number in the whole list) in the order of pairs.
+  const SweptPairs& pairs(const Swept& swept) const { return all_near_ ? pairs_ : swept.near; }
+  SweptContacts::Kinds kinds() const {
+    const bool damps = !remembers && keeps_work_ && law_.needs_rate();
+    return {
+        .largest = remembers, .stretch = turns, .normal = turns || damps, .power = damps, .slid = turns && keeps_work_};
+  }
+  /// Calls visit(contacts, which of them, number of the pair in the whole list) in the order of pairs.
   template <class Visit>
   void for_each_touching(Visit&& visit) const;
   /// The disc that is, or whose image is, at the place that begins there.
@@ -180,12 +187,16 @@ class FastDiscSystem {
   double skin_;
   double equal_radii_{};  ///< sum of two radii if all are equal, else 0 [L]
   bool equal_masses_{};
-  std::vector<double> per_mass_;    ///< of discs that turn: 1/(inertia of a solid disc) over 1/mass [1/L^2]
-  std::vector<std::size_t> moved_;  ///< discs of walls with a mass
-  struct Waiting {
-    Vec2 place, v;
+  std::size_t walls_{};                    ///< no disc before this one is a wall's
+  std::vector<double> per_mass_;           ///< of discs that turn: 1/(inertia of a solid disc) over 1/mass [1/L^2]
+  double kicked_{};                        ///< how long the last kick was [T]
+  std::vector<double> impulse_per_force_;  ///< of it, twice for each disc, or for all that are equal [T/M]
+  /// Discs of a wall with a mass that follow each other.
+  struct WallDiscs {
+    std::size_t wall{}, begin{}, end{};
+    std::vector<double> places;  ///< before a sweep [L]
   };
-  std::vector<Waiting> waiting_;  ///< how they are during a sweep
+  std::vector<WallDiscs> moved_;
 
   /// Of discs; they are gone through in each step.
   using Numbers = std::vector<double, HugePages<double>>;
@@ -204,9 +215,7 @@ class FastDiscSystem {
   SweptPairs pairs_;             ///< all listed
   std::vector<Stripe> stripes_;  ///< one for each thread
   Team* team_{};                 ///< during advance(), of several threads
-  std::size_t turn_{};           ///< of the touching pairs those of the last evaluation
   bool all_near_{};              ///< the near list is all pairs
-  bool by_near_{};               ///< touching pairs have their numbers in the near lists: from a sweep to the next list
   double reach_{};               ///< s, of the near list beyond contact [L]
   double used_{};                ///< of s [L]
   double way_{};                 ///< of the last step: no pair came nearer by more [L]
@@ -241,7 +250,7 @@ template <class Visit>
 void FastDiscSystem<L, F>::for_each_contact(const Discs& discs, Visit&& visit) const {
   std::array<NeighbourList::Shift, NeighbourList::images> shifts;
   list_.shifts(discs.slid, shifts);
-  for_each_touching([&](const TouchingPairs& touching, std::size_t t, std::uint32_t pair) {
+  for_each_touching([&](const SweptContacts& contacts, std::size_t t, std::size_t pair) {
     const std::size_t a = disc(pairs_.first[pair]), b = disc(pairs_.second[pair]);
     const NeighbourList::Shift& shift = shifts[list_.image(pair)];
     const Vec2 d{(discs.x[b] + shift.x) - discs.x[a], (discs.y[b] + shift.y) - discs.y[a]};
@@ -250,8 +259,8 @@ void FastDiscSystem<L, F>::for_each_contact(const Discs& discs, Visit&& visit) c
     const Vec2 n{d.x / distance, d.y / distance};
     const Kinematics x{shapes_.radius[a] + shapes_.radius[b] - distance, -dot(v, n)};
     if (!(x.extent > 0.0)) return;
-    std::array<double, 1> memory{};
-    if constexpr (remembers) memory[0] = touching.largest[t];
+    const ContactMemory then = contacts.memory(contacts.now, t);
+    std::array<double, 1> memory{then.largest};
     const std::span<double> remembered{memory.data(), L::memory_size};
     Mode mode = 1;  // of what touches; settling finds whether another has followed
     talus::settle(law_, remembered, x, mode, [](double) {});
@@ -259,8 +268,8 @@ void FastDiscSystem<L, F>::for_each_contact(const Discs& discs, Visit&& visit) c
     contact.force = mode == 0 ? 0.0 : law_(x, remembered, mode).total();
     contact.stored = law_.stored_energy(x, remembered, mode);
     if constexpr (turns) {
-      contact.friction = friction_(touching.stretch[t], contact.force);
-      contact.stored += friction_.stored_energy(touching.stretch[t]);
+      contact.friction = friction_(then.stretch, contact.force);
+      contact.stored += friction_.stored_energy(then.stretch);
     }
     visit(contact);
   });
@@ -270,16 +279,18 @@ template <SettledLaw L, class F>
 template <class Visit>
 void FastDiscSystem<L, F>::for_each_touching(Visit&& visit) const {
   for (const Stripe& stripe : stripes_) {
-    const TouchingPairs &own = stripe.own_touching[turn_], &outgoing = stripe.outgoing_touching[turn_];
+    const SweptContacts &own = stripe.own.contacts, &outgoing = stripe.outgoing.contacts;
     std::size_t out = 0;
-    for (std::size_t t = 0; t < own.count; ++t) {
-      const std::uint32_t pair = listed(stripe.own, own.pair[t]);
-      for (; out < outgoing.count && listed(stripe.outgoing, outgoing.pair[out]) < pair; ++out)
-        visit(outgoing, out, listed(stripe.outgoing, outgoing.pair[out]));
+    const auto visit_outgoing = [&](std::size_t before) {
+      for (; out < outgoing.now.count && outgoing.listed(outgoing.now, out, stripe.outgoing.near) < before; ++out)
+        visit(outgoing, out, outgoing.listed(outgoing.now, out, stripe.outgoing.near));
+    };
+    for (std::size_t t = 0; t < own.now.count; ++t) {
+      const std::size_t pair = own.listed(own.now, t, pairs(stripe.own));
+      visit_outgoing(pair);
       visit(own, t, pair);
     }
-    for (; out < outgoing.count; ++out)
-      visit(outgoing, out, listed(stripe.outgoing, outgoing.pair[out]));
+    visit_outgoing(list_.size());
   }
 }
 

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "solver/granular/disc_lanes.hpp"
+#include "solver/granular/disc_stages.hpp"
+
+namespace talus {
+namespace {
+
+/// The contact that there was before has ended.
+[[gnu::noinline]] void part_before(const DiscSweep& w, std::size_t old) {
+  const SweptContacts& contacts = *w.contacts;
+  const ContactMemory of = contacts.memory(contacts.before, old);
+  part(w, contacts.listed(contacts.before, old, *w.pairs), of.largest, of.stretch);
+}
+
+/// Which contacts those that touch were before; what lies between them has ended. number(t): of the t-th as those are
+/// numbered.
+template <class Number>
+[[gnu::always_inline]] inline void find_before(const DiscSweep& w, std::size_t count, Number&& number) {
+  SweptContacts& contacts = *w.contacts;
+  const std::uint32_t* const then = contacts.before.pair.data();
+  std::uint32_t* const from = contacts.from.data();
+  const auto none = static_cast<std::uint32_t>(contacts.before.count);
+  std::size_t old = contacts.passed;
+  for (std::size_t t = 0; t < count; ++t) {
+    const std::uint32_t pair = number(t);
+    for (; then[old] < pair; ++old)
+      part_before(w, old);
+    const bool since = then[old] == pair;
+    from[t] = since ? static_cast<std::uint32_t>(old) : none;
+    old += since ? 1U : 0U;
+  }
+  contacts.passed = old;
+  std::fill_n(from + count, pack_size, none);
+}
+
+}  // namespace
+
+void part(const DiscSweep& sweep, std::size_t listed, double largest, double stretch) {
+  if (largest > 0.0 || (stretch != 0.0 && sweep.keeps))
+    sweep.parted->push_back({static_cast<std::uint32_t>(listed), largest, stretch});
+}
+
+TALUS_CLONES std::size_t find_near(const DiscSweep& sweep, double nearer, std::size_t from, std::size_t to,
+                                   std::uint32_t* found) {
+  const std::uint32_t *const first = sweep.pairs->first.data(), *const second = sweep.pairs->second.data();
+  const double* const sums = sweep.pairs->radii.empty() ? nullptr : sweep.pairs->radii.data();
+  const double* const places = sweep.places;
+  // In two passes, for in one each pack would wait for where the last one's numbers end: half as long again.
+  std::array<std::uint64_t, sweep_block / pack_size> near;
+  Pack within = Pack{} + (sweep.equal_radii + nearer);
+  for (std::size_t k = from; k < to; k += pack_size) {
+    Pack x, y;
+    listed_differences(x, y, places, first + k, second + k);
+    if (sums != nullptr) load(within, sums + k), within += nearer;
+    near[(k - from) / pack_size] = bytes_of(x * x + y * y < within * within);
+  }
+  std::size_t count = 0;
+  for (std::size_t k = from; k < to; k += pack_size) {
+    const std::size_t bits = bits_of(near[(k - from) / pack_size]);
+    Numbers numbers;
+    std::memcpy(&numbers, chosen.lanes[bits].data(), sizeof numbers);
+    numbers += static_cast<std::uint32_t>(k);
+    std::memcpy(found + count, &numbers, sizeof numbers);
+    count += chosen.count[bits];
+  }
+  return count;
+}
+
+std::span<const std::uint32_t> find_touching(const DiscSweep& sweep, std::size_t from, std::size_t to) {
+  SweptContacts& contacts = *sweep.contacts;
+  contacts.make_room(contacts.now.count + sweep_block + pack_size);
+  std::uint32_t* const touching = contacts.now.pair.data() + contacts.now.count;
+  const std::size_t count = find_near(sweep, 0.0, from, to, touching);
+  contacts.now.count += count;
+  if (count == 0) return {};
+  std::fill_n(touching + count, pack_size, touching[count - 1]);
+  if (contacts.kinds.remembered()) {
+    const std::uint32_t* const listed = sweep.pairs->listed.data();
+    // Once after a near list was made.
+    if (contacts.before.as_listed && !sweep.pairs->listed.empty())
+      find_before(sweep, count, [=](std::size_t t) { return listed[touching[t]]; });
+    else
+      find_before(sweep, count, [=](std::size_t t) { return touching[t]; });
+  }
+  return {touching, count};
+}
+
+void end_sweep(const DiscSweep& sweep) {
+  SweptContacts& contacts = *sweep.contacts;
+  if (!contacts.kinds.remembered()) return;
+  for (; contacts.passed < contacts.before.count; ++contacts.passed)
+    part_before(sweep, contacts.passed);
+}
+
+}  // namespace talus
