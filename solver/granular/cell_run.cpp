@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
-#include "solver/granular/list_skin.hpp"
 
 namespace talus {
 namespace {
@@ -38,14 +37,8 @@ double fall_bias(std::string_view integrator) {
   return integrator == "euler_cromer" || integrator == "central_difference" ? 1.0 : 0.0;
 }
 
-/// As the table says, in a narrow field as far as a disc meets no two images of another.
-double skin_of(const ShearCell& cell, const FilledCell& start) {
-  const double best = cell.diameter * list_skin(start.discs.size(), solid_fraction(cell, start.discs));
-  return std::max(0.1 * cell.diameter, std::min(best, 0.49 * cell.width() - cell.diameter));
-}
-
 CellRun::System system_of(const ShearCell& cell, const CellPlan& plan, const FilledCell& start) {
-  const double skin = skin_of(cell, start);
+  const double skin = list_skin(cell, start);
   const auto with = [&]<class L, class F>(const L& law, const F& friction) -> CellRun::System {
     if (plan.images == Images::virtual_discs)
       return CellRun::ByVirtualDiscs<L, F>{start.shapes, start.box, law, skin, friction};

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "solver/base/error.hpp"
+#include "solver/granular/list_skin.hpp"
 #include "solver/granular/neighbour_list.hpp"
 #include "solver/granular/random_draw.hpp"
 #include "solver/laws/restitution.hpp"
@@ -155,6 +156,11 @@ double depth(const ShearCell& cell, const Discs& discs) {
 double solid_fraction(const ShearCell& cell, const Discs& discs) {
   const double disc = 0.25 * std::numbers::pi * cell.diameter * cell.diameter;
   return static_cast<double>(cell.free_discs()) * disc / (cell.width() * depth(cell, discs));
+}
+
+double list_skin(const ShearCell& cell, const FilledCell& start) {
+  const double best = cell.diameter * list_skin(start.discs.size(), solid_fraction(cell, start.discs));
+  return std::max(0.1 * cell.diameter, std::min(best, 0.49 * cell.width() - cell.diameter));
 }
 
 double sixfold_order(const ShearCell& cell, const FilledCell& filled, const Discs& discs) {
