@@ -38,7 +38,7 @@ double fall_bias(std::string_view integrator) {
 }
 
 CellRun::System system_of(const ShearCell& cell, const CellPlan& plan, const FilledCell& start) {
-  const double skin = list_skin(cell, start);
+  const double skin = cell_skin(cell, start);
   const auto with = [&]<class L, class F>(const L& law, const F& friction) -> CellRun::System {
     if (plan.images == Images::virtual_discs)
       return CellRun::ByVirtualDiscs<L, F>{start.shapes, start.box, law, skin, friction};

@@ -6,6 +6,7 @@
 #include "solver/granular/disc_stages.hpp"
 
 namespace talus {
+namespace stages {
 namespace {
 
 /// Eight contacts at a time.
@@ -45,7 +46,7 @@ class ContactLanes {
     if constexpr (remembers) {
       if (any(~overlaps)) [[unlikely]] {
         for (std::size_t l = 0; l < count; ++l)
-          if (overlaps[l] == 0) part(w_, contacts.listed(contacts.now, at + l, *w_.pairs), largest[l], 0.0);
+          if (overlaps[l] == 0) part(w_, w_.pairs->number_in_list(pairs[l]), largest[l], 0.0);
       }
       keep_where(largest, overlaps);
       store(largest, &contacts.now.largest[at]);
@@ -73,7 +74,7 @@ class ContactLanes {
   }
 
   /// Whether what the law's dashpot keeps is asked for.
-  bool damps() const { return !remembers && w_.keeps && law_.needs_rate(); }
+  bool damps() const { return !remembers && w_.contacts->kinds.power; }
   /// What the law keeps of contacts that overlap.
   [[gnu::always_inline]] void damp(const Pack& overlap, const Pack& rate, const Pack& force, std::size_t at,
                                    const std::uint32_t* from) {
@@ -102,7 +103,7 @@ class ContactLanes {
     stretch = begins ? begun : stretch;
     const Pack before = stretch;
     friction_.settled(force, stretch, friction);
-    if (w_.keeps) {
+    if (contacts.kinds.slid) {
       friction_.dissipated(before, force, stretch, slid);
       store(slid, &contacts.slid[at]);
     }
@@ -146,6 +147,8 @@ TALUS_CLONES void push(const LatchingSpring& law, const CoulombFriction& frictio
   push_all(law, friction, sweep, touching, out);
 }
 
+}  // namespace stages
+
 TALUS_CLONES void stretch_contacts(const DiscSweep& w) {
   SweptContacts& contacts = *w.contacts;
   const double later = 0.5 * w.drift;
@@ -159,8 +162,8 @@ TALUS_CLONES void stretch_contacts(const DiscSweep& w) {
     Pack radii = Pack{} + w.equal_radii, x, y, v_x, v_y, distance, arm_a = 0.5 * radii, arm_b = arm_a, spin_a, spin_b;
     for (std::size_t l = 0; l < pack_size; ++l) {
       first[l] = w.pairs->first[pairs[l]], second[l] = w.pairs->second[pairs[l]];
-      a[l] = static_cast<std::uint32_t>(2 * disc(w, first[l])),
-      b[l] = static_cast<std::uint32_t>(2 * disc(w, second[l]));
+      a[l] = static_cast<std::uint32_t>(2 * stages::disc(w, first[l])),
+      b[l] = static_cast<std::uint32_t>(2 * stages::disc(w, second[l]));
       const std::size_t place = second[l] / 2;
       sliding[l] = place < w.discs ? 0.0 : w.shifts[w.ghost_image[place - w.discs]].vx;
     }

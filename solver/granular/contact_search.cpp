@@ -6,42 +6,6 @@
 #include "solver/granular/disc_stages.hpp"
 
 namespace talus {
-namespace {
-
-/// The contact that there was before has ended.
-[[gnu::noinline]] void part_before(const DiscSweep& w, std::size_t old) {
-  const SweptContacts& contacts = *w.contacts;
-  const ContactMemory of = contacts.memory(contacts.before, old);
-  part(w, contacts.listed(contacts.before, old, *w.pairs), of.largest, of.stretch);
-}
-
-/// Which contacts those that touch were before; what lies between them has ended. number(t): of the t-th as those are
-/// numbered.
-template <class Number>
-[[gnu::always_inline]] inline void find_before(const DiscSweep& w, std::size_t count, Number&& number) {
-  SweptContacts& contacts = *w.contacts;
-  const std::uint32_t* const then = contacts.before.pair.data();
-  std::uint32_t* const from = contacts.from.data();
-  const auto none = static_cast<std::uint32_t>(contacts.before.count);
-  std::size_t old = contacts.passed;
-  for (std::size_t t = 0; t < count; ++t) {
-    const std::uint32_t pair = number(t);
-    for (; then[old] < pair; ++old)
-      part_before(w, old);
-    const bool since = then[old] == pair;
-    from[t] = since ? static_cast<std::uint32_t>(old) : none;
-    old += since ? 1U : 0U;
-  }
-  contacts.passed = old;
-  std::fill_n(from + count, pack_size, none);
-}
-
-}  // namespace
-
-void part(const DiscSweep& sweep, std::size_t listed, double largest, double stretch) {
-  if (largest > 0.0 || (stretch != 0.0 && sweep.keeps))
-    sweep.parted->push_back({static_cast<std::uint32_t>(listed), largest, stretch});
-}
 
 TALUS_CLONES std::size_t find_near(const DiscSweep& sweep, double nearer, std::size_t from, std::size_t to,
                                    std::uint32_t* found) {
@@ -69,6 +33,45 @@ TALUS_CLONES std::size_t find_near(const DiscSweep& sweep, double nearer, std::s
   return count;
 }
 
+namespace stages {
+namespace {
+
+/// The contact that there was before has ended.
+[[gnu::noinline]] void part_before(const DiscSweep& w, std::size_t old) {
+  const SweptContacts& contacts = *w.contacts;
+  const ContactMemory of = contacts.memory(contacts.before, old);
+  const std::uint32_t pair = contacts.before.pair[old];
+  part(w, contacts.before.as_listed ? pair : w.pairs->number_in_list(pair), of.largest, of.stretch);
+}
+
+/// Which contacts those that touch were before; what lies between them has ended. number(t): of the t-th as those are
+/// numbered.
+template <class Number>
+[[gnu::always_inline]] inline void find_before(const DiscSweep& w, std::size_t count, Number&& number) {
+  SweptContacts& contacts = *w.contacts;
+  const std::uint32_t* const then = contacts.before.pair.data();
+  std::uint32_t* const from = contacts.from.data();
+  const auto none = static_cast<std::uint32_t>(contacts.before.count);
+  std::size_t old = contacts.passed;
+  for (std::size_t t = 0; t < count; ++t) {
+    const std::uint32_t pair = number(t);
+    for (; then[old] < pair; ++old)
+      part_before(w, old);
+    const bool since = then[old] == pair;
+    from[t] = since ? static_cast<std::uint32_t>(old) : none;
+    old += since ? 1U : 0U;
+  }
+  contacts.passed = old;
+  std::fill_n(from + count, pack_size, none);
+}
+
+}  // namespace
+
+void part(const DiscSweep& sweep, std::size_t listed, double largest, double stretch) {
+  if (largest > 0.0 || (stretch != 0.0 && sweep.contacts->kinds.slid))
+    sweep.parted->push_back({static_cast<std::uint32_t>(listed), largest, stretch});
+}
+
 std::span<const std::uint32_t> find_touching(const DiscSweep& sweep, std::size_t from, std::size_t to) {
   SweptContacts& contacts = *sweep.contacts;
   contacts.make_room(contacts.now.count + sweep_block + pack_size);
@@ -79,7 +82,7 @@ std::span<const std::uint32_t> find_touching(const DiscSweep& sweep, std::size_t
   std::fill_n(touching + count, pack_size, touching[count - 1]);
   if (contacts.kinds.remembered()) {
     const std::uint32_t* const listed = sweep.pairs->listed.data();
-    // Once after a near list was made.
+    // Once after lists were made, or what was saved is put back.
     if (contacts.before.as_listed && !sweep.pairs->listed.empty())
       find_before(sweep, count, [=](std::size_t t) { return listed[touching[t]]; });
     else
@@ -95,4 +98,5 @@ void end_sweep(const DiscSweep& sweep) {
     part_before(sweep, contacts.passed);
 }
 
+}  // namespace stages
 }  // namespace talus

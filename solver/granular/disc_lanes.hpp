@@ -99,11 +99,11 @@ template <class Lanes, class Number>
   lanes = Lanes{number(0), number(1), number(2), number(3), number(4), number(5), number(6), number(7)};
 }
 
-/// The numbers of eight pairs from a row that has one for each.
-[[gnu::always_inline]] inline void collect(Pack& lanes, const double* row, const std::uint32_t* pairs) {
+/// Eight numbers from these places in a row.
+[[gnu::always_inline]] inline void collect(Pack& lanes, const double* row, const std::uint32_t* places) {
   std::array<Place, 4> two;
   for (std::size_t l = 0; l < 4; ++l)
-    two[l] = Place{row[pairs[2 * l]], row[pairs[2 * l + 1]]};
+    two[l] = Place{row[places[2 * l]], row[places[2 * l + 1]]};
   const Places2 low = __builtin_shufflevector(two[0], two[1], 0, 1, 2, 3);
   const Places2 high = __builtin_shufflevector(two[2], two[3], 0, 1, 2, 3);
   lanes = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);

@@ -8,10 +8,21 @@
 #include "solver/granular/disc_stages.hpp"
 
 namespace talus {
+namespace stages {
 namespace {
 
 /// Pairs with the lanes behind the last.
 std::size_t whole_packs(const DiscSweep& w) { return (w.pairs->count + pack_size - 1) / pack_size * pack_size; }
+
+/// Moves the discs from <= i < to but for those that move later.
+void move_others(const DiscSweep& w, std::size_t from, std::size_t to, Sizes& fastest) {
+  for (const WallDiscs& later : w.later) {
+    if (later.end <= from || later.begin >= to) continue;
+    if (from < later.begin) move(w, from, later.begin, fastest);
+    from = std::min(later.end, to);
+  }
+  move(w, from, to, fastest);
+}
 
 template <class L, class F>
 double sweep_pairs(const L& law, const F& friction, const DiscSweep& w) {
@@ -21,7 +32,7 @@ double sweep_pairs(const L& law, const F& friction, const DiscSweep& w) {
   const bool moves = !std::same_as<F, CoulombFriction> && w.drift != 0.0;
   Sizes fastest{};
   std::size_t moved = w.begin;
-  if (w.kick != 0.0) {
+  if (w.kicks) {
     w.contacts->begin();
     NextOutgoing next{w};
     const std::size_t pairs = whole_packs(w);
@@ -34,13 +45,13 @@ double sweep_pairs(const L& law, const F& friction, const DiscSweep& w) {
       const std::size_t first = std::min<std::size_t>(w.pairs->first[to] / 2, w.end);
       const std::size_t done = moved + (first - std::min(first, moved)) / places_per_pack * places_per_pack;
       give_outgoing(w, 2 * done, next);
-      move(w, moved, done, fastest);
+      move_others(w, moved, done, fastest);
       moved = done;
     }
     give_outgoing(w, 2 * w.end, next);
     end_sweep(w);
   }
-  if (moves) move(w, moved, w.end, fastest);
+  if (moves) move_others(w, moved, w.end, fastest);
   return largest(fastest);
 }
 
@@ -66,34 +77,6 @@ void find_pair_pushes(const L& law, const F& friction, const DiscSweep& w, DiscP
 
 }  // namespace
 
-void find_pushes(const LinearSpringDashpot& law, const Frictionless& friction, const DiscSweep& sweep,
-                 DiscPushes& pushes) {
-  find_pair_pushes(law, friction, sweep, pushes);
-}
-double sweep_discs(const LinearSpringDashpot& law, const Frictionless& friction, const DiscSweep& sweep) {
-  return sweep_pairs(law, friction, sweep);
-}
-void find_pushes(const LinearSpringDashpot& law, const CoulombFriction& friction, const DiscSweep& sweep,
-                 DiscPushes& pushes) {
-  find_pair_pushes(law, friction, sweep, pushes);
-}
-double sweep_discs(const LinearSpringDashpot& law, const CoulombFriction& friction, const DiscSweep& sweep) {
-  return sweep_pairs(law, friction, sweep);
-}
-void find_pushes(const LatchingSpring& law, const Frictionless& friction, const DiscSweep& sweep, DiscPushes& pushes) {
-  find_pair_pushes(law, friction, sweep, pushes);
-}
-double sweep_discs(const LatchingSpring& law, const Frictionless& friction, const DiscSweep& sweep) {
-  return sweep_pairs(law, friction, sweep);
-}
-void find_pushes(const LatchingSpring& law, const CoulombFriction& friction, const DiscSweep& sweep,
-                 DiscPushes& pushes) {
-  find_pair_pushes(law, friction, sweep, pushes);
-}
-double sweep_discs(const LatchingSpring& law, const CoulombFriction& friction, const DiscSweep& sweep) {
-  return sweep_pairs(law, friction, sweep);
-}
-
 TALUS_CLONES void move(const DiscSweep& w, std::size_t from, std::size_t to, Sizes& fastest) {
   const Pack mean{w.flow.x, w.flow.y, w.flow.x, w.flow.y, w.flow.x, w.flow.y, w.flow.x, w.flow.y};
   const double rate = w.flow.rate, h = w.drift;
@@ -116,9 +99,39 @@ TALUS_CLONES void move(const DiscSweep& w, std::size_t from, std::size_t to, Siz
   fastest = most;
 }
 
+}  // namespace stages
+
+void find_pushes(const LinearSpringDashpot& law, const Frictionless& friction, const DiscSweep& sweep,
+                 DiscPushes& pushes) {
+  stages::find_pair_pushes(law, friction, sweep, pushes);
+}
+double sweep_discs(const LinearSpringDashpot& law, const Frictionless& friction, const DiscSweep& sweep) {
+  return stages::sweep_pairs(law, friction, sweep);
+}
+void find_pushes(const LinearSpringDashpot& law, const CoulombFriction& friction, const DiscSweep& sweep,
+                 DiscPushes& pushes) {
+  stages::find_pair_pushes(law, friction, sweep, pushes);
+}
+double sweep_discs(const LinearSpringDashpot& law, const CoulombFriction& friction, const DiscSweep& sweep) {
+  return stages::sweep_pairs(law, friction, sweep);
+}
+void find_pushes(const LatchingSpring& law, const Frictionless& friction, const DiscSweep& sweep, DiscPushes& pushes) {
+  stages::find_pair_pushes(law, friction, sweep, pushes);
+}
+double sweep_discs(const LatchingSpring& law, const Frictionless& friction, const DiscSweep& sweep) {
+  return stages::sweep_pairs(law, friction, sweep);
+}
+void find_pushes(const LatchingSpring& law, const CoulombFriction& friction, const DiscSweep& sweep,
+                 DiscPushes& pushes) {
+  stages::find_pair_pushes(law, friction, sweep, pushes);
+}
+double sweep_discs(const LatchingSpring& law, const CoulombFriction& friction, const DiscSweep& sweep) {
+  return stages::sweep_pairs(law, friction, sweep);
+}
+
 double move_discs(const DiscSweep& sweep) {
   Sizes fastest{};
-  move(sweep, sweep.begin, sweep.end, fastest);
+  stages::move(sweep, sweep.begin, sweep.end, fastest);
   return largest(fastest);
 }
 

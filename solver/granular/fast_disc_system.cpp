@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "solver/base/error.hpp"
 #include "solver/base/pack.hpp"
@@ -41,17 +42,15 @@ FastDiscSystem<L, F>::FastDiscSystem(DiscShapes shapes, PeriodicBox box, const L
   }
   impulse_per_force_.resize(equal_masses_ ? 2 : 2 * shapes_.size());
   wall_forces_.resize(shapes_.walls.size() + 1);
-  walls_ = static_cast<std::size_t>(
+  first_wall_ = static_cast<std::size_t>(
       std::find_if(shapes_.wall.begin(), shapes_.wall.end(), [](auto wall) { return wall != DiscShapes::free; }) -
       shapes_.wall.begin());
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const std::size_t wall = shapes_.wall[i];
-    if (wall == DiscShapes::free || shapes_.walls[wall - 1].mass == 0.0) continue;
-    if (moved_.empty() || moved_.back().wall != wall || moved_.back().end != i) moved_.push_back({wall, i, i, {}});
+    if (wall == DiscShapes::free || !(shapes_.walls[wall - 1].mass > 0.0)) continue;
+    if (moved_.empty() || moved_.back().wall != wall || moved_.back().end != i) moved_.push_back({wall, i, i});
     ++moved_.back().end;
   }
-  for (WallDiscs& discs : moved_)
-    discs.places.resize(2 * (discs.end - discs.begin));
   for (Stripe& stripe : stripes_)
     stripe.wall_pushes.resize(wall_forces_.size());
 }
@@ -60,7 +59,7 @@ template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::begin(Discs& discs) {
   if (turns) discs.spin.resize(discs.size());
   for (Stripe& stripe : stripes_)
-    stripe.own.contacts.clear(kinds()), stripe.outgoing.contacts.clear(kinds());
+    stripe.own.contacts.clear(kinds_), stripe.outgoing.contacts.clear(kinds_);
   lost_ = 0.0;
   rebuild(discs);
   if (!turns) return;
@@ -131,15 +130,15 @@ void FastDiscSystem<L, F>::sweep(double kick, double drift) {
   double fastest = sweep_pairs(kick, turns ? 0.0 : drift);
   if (kick != 0.0) work_[static_cast<std::size_t>(L::dissipation)] += kick * power_;
   if (turns && drift != 0.0) {
-    if (list_.box().sliding() != 0.0) list_.shifts(slid_, shifts_);
     each([&](Stripe& stripe) {
       if (kick == 0.0) place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
-      DiscSweep of = work(stripe, kick, drift);
+      DiscSweep of = work(stripe, false, drift);
+      of.pairs = &numbered(stripe.own);
       stretch_contacts(of);
-      of.pairs = &pairs(stripe.outgoing), of.contacts = &stripe.outgoing.contacts;
+      of.pairs = &numbered(stripe.outgoing), of.contacts = &stripe.outgoing.contacts;
       stretch_contacts(of);
     });
-    each([&](Stripe& stripe) { stripe.fastest = move_discs(work(stripe, kick, drift)); });
+    each([&](Stripe& stripe) { stripe.fastest = move_discs(work(stripe, false, drift)); });
     for (const Stripe& stripe : stripes_)
       fastest = std::max(fastest, stripe.fastest);
   }
@@ -161,12 +160,11 @@ double FastDiscSystem<L, F>::sweep_pairs(double kick, double drift) {
       for (std::size_t k = 0; k < impulse_per_force_.size(); ++k)
         impulse_per_force_[k] = kick * shapes_.inverse_mass[k / 2];
     }
-    if (list_.box().sliding() != 0.0) list_.shifts(slid_, shifts_);
-    each([&](Stripe& stripe) { find_outgoing(stripe, kick); });
+    each([&](Stripe& stripe) { find_outgoing(stripe); });
   }
-  if (drift != 0.0) hold_walls();
   each([&](Stripe& stripe) {
-    const DiscSweep of = work(stripe, kick, drift);
+    DiscSweep of = work(stripe, kick != 0.0, drift);
+    of.later = moved_;
     for (const Stripe& earlier : stripes_) {
       if (&earlier == &stripe || kick == 0.0) break;
       receive(of, earlier.pushes);
@@ -179,13 +177,6 @@ double FastDiscSystem<L, F>::sweep_pairs(double kick, double drift) {
     fastest = std::max(fastest, stripe.fastest);
   if (drift != 0.0) fastest = std::max(fastest, drift_walls(drift));
   return fastest;
-}
-
-/// Where discs of a wall that forces move are is kept until all forces are known: they move then.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::hold_walls() {
-  for (WallDiscs& of : moved_)
-    std::copy_n(&places_[2 * of.begin], of.places.size(), of.places.data());
 }
 
 template <SettledLaw L, class F>
@@ -206,18 +197,14 @@ void FastDiscSystem<L, F>::kick_walls(double kick) {
   }
 }
 
-/// From where they were held; the largest square of their own speeds.
+/// When the forces on them are known; the largest square of their own speeds.
 template <SettledLaw L, class F>
 double FastDiscSystem<L, F>::drift_walls(double drift) {
-  const NeighbourList::Flow flow = list_.flow();
   double fastest = 0.0;
   for (const WallDiscs& of : moved_) {
-    const double* const v = &velocities_[2 * of.begin];
-    double* const place = &places_[2 * of.begin];
-    for (std::size_t k = 0; k < of.places.size(); k += 2) {
-      fastest = std::max(fastest, flow.own_speed_squared({v[k], v[k + 1]}, of.places[k + 1]));
-      place[k] = of.places[k] + drift * v[k], place[k + 1] = of.places[k + 1] + drift * v[k + 1];
-    }
+    DiscSweep those = work(stripes_.front(), false, drift);
+    those.begin = of.begin, those.end = of.end;
+    fastest = std::max(fastest, move_discs(those));
   }
   return fastest;
 }
@@ -227,7 +214,8 @@ template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::book() {
   power_ = 0.0;
   const bool parts = std::any_of(stripes_.begin(), stripes_.end(), [](const Stripe& of) { return !of.parted.empty(); });
-  if (!parts && !books_work()) return;
+  const SweptContacts::Kinds kinds = stripes_.front().own.contacts.kinds;
+  if (!parts && !kinds.told()) return;
   parted_.clear();
   for (Stripe& stripe : stripes_) {
     parted_.insert(parted_.end(), stripe.parted.begin(), stripe.parted.end());
@@ -240,14 +228,13 @@ void FastDiscSystem<L, F>::book() {
   const auto book_parted = [&](std::size_t before) {
     for (; parted != parted_.end() && parted->pair < before; ++parted) {
       if constexpr (remembers) lost_ += law_.lost(parted->largest);
-      if constexpr (turns) slid += keeps_work_ ? friction_.stored_energy(parted->stretch) : 0.0;
+      if constexpr (turns) slid += kinds.slid ? friction_.stored_energy(parted->stretch) : 0.0;
     }
   };
-  if (books_work()) {
-    const bool damps = law_.needs_rate();
+  if (kinds.told()) {
     for_each_touching([&](const SweptContacts& of, std::size_t t, [[maybe_unused]] std::size_t pair) {
-      if constexpr (turns) book_parted(pair), slid += of.slid[t];
-      if (damps) power_ += of.power[t], released += of.released[t];
+      if (kinds.slid) book_parted(pair), slid += of.slid[t];
+      if (kinds.power) power_ += of.power[t], released += of.released[t];
     });
   }
   book_parted(list_.size());
@@ -262,20 +249,20 @@ void FastDiscSystem<L, F>::copy_before(Stripe& stripe) {
 
 /// What goes out of a stripe.
 template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::find_outgoing(Stripe& stripe, double kick) {
+void FastDiscSystem<L, F>::find_outgoing(Stripe& stripe) {
   place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
   if (sees_rates()) place_ghosts(stripe, before_.data(), &NeighbourList::Shift::vx);
   for (std::vector<Vec2>& pushes : stripe.wall_pushes)
     pushes.clear();
   if (stripes_.size() == 1) return;
-  DiscSweep of = work(stripe, kick, 0.0);
+  DiscSweep of = work(stripe, true, 0.0);
   of.pairs = &stripe.outgoing.near, of.contacts = &stripe.outgoing.contacts;
   find_pushes(law_, friction_, of, stripe.pushes);
 }
 
 template <SettledLaw L, class F>
-DiscSweep FastDiscSystem<L, F>::work(Stripe& stripe, double kick, double drift) {
-  return {.kick = kick,
+DiscSweep FastDiscSystem<L, F>::work(Stripe& stripe, bool kicks, double drift) {
+  return {.kicks = kicks,
           .drift = drift,
           .flow = list_.flow(),
           .places = places_.data(),
@@ -286,6 +273,7 @@ DiscSweep FastDiscSystem<L, F>::work(Stripe& stripe, double kick, double drift) 
           .discs = shapes_.size(),
           .begin = stripe.begin,
           .end = stripe.end,
+          .later = {},
           .ghost_disc = ghost_disc_.data(),
           .ghost_image = ghost_image_.data(),
           .shifts = shifts_.data(),
@@ -296,19 +284,19 @@ DiscSweep FastDiscSystem<L, F>::work(Stripe& stripe, double kick, double drift) 
           .unlike_radius = equal_radii_ > 0.0 ? std::size_t{0} : ~std::size_t{0},
           .equal_radii = equal_radii_,
           .wall = shapes_.wall.data(),
-          .walls = 2 * walls_,
+          .first_wall = 2 * first_wall_,
           .pairs = &pairs(stripe.own),
           .contacts = &stripe.own.contacts,
           .parted = &stripe.parted,
           .wall_pushes = stripe.wall_pushes.data(),
-          .outgoing = &stripe.pushes,
-          .keeps = books_work()};
+          .outgoing = &stripe.pushes};
 }
 
 /// After all discs have moved: what lists them follows.
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::end_drift(Discs& discs, double h) {
   slid_ += h * list_.box().sliding();
+  if (list_.box().sliding() != 0.0) list_.shifts(slid_, shifts_);
   list_.use(way_);
   used_ += way_;
   if (list_.may_end()) {
@@ -382,7 +370,7 @@ auto FastDiscSystem<L, F>::kept_contacts() const -> std::vector<Kept> {
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::take_contacts(const std::vector<Kept>& kept) {
   for (Stripe& stripe : stripes_)
-    stripe.own.contacts.clear(kinds()), stripe.outgoing.contacts.clear(kinds());
+    stripe.own.contacts.clear(kinds_), stripe.outgoing.contacts.clear(kinds_);
   for (const Kept& contact : kept) {
     const std::size_t pair = list_.find(contact.first, contact.second);
     if (pair == list_.size()) {
@@ -480,14 +468,13 @@ void FastDiscSystem<L, F>::prune() {
   number_as_listed();
   if (choose_reach()) return;
   ++prunings_;
-  if (list_.box().sliding() != 0.0) list_.shifts(slid_, shifts_);
+  each([this](Stripe& stripe) { place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x); });
   each([this](Stripe& stripe) { prune(stripe); });
 }
 
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::prune(Stripe& stripe) {
-  place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
-  DiscSweep of = work(stripe, 0.0, 0.0);
+  DiscSweep of = work(stripe, false, 0.0);
   of.pairs = &pairs_;
   SweptPairs &own_near = stripe.own.near, &outgoing_near = stripe.outgoing.near;
   own_near.count = outgoing_near.count = 0;

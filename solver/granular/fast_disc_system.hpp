@@ -15,6 +15,7 @@
 #include "solver/granular/disc_sweep.hpp"
 #include "solver/granular/discs.hpp"
 #include "solver/granular/neighbour_list.hpp"
+#include "solver/granular/swept_pairs.hpp"
 #include "solver/laws/settled.hpp"
 #include "solver/laws/settling.hpp"
 
@@ -81,11 +82,15 @@ class FastDiscSystem {
 
   /// Before begin(): Discs::work gets what dashpots and friction keep, as the twin's does. It takes up to half as long
   /// again where most pairs touch.
-  void keep_work() { keeps_work_ = true; }
+  void keep_work() {
+    kinds_.power = !remembers && law_.needs_rate();
+    kinds_.normal = turns || kinds_.power;
+    kinds_.slid = turns;
+  }
 
   /// Before the first step: contacts that are there have no past.
   void begin(Discs& discs);
-  /// Gives all discs the impulses of their forces over h.
+  /// Gives all discs the impulses of their forces over h, which is not 0.
   void kick(Discs& discs, double h);
   /// Moves all discs with their velocities, and stretches the springs of friction with the slip.
   void drift(Discs& discs, double h);
@@ -143,12 +148,11 @@ class FastDiscSystem {
   void begin_kick();
   double sweep_pairs(double kick, double drift);
   void copy_before(Stripe& stripe);
-  void find_outgoing(Stripe& stripe, double kick);
-  void hold_walls();
+  void find_outgoing(Stripe& stripe);
   void kick_walls(double kick);
   double drift_walls(double drift);
   void book();
-  DiscSweep work(Stripe& stripe, double kick, double drift);
+  DiscSweep work(Stripe& stripe, bool kicks, double drift);
   void end_drift(Discs& discs, double h);
   void load(const Discs& discs);
   void store(Discs& discs);
@@ -163,11 +167,8 @@ class FastDiscSystem {
   void prune(Stripe& stripe);
   bool choose_reach();
   const SweptPairs& pairs(const Swept& swept) const { return all_near_ ? pairs_ : swept.near; }
-  SweptContacts::Kinds kinds() const {
-    const bool damps = !remembers && keeps_work_ && law_.needs_rate();
-    return {
-        .largest = remembers, .stretch = turns, .normal = turns || damps, .power = damps, .slid = turns && keeps_work_};
-  }
+  /// Those by whose numbers the contacts of the last sweep go.
+  const SweptPairs& numbered(const Swept& swept) const { return swept.contacts.now.as_listed ? pairs_ : pairs(swept); }
   /// Calls visit(contacts, which of them, number of the pair in the whole list) in the order of pairs.
   template <class Visit>
   void for_each_touching(Visit&& visit) const;
@@ -176,7 +177,6 @@ class FastDiscSystem {
     return at < velocities_.size() ? at / 2 : ghost_disc_[(at - velocities_.size()) / 2];
   }
   bool sees_rates() const { return turns || law_.needs_rate(); }
-  bool books_work() const { return keeps_work_ && sees_rates(); }
 
   static constexpr double round_off = 1e-9;  ///< share of a reach that sums of ways may be off by
 
@@ -187,16 +187,11 @@ class FastDiscSystem {
   double skin_;
   double equal_radii_{};  ///< sum of two radii if all are equal, else 0 [L]
   bool equal_masses_{};
-  std::size_t walls_{};                    ///< no disc before this one is a wall's
+  std::size_t first_wall_{};               ///< no disc before this one is a wall's
   std::vector<double> per_mass_;           ///< of discs that turn: 1/(inertia of a solid disc) over 1/mass [1/L^2]
   double kicked_{};                        ///< how long the last kick was [T]
   std::vector<double> impulse_per_force_;  ///< of it, twice for each disc, or for all that are equal [T/M]
-  /// Discs of a wall with a mass that follow each other.
-  struct WallDiscs {
-    std::size_t wall{}, begin{}, end{};
-    std::vector<double> places;  ///< before a sweep [L]
-  };
-  std::vector<WallDiscs> moved_;
+  std::vector<WallDiscs> moved_;           ///< of walls with a mass
 
   /// Of discs; they are gone through in each step.
   using Numbers = std::vector<double, HugePages<double>>;
@@ -208,7 +203,7 @@ class FastDiscSystem {
   std::vector<std::uint8_t> ghost_image_;
   std::array<NeighbourList::Shift, NeighbourList::images> shifts_{};
   double slid_{};  ///< Discs::slid
-  bool keeps_work_{false};
+  SweptContacts::Kinds kinds_{.largest = remembers, .stretch = turns, .normal = turns, .power = false, .slid = false};
   std::array<double, mechanism_count> work_{};  ///< Discs::work
   double power_{};                              ///< of dashpots at the last evaluation [F L/T]
 
@@ -280,13 +275,14 @@ template <class Visit>
 void FastDiscSystem<L, F>::for_each_touching(Visit&& visit) const {
   for (const Stripe& stripe : stripes_) {
     const SweptContacts &own = stripe.own.contacts, &outgoing = stripe.outgoing.contacts;
+    const SweptPairs &of_own = numbered(stripe.own), &of_outgoing = numbered(stripe.outgoing);
     std::size_t out = 0;
     const auto visit_outgoing = [&](std::size_t before) {
-      for (; out < outgoing.now.count && outgoing.listed(outgoing.now, out, stripe.outgoing.near) < before; ++out)
-        visit(outgoing, out, outgoing.listed(outgoing.now, out, stripe.outgoing.near));
+      for (; out < outgoing.now.count && of_outgoing.number_in_list(outgoing.now.pair[out]) < before; ++out)
+        visit(outgoing, out, of_outgoing.number_in_list(outgoing.now.pair[out]));
     };
     for (std::size_t t = 0; t < own.now.count; ++t) {
-      const std::size_t pair = own.listed(own.now, t, pairs(stripe.own));
+      const std::size_t pair = of_own.number_in_list(own.now.pair[t]);
       visit_outgoing(pair);
       visit(own, t, pair);
     }

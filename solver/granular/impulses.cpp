@@ -1,10 +1,10 @@
-#include <concepts>
 #include <cstring>
 
 #include "solver/granular/disc_lanes.hpp"
 #include "solver/granular/disc_stages.hpp"
 
 namespace talus {
+namespace stages {
 namespace {
 
 /// Gives discs the impulses of forces, in the order that it is told them.
@@ -16,13 +16,8 @@ class Giver {
         velocities_{w.velocities},
         per_force_{w.impulse_per_force},
         unlike_mass_{w.unlike_mass},
-        places_{2 * w.discs},
-        walls_{w.walls} {}
+        first_wall_{w.first_wall} {}
 
-  /// Where the place begins of the disc that is, or whose image is, there.
-  [[gnu::always_inline]] std::size_t of_disc(std::size_t at) const {
-    return at < places_ ? at : 2 * std::size_t{w_.ghost_disc[(at - places_) / 2]};
-  }
   /// To the disc there, by the k-th of these; and by the friction that turns it.
   [[gnu::always_inline]] void give(std::size_t at, Place force, const double* friction, const double* arm,
                                    std::size_t k) const {
@@ -37,7 +32,7 @@ class Giver {
   /// A force on b, of which a pushes back, to walls that they belong to.
   [[gnu::always_inline]] void give_walls(std::size_t a, std::size_t b, Place force) const {
     // The second disc of a pair has the larger number.
-    if (b < walls_) return;
+    if (b < first_wall_) return;
     const std::uint32_t of_a = w_.wall[a / 2], of_b = w_.wall[b / 2];
     if (of_a != DiscShapes::free) w_.wall_pushes[of_a].push_back({-force[0], -force[1]});
     if (of_b != DiscShapes::free) w_.wall_pushes[of_b].push_back({force[0], force[1]});
@@ -47,7 +42,7 @@ class Giver {
   const DiscSweep& w_;
   double* const velocities_;
   const double* const per_force_;
-  const std::size_t unlike_mass_, places_, walls_;
+  const std::size_t unlike_mass_, first_wall_;
 };
 
 [[gnu::always_inline]] inline Place force_of(const double* forces, std::size_t k) {
@@ -63,7 +58,7 @@ void give_out(const DiscSweep& w, std::size_t to_place, NextOutgoing& next) {
     const DiscPushes& out = *w.outgoing;
     const Place force = force_of(out.force.data(), next.pair);
     giver.give(next.first, -force, out.friction.data(), out.arm_a.data(), next.pair);
-    giver.give_walls(next.first, giver.of_disc(out.second[next.pair]), force);
+    giver.give_walls(next.first, own_place(w, out.second[next.pair]), force);
   }
 }
 
@@ -74,7 +69,7 @@ template <bool turns>
   const std::uint32_t *const firsts = w.pairs->first.data(), *const seconds = w.pairs->second.data();
   std::size_t next_out = next.first;
   for (std::size_t t = 0; t < touching.size(); ++t) {
-    const std::size_t a = firsts[touching[t]], b = giver.of_disc(seconds[touching[t]]);
+    const std::size_t a = firsts[touching[t]], b = own_place(w, seconds[touching[t]]);
     if (next_out < a) {
       give_out<turns>(w, a, next);
       next_out = next.first;
@@ -90,7 +85,7 @@ template <bool turns>
 void give_in(const DiscSweep& w, const DiscPushes& pushes) {
   const Giver<turns> giver{w};
   for (std::size_t k = 0; k < pushes.count; ++k) {
-    const std::size_t b = giver.of_disc(pushes.second[k]);
+    const std::size_t b = own_place(w, pushes.second[k]);
     if (b >= 2 * w.begin && b < 2 * w.end)
       giver.give(b, force_of(pushes.force.data(), k), pushes.friction.data(), pushes.arm_b.data(), k);
   }
@@ -111,8 +106,10 @@ void give_outgoing(const DiscSweep& sweep, std::size_t to_place, NextOutgoing& n
   sweep.spins != nullptr ? give_out<true>(sweep, to_place, next) : give_out<false>(sweep, to_place, next);
 }
 
+}  // namespace stages
+
 void receive(const DiscSweep& sweep, const DiscPushes& pushes) {
-  sweep.spins != nullptr ? give_in<true>(sweep, pushes) : give_in<false>(sweep, pushes);
+  sweep.spins != nullptr ? stages::give_in<true>(sweep, pushes) : stages::give_in<false>(sweep, pushes);
 }
 
 }  // namespace talus

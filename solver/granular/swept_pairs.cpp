@@ -51,8 +51,10 @@ void SweptPairs::resize(std::size_t size, bool near, bool unlike) {
 }
 
 void SweptContacts::clear(Kinds of) {
-  *this = {};
+  if (kinds != of) *this = {};
   kinds = of;
+  now.count = before.count = passed = 0;
+  now.as_listed = before.as_listed = true;
 }
 
 void SweptContacts::grow(std::size_t size) {
@@ -90,14 +92,14 @@ void SweptContacts::put(Found& found, std::size_t t, const ContactMemory& of) co
 }
 
 void SweptContacts::number_as_listed(const SweptPairs& pairs) {
+  if (now.as_listed) return;
   for (std::size_t t = 0; t < now.count; ++t)
-    now.pair[t] = static_cast<std::uint32_t>(listed(now, t, pairs));
+    now.pair[t] = static_cast<std::uint32_t>(pairs.number_in_list(now.pair[t]));
   now.as_listed = true;
 }
 
 void SweptContacts::add(std::uint32_t listed, const ContactMemory& of) {
   make_room(now.count + 1 + pack_size);
-  now.as_listed = true;
   now.pair[now.count] = listed;
   put(now, now.count++, of);
 }

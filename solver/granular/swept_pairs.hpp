@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "solver/base/pack.hpp"
+
 namespace talus {
 
 /// Pairs in the order of the neighbour list, and behind them as many of places that are nowhere as fill the lanes.
@@ -15,6 +17,7 @@ struct SweptPairs {
   std::vector<double> radii;                 ///< their sum, if discs are unlike [L]
   std::size_t count{};
 
+  std::size_t number_in_list(std::size_t pair) const { return listed.empty() ? pair : listed[pair]; }
   /// Makes room for a whole list of so many, of unlike discs or like ones.
   void list(std::size_t size, bool unlike);
   /// Takes those with these numbers from a whole list behind its own.
@@ -39,7 +42,7 @@ struct PartedPair {
   double largest{}, stretch{};  ///< [L]
 };
 
-/// Pairs that are worked on together: to where lists of them are filled.
+/// How many pairs are worked on together at most.
 inline constexpr std::size_t sweep_block = 512;
 
 /// The contacts among some swept pairs, in the order of the pairs, and what they remember.
@@ -50,6 +53,8 @@ struct SweptContacts {
     bool power{}, slid{};
 
     bool remembered() const { return largest || stretch || normal; }
+    bool told() const { return power || slid; }
+    friend bool operator==(const Kinds&, const Kinds&) = default;
   };
   /// Those that a sweep found; numbers of a kind only if it is remembered. Room is for a pack more.
   struct Found {
@@ -66,7 +71,7 @@ struct SweptContacts {
 
   std::size_t passed{};  ///< of those before, during a sweep
   /// Of the block that is swept: which each was before; before.count, where stands what a contact begins with, if none.
-  std::array<std::uint32_t, sweep_block + 8> from{};
+  std::array<std::uint32_t, sweep_block + pack_size> from{};
 
   /// None.
   void clear(Kinds of);
@@ -76,15 +81,11 @@ struct SweptContacts {
   }
   /// Before a sweep.
   void begin();
-  /// The number in the whole list of the t-th contact of a sweep.
-  static std::size_t listed(const Found& found, std::size_t t, const SweptPairs& of) {
-    return found.as_listed || of.listed.empty() ? found.pair[t] : of.listed[found.pair[t]];
-  }
   ContactMemory memory(const Found& found, std::size_t t) const;
 
   /// Before the pairs that are swept give way to others: numbers contacts as in the whole list.
   void number_as_listed(const SweptPairs& pairs);
-  /// To contacts that are numbered so one more.
+  /// To none, or to contacts that are numbered so, one more.
   void add(std::uint32_t listed, const ContactMemory& memory);
 
  private:

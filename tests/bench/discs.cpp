@@ -322,7 +322,7 @@ void print_cell() {
     const ShearCell cell = ice_cell(8e3, 5e3, seed);
     const auto law = std::get<LatchingSpring>(cell.law);
     const FilledCell filled = fill(cell);
-    const double h = cell.contact_time() / 20.0, skin = list_skin(cell, filled);
+    const double h = cell.contact_time() / 20.0, skin = cell_skin(cell, filled);
     DiscSystem plain{filled.shapes, filled.box, law, skin};
     FastDiscSystem fast{filled.shapes, filled.box, law, skin};
     Discs plain_discs = filled.discs, fast_discs = filled.discs;
