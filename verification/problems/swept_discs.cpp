@@ -45,6 +45,12 @@ The plain engine itself stands beside a loop over all pairs, in the open plane, 
 | $h$ | step, some twenty in a contact | |
 | threads | latching spring, 500 steps | 1, 2, 3, 7 |
 
+**What it costs.** `make bench-discs` tells it, beside LAMMPS from the same start. One aim is not reached: a step of the
+sheared cell of eighty discs was to take .2 microseconds and takes .65 (one core of an AMD Zen 4 in 2026, median over eight
+seeds at 8 kPa and 5000 diameters a second; the plain engine 1.85). A loop for this cell alone, which looks at its 230 pairs in
+every step and knows no lists, threads or other laws, takes .35 to the same bits: .11 to find which pairs touch, .06 to move
+the discs, .003 for each contact. Eight cells side by side in one system take no less each.
+
 **Source.** None: a program beside a program, and both beside a loop.
 
 **What would break it.** An impulse given in another order; a pair left out of a list, or found twice; a disc that moves on
