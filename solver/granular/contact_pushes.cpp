@@ -154,17 +154,13 @@ TALUS_CLONES void stretch_contacts(const DiscSweep& w) {
   const double later = 0.5 * w.drift;
   for (std::size_t t = 0; t < contacts.now.count; t += pack_size) {
     const std::size_t last = std::min(contacts.now.count - t, pack_size) - 1;
-    std::array<std::uint32_t, pack_size> pairs;
-    for (std::size_t l = 0; l < pack_size; ++l)
-      pairs[l] = contacts.now.pair[t + std::min(l, last)];
-    std::array<std::uint32_t, pack_size> first, second, a, b;
+    std::array<std::uint32_t, pack_size> pairs, a, b;
     std::array<double, pack_size> sliding;  // of the image of the second
     Pack radii = Pack{} + w.equal_radii, x, y, v_x, v_y, distance, arm_a = 0.5 * radii, arm_b = arm_a, spin_a, spin_b;
     for (std::size_t l = 0; l < pack_size; ++l) {
-      first[l] = w.pairs->first[pairs[l]], second[l] = w.pairs->second[pairs[l]];
-      a[l] = static_cast<std::uint32_t>(2 * stages::disc(w, first[l])),
-      b[l] = static_cast<std::uint32_t>(2 * stages::disc(w, second[l]));
-      const std::size_t place = second[l] / 2;
+      pairs[l] = contacts.now.pair[t + std::min(l, last)];
+      const std::size_t second = w.pairs->second[pairs[l]], place = second / 2;
+      a[l] = w.pairs->first[pairs[l]], b[l] = static_cast<std::uint32_t>(stages::own_place(w, second));
       sliding[l] = place < w.discs ? 0.0 : w.shifts[w.ghost_image[place - w.discs]].vx;
     }
     differences(x, y, w.places, w.pairs->first.data(), w.pairs->second.data(), pairs.data());

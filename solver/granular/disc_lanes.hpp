@@ -24,15 +24,18 @@ using Places2 [[gnu::vector_size(32)]] = double;
   return b - a;
 }
 
+/// Four twos side by side.
+[[gnu::always_inline]] inline void join(Pack& pack, const std::array<Place, 4>& twos) {
+  const Places2 low = __builtin_shufflevector(twos[0], twos[1], 0, 1, 2, 3);
+  const Places2 high = __builtin_shufflevector(twos[2], twos[3], 0, 1, 2, 3);
+  pack = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
 /// Of even pairs and of odd ones.
 [[gnu::always_inline]] inline void lay_out(Pack& x, Pack& y, const std::array<Place, 4>& p,
                                            const std::array<Place, 4>& q) {
-  const Places2 low_p = __builtin_shufflevector(p[0], p[1], 0, 1, 2, 3);
-  const Places2 high_p = __builtin_shufflevector(p[2], p[3], 0, 1, 2, 3);
-  const Places2 low_q = __builtin_shufflevector(q[0], q[1], 0, 1, 2, 3);
-  const Places2 high_q = __builtin_shufflevector(q[2], q[3], 0, 1, 2, 3);
-  const Pack even = __builtin_shufflevector(low_p, high_p, 0, 1, 2, 3, 4, 5, 6, 7);
-  const Pack odd = __builtin_shufflevector(low_q, high_q, 0, 1, 2, 3, 4, 5, 6, 7);
+  Pack even, odd;
+  join(even, p), join(odd, q);
   x = __builtin_shufflevector(even, odd, 0, 8, 2, 10, 4, 12, 6, 14);
   y = __builtin_shufflevector(even, odd, 1, 9, 3, 11, 5, 13, 7, 15);
 }
@@ -101,12 +104,10 @@ template <class Lanes, class Number>
 
 /// Eight numbers from these places in a row.
 [[gnu::always_inline]] inline void collect(Pack& lanes, const double* row, const std::uint32_t* places) {
-  std::array<Place, 4> two;
+  std::array<Place, 4> twos;
   for (std::size_t l = 0; l < 4; ++l)
-    two[l] = Place{row[places[2 * l]], row[places[2 * l + 1]]};
-  const Places2 low = __builtin_shufflevector(two[0], two[1], 0, 1, 2, 3);
-  const Places2 high = __builtin_shufflevector(two[2], two[3], 0, 1, 2, 3);
-  lanes = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+    twos[l] = Place{row[places[2 * l]], row[places[2 * l + 1]]};
+  join(lanes, twos);
 }
 
 /// The two coordinates of eight, those of each side by side.

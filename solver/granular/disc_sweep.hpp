@@ -67,8 +67,8 @@ void find_pushes(const LinearSpringDashpot&, const CoulombFriction&, const DiscS
 void find_pushes(const LatchingSpring&, const Frictionless&, const DiscSweep&, DiscPushes&);
 void find_pushes(const LatchingSpring&, const CoulombFriction&, const DiscSweep&, DiscPushes&);
 
-/// Kicks the discs and, if they do not turn, drifts them, whichever has a length other than 0; the largest square of
-/// the own speeds of those that have moved.
+/// Kicks the discs, if it is to, and drifts those that do not turn; the largest square of the own speeds of those that
+/// have moved.
 double sweep_discs(const LinearSpringDashpot&, const Frictionless&, const DiscSweep&);
 double sweep_discs(const LinearSpringDashpot&, const CoulombFriction&, const DiscSweep&);
 double sweep_discs(const LatchingSpring&, const Frictionless&, const DiscSweep&);

@@ -213,14 +213,13 @@ double FastDiscSystem<L, F>::drift_walls(double drift) {
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::book() {
   power_ = 0.0;
-  const bool parts = std::any_of(stripes_.begin(), stripes_.end(), [](const Stripe& of) { return !of.parted.empty(); });
-  const SweptContacts::Kinds kinds = stripes_.front().own.contacts.kinds;
-  if (!parts && !kinds.told()) return;
   parted_.clear();
   for (Stripe& stripe : stripes_) {
     parted_.insert(parted_.end(), stripe.parted.begin(), stripe.parted.end());
     stripe.parted.clear();
   }
+  const SweptContacts::Kinds kinds = stripes_.front().own.contacts.kinds;
+  if (parted_.empty() && !kinds.told()) return;
   std::sort(parted_.begin(), parted_.end(), [](const auto& a, const auto& b) { return a.pair < b.pair; });
   [[maybe_unused]] double& released = work_[static_cast<std::size_t>(L::release)];
   [[maybe_unused]] double& slid = work_[static_cast<std::size_t>(Mechanism::friction)];

@@ -140,7 +140,7 @@ class Twins {
     if (!keeps_) theirs.work = ours_.work;
     if (fast_->remembers) theirs.work[lost] = ours_.work[lost];
     const double loss = fast_->remembers ? theirs_.work[lost] : 0.0;
-    return rates_ && theirs == ours_ && (loss == 0.0 || std::abs(fast_->lost() - loss) <= 1e-9 * loss);
+    return rates_ && theirs == ours_ && (loss == 0.0 || std::abs(fast_->lost() - loss) <= 1e-11 * loss);
   }
   bool same_walls() const {
     for (std::size_t wall = 1; wall <= scene_.shapes.walls.size(); ++wall)
