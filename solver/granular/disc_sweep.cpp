@@ -78,22 +78,35 @@ void find_pair_pushes(const L& law, const F& friction, const DiscSweep& w, DiscP
 }  // namespace
 
 TALUS_CLONES void move(const DiscSweep& w, std::size_t from, std::size_t to, Sizes& fastest) {
-  const Pack mean{w.flow.x, w.flow.y, w.flow.x, w.flow.y, w.flow.x, w.flow.y, w.flow.x, w.flow.y};
-  const double rate = w.flow.rate, h = w.drift;
+  const NeighbourList::Flow flow = w.flow;
+  const double h = w.drift;
   double *const places = w.places, *const velocities = w.velocities;
   Sizes most = fastest;
-  const std::size_t whole = from + (to - from) / places_per_pack * places_per_pack;
-  for (std::size_t i = 2 * from; i < 2 * whole; i += pack_size) {
-    Pack place, v;
-    load(place, places + i), load(v, velocities + i);
-    Pack own = v - (mean + rate * __builtin_shufflevector(place, Pack{}, 1, 8, 3, 8, 5, 8, 7, 8));
-    own *= own;
-    raise(most, own + __builtin_shufflevector(own, own, 1, 0, 3, 2, 5, 4, 7, 6));
-    store(place + h * v, places + i);
+  // Of the discs of two packs, side by side.
+  const auto raise_speeds = [&](const Pack& p, const Pack& q, const Pack& v_p, const Pack& v_q)
+      __attribute__((always_inline)) {
+    const Pack y = __builtin_shufflevector(p, q, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Pack v_x = __builtin_shufflevector(v_p, v_q, 0, 8, 2, 10, 4, 12, 6, 14);
+    const Pack v_y = __builtin_shufflevector(v_p, v_q, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Pack own_x = v_x - (flow.x + flow.rate * y), own_y = v_y - flow.y;
+    raise(most, own_x * own_x + own_y * own_y);
+  };
+  double *place = places + 2 * from, *v = velocities + 2 * from;
+  std::size_t left = to - from;
+  Pack p, q, v_p, v_q;
+  for (; left >= 2 * places_per_pack; left -= 2 * places_per_pack, place += 2 * pack_size, v += 2 * pack_size) {
+    load(p, place), load(q, place + pack_size), load(v_p, v), load(v_q, v + pack_size);
+    raise_speeds(p, q, v_p, v_q);
+    store(p + h * v_p, place), store(q + h * v_q, place + pack_size);
   }
-  for (std::size_t i = whole; i < to; ++i) {
-    double *const place = places + 2 * i, *const v = velocities + 2 * i;
-    raise(most, Pack{} + w.flow.own_speed_squared({v[0], v[1]}, place[1]));
+  if (left >= places_per_pack) {
+    load(p, place), load(v_p, v);
+    raise_speeds(p, p, v_p, v_p);
+    store(p + h * v_p, place);
+    left -= places_per_pack, place += pack_size, v += pack_size;
+  }
+  for (; left > 0; --left, place += 2, v += 2) {
+    raise(most, Pack{} + flow.own_speed_squared({v[0], v[1]}, place[1]));
     place[0] += h * v[0], place[1] += h * v[1];
   }
   fastest = most;
