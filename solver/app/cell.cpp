@@ -178,7 +178,7 @@ class CellProgress {
 int cell(const CellOptions& options) {
   CellOrder order = options.resume.empty() ? new_order(options) : left_order(options);
   std::optional<CellFiles> files;
-  if (!order.folder.empty()) files.emplace(order.folder, order.scene);
+  if (!order.folder.empty()) files.emplace(order.folder, order.scene, order.left.has_value());
   const std::unique_ptr<CellRun> run = standing_run(order, files ? &*files : nullptr);
   const std::size_t told = order.warnings.size();
   for (const std::string& warning : order.warnings)
@@ -211,8 +211,8 @@ int cell(const CellOptions& options) {
   const bool left = !run->finished() && run->failure().empty();
   if (files) {
     if (left) write_whole(files->checkpoint(), checkpoint_of(order, *run, *files));
-    if (!left) files->remove_checkpoint();
     files->write_end(*run, outcome);
+    if (!left) files->remove_checkpoint();
   }
   fmt::print("{}",
              options.json ? cell_summary_json(order.scene, *run, outcome) : cell_summary(order.scene, *run, outcome));

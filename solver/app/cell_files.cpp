@@ -12,14 +12,19 @@ namespace {
 
 std::string state_name(std::size_t number) { return fmt::format("cell_states/cell_{:06}.vtp", number); }
 
+const std::filesystem::path& made(const std::filesystem::path& folder) {
+  make_folder(folder);
+  return folder;
+}
+
 }  // namespace
 
-CellFiles::CellFiles(std::filesystem::path folder, const CellScene& scene)
-    : folder_{std::move(folder)}, scene_{&scene} {
-  make_folder(folder_);
+CellFiles::CellFiles(std::filesystem::path folder, const CellScene& scene, bool taken_on)
+    : folder_{std::move(folder)}, lock_{made(folder_)}, scene_{&scene} {
   if (scene.pictures) make_folder(folder_ / "cell_states");
   std::error_code none;
   std::filesystem::remove(folder_ / "summary.json", none);
+  if (!taken_on) remove_checkpoint();
 }
 
 void CellFiles::write_loop(CellRun& run, const std::string& checkpoint) {

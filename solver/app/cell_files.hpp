@@ -6,23 +6,25 @@
 #include <vector>
 
 #include "solver/io/cell_record.hpp"
+#include "solver/io/folder_lock.hpp"
 
 namespace talus::app {
 
 /// What a run of a cell leaves in its folder, each file whole or not at all.
 class CellFiles {
  public:
-  /// Makes the folder; removes the summary of an earlier run, which would vouch for a mixture. Errors: IoError.
-  CellFiles(std::filesystem::path folder, const CellScene& scene);
+  /// Makes the folder and keeps it for this run; removes the summary of an earlier run, which would vouch for a
+  /// mixture, and, if no run that was left there is taken on, its checkpoint, which is not this run's. Errors: IoError.
+  CellFiles(std::filesystem::path folder, const CellScene& scene, bool taken_on);
 
   /// Notes that a state is to be written: before the checkpoint is made, which holds the series so far.
   void begin_loop(double time) { times_.push_back(time); }
   /// After each LOOP: RESTART.DAT, and with pictures PIC.DAT and a state of the series; the checkpoint last.
   /// `checkpoint` is its text. Errors: IoError.
   void write_loop(CellRun& run, const std::string& checkpoint);
-  /// At the end: history.csv, profile.csv, the series' index, plot.json, summary.json.
+  /// At the end: history.csv, profile.csv, the series' index, plot.json, summary.json last: it says that all is there.
   void write_end(CellRun& run, const CellOutcome& outcome);
-  /// Removes the checkpoint of a run that needs it no more.
+  /// Removes the checkpoint of a run that needs it no more, for all else is written.
   void remove_checkpoint() const;
 
   const std::filesystem::path& folder() const { return folder_; }
@@ -34,6 +36,7 @@ class CellFiles {
 
  private:
   std::filesystem::path folder_;
+  FolderLock lock_;
   const CellScene* scene_;
   std::vector<double> times_;  ///< of the states written so far [T]
 };

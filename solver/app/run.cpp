@@ -17,6 +17,7 @@
 #include "solver/calibrate/step_advice.hpp"
 #include "solver/io/atomic_file.hpp"
 #include "solver/io/checkpoint.hpp"
+#include "solver/io/folder_lock.hpp"
 #include "solver/io/json.hpp"
 
 namespace talus::app {
@@ -24,15 +25,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Makes the folder and finds the tool before the run: what is wrong with them must not cost a run.
-void prepare(const RunOrder& order) {
+/// Makes the folder and finds the tool before the run: what is wrong with them must not cost a run. The folder is kept
+/// for this run by what is returned.
+std::unique_ptr<FolderLock> prepare(const RunOrder& order) {
   if (order.sheet) static_cast<void>(report_tool());
-  if (order.folder.empty()) return;
+  if (order.folder.empty()) return {};
   make_folder(order.folder);
+  auto lock = std::make_unique<FolderLock>(order.folder);
   // An earlier run's summary would vouch for a mixture if this one cannot finish; its checkpoint is not this run's.
   std::error_code none;
   fs::remove(order.folder / "summary.json", none);
   if (order.from.empty() || !fs::equivalent(order.from, order.folder)) fs::remove(order.checkpoint(), none);
+  return lock;
 }
 
 /// The run, brought to where it stands. What is wrong names the file that it is wrong in.
@@ -91,13 +95,11 @@ void write_checkpoint(const RunOrder& order, SceneRun& run) {
 /// Writes all files of the run; with `leave` its checkpoint, else none stays in the folder.
 void write_files(const RunOrder& order, SceneRun& run, const RunRecord& record, bool leave) {
   run.write(record);
-  if (leave) {
-    write_checkpoint(order, run);
-  } else {
-    std::error_code none;
-    fs::remove(order.checkpoint(), none);
-  }
+  if (leave) write_checkpoint(order, run);
   write_whole(order.folder / "summary.json", summary_json(record));  // last: its presence says that all is there
+  // What is left of an earlier checkpoint is needed until then.
+  std::error_code none;
+  if (!leave) fs::remove(order.checkpoint(), none);
 }
 
 void print_result(const RunOptions& options, const RunOrder& order, const SceneRun& run, const RunRecord& record,
@@ -113,7 +115,7 @@ void print_result(const RunOptions& options, const RunOrder& order, const SceneR
 int run(const RunOptions& options) {
   const RunOrder order = run_order(options);
   const long last = last_step(options, order);
-  prepare(order);
+  const std::unique_ptr<FolderLock> lock = prepare(order);
   const std::unique_ptr<SceneRun> run = standing_run(order, options.frames);
   const StepRatio ratio = step_ratio(order.file.scene);
   if (ratio.beyond) print_failure(fmt::format("warning: {}; the answer may grow without bound", ratio.words));

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "solver/io/folder_lock.hpp"
 #include "tests/solver/app/program.hpp"
 
 namespace {
@@ -128,6 +129,52 @@ BOOST_AUTO_TEST_CASE(a_run_that_was_stopped_says_so_and_goes_on) {
   // The command line is the run's; its file must be what it was.
   BOOST_TEST(talus_ran({"cell", "--resume", left}).code == 4);
   BOOST_TEST(talus_ran({"cell", "--resume", left, "--seed", "6"}).code == 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_whose_last_files_cannot_be_written_can_be_taken_on) {
+  const Folder folder;
+  const std::string file = folder.file("CNTRL.DAT", control);
+  const std::string whole = folder.path / "whole";
+  BOOST_TEST(talus_ran({"cell", file, "--out", whole}).code == 0);
+  for (const char* name : {"history.csv", "summary.json"}) {
+    const std::string left = folder.path / (std::string{"without_"} + name);
+    fs::create_directories(fs::path{left} / name / "in_the_way");
+    BOOST_TEST(talus_ran({"cell", file, "--out", left}).code == 4);
+    BOOST_TEST(fs::exists(fs::path{left} / "checkpoint.json"));
+    fs::remove_all(fs::path{left} / name);
+    BOOST_TEST(talus_ran({"cell", "--resume", left}).code == 0);
+    same_files(left, whole);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(another_run_is_not_taken_on_for_this_one) {
+  const Folder folder;
+  const std::string file = folder.file("CNTRL.DAT", control), out = folder.path / "out";
+  stopped({"cell", file, "--out", out}, fs::path{out} / "checkpoint.json", SIGKILL);
+  // The next run into the folder is refused in its control file, or begins: then the first one's checkpoint goes.
+  BOOST_TEST(talus_ran({"cell", folder.file("BAD.DAT", "0 1\n"), "--out", out}).code == 2);
+  BOOST_TEST(fs::exists(fs::path{out} / "checkpoint.json"));
+  fs::create_directories(fs::path{out} / "RESTART.DAT.d");
+  fs::remove(fs::path{out} / "RESTART.DAT"), fs::rename(fs::path{out} / "RESTART.DAT.d", fs::path{out} / "RESTART.DAT");
+  BOOST_TEST(talus_ran({"cell", file, "--out", out, "--seed", "6"}).code == 4);
+  BOOST_TEST(!fs::exists(fs::path{out} / "checkpoint.json"));
+}
+
+BOOST_AUTO_TEST_CASE(two_runs_do_not_share_a_folder) {
+  const Folder folder;
+  const std::string file = folder.file("CNTRL.DAT", control), out = folder.path / "out";
+  fs::create_directories(out);
+  {
+    const talus::FolderLock lock{out};
+    for (const auto& order : {std::vector<std::string>{"cell", file}, {"run", scene("two_cable.toml")}}) {
+      std::vector<std::string> words = order;
+      words.insert(words.end(), {"--out", out});
+      const Ended ended = talus_ran(words);
+      BOOST_TEST(ended.code == 4, ended.err);
+      BOOST_TEST(holds(ended.err, out + ": another run is writing into it"));
+    }
+  }
+  BOOST_TEST(talus_ran({"cell", file, "--out", out}).code == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_changed_file_is_not_taken_on) {
