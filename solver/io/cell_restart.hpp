@@ -14,13 +14,14 @@ namespace talus {
 struct CellRestart {
   FilledCell start;
   long cycles{};            ///< steps of the run that left it
-  std::size_t forgotten{};  ///< contacts, whose largest overlap is not known any more
+  std::size_t forgotten{};  ///< contacts, those with walls too, whose largest overlap is not known any more
 };
 
 /// Reads RESTART.DAT: elapsed time and cycles on the first record, then x, y, vx, vy of each free disc on one of its
 /// own (the thesis does not tell the order: it is ours). The block is set down without speed where it first touches a
 /// disc, and along x where its drive has brought it. Errors: IoError; InputError with file, line, field, what was found
-/// and what is allowed.
+/// and what is allowed: also for discs that overlap by more than a tenth of a diameter, as no flow of hard discs leaves
+/// them, and for records behind the last disc's.
 [[nodiscard]] CellRestart read_cell_restart(const std::filesystem::path& file, const ShearCell& cell);
 [[nodiscard]] CellRestart read_cell_restart(std::string_view text, std::string_view name, const ShearCell& cell);
 

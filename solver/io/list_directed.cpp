@@ -22,6 +22,16 @@ std::string_view ListDirected::whole_line() {
   return left_;
 }
 
+int ListDirected::next_line() const {
+  int line = line_ + 1;
+  for (std::string_view rest = rest_; !rest.empty(); ++line) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    if (rest.substr(0, end).find_first_not_of(" \t\r") != std::string_view::npos) return line;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return 0;
+}
+
 void ListDirected::start_record() {
   left_ = {};
   static_cast<void>(take_line());

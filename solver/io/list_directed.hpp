@@ -21,6 +21,8 @@ class ListDirected {
   void start_record();
   /// The next value of the record, as written.
   [[nodiscard]] std::string_view value();
+  /// The next line that holds anything, which stays to be read; 0 if there is none.
+  [[nodiscard]] int next_line() const;
   /// The line last read from, counted from 1.
   [[nodiscard]] int line() const { return line_; }
 

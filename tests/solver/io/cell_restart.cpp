@@ -75,7 +75,26 @@ BOOST_AUTO_TEST_CASE(wrong_restarts) {
   const std::string text = cell_restart_text(cell, fill(cell).discs, 7);
   BOOST_TEST(message(text).empty());
   BOOST_TEST(message("x 7\n") == "RESTART.DAT:1: elapsed time: found \"x\"; it must be a number");
-  BOOST_TEST(message("1.0 7.5\n") == "RESTART.DAT:1: cycles: found 7.5; it must be a whole number >= 0");
+  BOOST_TEST(message("1.0 7.5\n") == "RESTART.DAT:1: cycles: found 7.5; it must be a whole number between 0 and 1e+15");
+  BOOST_TEST(message("1.0 1e300\n").starts_with("RESTART.DAT:1: cycles: found 1e+300; "));
+  BOOST_TEST(message("-5 0\n") == "RESTART.DAT:1: elapsed time: found -5; it must be >= 0");
+  BOOST_TEST(message("0 0\n1e200 1 0 0\n") ==
+             "RESTART.DAT:2: disc 1: x: found 1e+200; it must be within 1e+06 widths of the field");
+  BOOST_TEST(message(text + "\n 1 2 3 4\n") ==
+             "RESTART.DAT:15: found a record more; it must hold the 12 free discs of the cell, one a record");
+  BOOST_TEST(message(text + "\n \r\n").empty());
+  // Two discs in one place; one in the base. Less than a tenth of a diameter is a contact.
+  const auto placed = [&](std::size_t disc, double x, double y) {
+    FilledCell filled = fill(cell);
+    filled.discs.x[disc] = x, filled.discs.y[disc] = y;
+    return message(cell_restart_text(cell, filled.discs, 0));
+  };
+  const Discs discs = fill(cell).discs;
+  BOOST_TEST(placed(4, discs.x[3], discs.y[3]) ==
+             "RESTART.DAT:6: disc 5: found it 1 diameters inside disc 4; it must be at most 0.1");
+  BOOST_TEST(placed(0, discs.x[cell.free_discs()], 0.5) ==
+             "RESTART.DAT:2: disc 1: found it 0.5 diameters inside the base; it must be at most 0.1");
+  BOOST_TEST(placed(7, discs.x[3], discs.y[3] + 0.91).empty());
   BOOST_TEST(message(text.substr(0, text.rfind(' '))).starts_with("RESTART.DAT:13: disc 12: vy: "));
   BOOST_TEST(message("0 0\n0 -1 0 0\n") ==
              "RESTART.DAT:2: disc 1: y: found -1; it must be above the base's centre line, 0");
