@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include "solver/app/cell_files.hpp"
 #include "solver/app/cell_summary.hpp"
@@ -48,8 +49,9 @@ struct CellOrder {
   std::vector<std::string> warnings;
 };
 
-/// Names what the command line said, which a run that is taken on keeps to.
-void remember(Memory& memory, CellChoices& choices) {
+/// Names what the command line said, which a run that is taken on keeps to, and what was warned of.
+void remember(Memory& memory, CellOrder& order) {
+  CellChoices& choices = order.choices;
   std::string integrator = choices.integrator.value_or(""), units{choices.units ? choices.units->name : ""};
   bool seeded = choices.seed.has_value();
   long seed = static_cast<long>(choices.seed.value_or(0));
@@ -57,10 +59,16 @@ void remember(Memory& memory, CellChoices& choices) {
   memory.flag("seeded", seeded), memory.count("seed", seed);
   memory.flag("historical", choices.historical), memory.flag("jump", choices.jump);
   memory.flag("virtual", choices.virtual_discs);
+  std::string warnings = fmt::format("{}", fmt::join(order.warnings, "\n"));
+  memory.text("warnings", warnings);
   if (!memory.puts_back()) return;
   if (!integrator.empty()) choices.integrator = integrator;
   if (!units.empty()) choices.units = unit_system(units);
   if (seeded) choices.seed = static_cast<std::uint64_t>(seed);
+  order.warnings.clear();
+  std::istringstream lines{warnings};
+  for (std::string line; std::getline(lines, line);)
+    order.warnings.push_back(line);
 }
 
 CellOrder new_order(const CellOptions& options) {
@@ -102,7 +110,7 @@ CellOrder left_order(const CellOptions& options) {
   }
   try {
     Memory memory{order.left->memory};
-    memory.part("choices", [&] { remember(memory, order.choices); });
+    memory.part("choices", [&] { remember(memory, order); });
   } catch (const InputError& error) {
     throw InputError{fmt::format("{}: memory: {}", checkpoint.string(), error.what())};
   }
@@ -117,7 +125,7 @@ std::unique_ptr<CellRun> standing_run(CellOrder& order, CellFiles* files) {
     auto run = std::make_unique<CellRun>(scene.cell, scene.plan);
     try {
       Memory memory{order.left->memory};
-      memory.part("choices", [&] { remember(memory, order.choices); });
+      memory.part("choices", [&] { remember(memory, order); });
       memory.part("run", [&] { run->remember(memory); });
       memory.part("files", [&] { files->remember(memory); });
       if (const auto names = memory.left_over(); !names.empty())
@@ -132,16 +140,15 @@ std::unique_ptr<CellRun> standing_run(CellOrder& order, CellFiles* files) {
   CellRestart restart = read_cell_restart(file, scene.cell);
   order.warnings.push_back(fmt::format(
       "{}: it holds neither the block, which was set down on the discs without speed, nor what contacts remember: {} "
-      "of "
-      "{} discs that overlap begin anew. The run goes on from it, not as it would have gone on (talus cell --resume "
-      "does)",
-      file.string(), restart.forgotten, scene.cell.free_discs()));
+      "contacts begin anew. The run goes on from it, not as it would have gone on (talus cell --resume does)",
+      file.string(), restart.forgotten));
+  if (files != nullptr) files->count_on(restart.cycles);
   return std::make_unique<CellRun>(scene.cell, scene.plan, std::move(restart.start));
 }
 
 std::string checkpoint_of(CellOrder& order, CellRun& run, CellFiles& files) {
   Memory memory;
-  memory.part("choices", [&] { remember(memory, order.choices); });
+  memory.part("choices", [&] { remember(memory, order); });
   memory.part("run", [&] { run.remember(memory); });
   memory.part("files", [&] { files.remember(memory); });
   return checkpoint_text({.scene_file = fs::absolute(order.file).string(),
@@ -180,7 +187,6 @@ int cell(const CellOptions& options) {
   std::optional<CellFiles> files;
   if (!order.folder.empty()) files.emplace(order.folder, order.scene, order.left.has_value());
   const std::unique_ptr<CellRun> run = standing_run(order, files ? &*files : nullptr);
-  const std::size_t told = order.warnings.size();
   for (const std::string& warning : order.warnings)
     print_failure("warning: " + warning);
 
@@ -198,16 +204,24 @@ int cell(const CellOptions& options) {
       files->write_loop(*run, checkpoint_of(order, *run, *files));
     }
   }
+  std::vector<std::string> warnings = order.warnings;
   if (run->largest_overlap() > CellRun::deepest * order.scene.cell.diameter ||
       run->largest_fraction() > CellRun::fullest) {
-    order.warnings.push_back(
+    warnings.push_back(
         fmt::format("the largest overlap is {:.3g} diameters, the largest solid fraction {:.4g}; beyond {} and {} "
                     "discs do not behave as "
                     "hard ones: stiffer contacts, or less speed or load",
                     run->largest_overlap() / order.scene.cell.diameter, run->largest_fraction(), CellRun::deepest,
                     CellRun::fullest));
   }
-  const CellOutcome outcome{run->finished() && run->failure().empty(), run->failure(), order.warnings};
+  const double unaccounted = run->ledger().unaccounted();
+  if (!order.scene.plan.historical && run->failure().empty() && std::abs(unaccounted) > CellRun::most_unaccounted) {
+    warnings.push_back(
+        fmt::format("{:.2g} of the work is unaccounted for, more than {}: the step is too long, or the integrator adds "
+                    "energy",
+                    unaccounted, CellRun::most_unaccounted));
+  }
+  const CellOutcome outcome{run->finished() && run->failure().empty(), run->failure(), warnings};
   const bool left = !run->finished() && run->failure().empty();
   if (files) {
     if (left) write_whole(files->checkpoint(), checkpoint_of(order, *run, *files));
@@ -217,8 +231,8 @@ int cell(const CellOptions& options) {
   fmt::print("{}",
              options.json ? cell_summary_json(order.scene, *run, outcome) : cell_summary(order.scene, *run, outcome));
   if (files && !options.json) fmt::print("files: {}: {}\n", files->folder().string(), fmt::join(files->names(), ", "));
-  for (std::size_t k = told; k < order.warnings.size(); ++k)
-    print_failure("warning: " + order.warnings[k]);
+  for (std::size_t k = order.warnings.size(); k < warnings.size(); ++k)
+    print_failure("warning: " + warnings[k]);
   if (!run->failure().empty()) {
     print_failure(run->failure());
     return diverged;

@@ -29,7 +29,7 @@ CellFiles::CellFiles(std::filesystem::path folder, const CellScene& scene, bool 
 
 void CellFiles::write_loop(CellRun& run, const std::string& checkpoint) {
   const Discs discs = run.discs();
-  write_whole(folder_ / "RESTART.DAT", cell_restart_text(run.cell(), discs, run.steps()));
+  write_whole(folder_ / "RESTART.DAT", cell_restart_text(run.cell(), discs, cycles_before_ + run.steps()));
   if (scene_->pictures) {
     write_whole(folder_ / "PIC.DAT", cell_picture_text(run.cell(), discs));
     write_whole(folder_ / state_name(times_.size() - 1), cell_state_vtp(run));
@@ -56,8 +56,11 @@ void CellFiles::remove_checkpoint() const {
 }
 
 std::vector<std::string> CellFiles::names() const {
-  std::vector<std::string> names{"RESTART.DAT"};
-  if (scene_->pictures) names.insert(names.end(), {"PIC.DAT", "cell_states", "cell.pvd"});
+  std::vector<std::string> names;
+  // A run that fails before its first LOOP leaves none of them.
+  if (!times_.empty()) names.emplace_back("RESTART.DAT");
+  if (!times_.empty() && scene_->pictures) names.insert(names.end(), {"PIC.DAT", "cell_states"});
+  if (scene_->pictures) names.emplace_back("cell.pvd");
   names.insert(names.end(), {"history.csv", "profile.csv", "plot.json", "summary.json"});
   return names;
 }

@@ -17,6 +17,8 @@ class CellFiles {
   /// mixture, and, if no run that was left there is taken on, its checkpoint, which is not this run's. Errors: IoError.
   CellFiles(std::filesystem::path folder, const CellScene& scene, bool taken_on);
 
+  /// Of a run that goes on from a RESTART.DAT: the cycles that it names.
+  void count_on(long cycles) { cycles_before_ = cycles; }
   /// Notes that a state is to be written: before the checkpoint is made, which holds the series so far.
   void begin_loop(double time) { times_.push_back(time); }
   /// After each LOOP: RESTART.DAT, and with pictures PIC.DAT and a state of the series; the checkpoint last.
@@ -29,16 +31,17 @@ class CellFiles {
 
   const std::filesystem::path& folder() const { return folder_; }
   std::filesystem::path checkpoint() const { return folder_ / "checkpoint.json"; }
-  /// Names of all files, in the order in which they are written.
+  /// Names of the files that are written, in their order.
   std::vector<std::string> names() const;
 
-  void remember(Memory& memory) { memory.list("times", times_); }
+  void remember(Memory& memory) { memory.list("times", times_), memory.count("cycles_before", cycles_before_); }
 
  private:
   std::filesystem::path folder_;
   FolderLock lock_;
   const CellScene* scene_;
   std::vector<double> times_;  ///< of the states written so far [T]
+  long cycles_before_{};
 };
 
 }  // namespace talus::app

@@ -60,7 +60,6 @@ std::string cell_summary(const CellScene& scene, CellRun& run, const CellOutcome
                         100 * CellRun::start_up / CellRun::blocks);
   }
   const CellRun::Ledger ledger = run.ledger();
-  const double scale = std::max(std::abs(ledger.driven), ledger.dissipated);
   text += "energy\n";
   const auto energy = [&](const char* name, double value, const char* meaning) {
     text += line(scene, {name, dimension::energy, {value, 0.0}, 0.0, meaning});
@@ -70,7 +69,7 @@ std::string cell_summary(const CellScene& scene, CellRun& run, const CellOutcome
   if (scene.cell.friction) energy("rubbed", ledger.rubbed, "of it by friction");
   energy("kinetic", ledger.kinetic, "");
   energy("stored", ledger.stored, "in contacts");
-  add("unaccounted for", scale > 0.0 ? fmt::format("{:.2g} of the work", ledger.gained / scale) : "0");
+  add("unaccounted for", fmt::format("{:.2g} of the work", ledger.unaccounted()));
   return text;
 }
 

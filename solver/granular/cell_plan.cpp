@@ -4,13 +4,17 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <variant>
 
 #include "solver/granular/disc_method.hpp"
 
 namespace talus {
 namespace {
 
-constexpr double most_outputs = 1e5;
+constexpr double most_outputs = 1e5, most_steps = 1e15;
+/// Of the way back, w2 h. In a triangular array of discs the stiffest motion is sqrt(3) times as fast as that of a pair
+/// (w^2 = 6 K/m), and a leapfrog is stable below 2.
+constexpr double fastest_way_back = 1.0;
 
 /// Methods whose steps do not change a restitution.
 std::vector<std::string> leapfrogs() {
@@ -37,6 +41,10 @@ std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& pla
   if (plan.every > plan.end) {
     found.push_back({"every", fmt::format("found {}; it must be at most the time at which the run ends, {}", plan.every,
                                           plan.end)});
+  }
+  if (plan.end > most_steps * plan.step) {
+    found.push_back({"step", fmt::format("found {}; it must be at least {}: a run has at most {:g} steps", plan.step,
+                                         plan.end / most_steps, most_steps)});
   }
   if (plan.end > most_outputs * plan.every) {
     found.push_back({"every", fmt::format("found {}; it must be at least {}: a run has at most {:g} outputs",
@@ -66,6 +74,15 @@ std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& pla
     found.push_back(
         {"step", fmt::format("found {}; a contact lasts {:.4g}, and {} needs 10 steps of it: at most {:.4g}", plan.step,
                              cell.contact_time(), plan.integrator, cell.contact_time() / 10.0)});
+  }
+  if (const auto* latching = std::get_if<LatchingSpring>(&cell.law);
+      latching != nullptr && swing_gain(plan.integrator) == 0.0) {
+    const double way_back = std::sqrt(2.0 * latching->unloading_stiffness / cell.mass);
+    if (way_back * plan.step > fastest_way_back) {
+      found.push_back({"step", fmt::format("found {}; contacts open so stiffly that {} needs a step of at most {:.4g}, "
+                                           "1/w2 = sqrt(M/(2 K2))",
+                                           plan.step, plan.integrator, fastest_way_back / way_back)});
+    }
   }
   const double stepped = stepped_restitution(plan.integrator, cell.restitution(), cell.loading_frequency() * plan.step);
   if (!plan.historical && std::abs(stepped - cell.restitution()) > 0.05) {

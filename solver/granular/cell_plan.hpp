@@ -28,7 +28,7 @@ struct CellPlan {
   std::string integrator{"central_difference"};
   double step{};      ///< STEP > 0
   double every{};     ///< LOOP: what is written, is written so often; >= step
-  double end{};       ///< TIME >= every
+  double end{};       ///< TIME >= every: how long it runs
   bool historical{};  ///< a run as that of 1989 may have been: steps that change the restitution are not refused
   bool jump{};        ///< whether time in which nothing can touch is passed at once
   Images images{};
@@ -36,11 +36,12 @@ struct CellPlan {
   static constexpr std::array<Field<CellPlan>, 3> fields() {
     return {{{"step", dimension::time, &CellPlan::step, Range::positive, "step STEP"},
              {"every", dimension::time, &CellPlan::every, Range::positive, "time LOOP between outputs"},
-             {"end", dimension::time, &CellPlan::end, Range::positive, "time TIME at which the run ends"}}};
+             {"end", dimension::time, &CellPlan::end, Range::positive, "time TIME that the run takes"}}};
   }
 };
 
-/// All that keeps a cell from being run so. A leapfrog needs 10 steps in a contact; Euler and Taylor may move the
+/// All that keeps a cell from being run so. A leapfrog needs 10 steps in a contact, and of a
+/// latching spring one of at most 1/w2, w2 = sqrt(2 K2/m); Euler and Taylor may move the
 /// restitution by .05, in a historical run by any amount, which is known of the law of 1989 alone: other laws and
 /// friction go with leapfrogs.
 [[nodiscard]] std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& plan);

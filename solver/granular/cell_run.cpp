@@ -14,14 +14,16 @@
 namespace talus {
 namespace {
 
-/// Steps in half a contact: the time between two samples of what is known of contacts.
+/// Share of a LOOP or step by which a sum of steps may fall short of it and still be all of it.
+constexpr double whole = 1e-12;
+
+/// Steps between two samples of what is known of contacts: half a contact, but none of the LOOPs is without a sample.
 long steps_of_sample(const ShearCell& cell, const CellPlan& plan) {
-  return std::max(1L, std::lround(0.5 * cell.contact_time() / plan.step));
+  const double in_loop = std::floor(plan.every / plan.step * (1.0 + whole));
+  return std::max(1L, std::lround(std::min(0.5 * cell.contact_time() / plan.step, in_loop)));
 }
 
 constexpr long samples_of_profile = 8;
-/// Share of a LOOP or step by which a sum of steps may fall short of it and still be all of it.
-constexpr double whole = 1e-12;
 
 /// Whole steps in a time; a time that is one but for its last digits counts as one.
 long steps_in(double time, double step) { return std::max(1L, std::lround(time / step)); }
@@ -78,6 +80,7 @@ CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
       },
       method_, system_);
   held_at_start_ = energies().held();
+  began_ = start_.discs.t;
 }
 
 void CellRun::advance() {
@@ -160,24 +163,35 @@ long CellRun::free_steps() const {
   return std::min({free, next_loop() - steps_, last_step_ - steps_});
 }
 
+/// Of the block the height over the time is a parabola, of whose mean, and of its square's but for a term of fourth
+/// order, Simpson's rule leaves nothing out; discs are looked at in the middle of their way.
 void CellRun::jump(long steps) {
   if (since_sample_ > 0) sample();
+  std::visit([&](auto& system) { system.settle(discs_); }, system_);  // contacts that ended with the last step
+  const auto height = [&] { return discs_.y[first_block_disc(cell_)] - discs_.y[cell_.free_discs()]; };
+  const double sixth = static_cast<double>(steps) * plan_.step / 6.0, first = height();
+  fly(steps / 2);
+  const Discs middle = discs_;
+  const double between = height();
+  fly(steps - steps / 2);
+  book_walls(sixth, {}, {}, first), book_walls(4.0 * sixth, {}, {}, between), book_walls(sixth, {}, {}, height());
+  steps_ += steps;
+  jumped_ += steps;
+  const Discs last = std::exchange(discs_, middle);
+  sample();
+  discs_ = last;
+}
+
+/// So many steps along straight lines, the block on its parabola.
+void CellRun::fly(long steps) {
   const auto n = static_cast<double>(steps);
   const double h = plan_.step, fall = 0.5 * cell_.gravity * h * (n + fall_bias(plan_.integrator));
   const double speed = discs_.vy.back();
-  const std::size_t block = first_block_disc(cell_);
-  std::fill(discs_.vy.begin() + static_cast<std::ptrdiff_t>(block), discs_.vy.end(), speed - fall);
-  const auto fly = [&](auto& system) {
-    system.settle(discs_);  // contacts that ended with the last step
-    system.drift(discs_, n * h);
-  };
-  std::visit(fly, system_);
-  std::fill(discs_.vy.begin() + static_cast<std::ptrdiff_t>(block), discs_.vy.end(), speed - cell_.gravity * n * h);
+  const auto block = discs_.vy.begin() + static_cast<std::ptrdiff_t>(first_block_disc(cell_));
+  std::fill(block, discs_.vy.end(), speed - fall);
+  std::visit([&](auto& system) { system.drift(discs_, n * h); }, system_);
+  std::fill(block, discs_.vy.end(), speed - cell_.gravity * n * h);
   discs_.t += n * h;
-  steps_ += steps;
-  jumped_ += steps;
-  book_walls(n * h, {}, {}, discs_.y[block] - discs_.y[cell_.free_discs()]);
-  sample();
 }
 
 /// What is known at each step, of the forces of its evaluation.
@@ -239,6 +253,8 @@ void CellRun::sample() {
 
 /// Discs by height; after the start-up. They hardly move in some contact times.
 void CellRun::look_across(double time) {
+  if (failure_.empty() && !finite())
+    failure_ = "places or speeds of discs are beyond all numbers: those they began with, or the step is too long";
   if (time >= plan_.end * start_up / blocks) {
     const std::size_t free = cell_.free_discs();
     for (std::size_t i = 0; i < free; ++i) {
@@ -286,6 +302,14 @@ void CellRun::check(double fraction) {
   }
 }
 
+bool CellRun::finite() const {
+  double sum = 0.0;
+  for (const auto* numbers : {&discs_.x, &discs_.y, &discs_.vx, &discs_.vy, &discs_.spin})
+    for (const double number : *numbers)
+      sum += number * number;
+  return std::isfinite(sum);
+}
+
 Discs CellRun::discs() {
   return std::visit(
       [&](auto& method, auto& system) -> Discs { return method.synchronized(system, discs_, plan_.step); }, method_,
@@ -306,7 +330,8 @@ Estimate CellRun::ratio(CellQuantity over, CellQuantity under) const {
 }
 
 std::size_t CellRun::intervals() const {
-  return finished() ? intervals_.blocks() : static_cast<std::size_t>(loops_ended(steps_));
+  if (finished()) return intervals_.blocks();
+  return static_cast<std::size_t>(loops_ended(steps_)) + (failure_.empty() ? 0 : 1);
 }
 
 double CellRun::interval_mean(std::size_t interval, CellQuantity quantity) const {
@@ -363,7 +388,7 @@ void CellRun::remember(Memory& memory) {
   memory.part("profile", [&] { profile_.remember(memory); });
   memory.number("largest_overlap", largest_overlap_), memory.number("largest_fraction", largest_fraction_);
   memory.vector("on_block", on_block_), memory.vector("on_base", on_base_);
-  memory.number("held_at_start", held_at_start_);
+  memory.number("held_at_start", held_at_start_), memory.number("began", began_);
 }
 
 }  // namespace talus

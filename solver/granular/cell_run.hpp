@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -60,14 +62,16 @@ class CellRun {
   /// Limits that a flow of hard discs keeps: all space that equal discs can fill, and a tenth of a diameter of overlap.
   /// Beyond them a run goes on, until discs pass through each other.
   static constexpr double fullest = 0.9069, deepest = 0.1;
+  /// Share of the work that a step of a leapfrog that is short enough leaves unaccounted for at most.
+  static constexpr double most_unaccounted = 0.01;
 
   /// Errors: InputError for the first of the objections.
   CellRun(const ShearCell& cell, const CellPlan& plan);
   /// The same from discs that are there already.
   CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start);
 
-  /// Goes on to the next sample or output: half a contact time, if that is not less than a step, or as long as nothing
-  /// can touch.
+  /// Goes on to the next sample or output: half a contact time, or a LOOP if that is shorter, if that is not less than
+  /// a step; or as long as nothing can touch.
   void advance();
   bool finished() const { return steps_ >= last_step_; }
   /// Whether something is to be written after this step: each LOOP, and at the end.
@@ -93,7 +97,9 @@ class CellRun {
   Estimate mean(CellQuantity quantity) const;
   /// Mean of one over mean of the other.
   Estimate ratio(CellQuantity over, CellQuantity under) const;
-  /// LOOPs that have ended, and the mean of a quantity in one of them, start-up or not.
+  /// Time at which it began [T]: other than 0 of one that goes on from discs that were there.
+  double began() const { return began_; }
+  /// LOOPs that have ended, or in which the run failed, and the mean of a quantity in one of them, start-up or not.
   std::size_t intervals() const;
   double interval_mean(std::size_t interval, CellQuantity quantity) const;
   /// How much the mean of the later half differs from that of the earlier, in standard errors of the difference.
@@ -111,6 +117,11 @@ class CellRun {
     /// What is there now.
     double held() const { return kinetic + potential + stored; }
     double gained{};  ///< what is there and what was kept, less what was put in: nought but for the method's error
+    /// The same over the larger of what was put in and what was kept.
+    double unaccounted() const {
+      const double work = std::max(std::abs(driven), dissipated);
+      return work > 0.0 ? gained / work : 0.0;
+    }
   };
   Ledger ledger();
   /// A contact whose force is not nought.
@@ -132,6 +143,7 @@ class CellRun {
 
   long free_steps() const;
   void jump(long steps);
+  void fly(long steps);
   long next_loop() const;
   long steps_ahead() const;
   void take_steps(long steps);
@@ -142,6 +154,7 @@ class CellRun {
   long loops_ended(long steps) const;
   Ledger energies();
   void check(double fraction);
+  bool finite() const;  ///< whether all places and speeds are
 
   ShearCell cell_;
   CellPlan plan_;
@@ -162,7 +175,7 @@ class CellRun {
   long profile_samples_{};    ///< since the last
   double largest_overlap_{}, largest_fraction_{};
   Vec2 on_block_, on_base_;
-  double held_at_start_{};
+  double held_at_start_{}, began_{};
   std::string failure_;
 };
 

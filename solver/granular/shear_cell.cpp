@@ -99,6 +99,12 @@ std::vector<CellObjection> objections(const ShearCell& cell) {
     demand(false, "columns", cell.columns,
            fmt::format("at most the discs of a wall, {}: more do not fit beside each other", cell.wall_discs));
   }
+  if (cell.rows > 0 && cell.columns > 0 && cell.free_discs() > ShearCell::most_discs) {
+    demand(false, "rows", cell.rows,
+           fmt::format("at most {} of {} columns: a cell has at most {} free discs",
+                       ShearCell::most_discs / static_cast<std::size_t>(cell.columns), cell.columns,
+                       ShearCell::most_discs));
+  }
   return found;
 }
 

@@ -32,6 +32,8 @@ struct ShearCell {
   std::optional<CoulombFriction> friction{};
 
   double width() const { return wall_discs * diameter; }
+  static constexpr std::size_t most_discs = 10'000'000;  ///< free ones
+
   std::size_t free_discs() const { return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns); }
   /// Overburden by the thesis's definition, MTOP G/(TWID D^2) [F/L^2] (Lacy 1989, "Data Input and Parameters").
   double overburden() const { return block_mass * gravity / (wall_discs * diameter * diameter); }

@@ -185,8 +185,9 @@ std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
   text += "\n";
   for (std::size_t k = 0; k < run.intervals(); ++k) {
     const auto of = [&](Q quantity) { return run.interval_mean(k, quantity); };
+    const double last = run.failure().empty() ? scene.plan.end : static_cast<double>(run.steps()) * scene.plan.step;
     fmt::format_to(std::back_inserter(text), "{}",
-                   std::min(static_cast<double>(k + 1) * scene.plan.every, scene.plan.end));
+                   run.began() + std::min(static_cast<double>(k + 1) * scene.plan.every, last));
     for (const HistoryColumn& column : history_columns)
       fmt::format_to(std::back_inserter(text), ",{}", of(column.quantity));
     fmt::format_to(std::back_inserter(text), ",{},{}", share(of(Q::top_shear), of(Q::top_normal)),
@@ -234,9 +235,13 @@ std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOu
   json["parameters"] = parameters(scene);
   json["groups"] = numbers(scene, cell_groups(scene, run));
   json["results"] = numbers(scene, cell_results(run));
-  json["energy"] = {{"kinetic", json_number(ledger.kinetic)},       {"potential", json_number(ledger.potential)},
-                    {"stored", json_number(ledger.stored)},         {"driven", json_number(ledger.driven)},
-                    {"dissipated", json_number(ledger.dissipated)}, {"gained", json_number(ledger.gained)}};
+  json["energy"] = {{"kinetic", json_number(ledger.kinetic)},
+                    {"potential", json_number(ledger.potential)},
+                    {"stored", json_number(ledger.stored)},
+                    {"driven", json_number(ledger.driven)},
+                    {"dissipated", json_number(ledger.dissipated)},
+                    {"gained", json_number(ledger.gained)},
+                    {"unaccounted", json_number(ledger.unaccounted())}};
   if (scene.cell.friction) json["energy"]["rubbed"] = json_number(ledger.rubbed);
   json["counts"] = {{"discs", run.cell().free_discs()},
                     {"wall_discs", 2 * run.cell().wall_discs},

@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <limits>
 
 #include "solver/base/error.hpp"
 
@@ -266,6 +267,61 @@ BOOST_AUTO_TEST_CASE(time_without_contacts_is_passed_at_once_and_changes_nothing
   }
 }
 
+BOOST_AUTO_TEST_CASE(means_of_flights_are_those_of_their_steps) {
+  // A block thrown up from discs that do not reach it, and a few discs that fly past each other: no contact at all.
+  ShearCell cell = sparse(ice_cell(8e3, 5e3));
+  cell.rows = 2, cell.gravity = 500.0;
+  FilledCell start = fill(cell);
+  for (std::size_t i = 0; i < start.discs.size(); ++i) {
+    if (i < cell.free_discs()) start.discs.vx[i] = 0.0, start.discs.vy[i] = start.discs.y[i] > 2e-3 ? 0.02 : -0.02;
+    if (i >= first_block_disc(cell)) start.discs.vy[i] = 1.0;
+  }
+  for (const char* const method : {"central_difference", "velocity_verlet", "euler_cromer"}) {
+    CellPlan how = plan(cell, 3000.0);
+    how.integrator = method;
+    CellRun step_by_step{cell, how, start};
+    how.jump = true;
+    CellRun jumping{cell, how, start};
+    run(step_by_step), run(jumping);
+    BOOST_TEST_REQUIRE(step_by_step.mean(CellQuantity::touching).value == 0.0);
+    BOOST_TEST(jumping.jumped() > 9 * jumping.steps() / 10);
+    // Steps are summed at their ends, flights by their integral: half a step of the way apart.
+    for (const CellQuantity quantity : {CellQuantity::depth, CellQuantity::depth_square, CellQuantity::kinetic_shear})
+      BOOST_TEST(jumping.mean(quantity).value == step_by_step.mean(quantity).value, boost::test_tools::tolerance(1e-4));
+    // By its value in the middle of each flight.
+    BOOST_TEST(
+        jumping.mean(CellQuantity::solid_fraction).value == step_by_step.mean(CellQuantity::solid_fraction).value,
+        boost::test_tools::tolerance(2e-3));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_output_is_without_a_sample) {
+  const ShearCell cell = ice_cell(8e3, 5e3);
+  for (const double steps_in_loop : {1.0, 2.5, 3.0, 9.9, 30.0}) {
+    for (const bool jump : {false, true}) {
+      CellPlan how = plan(cell, 40.0);
+      how.every = steps_in_loop * how.step, how.jump = jump;
+      CellRun ran{cell, how};
+      run(ran);
+      for (std::size_t k = 0; k < ran.intervals(); ++k)
+        BOOST_TEST(ran.interval_mean(k, CellQuantity::depth) > 0.0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_beyond_all_numbers_ends_a_run) {
+  const ShearCell cell = ice_cell(8e3, 5e3);
+  for (const double speed : {1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    FilledCell start = fill(cell);
+    start.discs.vx[7] = speed;
+    CellRun ran{cell, plan(cell, 400.0), start};
+    while (!ran.finished() && ran.failure().empty())
+      ran.advance();
+    BOOST_TEST(ran.failure().find("beyond all numbers") != std::string::npos, ran.failure());
+    BOOST_TEST(!ran.finished());
+  }
+}
+
 BOOST_AUTO_TEST_CASE(outputs_come_at_each_loop_and_at_the_end) {
   const ShearCell cell = ice_cell(8e3, 5e3);
   CellPlan how = plan(cell, 20.0);
@@ -296,6 +352,7 @@ BOOST_AUTO_TEST_CASE(plans_that_cannot_be) {
   refused("step", [&](CellPlan& how) { how.step = cell.contact_time() / 9.9; });
   refused("step", [&](CellPlan& how) { how.integrator = "euler", how.step = cell.contact_time() / 40.0; });
   refused("step", [&](CellPlan& how) { how.integrator = "taylor", how.step = cell.contact_time() / 20.0; });
+  refused("step", [](CellPlan& how) { how.step = 1e-16 * how.end; });
   CellPlan how = plan(cell, 20.0, 40.0);
   how.integrator = "euler", how.historical = true;
   BOOST_TEST(objections(cell, how).empty());
@@ -305,6 +362,15 @@ BOOST_AUTO_TEST_CASE(plans_that_cannot_be) {
   how = plan(large, 20.0);
   how.images = Images::virtual_discs;
   BOOST_TEST(objections(large, how).front().field == "images");
+  // Ten steps in a contact whose way back takes less than one.
+  ShearCell dull = cell;
+  dull.law = LatchingSpring{1.7e4, 1.7e4 / 0.0009, 0.0};
+  how = plan(dull, 20.0, 20.0);
+  BOOST_TEST(objections(dull, how).front().field == "step");
+  how.step = std::sqrt(dull.mass / (2.0 * 1.7e4 / 0.0009));
+  BOOST_TEST(objections(dull, how).empty());
+  CellRun ran{dull, how};
+  BOOST_TEST(std::abs(run(ran).ledger().unaccounted()) < CellRun::most_unaccounted);
   // What is known of the law of 1989 alone.
   for (const ShearCell& other : cells()) {
     if (other.law_of_1989() != nullptr) continue;
