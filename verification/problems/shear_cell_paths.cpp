@@ -39,18 +39,19 @@ and shares nothing with the solver: what both ways of the solver have wrong it w
 |:--|:-----|:-----|
 | cell | 80 discs of ice, 8 kPa, 5000 diameters a second | see case `shear_cell` |
 | $h$ | semi-implicit Euler, 40 steps in a contact | .31 us |
-| steps | compared from a start that touches early | 20,000 |
+| steps | compared from a start that touches early, also across the border | 20,000 |
 
 **What would break it.** An image on the wrong side, or two of one pair; a pair that the list misses; memory of a contact
 that is lost where a disc crosses the border, where the list is made anew, or at a restart; forces that depend on the
 order of discs; a jump over a contact.
 )";
 
-/// A cell in which discs meet from the first steps on: random velocities as large as the drive.
-FilledCell lively(const ShearCell& cell) {
+/// A cell in which discs meet from the first steps on: random velocities so many times what they are, 60 times is as
+/// large as the drive.
+FilledCell lively(const ShearCell& cell, double times = 60.0) {
   FilledCell filled = fill(cell);
   for (std::size_t i = 0; i < cell.free_discs(); ++i)
-    filled.discs.vy[i] *= 60.0, filled.discs.vx[i] += 20.0 * filled.discs.vy[(i + 7) % cell.free_discs()] / 60.0;
+    filled.discs.vy[i] *= times, filled.discs.vx[i] += 20.0 * filled.discs.vy[(i + 7) % cell.free_discs()] / 60.0;
   return filled;
 }
 
@@ -63,10 +64,19 @@ double apart(const Discs& one, const std::vector<double>& x, const std::vector<d
   return most;
 }
 
+/// Contacts that act across the border of the field, which is wider than two discs.
+long across_border(CellRun& run) {
+  const Discs now = run.discs();
+  const std::vector<CellRun::ActingContact> contacts = run.acting_contacts();
+  return std::count_if(contacts.begin(), contacts.end(), [&](const CellRun::ActingContact& contact) {
+    return std::abs(now.x[contact.a] - now.x[contact.b]) > 2.0 * run.cell().diameter;
+  });
+}
+
 /// The solver beside virtual discs and all pairs.
 void expect_virtual(Findings& findings, const Setup& setup) {
-  const ShearCell cell = ice_cell(8e3, 5e3);
-  const FilledCell start = fill(cell);
+  const ShearCell cell = ice_cell(8e3, 5e3, 4);
+  const FilledCell start = lively(cell, 5.0);
   CellPlan plan = cell_plan(cell, 1.0);
   plan.integrator = "euler_cromer";
   plan.step *= 0.5;
@@ -91,10 +101,12 @@ void expect_virtual(Findings& findings, const Setup& setup) {
   if (setup.has("latch_weaker")) discs.k2 *= 1.0 - 1e-9;
   Series difference{.label = "places", .x = {}, .y = {}, .style = Style::lines};
   double most = 0.0, early = 0.0;  // `early`: of the first half
+  long across = 0;
   for (long n = 0; !run.finished();) {
     run.advance();
     for (; n < run.steps(); ++n)
       discs.step(plan.step);
+    if (2 * n <= steps) across += across_border(run);
     if (n % 100 != 0) continue;
     const double now = apart(run.discs(), discs.x, discs.y, cell.width()) / cell.diameter;
     most = std::max(most, now);
@@ -103,17 +115,18 @@ void expect_virtual(Findings& findings, const Setup& setup) {
     difference.y.push_back(std::max(now, 1e-17));
   }
   findings.count(static_cast<std::uint64_t>(run.evaluations()));
-  findings.expect_true("contacts were met on the way", run.impulse_on_block().y > 0.0 && run.ledger().dissipated > 0.0,
-                       "without them there is nothing to compare");
+  findings.expect_true("contacts across the border were seen in the first half", across >= 10,
+                       fmt::format("without them no virtual disc acts; seen {} times, each about twice", across));
   findings.expect("places beside virtual discs and all pairs, over a diameter", early, 0.0,
                   Tolerance::round_off(
                       1e-12,
                       "places of some diameters are rounded to 1e-15 of one at each of thousands of "
-                      "steps, in boxes whose borders discs cross at other times: 2e-13, which has grown to 4.6e-13"));
+                      "steps, in boxes whose borders discs cross at other times; what contacts make of it hangs on the "
+                      "paths: 1.6e-13 here, 0 to 2.8e-12 from six seeds"));
   findings.expect("the same after twice as many steps", most, 0.0,
-                  Tolerance::round_off(1e-10,
-                                       "neighbouring paths part: 4.6e-13 grows twentyfold in 10,000 steps, and tenfold "
-                                       "that is admitted"));
+                  Tolerance::round_off(3e-9,
+                                       "neighbouring paths part: 1.6e-13 grows to 2.9e-10, and tenfold that is "
+                                       "admitted"));
   findings.figure({.name = "difference",
                    .title = "Minimum image beside virtual discs",
                    .caption =
@@ -121,7 +134,7 @@ void expect_virtual(Findings& findings, const Setup& setup) {
                        "and the reference (all pairs, a virtual disc beside the field for each); dashed: the bound "
                        "for the first half of the steps.",
                    .x = {"step", "1"},
-                   .y = {.label = "difference over D", .log = true, .min = 1e-16, .max = 1e-10},
+                   .y = {.label = "difference over D", .log = true, .min = 1e-16, .max = 1e-8},
                    .series = {difference},
                    .lines = {{'y', 1e-12, "bound"}}});
 }
@@ -138,12 +151,10 @@ void expect_own_virtual(Findings& findings, const Setup& setup) {
   if (setup.has("friction_less")) cell.friction->coefficient *= 1.0 - 1e-8;
   CellRun virtual_discs{cell, plan, start};
   run_to_end(nearest);
-  long across = 0;  // the field is wider than two discs
+  long across = 0;
   while (!virtual_discs.finished()) {
     virtual_discs.advance();
-    const Discs now = virtual_discs.discs();
-    for (const CellRun::ActingContact& contact : virtual_discs.acting_contacts())
-      across += std::abs(now.x[contact.a] - now.x[contact.b]) > 2.0 * cell.diameter ? 1 : 0;
+    across += across_border(virtual_discs);
   }
   findings.count(static_cast<std::uint64_t>(nearest.evaluations() + virtual_discs.evaluations()));
   const Discs end = virtual_discs.discs();
