@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "solver/granular/disc_system.hpp"
+#include "solver/granular/fast_disc_system.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell_runs.hpp"
 
@@ -32,21 +35,27 @@ each beside the right one, and what tells them apart is measured.
 $t_c = \frac{\pi}{2}(1/w_1 + 1/w_2)$ takes $t_c/h = \frac{\pi}{4}(1 + 1/e) = 1.91$ steps then; a disc
 between others feels several springs, six at most, $w^2 \le 6 K_2/m$ against $2 K_2/m$ of a pair: $\sqrt3$ times as many, 3.3.
 Euler's steps make $e$ into $e\,\exp[\frac{\pi}{4}(w_1 + w_2)h]$, which passes 1 at $t_c/h = 14$; Taylor's at 7
-(case `latching_restitution`).
+(case `latching_restitution`). What is there and was kept, less what the drive put in, over that, is the share of energy
+that is unaccounted for: it sees steps that are too long long before the cell falls apart, which the stress ratio does not.
 
-**Source.** The list is Talus's own experience with this cell; the law is Walton & Braun's (1986).
+**Source.** The list is of failures that an independent code met; the law is Walton & Braun's (1986). Two of them are
+not met in the same way here. A cell whose contacts are cleared did not come to rest at a solid fraction of 1.46 with a
+ratio of .271, but goes on to be pressed together (the ratio until then is in the table). Contacts that forget $d_0$ led
+to overlaps of .22 to .29 diameters there: here to .03 if they push with $K_1 d$ at once, to .09 if they count from where
+their force vanished.
 
 | symbol | meaning | value |
 |:--|:-----|:-----|
 | cell | 80 discs of ice, 5000 diameters a second | 8 kPa |
-| time | of each run, the first quarter left out | .4 s; .1 s with wrong laws, .2 s with Euler's steps, .6 s with long ones |
+| time | of each run, the first quarter left out | .4 s; .1 s with wrong laws, .2 s with many first-order steps, 2.4 s with long steps |
+| cells | runs of each with 2.45 and 2 steps in a contact | 8 |
 | limits | solid fraction of equal discs, overlap over $D$ | .9069, .1 |
 
 **What would break it.** A solver whose right law fails the limits that the wrong ones break; limits that none would break.
 )";
 
-/// A latching spring that is wrong in one way, else the right one.
-enum class Wrong { none, flag_cleared, d0_forgotten };
+/// A latching spring that is wrong in one way.
+enum class Wrong { flag_cleared, d0_forgotten };
 
 template <Wrong wrong>
 struct WrongLatch : LatchingSpring {
@@ -71,6 +80,7 @@ struct Flow {
   double fraction{};         ///< mean
   double largest_overlap{};  ///< over a diameter
   double motion{};           ///< mean energy of the discs' motion across the field about their mean, over m VXT^2
+  double unaccounted{};      ///< energy that is there or was kept and that nobody put in, over what was
   bool burst{};              ///< numbers beyond all sense: the run was ended
 };
 
@@ -78,13 +88,28 @@ struct FlowPlan {
   double time{0.4};
   double steps_in_contact{20.0};
   std::string integrator{"velocity_verlet"};
+  double forget_every{};  ///< after so long contacts forget what they remember [T]; 0: never
 };
+
+/// What moves, is lifted and pressed, and what contacts have kept.
+template <class System>
+double account(const ShearCell& cell, const System& system, const Discs& discs) {
+  double energy = 0.5 * cell.block_mass * discs.vy.back() * discs.vy.back() +
+                  cell.block_mass * cell.gravity * discs.y[first_block_disc(cell)] + discs.dissipated();
+  for (std::size_t i = 0; i < cell.free_discs(); ++i)
+    energy += 0.5 * cell.mass * (discs.vx[i] * discs.vx[i] + discs.vy[i] * discs.vy[i]);
+  system.for_each_contact(discs, [&](const DiscContact& contact) { energy += contact.stored; });
+  if constexpr (requires { system.lost(); }) energy += system.lost();
+  return energy;
+}
 
 /// The cell without the run's own refusals and limits.
 template <class L>
 Flow flow(const ShearCell& cell, const L& law, const FlowPlan& plan, Findings& findings) {
   const FilledCell filled = fill(cell);
-  DiscSystem<L> system{filled.shapes, filled.box, law, 0.3 * cell.diameter};
+  using System = std::conditional_t<std::same_as<L, LatchingSpring>, FastDiscSystem<LatchingSpring>, DiscSystem<L>>;
+  System system{filled.shapes, filled.box, law, cell_skin(cell, filled)};
+  if constexpr (requires { system.keep_work(); }) system.keep_work();
   Discs discs = filled.discs;
   DiscMethod method = make_disc_method(plan.integrator);
   const double h = cell.contact_time() / plan.steps_in_contact;
@@ -94,10 +119,17 @@ Flow flow(const ShearCell& cell, const L& law, const FlowPlan& plan, Findings& f
   std::visit(
       [&](auto& stepper) {
         stepper.start(system, discs, h);
-        double shear = 0.0, normal = 0.0;
+        const long forgetful = std::lround(plan.forget_every / h);
+        double shear = 0.0, normal = 0.0, driven = 0.0, lost = 0.0;
+        const double held = account(cell, system, discs);
         long looks = 0;
         for (long n = 0; n < steps && !found.burst; ++n) {
+          if (forgetful > 0 && n > 0 && n % forgetful == 0) {
+            if constexpr (requires { system.lost(); }) lost += system.lost();  // forgotten, too
+            system.begin(discs), stepper.start(system, discs, h);
+          }
           stepper.step(system, discs, h);
+          driven -= h * system.wall_force(block_wall).x * cell.block_speed;
           if (n < start) continue;
           shear -= system.wall_force(block_wall).x, normal += system.wall_force(block_wall).y;
           if (n % 8 != 0) continue;
@@ -116,6 +148,7 @@ Flow flow(const ShearCell& cell, const L& law, const FlowPlan& plan, Findings& f
           });
           found.burst = !(fraction > 0.02) || !(fraction < 5.0);
         }
+        found.unaccounted = (account(cell, system, discs) + lost - held - driven) / driven;
         if (normal != 0.0) found.ratio = shear / normal;
         found.fraction /= static_cast<double>(std::max(1L, looks));
         found.motion /= static_cast<double>(std::max(1L, looks)) * static_cast<double>(cell.free_discs()) *
@@ -139,15 +172,16 @@ void add_rows(Findings& findings, const std::vector<Row>& rows) {
   Table table{.name = "failures",
               .caption =
                   "The cell right and wrong: stress ratio, which tells little, and what tells more. A run is ended "
-                  "when its solid fraction leaves .02 to 5.",
+                  "when its solid fraction leaves .02 to 5. Unaccounted: the share of the work of the drive that "
+                  "energy grew by beyond it.",
               .columns = {"cell", "S/N", "mean fraction", "largest fraction", "largest overlap/D",
-                          "motion across/(m VXT^2)", "limits"},
+                          "motion across/(m VXT^2)", "unaccounted", "limits"},
               .rows = {}};
   for (const Row& row : rows) {
     const Flow& flow = row.flow;
     table.rows.push_back({row.what, fmt::format("{:.3f}", flow.ratio), fmt::format("{:.3f}", flow.fraction),
                           fmt::format("{:.3f}", flow.fullest), fmt::format("{:.3f}", flow.largest_overlap),
-                          fmt::format("{:.4f}", flow.motion),
+                          fmt::format("{:.4f}", flow.motion), flow.burst ? "" : fmt::format("{:.2g}", flow.unaccounted),
                           within_limits(flow) ? "kept"
                           : flow.burst        ? "burst"
                                               : "broken"});
@@ -172,24 +206,42 @@ Figure figure_of(const std::vector<Row>& rows) {
   return figure;
 }
 
-void run(Findings& findings, const Setup& setup) {
-  const ShearCell cell = ice_cell(8e3, 5e3);
+/// Steps of a leapfrog in a contact: what the ratio shows, and what the account of energy does.
+struct Long {
+  double steps;
+  double least, most;  ///< of the energy unaccounted for
+  const char* why;
+  std::uint64_t seeds{1};
+};
+constexpr std::array longs{
+    Long{6.0, -0.01, 0.01, "w2 h = .64: the steps are short enough, by the account as well"},
+    Long{3.6, 0.003, 0.1, "just above 3.3 steps: of the impacts of a disc among several some gain"},
+    Long{2.9, 0.03, 0.4, "below 3.3 steps discs among six gain; most touch fewer"},
+    Long{2.45, 0.2, 1.5, "nearer to the 1.91 of any pair; nearly all impacts among others gain", 8},
+    Long{2.0, 1.0, 10.0, "at the limit of pairs: contacts put in more than the drive does, in cells that hold", 8}};
+
+/// With the cell's law, and with one that is wrong.
+Flow right_flow(const ShearCell& cell, const FlowPlan& plan, Findings& findings) {
+  return flow(cell, std::get<LatchingSpring>(cell.law), plan, findings);
+}
+template <Wrong wrong>
+Flow wrong_flow(const ShearCell& cell, const FlowPlan& plan, Findings& findings) {
+  return flow(cell, WrongLatch<wrong>{std::get<LatchingSpring>(cell.law)}, plan, findings);
+}
+
+/// Laws that forget.
+void expect_laws(Findings& findings, const Setup& setup, const ShearCell& cell, std::vector<Row>& rows) {
   FlowPlan plan;
-  if (setup.coarse) plan.time = 0.06;
-  std::vector<Row> rows;
-  const auto add = [&](const char* what, const Flow& found) { rows.push_back({what, found}); };
-  const auto make = [&](auto law, const FlowPlan& how) {
-    static_cast<LatchingSpring&>(law) = std::get<LatchingSpring>(cell.law);
-    return flow(cell, law, how, findings);
-  };
+  if (setup.coarse) plan.time = 0.1;
   FlowPlan brief = plan;
   brief.time = 0.1;
   const bool swapped = setup.has("right_law_for_the_wrong");
-  const Flow right = setup.has("wrong_law_for_the_right") ? make(WrongLatch<Wrong::flag_cleared>{}, plan)
-                                                          : make(WrongLatch<Wrong::none>{}, plan);
-  const Flow cleared = swapped ? right : make(WrongLatch<Wrong::flag_cleared>{}, brief);
-  const Flow forgotten = swapped ? right : make(WrongLatch<Wrong::d0_forgotten>{}, brief);
-  add("right", right), add("(a) flag cleared at F = 0", cleared), add("(b) d0 forgotten at F = 0", forgotten);
+  const Flow right = setup.has("wrong_law_for_the_right") ? wrong_flow<Wrong::flag_cleared>(cell, plan, findings)
+                                                          : right_flow(cell, plan, findings);
+  const Flow cleared = swapped ? right : wrong_flow<Wrong::flag_cleared>(cell, brief, findings);
+  const Flow forgotten = setup.has("d0_remembered") ? right : wrong_flow<Wrong::d0_forgotten>(cell, brief, findings);
+  rows.push_back({"right", right}), rows.push_back({"(a) flag cleared at F = 0", cleared});
+  rows.push_back({"(b) d0 forgotten at F = 0", forgotten});
   findings.expect_true("the right law keeps within the limits", within_limits(right), "equal discs, hardly pressed");
   findings.expect_true("a contact cleared at no force passes the limits", !within_limits(cleared),
                        "discs that are pressed again feel nothing and pass through each other");
@@ -201,37 +253,110 @@ void run(Findings& findings, const Setup& setup) {
   findings.expect_between(
       "stress ratio of the cell whose contacts are cleared", cleared.ratio, 0.15, 0.4,
       "the ratio looks right while the cell is not: between half and one and a half times the right one");
+  brief.forget_every = setup.has("restarts_remember") ? 0.0 : 1e-4;
+  const Flow restarted = right_flow(cell, brief, findings);
+  rows.push_back({"d0 forgotten every .1 ms", restarted});
+  findings.expect_between("energy unaccounted for when contacts forget d0 every .1 ms", restarted.unaccounted, 0.1, 1.0,
+                          "some eight contact times apart, most contacts that are there begin anew with K1 d and give "
+                          "back more than they were given; the drive puts in as much in some ms");
+}
 
-  FlowPlan steps = plan;
-  if (!setup.coarse) steps.time = 0.6;
-  for (const double in_contact : {6.0, 3.6, 2.0}) {
-    steps.steps_in_contact = swapped && in_contact == 2.0 ? 20.0 : in_contact;
-    const Flow found = make(WrongLatch<Wrong::none>{}, steps);
-    add(in_contact == 6.0 ? "Verlet, 6 steps in a contact" : in_contact == 3.6 ? "Verlet, 3.6" : "Verlet, 2", found);
-    const std::string name = fmt::format("velocity Verlet, {} steps in a contact", in_contact);
-    if (in_contact > 3.0) {
-      findings.expect_between(
-          "stress ratio, " + name, found.ratio, right.ratio - 0.03, right.ratio + 0.03,
-          "above the limit of stability of a disc among six, 3.3 steps, the ratio does not see the step: "
-          "within three standard errors, .01 each");
+/// Leapfrogs with long steps, over more time: the ratio has a standard error.
+void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& cell, std::vector<Row>& rows) {
+  FlowPlan plan;
+  plan.time = setup.coarse ? 0.15 : 2.4;
+  ShearCell other = cell;
+  // Discs that lose nothing shear with another ratio.
+  if (setup.has("elastic_discs")) other.law = LatchingSpring{1.7e4, 1.7e4, 0.0};
+  const Flow right = right_flow(cell, plan, findings);
+  rows.push_back({"Verlet, 20 steps in a contact", right});
+  Series unaccounted{.label = "energy unaccounted for", .x = {}, .y = {}, .style = Style::points};
+  Series ratio{.label = "S/N, over that with 20 steps, less 1", .x = {}, .y = {}, .style = Style::points};
+  const auto draw = [&](double steps, const Flow& found) {
+    unaccounted.x.push_back(steps), unaccounted.y.push_back(std::max(std::abs(found.unaccounted), 1e-7));
+    if (steps == plan.steps_in_contact) return;
+    ratio.x.push_back(steps), ratio.y.push_back(std::max(std::abs(found.ratio / right.ratio - 1.0), 1e-7));
+  };
+  draw(plan.steps_in_contact, right);
+  for (const Long& by : longs) {
+    FlowPlan steps = plan;
+    steps.steps_in_contact = setup.has("shorter_steps") ? 20.0 : by.steps;
+    std::vector<Flow> cells;
+    for (std::uint64_t seed = cell.seed;
+         seed < cell.seed + (setup.coarse ? std::min<std::uint64_t>(by.seeds, 3) : by.seeds); ++seed) {
+      other.seed = seed;
+      cells.push_back(right_flow(other, steps, findings));
+    }
+    other.seed = cell.seed;
+    const std::string name = fmt::format("velocity Verlet, {} steps in a contact", by.steps);
+    rows.push_back({fmt::format("Verlet, {}", by.steps), cells.front()});
+    const auto burst = std::count_if(cells.begin(), cells.end(), [](const Flow& flow) { return flow.burst; });
+    const auto least = std::min_element(cells.begin(), cells.end(), [](const Flow& one, const Flow& another) {
+      return one.unaccounted < another.unaccounted;
+    });
+    findings.expect_between(fmt::format("energy unaccounted for, {}{}", name, by.seeds > 1 ? ", least of eight" : ""),
+                            least->unaccounted, by.least, by.most, by.why);
+    double mean = 0.0;
+    for (const Flow& flow : cells)
+      mean += flow.ratio / static_cast<double>(cells.size());
+    draw(by.steps, {.ratio = mean, .unaccounted = least->unaccounted});
+    if (by.steps >= 2.9) {
+      findings.expect("stress ratio, " + name, mean, right.ratio,
+                      Tolerance::model(setup.coarse ? 0.04 : 0.01,
+                                       "the ratio does not see the step: both have a standard error of .003 to .004"));
+    } else if (burst == 0) {
+      findings.expect_between("stress ratio, mean of eight cells, less that of 20 steps, " + name, mean - right.ratio,
+                              0.002, 0.02, "it is another by now, by little: .010 with a standard error of .004");
     } else {
-      findings.expect_true("limits are passed, " + name, !within_limits(found),
-                           "below 3.3 steps a disc among six is unstable, below 1.9 any pair");
+      findings.expect_between("cells of eight that burst, " + name, static_cast<double>(burst), 1.0, 8.0,
+                              "which do hangs on the paths: sooner or later all of them");
     }
   }
-  FlowPlan euler = plan;
-  euler.integrator = swapped ? "velocity_verlet" : "euler";
-  euler.steps_in_contact = 10.0;
-  const Flow heated = make(WrongLatch<Wrong::none>{}, euler);
-  add("Euler, 10 steps", heated);
-  euler.steps_in_contact = 120.0;
-  euler.time = 0.5 * plan.time;
-  const Flow fine = make(WrongLatch<Wrong::none>{}, euler);
-  add("Euler, 120 steps", fine);
-  findings.expect_true("limits are passed, Euler with 10 steps in a contact", !within_limits(heated),
-                       "each contact gives back more than it took: e is above 1");
-  findings.expect_true("limits are kept, Euler with 120 steps in a contact", within_limits(fine), "e is .73 there");
+  findings.figure({.name = "long_steps",
+                   .title = "Steps too long: the account of energy sees them, the stress ratio does not",
+                   .caption = "Share of the work that is unaccounted for, and how far the stress ratio is from that of "
+                              "20 steps, over the steps in a contact. Dashed: one hundredth of the work, beyond which "
+                              "`talus cell` warns; upright: 3.3 steps, below which a disc among six is unstable.",
+                   .x = {.label = "steps in a contact", .log = true, .min = 1.5, .max = 25.0},
+                   .y = {.label = "share", .log = true, .min = 1e-7, .max = 10.0},
+                   .series = {unaccounted, ratio},
+                   .lines = {{'y', CellRun::most_unaccounted, ""}, {'x', 3.3, ""}}});
+}
 
+/// Euler's and Taylor's steps, which add energy to every impact.
+void expect_first_order(Findings& findings, const Setup& setup, const ShearCell& cell, std::vector<Row>& rows) {
+  struct By {
+    const char *method, *words;
+    double few, many;
+    const char *gains, *stays;
+  };
+  constexpr std::array all{
+      By{"euler", "Euler", 10.0, 120.0, "each contact gives back more than it took: e is above 1", "e is .73 there"},
+      By{"taylor", "Taylor", 5.0, 60.0, "e is 1.15", "e is .73 there"}};
+  for (const By& by : all) {
+    FlowPlan plan;
+    if (setup.coarse) plan.time = 0.03;
+    plan.integrator = by.method;
+    plan.steps_in_contact = setup.has("first_order_finer") ? by.many : by.few;
+    const Flow heated = right_flow(cell, plan, findings);
+    plan.steps_in_contact = setup.has("first_order_coarser") ? by.few : by.many;
+    plan.time *= 0.5;
+    const Flow fine = right_flow(cell, plan, findings);
+    rows.push_back({fmt::format("{}, {} steps", by.words, by.few), heated});
+    rows.push_back({fmt::format("{}, {} steps", by.words, by.many), fine});
+    findings.expect_true(fmt::format("limits are passed, {} with {} steps in a contact", by.words, by.few),
+                         !within_limits(heated), by.gains);
+    findings.expect_true(fmt::format("limits are kept, {} with {} steps in a contact", by.words, by.many),
+                         within_limits(fine), by.stays);
+  }
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const ShearCell cell = ice_cell(8e3, 5e3);
+  std::vector<Row> rows;
+  expect_laws(findings, setup, cell, rows);
+  expect_long_steps(findings, setup, cell, rows);
+  expect_first_order(findings, setup, cell, rows);
   findings.figure(figure_of(rows));
   add_rows(findings, rows);
 }
@@ -246,14 +371,30 @@ Case shear_cell_failures() {
           .main_checks = {"the right law keeps within the limits", "a contact cleared at no force passes the limits",
                           "motion across the field of contacts that forget d0 at no force, over the right cell's",
                           "stress ratio of the cell whose contacts are cleared",
-                          "limits are passed, velocity Verlet, 2 steps in a contact",
-                          "limits are passed, Euler with 10 steps in a contact"},
+                          "energy unaccounted for when contacts forget d0 every .1 ms",
+                          "energy unaccounted for, velocity Verlet, 6 steps in a contact",
+                          "energy unaccounted for, velocity Verlet, 2 steps in a contact, least of eight",
+                          "stress ratio, velocity Verlet, 2.9 steps in a contact",
+                          "limits are passed, Euler with 10 steps in a contact",
+                          "limits are passed, Taylor with 5 steps in a contact"},
           .source = "Talus; law of Walton & Braun 1986",
           .page = page,
           .faults = {{"wrong_law_for_the_right", "the law whose contacts are cleared taken for the right one",
                       "the right law keeps within the limits"},
-                     {"right_law_for_the_wrong", "the right law and steps in all wrong cells",
-                      "a contact cleared at no force passes the limits"}},
+                     {"right_law_for_the_wrong", "the right law for that whose contacts are cleared",
+                      "a contact cleared at no force passes the limits"},
+                     {"d0_remembered", "the right law for that which forgets d0",
+                      "motion across the field of contacts that forget d0 at no force, over the right cell's"},
+                     {"restarts_remember", "contacts that are to forget d0 every .1 ms do not",
+                      "energy unaccounted for when contacts forget d0 every .1 ms"},
+                     {"elastic_discs", "discs of the cells with long steps lose nothing",
+                      "stress ratio, velocity Verlet, 2.9 steps in a contact"},
+                     {"shorter_steps", "20 steps in a contact for each number of them",
+                      "energy unaccounted for, velocity Verlet, 2 steps in a contact, least of eight"},
+                     {"first_order_finer", "Euler's and Taylor's steps twelve times as short as they are to be",
+                      "limits are passed, Taylor with 5 steps in a contact"},
+                     {"first_order_coarser", "Euler's and Taylor's steps twelve times as long as they are to be",
+                      "limits are kept, Taylor with 60 steps in a contact"}},
           .time_limit = 150.0,
           .run = run};
 }
