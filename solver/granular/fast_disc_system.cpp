@@ -345,12 +345,18 @@ void FastDiscSystem<L, F>::place_ghosts(Stripe& stripe, double* numbers, double 
 /// Lists the pairs anew; what contacts remember goes with them.
 template <SettledLaw L, class F>
 void FastDiscSystem<L, F>::rebuild(Discs& discs) {
-  const std::vector<Kept> kept = kept_contacts();
+  std::vector<Kept> kept = kept_contacts();
   wrap(list_.box(), discs);
   list_.build(shapes_, discs, team_);
   ++builds_;
   list_stripes();
   list_places();
+  // A step may be so long that what touched is beyond the list: it has ended.
+  std::erase_if(kept, [&](const Kept& contact) {
+    if (list_.find(contact.first, contact.second) < list_.size()) return false;
+    if constexpr (remembers) lost_ += law_.lost(contact.memory.largest);
+    return true;
+  });
   take_contacts(kept);
   load(discs);
   prune();

@@ -281,6 +281,31 @@ BOOST_AUTO_TEST_CASE(what_is_put_back_goes_on_with_the_same_bits) {
   });
 }
 
+BOOST_AUTO_TEST_CASE(contacts_end_in_steps_longer_than_the_skin) {
+  for_each_law_and_friction([](const auto& law, const auto& friction) {
+    const Packing p = thrown(10, 0.1, boxes[3]);
+    Discs discs = p.discs, fast_discs = p.discs;
+    DiscSystem plain{p.shapes, p.box, law, 0.1, friction};
+    FastDiscSystem fast{p.shapes, p.box, law, 0.1, friction};
+    fast.keep_work();
+    plain.begin(discs), fast.begin(fast_discs);
+    long acting = 0;
+    for (int n = 0; n < 200; ++n) {
+      // From a contact to a diameter's tenth and more apart at once.
+      const double h = n % 20 == 19 ? 0.2 : 1e-3;
+      plain.kick(discs, h), plain.drift(discs, h);
+      fast.kick(fast_discs, h), fast.drift(fast_discs, h);
+      fast.for_each_contact(fast_discs, [&](const DiscContact&) { ++acting; });
+    }
+    BOOST_TEST(acting > 0);
+    BOOST_TEST((same(law, discs, fast_discs)));
+    if constexpr (FastDiscSystem<std::decay_t<decltype(law)>>::remembers) {
+      const double lost = discs.work[static_cast<std::size_t>(Mechanism::contact_damping)];
+      BOOST_TEST(fast.lost() == lost, boost::test_tools::tolerance(1e-11));
+    }
+  });
+}
+
 BOOST_AUTO_TEST_CASE(walls_feel_the_same_forces) {
   // The shear cell: discs of walls are held, driven, and moved by forces; with the discs in two orders.
   const ShearCell cell = ice_cell(8e3, 5e3);
