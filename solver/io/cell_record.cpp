@@ -170,8 +170,12 @@ std::vector<CellNumber> cell_results(const CellRun& run) {
                      dimension::number,
                      {run.largest_overlap() / run.cell().diameter, 0.0},
                      0.0,
-                     "over a diameter"});
-  results.push_back({"largest_solid_fraction", dimension::number, {run.largest_fraction(), 0.0}, 0.0, "of all times"});
+                     "over a diameter, of the moments seen: two in a contact"});
+  results.push_back({"largest_solid_fraction",
+                     dimension::number,
+                     {run.largest_fraction(), 0.0},
+                     0.0,
+                     "of the moments seen: two in a contact"});
   return results;
 }
 
