@@ -104,7 +104,8 @@ Command add_animate(CLI::App& talus) {
   app->add_option("DIR", options->folder, "folder that `talus run --out` or `talus cell --out` wrote")->required();
   app->add_flag("--html", options->html, "one HTML page with all in it, which any browser plays; the default");
   app->add_flag("--gif", options->gif, "a GIF; with --html both");
-  app->add_option("--seconds", options->seconds, "how long the GIF takes; default 6")->check(CLI::Range(0.1, 600.0));
+  app->add_option("--seconds", options->seconds, "how long the GIF takes; default 6")
+      ->check(number_between(0.1, 600.0));
   app->add_option("--until", options->until, "last time shown, e.g. \"0.1 s\"");
   app->add_option("--window", options->window, "x-min y-min x-max y-max of the side view; default: all that moves")
       ->expected(4);

@@ -258,7 +258,8 @@ Command add_cell(CLI::App& talus) {
   app->add_option("--integrator", options->integrator,
                   fmt::format("{}; default {}", fmt::join(disc_method_names(), ", "), CellPlan{}.integrator));
   app->add_option("--units", options->units, "unit system of CNTRL.DAT, which names none: SI or US");
-  app->add_option("--seed", options->seed, "of the first velocities across the field; default the scene's, or 0");
+  app->add_option("--seed", options->seed, "of the first velocities across the field; default the scene's, or 0")
+      ->check(number_between(0, 9007199254740991));
   app->add_flag("--historical", options->historical,
                 "as the runs of 1989 may have been: Euler's steps; K1/K2 must be .45 and STEP 1e-7");
   app->add_flag("--jump", options->jump, "pass time in which nothing can touch at once");

@@ -79,6 +79,15 @@ std::string words(const CLI::App& talus, const CLI::ParseError& error) {
   return fmt::format("'{}' is one argument too many", first);
 }
 
+/// Refuses values that are empty, as one from a variable that is not set: none of the options means anything by it.
+void refuse_empty_values(CLI::App& app) {
+  for (CLI::Option* option : app.get_options())
+    if (option->get_items_expected_max() > 0)
+      option->check([](const std::string& value) {
+        return value.empty() ? std::string{"found \"\"; a value must follow"} : std::string{};
+      });
+}
+
 int report(ExitCode code, std::string_view words) {
   print_failure(words);
   return code;
@@ -99,6 +108,8 @@ int work(const std::vector<Command>& commands) {
     return report(io_failed, error.what());
   } catch (const std::system_error& error) {
     return report(io_failed, fmt::format("standard output: {}", error.what()));
+  } catch (const std::bad_alloc&) {
+    return report(io_failed, "the memory of this machine does not suffice for what was asked");
   }
 }
 
@@ -114,6 +125,15 @@ double option_quantity(const std::string& option, const std::string& text, Dimen
   }
   if (positive && !(value > 0.0)) throw InputError{fmt::format("{}: found \"{}\"; it must be > 0", option, text)};
   return value;
+}
+
+CLI::Validator number_between(double least, double most) {
+  return {[=](std::string& value) {
+            double number = 0.0;
+            if (CLI::detail::lexical_cast(value, number) && number >= least && number <= most) return std::string{};
+            return fmt::format("found {}; it must be a number between {} and {}", value, least, most);
+          },
+          fmt::format("in [{}, {}]", least, most)};
 }
 
 void print_failure(std::string_view words) {
@@ -134,6 +154,8 @@ int run_command_line(int count, const char* const* arguments) {
   const std::vector<Command> commands{add_run(talus),      add_check(talus),   add_advise(talus), add_calibrate(talus),
                                       add_cell(talus),     add_convert(talus), add_export(talus), add_plot(talus),
                                       add_snapshot(talus), add_animate(talus), add_study(talus),  add_list(talus)};
+  for (const Command& command : commands)
+    refuse_empty_values(*command.app);
   try {
     talus.parse(count, arguments);
   } catch (const CLI::Success& help) {

@@ -8,7 +8,8 @@
 
 namespace CLI {
 class App;
-}
+class Validator;
+}  // namespace CLI
 
 namespace talus::app {
 
@@ -39,6 +40,9 @@ struct Command {
 /// allowed.
 [[nodiscard]] double option_quantity(const std::string& option, const std::string& text, Dimension dimension,
                                      const UnitSystem& units, bool positive = true);
+
+/// Of an option: a number between these. What is not a number is refused, which CLI::Range lets pass.
+[[nodiscard]] CLI::Validator number_between(double least, double most);
 
 /// Says what went wrong, or what is to be known, on stderr: in red on a terminal unless NO_COLOR is set.
 void print_failure(std::string_view words);

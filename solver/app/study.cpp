@@ -56,7 +56,7 @@ Command add_study(CLI::App& talus) {
       ->required()
       ->check(CLI::IsMember({"shear"}));
   app->add_option("--time", options->plan.time, "of each run, in seconds of flow; default 0.8")
-      ->check(CLI::Range(0.01, 1000.0));
+      ->check(number_between(0.01, 1000.0));
   app->add_option("--seeds", options->plan.seeds, "runs of each point; default 5")->check(CLI::Range(2, 1000));
   app->add_option("--threads", options->plan.threads, "default: all; the numbers do not depend on it")
       ->check(CLI::Range(1U, 1024U));

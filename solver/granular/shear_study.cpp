@@ -6,6 +6,9 @@
 #include <atomic>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <exception>
+#include <mutex>
+#include <optional>
 #include <thread>
 
 #include "solver/base/error.hpp"
@@ -20,13 +23,17 @@ using Numbers = std::array<double, study_quantities>;
 constexpr double steps_in_contact = 20.0;
 constexpr int outputs = 40;
 
-/// A run of the study; no numbers if it failed.
-std::vector<Numbers> run_of(const StudyPoint& point, std::uint64_t seed, double time) {
-  const ShearCell cell = study_cell(point, seed);
+CellPlan plan_of(const ShearCell& cell, double time) {
   CellPlan plan;
   plan.step = cell.contact_time() / steps_in_contact;
   plan.end = time, plan.every = time / outputs;
-  CellRun run{cell, plan};
+  return plan;
+}
+
+/// A run of the study; none if it failed.
+std::optional<StudyMean::Run> run_of(const StudyPoint& point, std::uint64_t seed, double time) {
+  const ShearCell cell = study_cell(point, seed);
+  CellRun run{cell, plan_of(cell, time)};
   double order = 0.0;
   int seen = 0;
   while (!run.finished() && run.failure().empty()) {
@@ -56,7 +63,7 @@ std::vector<Numbers> run_of(const StudyPoint& point, std::uint64_t seed, double 
   set(Q::inertial_number,
       cell.block_speed / mean(C::depth) * cell.diameter * std::sqrt(cell.density() / cell.overburden()));
   set(Q::largest_overlap, run.largest_overlap() / cell.diameter);
-  return {of};
+  return StudyMean::Run{seed, of};
 }
 
 void average(StudyMean& point) {
@@ -65,11 +72,11 @@ void average(StudyMean& point) {
   const auto count = static_cast<double>(point.runs.size());
   for (std::size_t k = 0; k < study_quantities; ++k) {
     double sum = 0.0, squares = 0.0;
-    for (const Numbers& run : point.runs)
-      sum += run[k];
+    for (const StudyMean::Run& run : point.runs)
+      sum += run.numbers[k];
     const double mean = sum / count;
-    for (const Numbers& run : point.runs)
-      squares += (run[k] - mean) * (run[k] - mean);
+    for (const StudyMean::Run& run : point.runs)
+      squares += (run.numbers[k] - mean) * (run.numbers[k] - mean);
     point.mean[k] = {mean, count > 1.0 ? std::sqrt(squares / (count - 1.0) / count) : 0.0};
   }
 }
@@ -108,8 +115,10 @@ Difference difference(const StudyMean& later, const StudyMean& earlier, Q quanti
 
 /// The verdict on a difference that was predicted to be of that sign.
 Verdict verdict(std::string prediction, std::string measured, const Difference& found, double sign) {
-  return {std::move(prediction), std::move(measured), found.t(), found.chance(),
-          sign * found.value > 0.0 && found.chance() < 0.01};
+  const Outturn outturn = found.chance() >= 0.01     ? Outturn::not_shown
+                          : sign * found.value > 0.0 ? Outturn::holds
+                                                     : Outturn::opposed;
+  return {std::move(prediction), std::move(measured), found.t(), found.chance(), outturn};
 }
 
 std::string words(Estimate estimate) { return fmt::format("{:.3f} +- {:.3f}", estimate.value, estimate.error); }
@@ -125,6 +134,17 @@ Verdict falls(const std::vector<StudyMean>& study, std::string_view series, std:
 }
 
 }  // namespace
+
+std::string_view words(Outturn outturn) {
+  switch (outturn) {
+    case Outturn::holds:
+      return "holds";
+    case Outturn::opposed:
+      return "does not hold: the opposite does";
+    default:
+      return "is not shown";
+  }
+}
 
 ShearCell study_cell(const StudyPoint& point, std::uint64_t seed) {
   ShearCell cell = ice_cell(point.overburden, point.speed, seed);
@@ -166,13 +186,26 @@ std::vector<StudyMean> shear_study(const std::vector<StudyPoint>& points, const 
     of_point[p] = static_cast<std::size_t>(same - cells.begin());
     if (same == cells.end()) cells.push_back(&points[p]);
   }
-  std::vector<std::vector<Numbers>> runs(cells.size() * seeds);
+  for (const StudyPoint* point : cells) {
+    const ShearCell cell = study_cell(*point, 1);
+    if (const auto found = objections(cell, plan_of(cell, plan.time)); !found.empty())
+      throw InputError{fmt::format("{}: {}", found.front().field, found.front().words)};
+  }
+  std::vector<std::optional<StudyMean::Run>> runs(cells.size() * seeds);
   std::atomic<std::size_t> next{0}, done{0};
+  std::mutex one_at_a_time;
+  std::exception_ptr thrown;  // by any of the threads
   const auto work = [&] {
-    for (std::size_t k = next++; k < runs.size(); k = next++) {
-      runs[k] = run_of(*cells[k / seeds], k % seeds + 1, plan.time);
-      const std::size_t count = ++done;
-      if (plan.progress) plan.progress(count, runs.size());
+    try {
+      for (std::size_t k = next++; k < runs.size(); k = next++) {
+        runs[k] = run_of(*cells[k / seeds], k % seeds + 1, plan.time);
+        const std::size_t count = ++done;
+        if (plan.progress) plan.progress(count, runs.size());
+      }
+    } catch (...) {
+      const std::lock_guard lock{one_at_a_time};
+      if (!thrown) thrown = std::current_exception();
+      next = runs.size();
     }
   };
   std::vector<std::thread> threads;
@@ -181,11 +214,12 @@ std::vector<StudyMean> shear_study(const std::vector<StudyPoint>& points, const 
   work();
   for (std::thread& thread : threads)
     thread.join();
+  if (thrown) std::rethrow_exception(thrown);
   std::vector<StudyMean> study;
   for (std::size_t p = 0; p < points.size(); ++p) {
     StudyMean point{.point = points[p], .seeds = 0, .runs = {}};
     for (std::size_t s = 0; s < seeds; ++s)
-      point.runs.insert(point.runs.end(), runs[of_point[p] * seeds + s].begin(), runs[of_point[p] * seeds + s].end());
+      if (const auto& run = runs[of_point[p] * seeds + s]) point.runs.push_back(*run);
     average(point);
     study.push_back(std::move(point));
   }
@@ -207,9 +241,9 @@ std::vector<Verdict> verdicts(const std::vector<StudyMean>& study) {
   // Of each run the difference between its own two ratios, whose errors are of the same flow.
   double sum = 0.0, squares = 0.0, count = 0.0;
   for (const StudyMean* point : of) {
-    for (const Numbers& run : point->runs) {
-      const double apart = run[static_cast<std::size_t>(Q::multiple_stress_ratio)] -
-                           run[static_cast<std::size_t>(Q::binary_stress_ratio)];
+    for (const StudyMean::Run& run : point->runs) {
+      const double apart = run.numbers[static_cast<std::size_t>(Q::multiple_stress_ratio)] -
+                           run.numbers[static_cast<std::size_t>(Q::binary_stress_ratio)];
       sum += apart, squares += apart * apart, count += 1.0;
     }
   }

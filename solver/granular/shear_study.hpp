@@ -50,9 +50,13 @@ struct StudyPoint {
 /// What the seeds of a point gave: mean and standard error of the mean over seeds. A run that failed has no part in
 /// them.
 struct StudyMean {
+  struct Run {
+    std::uint64_t seed{};
+    std::array<double, study_quantities> numbers{};
+  };
   StudyPoint point;
   int seeds{};  ///< that did not fail
-  std::vector<std::array<double, study_quantities>> runs;
+  std::vector<Run> runs;
   std::array<Estimate, study_quantities> mean{};
   Estimate of(StudyQuantity quantity) const { return mean[static_cast<std::size_t>(quantity)]; }
 };
@@ -71,8 +75,17 @@ struct StudyPlan {
 /// stiffness at 15 kPa and 5000 d/s. `coarse` has fewer of each.
 [[nodiscard]] std::vector<StudyPoint> shear_study_points(bool coarse);
 
-/// Runs all; the same numbers for any number of threads.
+/// Runs all; the same numbers for any number of threads. Errors: InputError for what no cell can be run with; what one
+/// of the threads threw.
 [[nodiscard]] std::vector<StudyMean> shear_study(const std::vector<StudyPoint>& points, const StudyPlan& plan);
+
+/// What a study says of a prediction: a difference is one that chance makes once in a hundred times at most.
+enum class Outturn {
+  holds,      ///< a difference of the predicted sign
+  opposed,    ///< one of the other sign
+  not_shown,  ///< none
+};
+[[nodiscard]] std::string_view words(Outturn outturn);
 
 /// A prediction of the hypothesis (Dent 1986, as Lacy 1989 tells it, "The Problem") and what the study says of it.
 struct Verdict {
@@ -80,7 +93,7 @@ struct Verdict {
   std::string measured;   ///< in words, with numbers
   double significance{};  ///< Student's t of the difference it rests on (Welch 1947)
   double chance{};        ///< of so large a difference, of either sign, where there is none
-  bool holds{};           ///< a difference of the predicted sign that chance makes once in a hundred times at most
+  Outturn outturn{Outturn::not_shown};
 };
 /// By the points of the series "5000 d/s" between 2 and 32 kPa: compression, formation of multiple contacts, their
 /// lower ratio, whether the ratio as a whole falls; last the same of the whole at 1000 d/s. Errors: InputError if a

@@ -24,21 +24,21 @@ std::string study_text(const std::vector<StudyMean>& study, const std::vector<Ve
   }
   for (const Verdict& verdict : verdicts) {
     fmt::format_to(std::back_inserter(text), "{}\n  {}: {} (t = {:+.1f}, chance {:.2g})\n", verdict.prediction,
-                   verdict.holds ? "holds" : "does not hold", verdict.measured, verdict.significance, verdict.chance);
+                   words(verdict.outturn), verdict.measured, verdict.significance, verdict.chance);
   }
   return text;
 }
 
 std::string study_csv(const std::vector<StudyMean>& study) {
-  std::string text = "series,overburden [Pa],speed [d/s],stiffness,run";
+  std::string text = "series,overburden [Pa],speed [D/s],stiffness,seed";
   for (const std::string_view name : study_names)
-    text.append(",").append(name);
+    text.append(",").append(name).append(name == "depth" || name == "largest_overlap" ? " [D]" : "");
   text += '\n';
   for (const StudyMean& point : study) {
-    for (std::size_t run = 0; run < point.runs.size(); ++run) {
+    for (const StudyMean::Run& run : point.runs) {
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{}", point.point.series, point.point.overburden,
-                     point.point.speed, point.point.stiffness, run + 1);
-      for (const double value : point.runs[run])
+                     point.point.speed, point.point.stiffness, run.seed);
+      for (const double value : run.numbers)
         fmt::format_to(std::back_inserter(text), ",{}", value);
       text += '\n';
     }

@@ -147,12 +147,11 @@ void add_verdicts(Findings& findings, const std::vector<Verdict>& found) {
               .rows = {}};
   for (const Verdict& verdict : found)
     table.rows.push_back({verdict.prediction, verdict.measured, fmt::format("{:+.1f}", verdict.significance),
-                          fmt::format("{:.1g}", verdict.chance), verdict.holds ? "holds" : "does not hold"});
+                          fmt::format("{:.1g}", verdict.chance), std::string{words(verdict.outturn)}});
   findings.table(std::move(table));
   std::string words = "What the cells say:";
   for (const Verdict& verdict : found) {
-    words +=
-        fmt::format(" *{}* {}: {}.", verdict.prediction, verdict.holds ? "Holds" : "Does not hold", verdict.measured);
+    words += fmt::format(" *{}* This {}: {}.", verdict.prediction, talus::words(verdict.outturn), verdict.measured);
   }
   findings.note(words);
 }
@@ -199,8 +198,10 @@ void run(Findings& findings, const Setup& setup) {
     if (setup.has("loads_exchanged")) point.point.overburden = 1e3 * std::round(64e3 / point.point.overburden);
   }
   const std::vector<Verdict> found = verdicts(study);
-  findings.expect_true("the field compresses", found[0].holds, "prediction 1; chance of a hundredth at most");
-  findings.expect_true("multiple contacts form", found[1].holds, "prediction 2; chance of a hundredth at most");
+  findings.expect_true("the field compresses", found[0].outturn == Outturn::holds,
+                       "prediction 1; chance of a hundredth at most");
+  findings.expect_true("multiple contacts form", found[1].outturn == Outturn::holds,
+                       "prediction 2; chance of a hundredth at most");
   const auto ratio = [&](const char* series, double load, double speed) {
     return find(study, series, load, speed)->of(Q::stress_ratio).value;
   };
@@ -216,8 +217,8 @@ void run(Findings& findings, const Setup& setup) {
   double overlap = 0.0;
   for (const StudyMean& point : study) {
     if (point.point.overburden > 15e3 || point.point.speed > 5000.0 || point.point.stiffness < 1.0) continue;
-    for (const auto& numbers : point.runs)
-      overlap = std::max(overlap, numbers[static_cast<std::size_t>(Q::largest_overlap)]);
+    for (const StudyMean::Run& run : point.runs)
+      overlap = std::max(overlap, run.numbers[static_cast<std::size_t>(Q::largest_overlap)]);
   }
   findings.expect_between("largest overlap over D of all runs to 15 kPa and 5000 d/s", overlap, 0.03, 0.1,
                           "discs are hard: less than a tenth; the table shows where they are not (32 kPa in some "

@@ -205,6 +205,24 @@ BOOST_AUTO_TEST_CASE(a_restart_of_1989_warns_of_what_it_forgot) {
   BOOST_TEST(talus_ran({"cell", file}).code == 4);
 }
 
+BOOST_AUTO_TEST_CASE(options_that_mean_nothing_are_refused) {
+  const Folder folder;
+  const std::string
+      file = scene("cell/CNTRL.DAT"),
+      many = folder.file(
+          "MANY.DAT", "0 0\n1.7e4 34693.877551020405 1e-3 7.2e-7 9.81 100\n100000 100000 100000 5.0\n6e-7 1e-3 1e-2\n");
+  for (const auto& [words, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"cell", file, "--out", ""}, "--out: found \"\"; a value must follow"},
+           {{"cell", file, "--integrator", ""}, "--integrator: found \"\"; a value must follow"},
+           {{"cell", file, "--seed", "-1"}, "--seed: found -1; it must be a number between 0 and 9007199254740991"},
+           {{"study", "shear", "--time", "nan"}, "--time: found nan; it must be a number between 0.01 and 1000"},
+           {{"cell", many}, "NHT: found 100000; it must be at most 100 of 100000 columns"}}) {
+    const Ended ended = talus_ran(words);
+    BOOST_TEST(ended.code == 2);
+    BOOST_TEST(holds(ended.err, said), ended.err);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(runs_that_fail_say_why) {
   // A block thrown down on soft discs: they are pressed through each other.
   const Folder folder;
@@ -213,6 +231,10 @@ BOOST_AUTO_TEST_CASE(runs_that_fail_say_why) {
   const std::string out = folder.path / "out";
   const Ended ended = talus_ran({"cell", file, "--out", out});
   BOOST_TEST(ended.code == 3);
+  // It failed before its first LOOP: what is named is there, and the beginning of its history.
+  BOOST_TEST(holds(ended.out, "files: " + out + ": history.csv, profile.csv, plot.json, summary.json\n"));
+  BOOST_TEST(!fs::exists(fs::path{out} / "RESTART.DAT"));
+  BOOST_TEST(talus_ran({"plot", out}).code == 0);
   BOOST_TEST(holds(ended.err, "talus: "));
   const Json summary = Json::parse(talus::read_text(fs::path{out} / "summary.json"));
   BOOST_TEST(summary["outcome"]["kind"] == "diverged");
