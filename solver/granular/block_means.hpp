@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,11 @@ struct Estimate {
   double value{};
   double error{};
 };
+
+/// How many neighbours of a series are to be drawn together by a circular block bootstrap of its mean, so that the
+/// error of the error is least: from its autocorrelations up to where they are no more than chance makes, by a flat-top
+/// window (Politis & White 2004, as corrected by Patton, Politis & White 2009); at most a third of the series.
+[[nodiscard]] std::size_t block_length(std::span<const double> series);
 
 /// Means over time of several quantities that are sampled together, in blocks of equal time, by which their errors are
 /// told: what is sampled in a flow at one moment tells little that the moment before did not.
@@ -33,11 +39,18 @@ class BlockMeans {
   /// Mean of a quantity over the blocks [first, last).
   double mean(std::size_t quantity, std::size_t first, std::size_t last) const;
 
-  /// The same of all blocks from `first` on, with the standard error of a circular block bootstrap (Politis & Romano
-  /// 1992): 400 series of as many blocks, of runs of neighbours as long as the cube root of their number, from a seed
-  /// of their own. No samples: zeros.
+  /// Means over some blocks; zeros of blocks without a sample.
+  struct Means {
+    std::span<const double> sums;
+    double time{};
+    double operator()(std::size_t quantity) const { return time > 0.0 ? sums[quantity] / time : 0.0; }
+  };
+  /// What is made of the means over all blocks from `first` on, with the standard error of a circular block bootstrap
+  /// (Politis & Romano 1992): 400 series of as many blocks, of runs of neighbours, from a seed of their own. How long
+  /// the runs are, the series itself says: by how far neighbours tell of each other (block_length).
+  Estimate estimate(std::size_t first, const std::function<double(const Means&)>& of) const;
+  /// Mean of a quantity; mean of one over mean of the other.
   Estimate estimate(std::size_t quantity, std::size_t first) const;
-  /// Mean of one over mean of the other, drawn together.
   Estimate ratio(std::size_t over, std::size_t under, std::size_t first) const;
 
   void remember(Memory& memory);

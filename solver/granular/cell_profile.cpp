@@ -1,6 +1,7 @@
 #include "solver/granular/cell_profile.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -19,36 +20,81 @@ double area_below(double s) {
 
 }  // namespace
 
-CellProfile::CellProfile(std::size_t layers, double thickness, double width)
-    : thickness_{thickness}, width_{width}, sums_(layers * kept) {}
+CellProfile::CellProfile(std::size_t layers, double thickness, double width, double from, double to)
+    : layers_{layers},
+      thickness_{thickness},
+      width_{width},
+      from_{from},
+      block_time_{(to - from) / static_cast<double>(blocks)},
+      times_(blocks),
+      sums_(blocks * layers * kept) {}
 
-void CellProfile::add(const Disc& disc, double weight) {
+void CellProfile::look(double t, double weight) {
+  block_ = static_cast<std::size_t>(std::clamp((t - from_) / block_time_, 0.0, static_cast<double>(blocks - 1)));
+  weight_ = weight;
+  times_[block_] += weight;
+}
+
+void CellProfile::add(const Disc& disc) {
   const double low = (disc.y - disc.radius) / thickness_, high = (disc.y + disc.radius) / thickness_;
-  const auto layers = static_cast<double>(sums_.size() / kept);
+  const auto layers = static_cast<double>(layers_);
   const double first = std::clamp(std::floor(low), 0.0, layers), last = std::clamp(std::ceil(high), 0.0, layers);
   for (double layer = first; layer < last; layer += 1.0) {
     const double part = disc.radius * disc.radius *
                         (area_below(((layer + 1.0) * thickness_ - disc.y) / disc.radius) -
                          area_below((layer * thickness_ - disc.y) / disc.radius));
-    double* sums = sums_.data() + static_cast<std::size_t>(layer) * kept;
-    sums[area] += weight * part;
-    sums[momentum] += weight * part * disc.mass * disc.vx;
-    sums[mass] += weight * part * disc.mass;
-    sums[energy] += weight * part * 0.5 * disc.mass * (disc.vx * disc.vx + disc.vy * disc.vy);
-    sums[turning] += weight * part * disc.mass * disc.spin;
+    double* sums = sums_.data() + (block_ * layers_ + static_cast<std::size_t>(layer)) * kept;
+    sums[area] += weight_ * part;
+    sums[momentum] += weight_ * part * disc.mass * disc.vx;
+    sums[mass] += weight_ * part * disc.mass;
+    sums[energy] += weight_ * part * 0.5 * disc.mass * (disc.vx * disc.vx + disc.vy * disc.vy);
+    sums[turning] += weight_ * part * disc.mass * disc.spin;
   }
 }
 
 std::vector<CellProfile::Layer> CellProfile::layers() const {
+  struct Values {
+    double velocity{}, temperature{}, spin{}, fraction{};
+  };
+  constexpr std::array members{&Values::velocity, &Values::temperature, &Values::spin, &Values::fraction};
+  constexpr std::array estimates{&Layer::velocity, &Layer::temperature, &Layer::spin, &Layer::fraction};
+  // Of all blocks but one; blocks: of all.
+  const auto values = [&](std::size_t layer, std::size_t without) {
+    std::array<double, kept> sums{};
+    double time = 0.0;
+    for (std::size_t block = 0; block < blocks; ++block) {
+      if (block == without) continue;
+      time += times_[block];
+      for (std::size_t k = 0; k < kept; ++k)
+        sums[k] += sums_[(block * layers_ + layer) * kept + k];
+    }
+    Values of;
+    if (!(sums[area] > 0.0)) return of;
+    of.velocity = sums[momentum] / sums[mass];
+    of.temperature = (sums[energy] - 0.5 * sums[momentum] * of.velocity) / sums[area];
+    of.spin = sums[turning] / sums[mass];
+    of.fraction = sums[area] / (time * width_ * thickness_);
+    return of;
+  };
   std::vector<Layer> made;
-  for (std::size_t k = 0; k < sums_.size() / kept; ++k) {
-    const double* sums = sums_.data() + k * kept;
-    Layer layer{.y = (static_cast<double>(k) + 0.5) * thickness_};
-    if (sums[area] > 0.0) {
-      layer.velocity = sums[momentum] / sums[mass];
-      layer.temperature = (sums[energy] - 0.5 * sums[momentum] * layer.velocity) / sums[area];
-      layer.spin = sums[turning] / sums[mass];
-      layer.fraction = sums[area] / (time_ * width_ * thickness_);
+  for (std::size_t k = 0; k < layers_; ++k) {
+    Layer layer{.y = (static_cast<double>(k) + 0.5) * thickness_,
+                .velocity = {},
+                .temperature = {},
+                .spin = {},
+                .fraction = {}};
+    const Values all = values(k, blocks);
+    std::array<Values, blocks> left_out;
+    for (std::size_t block = 0; block < blocks; ++block)
+      left_out[block] = values(k, block);
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      double mean = 0.0, squares = 0.0;
+      for (const Values& of : left_out)
+        mean += of.*members[m] / static_cast<double>(blocks);
+      for (const Values& of : left_out)
+        squares += (of.*members[m] - mean) * (of.*members[m] - mean);
+      const double share = static_cast<double>(blocks - 1) / static_cast<double>(blocks);
+      layer.*estimates[m] = {all.*members[m], std::sqrt(share * squares)};
     }
     made.push_back(layer);
   }
@@ -56,7 +102,7 @@ std::vector<CellProfile::Layer> CellProfile::layers() const {
 }
 
 void CellProfile::remember(Memory& memory) {
-  memory.number("time", time_);
+  memory.numbers("times", times_);
   memory.numbers("sums", sums_);
 }
 

@@ -4,14 +4,19 @@
 #include <vector>
 
 #include "solver/base/memory.hpp"
+#include "solver/granular/block_means.hpp"
 
 namespace talus {
 
-/// Means over time of velocity, temperature, spin and solid fraction in layers across a field of discs.
+/// Means over time of velocity, temperature, spin and solid fraction in layers across a field of discs, with standard
+/// errors: by leaving out one tenth of the time after the other (jackknife; Quenouille 1956).
 class CellProfile {
  public:
+  static constexpr std::size_t blocks = 10;
+
   /// layers: of this thickness [L] > 0 from y = 0 up; width of the field [L]. What is above the last layer is left out.
-  CellProfile(std::size_t layers, double thickness, double width);
+  /// From the time `from` to `to` [T].
+  CellProfile(std::size_t layers, double thickness, double width, double from, double to);
 
   struct Disc {
     double y{};  ///< of the centre [L]
@@ -20,16 +25,16 @@ class CellProfile {
     double mass{};    ///< [M]
     double spin{};    ///< counter-clockwise > 0 [1/T]
   };
-  /// Adds what stands for `weight` of time: discs one by one, then the time itself.
-  void add(const Disc& disc, double weight);
-  void add_time(double weight) { time_ += weight; }
+  /// At the time t, for so much of it: then discs are added one by one.
+  void look(double t, double weight);
+  void add(const Disc& disc);
 
   struct Layer {
     double y{};            ///< of its middle [L]
-    double velocity{};     ///< along x, the mean of discs by their area in the layer [L/T]
-    double temperature{};  ///< m (<vx'^2> + <vy^2>)/2 about that mean [F L]
-    double spin{};         ///< the mean by area, counter-clockwise > 0 [1/T]
-    double fraction{};     ///< area of discs over the layer's
+    Estimate velocity;     ///< along x, the mean of discs by their area in the layer [L/T]
+    Estimate temperature;  ///< m (<vx'^2> + <vy^2>)/2 about that mean [F L]
+    Estimate spin;         ///< the mean by area, counter-clockwise > 0 [1/T]
+    Estimate fraction;     ///< area of discs over the layer's
   };
   /// From the base up; layers in which no disc ever was have zeros.
   std::vector<Layer> layers() const;
@@ -37,9 +42,12 @@ class CellProfile {
   void remember(Memory& memory);
 
  private:
-  double thickness_, width_;
-  double time_{};
-  std::vector<double> sums_;  ///< five for each layer
+  std::size_t layers_;
+  double thickness_, width_, from_, block_time_;
+  std::size_t block_{};        ///< of the present look
+  double weight_{};            ///< of it
+  std::vector<double> times_;  ///< of each block
+  std::vector<double> sums_;   ///< five for each layer, block by block
 };
 
 }  // namespace talus

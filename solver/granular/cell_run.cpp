@@ -71,7 +71,8 @@ CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
       sample_every_{steps_of_sample(cell, plan)},
       means_{quantities, plan.end, blocks},
       intervals_{quantities, plan.every * loops(plan), static_cast<std::size_t>(loops(plan))},
-      profile_{static_cast<std::size_t>(3 * cell.rows + 4), 0.5 * cell.diameter, cell.width()} {
+      profile_{static_cast<std::size_t>(3 * cell.rows + 4), 0.5 * cell.diameter, cell.width(),
+               plan.end * start_up / blocks, plan.end} {
   std::visit(
       [&](auto& method, auto& system) {
         if constexpr (requires { system.keep_work(); }) system.keep_work();
@@ -257,16 +258,15 @@ void CellRun::look_across(double time) {
     failure_ = "places or speeds of discs are beyond all numbers: those they began with, or the step is too long";
   if (time >= plan_.end * start_up / blocks) {
     const std::size_t free = cell_.free_discs();
+    profile_.look(time, profile_waiting_);
     for (std::size_t i = 0; i < free; ++i) {
       profile_.add({.y = discs_.y[i] - discs_.y[free],
                     .vx = discs_.vx[i],
                     .vy = discs_.vy[i],
                     .radius = 0.5 * cell_.diameter,
                     .mass = cell_.mass,
-                    .spin = cell_.friction ? discs_.spin[i] : 0.0},
-                   profile_waiting_);
+                    .spin = cell_.friction ? discs_.spin[i] : 0.0});
     }
-    profile_.add_time(profile_waiting_);
   }
   profile_waiting_ = 0.0;
   profile_samples_ = 0;

@@ -97,6 +97,13 @@ class CellRun {
   Estimate mean(CellQuantity quantity) const;
   /// Mean of one over mean of the other.
   Estimate ratio(CellQuantity over, CellQuantity under) const;
+  /// What is made of means: of(mean), with mean(quantity).
+  template <class Of>
+  Estimate estimate(Of&& of) const {
+    return means_.estimate(start_up, [&](const BlockMeans::Means& means) {
+      return of([&](CellQuantity quantity) { return means(static_cast<std::size_t>(quantity)); });
+    });
+  }
   /// Time at which it began [T]: other than 0 of one that goes on from discs that were there.
   double began() const { return began_; }
   /// LOOPs that have ended, or in which the run failed, and the mean of a quantity in one of them, start-up or not.

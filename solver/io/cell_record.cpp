@@ -134,12 +134,10 @@ std::vector<CellNumber> cell_results(const CellRun& run) {
   mean("bottom_shear", dimension::pressure, Q::bottom_shear, "S on the base");
   mean("bottom_normal", dimension::pressure, Q::bottom_normal, "N on the base");
   mean("depth", dimension::length, Q::depth, "between the walls' surfaces");
-  const double depth = run.mean(Q::depth).value;
-  results.push_back({"depth_deviation",
-                     dimension::length,
-                     {std::sqrt(std::max(0.0, run.mean(Q::depth_square).value - depth * depth)), 0.0},
-                     0.0,
-                     "standard deviation of the depth"});
+  results.push_back({"depth_deviation", dimension::length, run.estimate([](auto&& of) {
+                       return std::sqrt(std::max(0.0, of(Q::depth_square) - of(Q::depth) * of(Q::depth)));
+                     }),
+                     0.0, "standard deviation of the depth"});
   mean("solid_fraction", dimension::number, Q::solid_fraction, "area of the free discs over that of the field");
   mean("contact_time_share", dimension::number, Q::touching, "share of time with contacts");
   ratio("multiple_share", Q::multiple, Q::contacts, "share of contact time in multiple contacts");
@@ -147,21 +145,16 @@ std::vector<CellNumber> cell_results(const CellRun& run) {
   ratio("multiple_shear_share", Q::multiple_shear_virial, Q::shear_virial,
         "M/S read as the shear of contacts that multiple ones carry");
   ratio("multiple_stress_ratio", Q::multiple_shear_virial, Q::multiple_normal_virial, "S/N of multiple contacts");
-  const auto binary = [&](Q all, Q multiple) { return run.mean(all).value - run.mean(multiple).value; };
-  results.push_back(
-      {"binary_stress_ratio",
-       dimension::number,
-       {share(binary(Q::shear_virial, Q::multiple_shear_virial), binary(Q::normal_virial, Q::multiple_normal_virial)),
-        0.0},
-       0.0,
-       "S/N of binary contacts"});
+  results.push_back({"binary_stress_ratio", dimension::number, run.estimate([](auto&& of) {
+                       return share(of(Q::shear_virial) - of(Q::multiple_shear_virial),
+                                    of(Q::normal_virial) - of(Q::multiple_normal_virial));
+                     }),
+                     0.0, "S/N of binary contacts"});
   ratio("kinetic_shear_share", Q::kinetic_shear, Q::top_moment, "share of the shear that moving discs carry");
-  results.push_back(
-      {"shear_balance",
-       dimension::number,
-       {run.ratio(Q::shear_virial, Q::top_moment).value + run.ratio(Q::kinetic_shear, Q::top_moment).value, 0.0},
-       0.0,
-       "shear of contacts and moving discs over the block's; 1 in a steady flow"});
+  results.push_back({"shear_balance", dimension::number, run.estimate([](auto&& of) {
+                       return share(of(Q::shear_virial) + of(Q::kinetic_shear), of(Q::top_moment));
+                     }),
+                     0.0, "shear of contacts and moving discs over the block's; 1 in a steady flow"});
   if (run.cell().friction) {
     ratio("sliding_share", Q::sliding, Q::contacts, "share of contact time in contacts that slide");
     mean("spin", dimension::angular_velocity, Q::spin, "mean of the free discs, counter-clockwise > 0");
@@ -205,20 +198,30 @@ std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
 
 std::vector<CellProfile::Layer> filled_layers(const CellRun& run) {
   std::vector<CellProfile::Layer> layers = run.profile().layers();
-  while (!layers.empty() && layers.back().fraction == 0.0)
+  while (!layers.empty() && layers.back().fraction.value == 0.0)
     layers.pop_back();
   return layers;
 }
 
 std::string cell_profile_csv(const CellScene& scene, const CellRun& run) {
-  std::string text = fmt::format("{},{},{},solid_fraction", cell_header(scene, "y", dimension::length),
-                                 cell_header(scene, "velocity", dimension::velocity),
-                                 cell_header(scene, "temperature", dimension::energy));
-  if (scene.cell.friction) text += "," + cell_header(scene, "spin", dimension::angular_velocity);
+  struct Column {
+    std::string name;
+    Dimension dimension;
+    Estimate CellProfile::Layer::*of;
+  };
+  std::vector<Column> columns{{"velocity", dimension::velocity, &CellProfile::Layer::velocity},
+                              {"temperature", dimension::energy, &CellProfile::Layer::temperature},
+                              {"solid_fraction", dimension::number, &CellProfile::Layer::fraction}};
+  if (scene.cell.friction) columns.push_back({"spin", dimension::angular_velocity, &CellProfile::Layer::spin});
+  std::string text = cell_header(scene, "y", dimension::length);
+  for (const Column& column : columns) {
+    text += "," + cell_header(scene, column.name, column.dimension);
+    text += "," + cell_header(scene, column.name + "_error", column.dimension);
+  }
   for (const CellProfile::Layer& layer : filled_layers(run)) {
-    fmt::format_to(std::back_inserter(text), "\n{},{},{},{}", layer.y, layer.velocity, layer.temperature,
-                   layer.fraction);
-    if (scene.cell.friction) fmt::format_to(std::back_inserter(text), ",{}", layer.spin);
+    fmt::format_to(std::back_inserter(text), "\n{}", layer.y);
+    for (const Column& column : columns)
+      fmt::format_to(std::back_inserter(text), ",{},{}", (layer.*column.of).value, (layer.*column.of).error);
   }
   return text + "\n";
 }

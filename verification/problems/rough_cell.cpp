@@ -136,10 +136,11 @@ double spins_over_rates(Findings& findings, const CellRun& run, double depth) {
   const double d = run.cell().diameter, unit = run.cell().block_speed / d;
   double spin = 0.0, turning = 0.0;
   for (std::size_t k = 1; k + 1 < layers.size() && layers[k].y < depth; ++k) {
-    const double rate = 0.5 * (layers[k + 1].velocity - layers[k - 1].velocity) / (layers[k + 1].y - layers[k - 1].y);
-    spins.x.push_back(layers[k].y / d), spins.y.push_back(-layers[k].spin / unit);
+    const double rate =
+        0.5 * (layers[k + 1].velocity.value - layers[k - 1].velocity.value) / (layers[k + 1].y - layers[k - 1].y);
+    spins.x.push_back(layers[k].y / d), spins.y.push_back(-layers[k].spin.value / unit);
     rates.x.push_back(layers[k].y / d), rates.y.push_back(rate / unit);
-    if (layers[k].y > 2.0 * d && layers[k].y < depth - 2.0 * d) spin -= layers[k].spin, turning += rate;
+    if (layers[k].y > 2.0 * d && layers[k].y < depth - 2.0 * d) spin -= layers[k].spin.value, turning += rate;
   }
   findings.figure({.name = "spins",
                    .title = "Spins and the flow that turns the discs",

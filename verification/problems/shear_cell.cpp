@@ -201,10 +201,10 @@ Figure profile_figure(const CellRun& loose, const CellRun& dense) {
     Series velocity{.label = "velocity", .x = {}, .y = {}, .panel = panel}, fraction = velocity;
     fraction.label = "solid fraction";
     for (const CellProfile::Layer& layer : run->profile().layers()) {
-      if (!(layer.fraction > 0.01)) continue;
+      if (!(layer.fraction.value > 0.01)) continue;
       velocity.x.push_back(layer.y / run->cell().diameter),
-          velocity.y.push_back(layer.velocity / run->cell().block_speed);
-      fraction.x.push_back(velocity.x.back()), fraction.y.push_back(layer.fraction);
+          velocity.y.push_back(layer.velocity.value / run->cell().block_speed);
+      fraction.x.push_back(velocity.x.back()), fraction.y.push_back(layer.fraction.value);
     }
     figure.series.push_back(velocity), figure.series.push_back(fraction);
     ++panel;
