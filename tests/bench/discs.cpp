@@ -19,6 +19,7 @@
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/list_skin.hpp"
 #include "solver/granular/shear_cell.hpp"
+#include "tests/bench/bare_cell.hpp"
 #include "tests/bench/disc_gas.hpp"
 #include "tests/bench/lammps_program.hpp"
 
@@ -313,10 +314,14 @@ void print_skins() {
   }
 }
 
+/// Whether the discs are in the same places with the same velocities.
+bool same(const Discs& a, const Discs& b) { return a.x == b.x && a.y == b.y && a.vx == b.vx && a.vy == b.vy; }
+
 void print_cell() {
   constexpr long steps = 50000;
-  std::vector<double> one, other;
+  std::vector<double> plain_us, fast_us, bare_us;
   long evaluations = 0, builds = 0, prunings = 0;
+  bool same_bits = true;
   // How many touch changes in the course of a run, and from one run to another.
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const ShearCell cell = ice_cell(8e3, 5e3, seed);
@@ -325,8 +330,9 @@ void print_cell() {
     const double h = cell.contact_time() / 20.0, skin = cell_skin(cell, filled);
     DiscSystem plain{filled.shapes, filled.box, law, skin};
     FastDiscSystem fast{filled.shapes, filled.box, law, skin};
-    Discs plain_discs = filled.discs, fast_discs = filled.discs;
-    plain.begin(plain_discs), fast.begin(fast_discs);
+    BareCell bare{cell, filled, skin};
+    Discs plain_discs = filled.discs, fast_discs = filled.discs, bare_discs = filled.discs;
+    plain.begin(plain_discs), fast.begin(fast_discs), bare.begin(bare_discs);
     for (int round = 0; round < 5; ++round) {
       const auto us = [&](const std::function<void()>& work) { return 1e6 * seconds_of(work) / steps; };
       const double slow = us([&] {
@@ -334,15 +340,21 @@ void print_cell() {
           plain.kick(plain_discs, h), plain.drift(plain_discs, h);
       });
       const double quick = us([&] { fast.advance(fast_discs, h, steps); });
-      if (round > 0) one.push_back(slow), other.push_back(quick);
+      const double alone = us([&] { bare.advance(bare_discs, h, steps); });
+      if (round > 0) plain_us.push_back(slow), fast_us.push_back(quick), bare_us.push_back(alone);
     }
+    same_bits = same_bits && same(plain_discs, fast_discs) && same(plain_discs, bare_discs);
     evaluations += fast.evaluations(), builds += fast.builds(), prunings += fast.prunings();
   }
+  const auto words = [](const std::vector<double>& times) {
+    return fmt::format("{:.3f} ({:.3f})", median(times), *std::min_element(times.begin(), times.end()));
+  };
   fmt::print(
       "Shear cell of 80 discs and 22 of walls at 8 kPa and 5000 d/s, eight seeds, microseconds a step, median and "
-      "least: plain {:.3f} ({:.3f}), fast {:.3f} ({:.3f}).\n  Of {} steps {} made the list, {} the near list.\n",
-      median(one), *std::min_element(one.begin(), one.end()), median(other),
-      *std::min_element(other.begin(), other.end()), evaluations, builds, prunings);
+      "least: plain {}, fast {}, a loop for this cell alone {}; {}.\n  Of {} steps {} made the list, {} the near "
+      "list.\n",
+      words(plain_us), words(fast_us), words(bare_us), same_bits ? "the same bits" : "BITS DIFFER", evaluations, builds,
+      prunings);
 }
 
 }  // namespace
