@@ -77,7 +77,8 @@ Json series_of(const DrawnDiscs& drawn, const DiscFrame& frame) {
 Window whole_window(const DrawnDiscs& drawn) {
   const double beyond = 2.0 * drawn.largest_radius, margin = 0.5 * drawn.largest_radius;
   const double y = drawn.frames.front().discs.front().p.y;
-  Window window{-beyond, y, *drawn.run.files.period + beyond, y};
+  const double half = 0.5 * *drawn.run.files.period;
+  Window window{-half - beyond, y, half + beyond, y};
   for (const DiscFrame& frame : drawn.frames) {
     for (const SeenDisc& disc : frame.discs) {
       window.bottom = std::min(window.bottom, disc.p.y - disc.radius - margin);
@@ -102,7 +103,7 @@ Json numbers(const DiscFrame& frame, const Window& window) {
 DrawnDiscs read_disc_frames(RunFolder run, const std::vector<GeometryFile>& files, DiscColour colour) {
   DrawnDiscs drawn{.run = std::move(run), .frames = {}, .colour = colour};
   const double period = *drawn.run.files.period;
-  const auto whole = [period](double x) { return period * std::floor(x / period); };
+  const auto whole = [period](double x) { return period * std::floor(x / period + 0.5); };
   for (const GeometryFile& file : files) {
     DiscFrame frame = read_discs(file);
     for (SeenDisc& disc : frame.discs) {
@@ -164,9 +165,9 @@ std::string frame_csv(const DrawnDiscs& drawn, std::size_t frame) {
       add_bar(rows, "contact", contact.from + by, contact.to + by, scale * contact.force);
     });
   }
-  for_images(0.0, 0.0, period, window, [&](double shift) {
-    rows.add("border", {shift, window.bottom});
-    rows.add("border", {shift, window.top});
+  for_images(-0.5 * period, -0.5 * period, period, window, [&](double shift) {
+    rows.add("border", {shift - 0.5 * period, window.bottom});
+    rows.add("border", {shift - 0.5 * period, window.top});
     rows.next_line();
   });
   return std::move(rows).text();

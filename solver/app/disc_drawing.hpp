@@ -14,7 +14,8 @@ enum class DiscColour {
   force,  ///< the sum of the forces of its contacts
 };
 
-/// The discs that a run left, as far as they are drawn, with places in [0, period) along x.
+/// The discs that a run left, as far as they are drawn, with places in
+/// [-period/2, period/2) along x, as in PIC.DAT.
 struct DrawnDiscs {
   RunFolder run;
   std::vector<DiscFrame> frames;
