@@ -37,6 +37,10 @@ LinearSpringDashpot linear_law(const ShearCell& cell, const ExportOptions& optio
 
 int export_scene(const ExportOptions& options) {
   const CellScene scene = read_cell(options.scene, {});
+  if (scene.restart) {
+    throw InputError{
+        fmt::format("{}: RESTRT: found 1; the cell is written as it is filled: it must be 0", options.scene)};
+  }
   const FilledCell filled = fill(scene.cell);
   export_lammps(options.folder,
                 {filled.shapes, filled.discs, filled.box, linear_law(scene.cell, options), scene.cell.friction},

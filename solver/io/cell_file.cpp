@@ -248,7 +248,8 @@ CellScene read_toml(std::string_view text, std::string_view name, const CellChoi
   source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
   if (choices.units) throw InputError{fmt::format("{}: a unit system is named in the file already", name)};
   CellScene scene{.title = file.text("title"), .units = source.units, .cell = {}, .plan = {}};
-  read_cell_table(file.table("cell"), scene.cell);
+  SceneTable cell = file.table("cell");
+  read_cell_table(cell, scene.cell);
   SceneTable run = file.table("run");
   std::vector<std::string> keys = field_names<CellPlan>();
   keys.insert(keys.end(), {"integrator", "jump", "images", "historical", "pictures"});
@@ -260,7 +261,10 @@ CellScene read_toml(std::string_view text, std::string_view name, const CellChoi
   scene.plan.historical = on(run, "historical");
   scene.pictures = on(run, "pictures");
   choose(scene, choices);
-  if (const auto found = all_objections(scene); !found.empty()) run.fail(found.front().field, found.front().words);
+  if (const auto found = all_objections(scene); !found.empty()) {
+    const bool of_run = std::find(keys.begin(), keys.end(), found.front().field) != keys.end();
+    (of_run ? run : cell).fail(found.front().field, found.front().words);
+  }
   return scene;
 }
 

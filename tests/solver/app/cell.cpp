@@ -246,6 +246,11 @@ BOOST_AUTO_TEST_CASE(a_cell_is_exported_for_lammps_with_dashpots_if_they_may_sta
   const std::string out = folder.path / "lammps";
   const Ended refused = talus_ran({"export", "lammps", scene("cell/ice.toml"), "--out", out});
   BOOST_TEST(refused.code == 2);
+  const std::string restarted = folder.file("RESTARTED.DAT", std::string{"1"}.append(control, 1));
+  const Ended other = talus_ran({"export", "lammps", restarted, "--dashpot", "--out", folder.path / "other"});
+  BOOST_TEST(other.code == 2);
+  BOOST_TEST(holds(other.err, "RESTRT: found 1; the cell is written as it is filled: it must be 0"));
+  BOOST_TEST(!fs::exists(folder.path / "other"));
   BOOST_TEST(holds(refused.err, "springs that latch (a restitution of 0.7), which LAMMPS does not have"));
   BOOST_TEST(!fs::exists(out));
   BOOST_TEST(talus_ran({"export", "lammps", scene("cell/ice.toml"), "--out", out, "--dashpot"}).code == 0);
