@@ -38,6 +38,8 @@ double step_of(const std::string& text) {
   return bare;
 }
 
+constexpr double most_steps = 2e5;  ///< in a contact that is simulated
+
 void refuse_what_means_nothing(const CalibrateOptions& options) {
   for (const std::string& given : options.own_to_impact) {
     if (given == "--end-rule" || given == "--bound")
@@ -61,6 +63,13 @@ LatchingRatio calibrated(CalibrateOptions options) {
   found.speed = option_quantity("--speed", options.speed, dimension::velocity, si);
   try {
     found.by_formula = ratio_by_formula(found.contact, options.restitution);
+    if (const double steps = found.contact.steps_in_contact(found.by_formula); steps > most_steps) {
+      throw InputError{
+          fmt::format("step: found {} s, {:.3g} steps in a contact; it must be at least {:.3g} s: more than "
+                      "{:g} steps would be simulated for minutes, and change the restitution by less than "
+                      "they tell",
+                      found.contact.step, steps, found.contact.step * steps / most_steps, most_steps)};
+    }
     found.by_simulation = ratio_by_simulation(found.contact, options.restitution);
   } catch (const InputError& error) {
     throw InputError{fmt::format("--{}", error.what())};
