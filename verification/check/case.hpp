@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +28,10 @@ struct Setup {
 
   /// Is `name` the planted fault?
   [[nodiscard]] bool has(std::string_view name) const { return fault == name; }
+  /// Is none planted, or one of these? What a fault has no part in need not be run again.
+  [[nodiscard]] bool concerns(std::initializer_list<std::string_view> names) const {
+    return fault.empty() || std::find(names.begin(), names.end(), fault) != names.end();
+  }
 };
 
 /// A planted fault: a named wrong setup and the check that must turn red because of it.

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 #include <vector>
 
+#include "solver/io/cell_record.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell_runs.hpp"
 
@@ -50,8 +50,8 @@ are not known, and no number of its figures is quoted.
 | $h$, $T$ | velocity Verlet, 20 steps in a contact | .62 us, .8 s, a quarter left out |
 
 **What would break it.** A wall's force that misses a contact or counts one twice; a block that is moved by part of its
-force; contacts that forget what they were pressed; a mean over time of factors where that of the product is due; discs
-that pass through each other, which a stress ratio does not show.
+force; contacts that forget what they were pressed; a mean over time of factors where that of the product is due; an
+inertial number of the depth of the array where that of the field is due; discs that pass through each other, which a stress ratio does not show.
 )";
 
 struct Balance {
@@ -102,6 +102,31 @@ void expect_walls(Findings& findings, const CellRun& run, const Setup& setup, co
                   Tolerance::model(0.01,
                                    "the change of the moment of momentum over the time, half of the bound for the "
                                    "walls, and what is not seen between two samples in a contact"));
+}
+
+/// Depth by which the discs' area has the mean solid fraction [L].
+double depth_of_fraction(const CellRun& run) {
+  const ShearCell& cell = run.cell();
+  const double area = 0.25 * std::numbers::pi * cell.diameter * cell.diameter * static_cast<double>(cell.free_discs());
+  return area / (cell.width() * value(run, CellQuantity::solid_fraction));
+}
+
+/// I is of the depth that the field has, not of the array that it was filled with.
+void expect_inertial_number(Findings& findings, CellRun& run, const Setup& setup, const std::string& where) {
+  const ShearCell& cell = run.cell();
+  const auto inertial_number = [&](double depth) {
+    return cell.block_speed / depth * cell.diameter * std::sqrt(cell.density() / cell.overburden());
+  };
+  const std::vector<CellNumber> groups = cell_groups({.title = "", .units = {}, .cell = cell, .plan = run.plan()}, run);
+  const auto told =
+      std::find_if(groups.begin(), groups.end(), [](const auto& of) { return of.name == "inertial_number"; });
+  const double nominal = inertial_number(cell.rows * cell.diameter);
+  findings.expect(
+      "inertial number told over that of the solid fraction, " + where,
+      (setup.has("nominal_depth") ? nominal : told->estimate.value) / inertial_number(depth_of_fraction(run)), 1.0,
+      Tolerance::model(0.02,
+                       "the mean of 1/H is above one over the mean of H by the square of the depth's "
+                       "deviation, .1 of it at most"));
 }
 
 /// Momentum of the free discs and the block against impulses; of the first over N m VXT, of the second over the
@@ -236,24 +261,23 @@ Table numbers(const CellRun& loose, const CellRun& dense) {
     const double apart = value(run, Q::top_shear) * (value(run, Q::depth) + run.cell().diameter);
     return fmt::format("{:.4f}", apart / value(run, Q::top_moment));
   });
+  row("I of the array's depth over that of the field's", [&](const CellRun& run) {
+    return fmt::format("{:.4f}", value(run, Q::depth) / (run.cell().rows * run.cell().diameter));
+  });
   return table;
 }
 
-/// What a planted fault has no part in need not be run again.
-bool concerned(const Setup& setup, std::initializer_list<const char*> faults) {
-  return setup.fault.empty() || std::any_of(faults.begin(), faults.end(), [&](const char* f) { return setup.has(f); });
-}
-
 void run(Findings& findings, const Setup& setup) {
-  if (concerned(setup, {"base_left_out", "weight_off"})) {
+  if (setup.concerns({"base_left_out", "weight_off"})) {
     for (const char* integrator : {"velocity_verlet", "euler_cromer"})
       expect_momentum(findings, setup, integrator);
   }
-  if (concerned(setup, {"few_steps"})) expect_energy(findings, setup);
-  if (!concerned(setup, {"product_of_means", "stopped_early", "soft_discs"})) return;
+  if (setup.concerns({"few_steps"})) expect_energy(findings, setup);
+  if (!setup.concerns({"product_of_means", "nominal_depth", "stopped_early", "soft_discs"})) return;
   std::vector<CellRun> runs;
   for (const double pressure : {8e3, 32e3}) {
-    if (setup.has(pressure > 10e3 ? "product_of_means" : "soft_discs")) continue;
+    if (pressure > 10e3 ? setup.has("product_of_means") : setup.has("soft_discs") || setup.has("nominal_depth"))
+      continue;
     // The momentum that the means' difference is made of counts for more where the walls press less.
     const double time = setup.has("stopped_early") ? 0.02 : setup.coarse && pressure > 10e3 ? 0.2 : 0.8;
     ShearCell cell = ice_cell(pressure, 5e3);
@@ -265,6 +289,7 @@ void run(Findings& findings, const Setup& setup) {
     const std::string where = fmt::format("{:.0f} kPa", pressure / 1e3);
     expect_limits(findings, runs.back(), where);
     expect_walls(findings, runs.back(), setup, where);
+    expect_inertial_number(findings, runs.back(), setup, where);
   }
   if (runs.size() < 2) return;
   findings.figure(ratio_figure(runs[0], runs[1]));
@@ -291,6 +316,8 @@ Case shear_cell() {
                       "shear inside over that on the block, 8 kPa"},
                      {"stopped_early", "means of the first 20 ms, while the discs are still brought to speed",
                       "shear inside over that on the block, 8 kPa"},
+                     {"nominal_depth", "the inertial number by the depth of the array",
+                      "inertial number told over that of the solid fraction, 32 kPa"},
                      {"soft_discs", "stiffness a thirtieth", "largest overlap over a diameter, 32 kPa"},
                      {"base_left_out", "the base's impulse left out",
                       "momentum of the discs less the walls' impulses, velocity_verlet"},

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
@@ -354,9 +355,10 @@ void expect_first_order(Findings& findings, const Setup& setup, const ShearCell&
 void run(Findings& findings, const Setup& setup) {
   const ShearCell cell = ice_cell(8e3, 5e3);
   std::vector<Row> rows;
-  expect_laws(findings, setup, cell, rows);
-  expect_long_steps(findings, setup, cell, rows);
-  expect_first_order(findings, setup, cell, rows);
+  if (setup.concerns({"wrong_law_for_the_right", "right_law_for_the_wrong", "d0_remembered", "restarts_remember"}))
+    expect_laws(findings, setup, cell, rows);
+  if (setup.concerns({"elastic_discs", "shorter_steps"})) expect_long_steps(findings, setup, cell, rows);
+  if (setup.concerns({"first_order_finer", "first_order_coarser"})) expect_first_order(findings, setup, cell, rows);
   findings.figure(figure_of(rows));
   add_rows(findings, rows);
 }
