@@ -397,7 +397,7 @@ Case shear_cell_failures() {
                       "limits are passed, Taylor with 5 steps in a contact"},
                      {"first_order_coarser", "Euler's and Taylor's steps twelve times as long as they are to be",
                       "limits are kept, Taylor with 60 steps in a contact"}},
-          .time_limit = 150.0,
+          .time_limit = 400.0,
           .run = run};
 }
 
