@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -185,8 +186,9 @@ class CellProgress {
 int cell(const CellOptions& options) {
   CellOrder order = options.resume.empty() ? new_order(options) : left_order(options);
   std::optional<CellFiles> files;
-  if (!order.folder.empty()) files.emplace(order.folder, order.scene, order.left.has_value());
+  if (!order.folder.empty()) files.emplace(order.folder, order.scene);
   const std::unique_ptr<CellRun> run = standing_run(order, files ? &*files : nullptr);
+  if (files) files->begin(order.left.has_value());
   for (const std::string& warning : order.warnings)
     print_failure("warning: " + warning);
 
@@ -214,11 +216,15 @@ int cell(const CellOptions& options) {
                     run->largest_overlap() / order.scene.cell.diameter, run->largest_fraction(), CellRun::deepest,
                     CellRun::fullest));
   }
-  const double unaccounted = run->ledger().unaccounted();
-  if (!order.scene.plan.historical && run->failure().empty() && std::abs(unaccounted) > CellRun::most_unaccounted) {
+  // At first little work is done beside what is held, and moments count.
+  const CellRun::Ledger ledger = run->ledger();
+  const double unaccounted = ledger.unaccounted();
+  if (!order.scene.plan.historical && run->failure().empty() &&
+      std::max(std::abs(ledger.driven), ledger.dissipated) > ledger.held() &&
+      std::abs(unaccounted) > CellRun::most_unaccounted) {
     warnings.push_back(
         fmt::format("{:.2g} of the work is unaccounted for, more than {}: the step is too long, or the integrator adds "
-                    "energy",
+                    "or takes energy",
                     unaccounted, CellRun::most_unaccounted));
   }
   const CellOutcome outcome{run->finished() && run->failure().empty(), run->failure(), warnings};

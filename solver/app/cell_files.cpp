@@ -19,9 +19,12 @@ const std::filesystem::path& made(const std::filesystem::path& folder) {
 
 }  // namespace
 
-CellFiles::CellFiles(std::filesystem::path folder, const CellScene& scene, bool taken_on)
+CellFiles::CellFiles(std::filesystem::path folder, const CellScene& scene)
     : folder_{std::move(folder)}, lock_{made(folder_)}, scene_{&scene} {
   if (scene.pictures) make_folder(folder_ / "cell_states");
+}
+
+void CellFiles::begin(bool taken_on) const {
   std::error_code none;
   std::filesystem::remove(folder_ / "summary.json", none);
   if (!taken_on) remove_checkpoint();

@@ -13,9 +13,12 @@ namespace talus::app {
 /// What a run of a cell leaves in its folder, each file whole or not at all.
 class CellFiles {
  public:
-  /// Makes the folder and keeps it for this run; removes the summary of an earlier run, which would vouch for a
-  /// mixture, and, if no run that was left there is taken on, its checkpoint, which is not this run's. Errors: IoError.
-  CellFiles(std::filesystem::path folder, const CellScene& scene, bool taken_on);
+  /// Makes the folder and keeps it for this run. Errors: IoError.
+  CellFiles(std::filesystem::path folder, const CellScene& scene);
+
+  /// When the run stands: removes the summary of an earlier run, which would vouch for a mixture, and, if no run that
+  /// was left there is taken on, its checkpoint, which is not this run's.
+  void begin(bool taken_on) const;
 
   /// Of a run that goes on from a RESTART.DAT: the cycles that it names.
   void count_on(long cycles) { cycles_before_ = cycles; }

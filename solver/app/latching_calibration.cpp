@@ -68,7 +68,7 @@ LatchingRatio calibrated(CalibrateOptions options) {
           fmt::format("step: found {} s, {:.3g} steps in a contact; it must be at least {:.3g} s: more than "
                       "{:g} steps would be simulated for minutes, and change the restitution by less than "
                       "they tell",
-                      found.contact.step, steps, found.contact.step * steps / most_steps, most_steps)};
+                      found.contact.step, steps, 1.01 * found.contact.step * steps / most_steps, most_steps)};
     }
     found.by_simulation = ratio_by_simulation(found.contact, options.restitution);
   } catch (const InputError& error) {

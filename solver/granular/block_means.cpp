@@ -73,7 +73,11 @@ double BlockMeans::mean(std::size_t quantity, std::size_t first, std::size_t las
 }
 
 Estimate BlockMeans::estimate(std::size_t first, const std::function<double(const Means&)>& of) const {
-  const std::size_t count = blocks() - first;
+  // Of a run that has not ended, as far as it has come.
+  std::size_t last = blocks();
+  while (last > first && !(weight_[last - 1] > 0.0))
+    --last;
+  const std::size_t count = last - first;
   std::vector<double> sums(quantities_);
   double time = 0.0;
   const auto add = [&](std::size_t block, double times) {
@@ -81,7 +85,7 @@ Estimate BlockMeans::estimate(std::size_t first, const std::function<double(cons
     for (std::size_t k = 0; k < quantities_; ++k)
       sums[k] += times * sum(block, k);
   };
-  for (std::size_t block = first; block < blocks(); ++block)
+  for (std::size_t block = first; block < last; ++block)
     add(block, 1.0);
   const double value = of({sums, time});
   if (count < 2) return {value, 0.0};

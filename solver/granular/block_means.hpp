@@ -33,6 +33,7 @@ class BlockMeans {
   void add(double t, double weight, std::span<const double> values);
 
   std::size_t blocks() const { return weight_.size(); }
+  bool seen(std::size_t block) const { return weight_[block] > 0.0; }
   /// Mean in one block; 0 of a block without a sample.
   double block_mean(std::size_t block, std::size_t quantity) const;
 

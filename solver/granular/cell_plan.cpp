@@ -39,8 +39,8 @@ std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& pla
         {"step", fmt::format("found {}; it must be at most the time between outputs, {}", plan.step, plan.every)});
   }
   if (plan.every > plan.end) {
-    found.push_back({"every", fmt::format("found {}; it must be at most the time at which the run ends, {}", plan.every,
-                                          plan.end)});
+    found.push_back(
+        {"every", fmt::format("found {}; it must be at most the time that the run takes, {}", plan.every, plan.end)});
   }
   if (plan.end > most_steps * plan.step) {
     found.push_back({"step", fmt::format("found {}; it must be at least {}: a run has at most {:g} steps", plan.step,

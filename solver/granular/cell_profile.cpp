@@ -84,17 +84,21 @@ std::vector<CellProfile::Layer> CellProfile::layers() const {
                 .spin = {},
                 .fraction = {}};
     const Values all = values(k, blocks);
-    std::array<Values, blocks> left_out;
-    for (std::size_t block = 0; block < blocks; ++block)
-      left_out[block] = values(k, block);
+    std::vector<Values> left_out;  // one of the blocks that have time; what all discs of a layer were in tells nothing
+    for (std::size_t block = 0; block < blocks; ++block) {
+      if (!(times_[block] > 0.0)) continue;
+      Values of = values(k, block);
+      if (of.fraction == 0.0) of = {all.velocity, all.temperature, all.spin, 0.0};
+      left_out.push_back(of);
+    }
+    const auto count = static_cast<double>(left_out.size());
     for (std::size_t m = 0; m < members.size(); ++m) {
       double mean = 0.0, squares = 0.0;
       for (const Values& of : left_out)
-        mean += of.*members[m] / static_cast<double>(blocks);
+        mean += of.*members[m] / count;
       for (const Values& of : left_out)
         squares += (of.*members[m] - mean) * (of.*members[m] - mean);
-      const double share = static_cast<double>(blocks - 1) / static_cast<double>(blocks);
-      layer.*estimates[m] = {all.*members[m], std::sqrt(share * squares)};
+      layer.*estimates[m] = {all.*members[m], count > 1.0 ? std::sqrt((count - 1.0) / count * squares) : 0.0};
     }
     made.push_back(layer);
   }

@@ -17,8 +17,10 @@ namespace {
 /// Share of a LOOP or step by which a sum of steps may fall short of it and still be all of it.
 constexpr double whole = 1e-12;
 
-/// Steps between two samples of what is known of contacts: half a contact, but none of the LOOPs is without a sample.
+/// Steps between two samples of what is known of contacts: half a contact, but no more than a LOOP. Between flights
+/// each step, for contacts are few and flights begin when they end.
 long steps_of_sample(const ShearCell& cell, const CellPlan& plan) {
+  if (plan.jump) return 1;
   const double in_loop = std::floor(plan.every / plan.step * (1.0 + whole));
   return std::max(1L, std::lround(std::min(0.5 * cell.contact_time() / plan.step, in_loop)));
 }
@@ -40,7 +42,8 @@ double fall_bias(std::string_view integrator) {
 }
 
 CellRun::System system_of(const ShearCell& cell, const CellPlan& plan, const FilledCell& start) {
-  const double skin = cell_skin(cell, start);
+  // Of the cell as it is filled: a run that is taken on need not know what it began with.
+  const double skin = cell_skin(cell, fill(cell));
   const auto with = [&]<class L, class F>(const L& law, const F& friction) -> CellRun::System {
     if (plan.images == Images::virtual_discs)
       return CellRun::ByVirtualDiscs<L, F>{start.shapes, start.box, law, skin, friction};
@@ -165,7 +168,8 @@ long CellRun::free_steps() const {
 }
 
 /// Of the block the height over the time is a parabola, of whose mean, and of its square's but for a term of fourth
-/// order, Simpson's rule leaves nothing out; discs are looked at in the middle of their way.
+/// order, Simpson's rule leaves nothing out (but for half a step, if they are odd); discs are looked at in the middle
+/// of their way.
 void CellRun::jump(long steps) {
   if (since_sample_ > 0) sample();
   std::visit([&](auto& system) { system.settle(discs_); }, system_);  // contacts that ended with the last step
@@ -245,7 +249,8 @@ void CellRun::sample() {
   profile_waiting_ += waiting_;
   if (++profile_samples_ >= samples_of_profile || finished()) look_across(time);
   means_.add(time, waiting_, values);
-  intervals_.add(time, waiting_, values);
+  // The last LOOP may be shorter than what the last sample stands for.
+  intervals_.add(finished() ? static_cast<double>(steps_) * plan_.step * (1.0 - whole) : time, waiting_, values);
   walls_ = {};
   waiting_ = 0.0;
   since_sample_ = 0;
@@ -331,7 +336,10 @@ Estimate CellRun::ratio(CellQuantity over, CellQuantity under) const {
 
 std::size_t CellRun::intervals() const {
   if (finished()) return intervals_.blocks();
-  return static_cast<std::size_t>(loops_ended(steps_)) + (failure_.empty() ? 0 : 1);
+  const long ended = loops_ended(steps_);
+  const bool begun =
+      static_cast<double>(steps_) * plan_.step > static_cast<double>(ended) * plan_.every * (1.0 + whole);
+  return static_cast<std::size_t>(ended) + (!failure_.empty() && begun ? 1 : 0);
 }
 
 double CellRun::interval_mean(std::size_t interval, CellQuantity quantity) const {

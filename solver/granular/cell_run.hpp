@@ -108,6 +108,8 @@ class CellRun {
   double began() const { return began_; }
   /// LOOPs that have ended, or in which the run failed, and the mean of a quantity in one of them, start-up or not.
   std::size_t intervals() const;
+  /// Whether there is one: a last LOOP may be too short for a step.
+  bool interval_seen(std::size_t interval) const { return intervals_.seen(interval); }
   double interval_mean(std::size_t interval, CellQuantity quantity) const;
   /// How much the mean of the later half differs from that of the earlier, in standard errors of the difference.
   double drift(CellQuantity quantity) const;

@@ -115,7 +115,7 @@ Difference difference(const StudyMean& later, const StudyMean& earlier, Q quanti
 
 /// The verdict on a difference that was predicted to be of that sign.
 Verdict verdict(std::string prediction, std::string measured, const Difference& found, double sign) {
-  const Outturn outturn = found.chance() >= 0.01     ? Outturn::not_shown
+  const Outturn outturn = !(found.chance() < 0.01)   ? Outturn::not_shown
                           : sign * found.value > 0.0 ? Outturn::holds
                                                      : Outturn::opposed;
   return {std::move(prediction), std::move(measured), found.t(), found.chance(), outturn};

@@ -181,6 +181,7 @@ std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
     text.append(",sliding_share,").append(cell_header(scene, "spin", dimension::angular_velocity));
   text += "\n";
   for (std::size_t k = 0; k < run.intervals(); ++k) {
+    if (!run.interval_seen(k)) continue;
     const auto of = [&](Q quantity) { return run.interval_mean(k, quantity); };
     const double last = run.failure().empty() ? scene.plan.end : static_cast<double>(run.steps()) * scene.plan.step;
     fmt::format_to(std::back_inserter(text), "{}",

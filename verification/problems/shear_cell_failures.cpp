@@ -305,11 +305,12 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
       findings.expect("stress ratio, " + name, mean, right.ratio,
                       Tolerance::model(setup.coarse ? 0.04 : 0.01,
                                        "the ratio does not see the step: both have a standard error of .003 to .004"));
-    } else if (burst == 0) {
+    } else if (by.steps > 2.0) {
       findings.expect_between("stress ratio, mean of eight cells, less that of 20 steps, " + name, mean - right.ratio,
                               0.002, 0.02, "it is another by now, by little: .010 with a standard error of .004");
     } else {
-      findings.expect_between("cells of eight that burst, " + name, static_cast<double>(burst), 1.0, 8.0,
+      findings.expect_between("cells of eight that burst, " + name, static_cast<double>(burst), 1.0,
+                              static_cast<double>(cells.size()),
                               "which do hangs on the paths: sooner or later all of them");
     }
   }

@@ -154,6 +154,11 @@ BOOST_AUTO_TEST_CASE(another_run_is_not_taken_on_for_this_one) {
   // The next run into the folder is refused in its control file, or begins: then the first one's checkpoint goes.
   BOOST_TEST(talus_ran({"cell", folder.file("BAD.DAT", "0 1\n"), "--out", out}).code == 2);
   BOOST_TEST(fs::exists(fs::path{out} / "checkpoint.json"));
+  // Or in what its control file names.
+  const std::string restarted = folder.file("CNTRL_1.DAT", std::string{"1"}.append(control, 1));
+  folder.file("RESTART.DAT", "no number\n");
+  BOOST_TEST(talus_ran({"cell", restarted, "--out", out}).code == 2);
+  BOOST_TEST(fs::exists(fs::path{out} / "checkpoint.json"));
   fs::create_directories(fs::path{out} / "RESTART.DAT.d");
   fs::remove(fs::path{out} / "RESTART.DAT"), fs::rename(fs::path{out} / "RESTART.DAT.d", fs::path{out} / "RESTART.DAT");
   BOOST_TEST(talus_ran({"cell", file, "--out", out, "--seed", "6"}).code == 4);
@@ -199,6 +204,14 @@ BOOST_AUTO_TEST_CASE(a_restart_of_1989_warns_of_what_it_forgot) {
   BOOST_TEST(holds(ended.err, "contacts begin anew"));
   const Json summary = Json::parse(ended.out);
   BOOST_TEST(summary["warnings"].size() == 1U);
+  // Left and taken on it ends in the same files, its warning, time and cycles with them.
+  const std::string whole = folder.path / "whole", left = folder.path / "left";
+  BOOST_TEST(talus_ran({"cell", file, "--out", whole}).code == 0);
+  stopped({"cell", file, "--out", left}, fs::path{left} / "cell_states/cell_000003.vtp", SIGTERM);
+  BOOST_TEST(talus_ran({"cell", "--resume", left}).code == 0);
+  same_files(left, whole);
+  BOOST_TEST(talus::read_text(fs::path{whole} / "RESTART.DAT").starts_with("0.02000"));
+  BOOST_TEST(holds(talus::read_text(fs::path{whole} / "history.csv"), "\n0.011"));
   // The time goes on from that of the first run.
   BOOST_TEST(summary["outcome"]["time"].get<double>() > 0.0199);
   fs::remove(folder.path / "RESTART.DAT");

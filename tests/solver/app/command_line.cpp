@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
       {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "0"},
        "talus: --step: found \"0\"; it must be > 0\n"},
       {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1e-15"},
-       "talus: --step: found 1e-15 s, 1.08e+10 steps in a contact; it must be at least 5.42e-11 s: more than 200000 "
+       "talus: --step: found 1e-15 s, 1.08e+10 steps in a contact; it must be at least 5.48e-11 s: more than 200000 "
        "steps "
        "would be simulated for minutes, and change the restitution by less than they tell\n"},
       {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1 m"},

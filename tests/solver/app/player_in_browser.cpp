@@ -130,7 +130,9 @@ BOOST_AUTO_TEST_CASE(discs_are_played_with_their_images) {
   BOOST_TEST(time_shown(speed) == "t = 0.025");
   // 22 discs of walls and 80 free ones; within 1.5 mm of a border 3 of 11 of a row stand twice, a free one or so more
   // or less.
-  BOOST_TEST(count(speed, "class=\"disc wall\"") == 28U);
+  // Those of the base that just touch the view are drawn or not as their places are rounded.
+  const auto walls = count(speed, "class=\"disc wall\"");
+  BOOST_TEST((walls >= 28U && walls <= 30U));
   BOOST_TEST(count(speed, "class=\"disc\"") > 80U + 8U);
   BOOST_TEST(count(speed, "class=\"disc\"") < 80U + 8U * 4U);
   BOOST_TEST(count(speed, "class=\"contact\"") > 10U);

@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_told_with_its_place) {
              "CNTRL.DAT:4: STEP LOOP TIME: LOOP: found 5e-07; it must be at least 1e-06: a run has at most 100000 "
              "outputs");
   BOOST_TEST(message(with(control, "5e-3 0.1", "0.2 0.1")) ==
-             "CNTRL.DAT:4: STEP LOOP TIME: LOOP: found 0.2; it must be at most the time at which the run ends, 0.1");
+             "CNTRL.DAT:4: STEP LOOP TIME: LOOP: found 0.2; it must be at most the time that the run takes, 0.1");
   BOOST_TEST(
       message(with(control, "2e-7 5e-3", "2e-6 5e-3")) ==
       "CNTRL.DAT:4: STEP LOOP TIME: STEP: found 2e-06; a contact lasts 1.234e-05, and central_difference needs 10 "
