@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -219,8 +218,7 @@ int cell(const CellOptions& options) {
   // At first little work is done beside what is held, and moments count.
   const CellRun::Ledger ledger = run->ledger();
   const double unaccounted = ledger.unaccounted();
-  if (!order.scene.plan.historical && run->failure().empty() &&
-      std::max(std::abs(ledger.driven), ledger.dissipated) > ledger.held() &&
+  if (!order.scene.plan.historical && run->failure().empty() && ledger.work() > ledger.held() &&
       std::abs(unaccounted) > CellRun::most_unaccounted) {
     warnings.push_back(
         fmt::format("{:.2g} of the work is unaccounted for, more than {}: the step is too long, or the integrator adds "

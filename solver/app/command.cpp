@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <vector>
 
@@ -130,7 +131,9 @@ double option_quantity(const std::string& option, const std::string& text, Dimen
 CLI::Validator number_between(double least, double most) {
   return {[=](std::string& value) {
             double number = 0.0;
-            if (CLI::detail::lexical_cast(value, number) && number >= least && number <= most) return std::string{};
+            const auto [end, failure] = std::from_chars(value.data(), value.data() + value.size(), number);
+            const bool read = failure == std::errc{} && end == value.data() + value.size();
+            if (read && number >= least && number <= most) return std::string{};
             return fmt::format("found {}; it must be a number between {} and {}", value, least, most);
           },
           fmt::format("in [{}, {}]", least, most)};

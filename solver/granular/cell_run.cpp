@@ -42,8 +42,7 @@ double fall_bias(std::string_view integrator) {
 }
 
 CellRun::System system_of(const ShearCell& cell, const CellPlan& plan, const FilledCell& start) {
-  // Of the cell as it is filled: a run that is taken on need not know what it began with.
-  const double skin = cell_skin(cell, fill(cell));
+  const double skin = cell_skin(cell);
   const auto with = [&]<class L, class F>(const L& law, const F& friction) -> CellRun::System {
     if (plan.images == Images::virtual_discs)
       return CellRun::ByVirtualDiscs<L, F>{start.shapes, start.box, law, skin, friction};
@@ -167,36 +166,38 @@ long CellRun::free_steps() const {
   return std::min({free, next_loop() - steps_, last_step_ - steps_});
 }
 
+/// How far the block falls freely in so many steps [L].
+double CellRun::block_way(long steps) const {
+  const auto n = static_cast<double>(steps);
+  const double h = plan_.step, fall = 0.5 * cell_.gravity * h * (n + fall_bias(plan_.integrator));
+  return n * h * (discs_.vy.back() - fall);
+}
+
 /// Of the block the height over the time is a parabola, of whose mean, and of its square's but for a term of fourth
 /// order, Simpson's rule leaves nothing out (but for half a step, if they are odd); discs are looked at in the middle
 /// of their way.
 void CellRun::jump(long steps) {
-  if (since_sample_ > 0) sample();
   std::visit([&](auto& system) { system.settle(discs_); }, system_);  // contacts that ended with the last step
   const auto height = [&] { return discs_.y[first_block_disc(cell_)] - discs_.y[cell_.free_discs()]; };
   const double sixth = static_cast<double>(steps) * plan_.step / 6.0, first = height();
+  const long rest = steps - steps / 2;
   fly(steps / 2);
-  const Discs middle = discs_;
-  const double between = height();
-  fly(steps - steps / 2);
-  book_walls(sixth, {}, {}, first), book_walls(4.0 * sixth, {}, {}, between), book_walls(sixth, {}, {}, height());
+  const double middle = height(), last = middle + block_way(rest);
+  book_walls(sixth, {}, {}, first), book_walls(4.0 * sixth, {}, {}, middle), book_walls(sixth, {}, {}, last);
   steps_ += steps;
   jumped_ += steps;
-  const Discs last = std::exchange(discs_, middle);
   sample();
-  discs_ = last;
+  fly(rest);
 }
 
 /// So many steps along straight lines, the block on its parabola.
 void CellRun::fly(long steps) {
-  const auto n = static_cast<double>(steps);
-  const double h = plan_.step, fall = 0.5 * cell_.gravity * h * (n + fall_bias(plan_.integrator));
-  const double speed = discs_.vy.back();
+  const double time = static_cast<double>(steps) * plan_.step, speed = discs_.vy.back();
   const auto block = discs_.vy.begin() + static_cast<std::ptrdiff_t>(first_block_disc(cell_));
-  std::fill(block, discs_.vy.end(), speed - fall);
-  std::visit([&](auto& system) { system.drift(discs_, n * h); }, system_);
-  std::fill(block, discs_.vy.end(), speed - cell_.gravity * n * h);
-  discs_.t += n * h;
+  std::fill(block, discs_.vy.end(), block_way(steps) / time);
+  std::visit([&](auto& system) { system.drift(discs_, time); }, system_);
+  std::fill(block, discs_.vy.end(), speed - cell_.gravity * time);
+  discs_.t += time;
 }
 
 /// What is known at each step, of the forces of its evaluation.
@@ -247,7 +248,7 @@ void CellRun::sample() {
   value(CellQuantity::solid_fraction) = fraction;
   const double time = static_cast<double>(steps_) * plan_.step - 0.5 * waiting_;
   profile_waiting_ += waiting_;
-  if (++profile_samples_ >= samples_of_profile || finished()) look_across(time);
+  if (++profile_samples_ >= samples_of_profile || finished()) look_across(time), check_numbers();
   means_.add(time, waiting_, values);
   // The last LOOP may be shorter than what the last sample stands for.
   intervals_.add(finished() ? static_cast<double>(steps_) * plan_.step * (1.0 - whole) : time, waiting_, values);
@@ -259,8 +260,6 @@ void CellRun::sample() {
 
 /// Discs by height; after the start-up. They hardly move in some contact times.
 void CellRun::look_across(double time) {
-  if (failure_.empty() && !finite())
-    failure_ = "places or speeds of discs are beyond all numbers: those they began with, or the step is too long";
   if (time >= plan_.end * start_up / blocks) {
     const std::size_t free = cell_.free_discs();
     profile_.look(time, profile_waiting_);
@@ -307,12 +306,13 @@ void CellRun::check(double fraction) {
   }
 }
 
-bool CellRun::finite() const {
+void CellRun::check_numbers() {
   double sum = 0.0;
   for (const auto* numbers : {&discs_.x, &discs_.y, &discs_.vx, &discs_.vy, &discs_.spin})
     for (const double number : *numbers)
       sum += number * number;
-  return std::isfinite(sum);
+  if (failure_.empty() && !std::isfinite(sum))
+    failure_ = "places or speeds of discs are beyond all numbers: those they began with, or the step is too long";
 }
 
 Discs CellRun::discs() {

@@ -126,11 +126,9 @@ class CellRun {
     /// What is there now.
     double held() const { return kinetic + potential + stored; }
     double gained{};  ///< what is there and what was kept, less what was put in: nought but for the method's error
-    /// The same over the larger of what was put in and what was kept.
-    double unaccounted() const {
-      const double work = std::max(std::abs(driven), dissipated);
-      return work > 0.0 ? gained / work : 0.0;
-    }
+    /// The larger of what was put in and what was kept; the share of it that was gained.
+    double work() const { return std::max(std::abs(driven), dissipated); }
+    double unaccounted() const { return work() > 0.0 ? gained / work() : 0.0; }
   };
   Ledger ledger();
   /// A contact whose force is not nought.
@@ -153,6 +151,7 @@ class CellRun {
   long free_steps() const;
   void jump(long steps);
   void fly(long steps);
+  double block_way(long steps) const;
   long next_loop() const;
   long steps_ahead() const;
   void take_steps(long steps);
@@ -163,7 +162,7 @@ class CellRun {
   long loops_ended(long steps) const;
   Ledger energies();
   void check(double fraction);
-  bool finite() const;  ///< whether all places and speeds are
+  void check_numbers();
 
   ShearCell cell_;
   CellPlan plan_;

@@ -164,7 +164,8 @@ double solid_fraction(const ShearCell& cell, const Discs& discs) {
   return static_cast<double>(cell.free_discs()) * disc / (cell.width() * depth(cell, discs));
 }
 
-double cell_skin(const ShearCell& cell, const FilledCell& start) {
+double cell_skin(const ShearCell& cell) {
+  const FilledCell start = fill(cell);
   const double best = cell.diameter * list_skin(start.discs.size(), solid_fraction(cell, start.discs));
   return std::max(0.1 * cell.diameter, std::min(best, 0.49 * cell.width() - cell.diameter));
 }

@@ -104,7 +104,7 @@ struct FilledCell {
 
 /// How far beyond contact a list of the cell's pairs is to reach [L]: as the table says (list_skin.hpp), in a narrow
 /// field as far as a disc meets no two images of another.
-[[nodiscard]] double cell_skin(const ShearCell& cell, const FilledCell& start);
+[[nodiscard]] double cell_skin(const ShearCell& cell);
 
 /// How well the free discs stand in six-fold order: the mean over them of |sum exp(6 i angle)|/n over the n discs of
 /// any kind within 1.3 D of their centre; 1 in a perfect triangular array, 0 for one with fewer than three (Nelson &

@@ -1,7 +1,7 @@
 #include "tests/bench/bare_cell.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 #include <limits>
 #include <variant>
 
@@ -64,8 +64,6 @@ void BareCell::list(Discs& discs) {
     largest_[pair] = contact.largest;
     touched_[pair / pack_size] |= std::uint64_t{0xff} << (8 * (pair % pack_size));
   }
-  std::array<NeighbourList::Shift, NeighbourList::images> shifts;
-  list_.shifts(discs.slid, shifts);
   first_.clear(), second_.clear(), ghosts_.clear(), shifts_.clear();
   list_.for_each_pair(discs, [&](std::size_t a, std::size_t b, std::size_t, Vec2, const NeighbourList::Shift& shift) {
     first_.push_back(static_cast<std::uint32_t>(2 * a));

@@ -327,7 +327,7 @@ void print_cell() {
     const ShearCell cell = ice_cell(8e3, 5e3, seed);
     const auto law = std::get<LatchingSpring>(cell.law);
     const FilledCell filled = fill(cell);
-    const double h = cell.contact_time() / 20.0, skin = cell_skin(cell, filled);
+    const double h = cell.contact_time() / 20.0, skin = cell_skin(cell);
     DiscSystem plain{filled.shapes, filled.box, law, skin};
     FastDiscSystem fast{filled.shapes, filled.box, law, skin};
     BareCell bare{cell, filled, skin};

@@ -109,7 +109,7 @@ template <class L>
 Flow flow(const ShearCell& cell, const L& law, const FlowPlan& plan, Findings& findings) {
   const FilledCell filled = fill(cell);
   using System = std::conditional_t<std::same_as<L, LatchingSpring>, FastDiscSystem<LatchingSpring>, DiscSystem<L>>;
-  System system{filled.shapes, filled.box, law, cell_skin(cell, filled)};
+  System system{filled.shapes, filled.box, law, cell_skin(cell)};
   if constexpr (requires { system.keep_work(); }) system.keep_work();
   Discs discs = filled.discs;
   DiscMethod method = make_disc_method(plan.integrator);
