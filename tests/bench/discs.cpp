@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/granular/cell_run.hpp"
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/list_skin.hpp"
@@ -357,6 +358,38 @@ void print_cell() {
       prunings);
 }
 
+/// What passing time in which nothing can touch at once is worth.
+void print_jumps() {
+  struct Of {
+    int columns, rows;
+    double stiffer;
+  };
+  for (const Of& of : {Of{10, 8, 1.0}, Of{4, 4, 1.0}, Of{4, 4, 100.0}, Of{4, 4, 1e4}}) {
+    std::vector<double> stepped, jumped;
+    double share = 0.0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      ShearCell cell = ice_cell(8e3, 5e3, seed);
+      cell.law = LatchingSpring{1.7e4 * of.stiffer, 1.7e4 * of.stiffer / 0.49, 0.0};
+      cell.block_mass *= (of.columns + 1.0) / cell.wall_discs;
+      cell.columns = of.columns, cell.rows = of.rows, cell.wall_discs = of.columns + 1;
+      CellPlan plan;
+      plan.step = cell.contact_time() / 20.0, plan.end = 2e5 * plan.step, plan.every = plan.end;
+      for (const bool jump : {false, true}) {
+        plan.jump = jump;
+        CellRun run{cell, plan};
+        (jump ? jumped : stepped).push_back(seconds_of([&] {
+          while (!run.finished())
+            run.advance();
+        }));
+        share += static_cast<double>(run.jumped()) / static_cast<double>(run.last_step()) / 5.0;
+      }
+    }
+    fmt::print(
+        "Shear cell of {} discs, {:g} times as stiff, with jumps over {:.0f} % of its steps: {:.2f} times as fast.\n",
+        of.columns * of.rows, of.stiffer, 100.0 * share, median_ratio(stepped, jumped));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -367,7 +400,7 @@ int main(int argc, char** argv) {
   const LammpsProgram lammps;
   if (!lammps.there()) fmt::print("LAMMPS is not installed (Debian: apt-get install lammps); Talus alone.\n");
   if (named("--skins")) print_skins();
-  if (all || named("--cell")) print_cell();
+  if (all || named("--cell")) print_cell(), print_jumps();
   if (all || named("--one")) print_gases(lammps, quick, argv[0]);
   if (all || named("--friction")) print_rough_gases(lammps, quick);
   if (all || named("--two")) print_two_cores(lammps, quick);

@@ -46,11 +46,11 @@ The plain engine itself stands beside a loop over all pairs, in the open plane, 
 | threads | latching spring, 500 steps | 1, 2, 3, 7 |
 
 **What it costs.** `make bench-discs` tells it, beside LAMMPS from the same start. One aim is not reached: a step of the
-sheared cell of eighty discs was to take .2 microseconds and takes .65 (one core of an AMD Zen 4 in 2026, median over eight
-seeds at 8 kPa and 5000 diameters a second; the plain engine 1.85). What makes the engine general is little of it: a loop for
-this cell alone, of one law, one size, one thread, walls by number, which looks at all its 200 to 240 listed pairs in every
-step and which the same command runs beside it to the same bits, takes .56. Whether
-any loop can take .2 for some 50 contacts, 120 near pairs and 102 discs is not known.
+sheared cell of eighty discs was to take .2 microseconds and takes .59 (one core of an AMD Zen 5 in 2026, median over eight
+seeds at 8 kPa and 5000 diameters a second; from .34 where few discs touch; the plain engine 1.92). What makes the engine
+general is a fifth of it: a loop for this cell alone, of one law, one size, one thread, walls by number, which asks the law of
+all near pairs, as a third of them touch, and which the same command runs beside it to the same bits, takes .48. Whether any
+loop can take .2 for some 45 contacts, 125 near pairs and 102 discs is not known.
 
 **Source.** None: a program beside a program, and both beside a loop.
 
