@@ -123,27 +123,26 @@ class DiscSystem {
   /// stand now.
   template <class Visit>
   void for_each_contact(const Discs& discs, Visit&& visit) const {
-    for_each_acting(discs, contacts_.mode, 0.0,
-                    [&](std::size_t a, std::size_t b, std::size_t pair, const Touch& touch) {
-                      if (!(touch.x.extent > 0.0)) return;
-                      std::array<double, L::memory_size + 1> memory{};
-                      std::copy_n(contacts_.memory.data() + pair * L::memory_size, L::memory_size, memory.begin());
-                      const std::span<double> remembered{memory.data(), L::memory_size};
-                      Mode mode = contacts_.mode[pair];
-                      talus::settle(law_, remembered, touch.x, mode, [](double) {});
-                      DiscContact contact{.a = a,
-                                          .b = b,
-                                          .depth = touch.x.extent,
-                                          .n_ab = touch.n,
-                                          .distance = touch.distance,
-                                          .force = mode == 0 ? 0.0 : law_(touch.x, remembered, mode).total(),
-                                          .stored = law_.stored_energy(touch.x, remembered, mode)};
-                      if constexpr (turns) {
-                        contact.friction = friction_(contacts_.stretch[pair], contact.force);
-                        contact.stored += friction_.stored_energy(contacts_.stretch[pair]);
-                      }
-                      visit(contact);
-                    });
+    for_each_acting(discs, acts(), 0.0, [&](std::size_t a, std::size_t b, std::size_t pair, const Touch& touch) {
+      if (!(touch.x.extent > 0.0)) return;
+      std::array<double, L::memory_size + 1> memory{};
+      std::copy_n(contacts_.memory.data() + pair * L::memory_size, L::memory_size, memory.begin());
+      const std::span<double> remembered{memory.data(), L::memory_size};
+      Mode mode = contacts_.mode[pair];
+      talus::settle(law_, remembered, touch.x, mode, [](double) {});
+      DiscContact contact{.a = a,
+                          .b = b,
+                          .depth = touch.x.extent,
+                          .n_ab = touch.n,
+                          .distance = touch.distance,
+                          .force = mode == 0 ? 0.0 : law_(touch.x, remembered, mode).total(),
+                          .stored = law_.stored_energy(touch.x, remembered, mode)};
+      if constexpr (turns) {
+        contact.friction = friction_(contacts_.stretch[pair], contact.force);
+        contact.stored += friction_.stored_energy(contacts_.stretch[pair]);
+      }
+      visit(contact);
+    });
   }
 
   /// Names all that a run of these discs carries from step to step besides their state: of each contact its discs,
@@ -155,7 +154,7 @@ class DiscSystem {
     if (memory.puts_back()) {
       contacts_ = Contacts{list_.size()};
     } else {
-      for_each_acting(discs, contacts_.mode, 0.0, [&](std::size_t a, std::size_t b, std::size_t pair, const Touch&) {
+      for_each_acting(discs, acts(), 0.0, [&](std::size_t a, std::size_t b, std::size_t pair, const Touch&) {
         firsts.push_back(static_cast<double>(a)), seconds.push_back(static_cast<double>(b));
         acting.append(contacts_, pair);
       });
@@ -207,6 +206,11 @@ class DiscSystem {
     explicit Contacts(std::size_t pairs = 0) : mode(pairs), memory(pairs * L::memory_size) {
       if constexpr (turns) friction_mode.resize(pairs), stretch.resize(pairs);
     }
+    /// Whether the law acts, or friction, which in discs that touched from the start waits for it.
+    bool act(std::size_t pair) const {
+      if constexpr (turns) return mode[pair] != 0 || friction_mode[pair] != CoulombFriction::open;
+      return mode[pair] != 0;
+    }
     void take(std::size_t pair, const Contacts& from, std::size_t was) {
       mode[pair] = from.mode[was];
       for (std::size_t k = 0; k < L::memory_size; ++k)
@@ -237,11 +241,15 @@ class DiscSystem {
     return dot(touch.v_ab, cross(1.0, touch.n)) - spin_a * arm_a - spin_b * arm_b;
   }
 
-  /// Calls visit(first, second, pair, touch) for the listed pairs whose mode is not 0, as they stand so much later.
-  template <class Visit>
-  void for_each_acting(const Discs& discs, const std::vector<Mode>& modes, double later, Visit&& visit) const {
+  auto acts() const {
+    return [this](std::size_t pair) { return contacts_.act(pair); };
+  }
+
+  /// Calls visit(first, second, pair, touch) for the listed pairs that act(pair) chooses, as they stand so much later.
+  template <class Act, class Visit>
+  void for_each_acting(const Discs& discs, Act&& act, double later, Visit&& visit) const {
     list_.for_each_pair(discs, [&](std::size_t a, std::size_t b, std::size_t pair, Vec2 d, const auto& shift) {
-      if (modes[pair] == 0) return;
+      if (!act(pair)) return;
       const Vec2 v{(discs.vx[b] + shift.vx) - discs.vx[a], discs.vy[b] - discs.vy[a]};
       const Vec2 then = d + later * v;
       visit(a, b, pair, Touch{then, v, norm(then), shapes_.radius[a] + shapes_.radius[b]});
@@ -249,12 +257,10 @@ class DiscSystem {
   }
 
   void stretch(const Discs& discs, double h) {
-    static_assert(CoulombFriction::open == 0);
-    for_each_acting(discs, contacts_.friction_mode, 0.5 * h,
-                    [&](std::size_t a, std::size_t b, std::size_t pair, const Touch& touch) {
-                      contacts_.stretch[pair] +=
-                          h * slip_rate(touch, arm(a, touch), discs.spin[a], arm(b, touch), discs.spin[b]);
-                    });
+    const auto rubs = [&](std::size_t pair) { return contacts_.friction_mode[pair] != CoulombFriction::open; };
+    for_each_acting(discs, rubs, 0.5 * h, [&](std::size_t a, std::size_t b, std::size_t pair, const Touch& touch) {
+      contacts_.stretch[pair] += h * slip_rate(touch, arm(a, touch), discs.spin[a], arm(b, touch), discs.spin[b]);
+    });
   }
 
   /// What the first of a pair does to the second, given to both over h: to velocities, or with h = 1 to rates.
@@ -290,7 +296,7 @@ class DiscSystem {
         const Vec2 d{(discs.x[j] + shift.x) - x, (discs.y[j] + shift.y) - y};
         const double square = dot(d, d), radii = radius + shapes_.radius[j];
         Mode& mode = contacts_.mode[pair];
-        if (square >= radii * radii && mode == 0) continue;
+        if (square >= radii * radii && !contacts_.act(pair)) continue;
         Touch touch{d, {(v.x[j] + shift.vx) - v.x[i], v.y[j] - v.y[i]}, std::sqrt(square), radii};
         // Discs that meet in a point are apart: a contact begins and ends with its overlap.
         if (touch.x.extent == 0.0) touch.x.extent = -std::numeric_limits<double>::min();
@@ -350,7 +356,7 @@ class DiscSystem {
     if (were.mode.empty()) return;
     for (std::size_t i = 0; i < old.discs(); ++i) {
       for (std::size_t was = old.begin(i); was < old.end(i); ++was) {
-        if (were.mode[was] == 0) continue;
+        if (!were.act(was)) continue;
         // What acted touched a step ago, and has come apart by less than the skin since.
         const std::size_t is = list_.find(i, old.second(was));
         if (is < list_.size()) contacts_.take(is, were, was);

@@ -14,8 +14,8 @@
 
 namespace talus {
 
-/// Brings discs back into the box [-width/2, width/2) x [-height/2, height/2), from whichever image they are in; what
-/// crosses the border to a box that slides takes its speed. Along what does not repeat nothing moves.
+/// Brings discs back into the box, from -width/2 to width/2 and -height/2 to height/2, from whichever image they are
+/// in; what crosses the border to a box that slides takes its speed. Along what does not repeat nothing moves.
 void wrap(const PeriodicBox& box, Discs& discs);
 
 /// Pairs of discs whose surfaces are nearer than the skin, each with the image of its second disc that is the near one:
@@ -31,9 +31,9 @@ class NeighbourList {
   /// No two centres that are listed were further apart when it was built [L].
   double reach() const { return reach_; }
 
-  /// Lists the pairs of which at least one disc can move. Errors: InputError if a period is shorter than the discs
-  /// and the skin need so that no disc meets two images of another.
-  /// With a team by its threads, the same list.
+  /// Lists the pairs of which at least one disc can move, of discs in the box (wrap()). Errors: InputError if a period
+  /// is shorter than the discs and the skin need so that no disc meets two images of another. With a team by its
+  /// threads, the same list.
   void build(const DiscShapes& shapes, const Discs& discs, Team* team = nullptr);
 
   /// Names what the list is made of. The list that is put back is the one that was saved. Errors: as build().

@@ -48,6 +48,14 @@ Packing empty(const PackingPlan& plan, std::mt19937_64& random) {
   // A row of the walls is full.
   if (plan.walls) packing.width = plan.diameter * std::max(1.0, std::round(packing.width / plan.diameter));
   packing.height = area / packing.width;
+  const double largest = 2.0 * *std::max_element(packing.shapes.radius.begin(), packing.shapes.radius.end());
+  const double least = plan.walls ? packing.width : std::min(packing.width, packing.height);
+  if (least < largest) {
+    throw InputError{
+        fmt::format("discs: found {}, for which the rectangle is {:g} wide and {:g} high; a disc of {:g} "
+                    "would touch its own image",
+                    plan.discs, packing.width, packing.height, largest)};
+  }
   packing.box.width = packing.width;
   if (!plan.walls) packing.box.height = packing.height;
   return packing;
@@ -262,6 +270,12 @@ void agitate(Packing& packing, double temperature, std::uint64_t seed) {
     if (shapes.wall[i] == DiscShapes::free) discs.vx[i] -= mean.x, discs.vy[i] -= mean.y;
   }
   const double had = talus::temperature(shapes, discs, {});
+  if (!(had > 0.0) && temperature > 0.0) {
+    throw InputError{
+        fmt::format("temperature: found {}, of discs of which fewer than two are free; without momentum "
+                    "one stands still",
+                    temperature)};
+  }
   const double scale = had > 0.0 ? std::sqrt(temperature / had) : 0.0;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     if (shapes.wall[i] == DiscShapes::free) discs.vx[i] *= scale, discs.vy[i] *= scale;

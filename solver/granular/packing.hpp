@@ -31,7 +31,8 @@ struct Packing {
 
 /// Discs put one after the other at random where there is room. Equal discs reach solid fractions of about .5 (their
 /// random sequential adsorption ends at .547; Feder 1980).
-/// Errors: InputError for what lies outside the ranges above, and if a disc has found no room in 20000 places.
+/// Errors: InputError for what lies outside the ranges above, if a disc is so large that it would touch its own image,
+/// and if one has found no room in 20000 places.
 [[nodiscard]] Packing scatter(const PackingPlan& plan);
 
 /// Discs that grow from a scattered fifth-filled rectangle on while they fly about and collide, as those of Lubachevsky
@@ -47,6 +48,7 @@ struct Packing {
 
 /// Gives the free discs random velocities, those of each direction distributed as sums of twelve even ones, which is
 /// nearly a Gaussian distribution; without momentum, and exactly of that granular temperature, m <v^2>/2 [F L] >= 0.
+/// Errors: InputError for a temperature above 0 of fewer than two free discs.
 void agitate(Packing& packing, double temperature, std::uint64_t seed);
 
 }  // namespace talus

@@ -173,10 +173,12 @@ double cell_skin(const ShearCell& cell) {
 double sixfold_order(const ShearCell& cell, const FilledCell& filled, const Discs& discs) {
   const double reach = 1.3 * cell.diameter;
   NeighbourList list{filled.box, reach - cell.diameter};
-  list.build(filled.shapes, discs);
+  Discs inside = discs;
+  wrap(filled.box, inside);
+  list.build(filled.shapes, inside);
   std::vector<std::complex<double>> sums(discs.size());
   std::vector<int> neighbours(discs.size());
-  list.for_each_pair(discs, [&](std::size_t i, std::size_t j, std::size_t, Vec2 apart, const auto&) {
+  list.for_each_pair(inside, [&](std::size_t i, std::size_t j, std::size_t, Vec2 apart, const auto&) {
     const std::complex<double> d{apart.x, apart.y};
     const std::complex<double> square = d * d / std::norm(d), sixth = square * square * square;
     sums[i] += sixth, sums[j] += sixth;

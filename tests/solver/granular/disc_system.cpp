@@ -9,6 +9,7 @@
 #include "solver/base/error.hpp"
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/granular/disc_method.hpp"
+#include "solver/granular/fast_disc_system.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/model/model_builder.hpp"
 
@@ -297,6 +298,37 @@ BOOST_AUTO_TEST_CASE(rough_discs_turn_as_rigid_bodies_do) {
     BOOST_TEST(p.discs.work[slid] == other.state.work[slid], boost::test_tools::tolerance(1e-8));
   }
   BOOST_TEST(*std::max_element(differences.begin(), differences.end()) < 1e-8);
+}
+
+// Discs that touch from the start stick; once they have parted nothing is left of that, also if no force was asked for.
+BOOST_AUTO_TEST_CASE(rough_discs_that_part_before_the_first_force_have_no_spring) {
+  DiscShapes shapes;
+  for (int i = 0; i < 2; ++i)
+    shapes.add(1.0, 1.0);
+  const auto spin = [&](bool touch) {
+    Discs discs;
+    discs.add(-0.99, 0.0, -1.0, 0.0), discs.add(0.99, 0.0, 1.0, 3.0);
+    DiscSystem system{shapes, {}, dashpot, 0.3, rough};
+    FastDiscSystem fast{shapes, {}, dashpot, 0.3, rough};
+    Discs same = discs;
+    if (touch) {
+      system.begin(discs), fast.begin(same);
+      fast.keep_work();
+      system.drift(discs, 0.02), fast.drift(same, 0.02);
+    } else {
+      discs.x = {-1.01, 1.01}, discs.y[1] = 0.06;
+      system.begin(discs);
+    }
+    discs.vx = same.vx = {1.0, -1.0};
+    for (int n = 0; n < 400; ++n) {
+      system.kick(discs, 1e-4), system.drift(discs, 1e-4);
+      if (touch) fast.kick(same, 1e-4), fast.drift(same, 1e-4);
+    }
+    if (touch) BOOST_TEST((discs.x == same.x && discs.vy == same.vy && discs.spin == same.spin));
+    BOOST_TEST(discs.spin[0] != 0.0);
+    return discs.spin[0];
+  };
+  BOOST_TEST(spin(true) == spin(false), boost::test_tools::tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(rough_discs_keep_momentum_spin_and_energy) {

@@ -170,3 +170,10 @@ BOOST_AUTO_TEST_CASE(packings_that_cannot_be) {
   refused([](PackingPlan& plan) { plan.solid_fraction = 0.95; });
   refused([](PackingPlan& plan) { plan.aspect = std::nan(""); });
 }
+
+BOOST_AUTO_TEST_CASE(what_would_touch_itself_or_cannot_be_warm_is_refused) {
+  BOOST_CHECK_THROW(static_cast<void>(scatter(plan_of(1, 0.8))), talus::InputError);
+  Packing one = scatter(plan_of(1, 0.5));
+  BOOST_CHECK_THROW(agitate(one, 3.0, 1), talus::InputError);
+  BOOST_CHECK_NO_THROW(agitate(one, 0.0, 1));
+}

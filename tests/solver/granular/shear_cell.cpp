@@ -52,6 +52,11 @@ BOOST_AUTO_TEST_CASE(order_is_one_in_a_triangular_array_and_less_elsewhere) {
   }
   BOOST_TEST(sixfold_order(cell, filled, filled.discs) == 1.0, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(loose < 0.5);
+  // Discs that have left across a border count as their images inside.
+  Discs outside = filled.discs;
+  for (std::size_t i = 0; i < cell.free_discs(); i += 3)
+    outside.x[i] += (outside.x[i] > 0.0 ? -1.0 : 1.0) * cell.width();
+  BOOST_TEST(sixfold_order(cell, filled, outside) == 1.0, boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(cells_that_cannot_be) {
