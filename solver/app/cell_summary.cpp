@@ -9,6 +9,7 @@ namespace talus::app {
 namespace {
 
 std::string with_unit(const CellScene& scene, double value, Dimension dimension) {
+  if (std::isnan(value)) return "-";
   if (!scene.units || dimension == dimension::number) return fmt::format("{:.4g}", value);
   return fmt::format("{:.4g} {}", value, symbol(*scene.units, dimension));
 }

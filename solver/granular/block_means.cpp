@@ -88,7 +88,7 @@ Estimate BlockMeans::estimate(std::size_t first, const std::function<double(cons
   for (std::size_t block = first; block < last; ++block)
     add(block, 1.0);
   const double value = of({sums, time});
-  if (count < 2) return {value, 0.0};
+  if (count < 2 || !std::isfinite(value)) return {value, 0.0};
   // What each block does to the value is the series that tells how far blocks know of each other.
   std::vector<double> without(count);
   const std::vector<double> all = sums;
@@ -96,11 +96,12 @@ Estimate BlockMeans::estimate(std::size_t first, const std::function<double(cons
   for (std::size_t k = 0; k < count; ++k) {
     add(first + k, -1.0);
     without[k] = of({sums, time});
+    if (!std::isfinite(without[k])) without[k] = value;
     sums = all, time = all_time;
   }
   const std::size_t length = block_length(without);
   std::mt19937_64 random{count};
-  double mean = 0.0, squares = 0.0;
+  double mean = 0.0, squares = 0.0, told = 0.0;
   for (int s = 0; s < all_drawn; ++s) {
     std::fill(sums.begin(), sums.end(), 0.0), time = 0.0;
     for (std::size_t drawn = 0; drawn < count;) {
@@ -109,8 +110,10 @@ Estimate BlockMeans::estimate(std::size_t first, const std::function<double(cons
         add(first + (start + k) % count, 1.0);
     }
     const double drawn = of({sums, time}) - value;
-    mean += drawn / all_drawn, squares += drawn * drawn / all_drawn;
+    if (std::isfinite(drawn)) mean += drawn, squares += drawn * drawn, told += 1.0;
   }
+  if (told == 0.0) return {value, 0.0};
+  mean /= told, squares /= told;
   // About the mean of the blocks themselves, which is nearer to them than the true one by a share of a run's length.
   const double missing = static_cast<double>(count) / static_cast<double>(count - length);
   return {value, std::sqrt(std::max(0.0, squares - mean * mean) * missing)};
@@ -121,7 +124,7 @@ Estimate BlockMeans::estimate(std::size_t quantity, std::size_t first) const {
 }
 
 Estimate BlockMeans::ratio(std::size_t over, std::size_t under, std::size_t first) const {
-  return estimate(first, [&](const Means& mean) { return mean(under) != 0.0 ? mean(over) / mean(under) : 0.0; });
+  return estimate(first, [&](const Means& mean) { return mean(over) / mean(under); });
 }
 
 void BlockMeans::remember(Memory& memory) {

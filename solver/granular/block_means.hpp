@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,15 +41,18 @@ class BlockMeans {
   /// Mean of a quantity over the blocks [first, last).
   double mean(std::size_t quantity, std::size_t first, std::size_t last) const;
 
-  /// Means over some blocks; zeros of blocks without a sample.
+  /// Means over some blocks; of blocks without a sample not a number.
   struct Means {
     std::span<const double> sums;
     double time{};
-    double operator()(std::size_t quantity) const { return time > 0.0 ? sums[quantity] / time : 0.0; }
+    double operator()(std::size_t quantity) const {
+      return time > 0.0 ? sums[quantity] / time : std::numeric_limits<double>::quiet_NaN();
+    }
   };
   /// What is made of the means over all blocks from `first` on, with the standard error of a circular block bootstrap
   /// (Politis & Romano 1992): 400 series of as many blocks, of runs of neighbours, from a seed of their own. How long
-  /// the runs are, the series itself says: by how far neighbours tell of each other (block_length).
+  /// the runs are, the series itself says: by how far neighbours tell of each other (block_length). What cannot be told
+  /// is not a number, as a ratio to what is nought throughout; series of which it cannot be told do not count.
   Estimate estimate(std::size_t first, const std::function<double(const Means&)>& of) const;
   /// Mean of a quantity; mean of one over mean of the other.
   Estimate estimate(std::size_t quantity, std::size_t first) const;

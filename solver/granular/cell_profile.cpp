@@ -1,14 +1,19 @@
 #include "solver/granular/cell_profile.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "solver/base/error.hpp"
+
 namespace talus {
 namespace {
 
 constexpr std::size_t kept = 5;
+constexpr std::size_t of_layer = CellProfile::blocks * kept;
 enum Kept : std::size_t { area, momentum, mass, energy, turning };
 
 /// Area of a disc of radius 1 below the height s over its centre.
@@ -20,14 +25,12 @@ double area_below(double s) {
 
 }  // namespace
 
-CellProfile::CellProfile(std::size_t layers, double thickness, double width, double from, double to)
-    : layers_{layers},
-      thickness_{thickness},
+CellProfile::CellProfile(double thickness, double width, double from, double to)
+    : thickness_{thickness},
       width_{width},
       from_{from},
       block_time_{(to - from) / static_cast<double>(blocks)},
-      times_(blocks),
-      sums_(blocks * layers * kept) {}
+      times_(blocks) {}
 
 void CellProfile::look(double t, double weight) {
   block_ = static_cast<std::size_t>(std::clamp((t - from_) / block_time_, 0.0, static_cast<double>(blocks - 1)));
@@ -37,13 +40,16 @@ void CellProfile::look(double t, double weight) {
 
 void CellProfile::add(const Disc& disc) {
   const double low = (disc.y - disc.radius) / thickness_, high = (disc.y + disc.radius) / thickness_;
-  const auto layers = static_cast<double>(layers_);
-  const double first = std::clamp(std::floor(low), 0.0, layers), last = std::clamp(std::ceil(high), 0.0, layers);
+  // What is no number is nowhere.
+  const double first = std::max(0.0, std::floor(low)),
+               last = std::min(std::ceil(high), static_cast<double>(most_layers));
+  if (first < last && last > static_cast<double>(sums_.size() / of_layer))
+    sums_.resize(static_cast<std::size_t>(last) * of_layer);
   for (double layer = first; layer < last; layer += 1.0) {
     const double part = disc.radius * disc.radius *
                         (area_below(((layer + 1.0) * thickness_ - disc.y) / disc.radius) -
                          area_below((layer * thickness_ - disc.y) / disc.radius));
-    double* sums = sums_.data() + (block_ * layers_ + static_cast<std::size_t>(layer)) * kept;
+    double* sums = sums_.data() + static_cast<std::size_t>(layer) * of_layer + block_ * kept;
     sums[area] += weight_ * part;
     sums[momentum] += weight_ * part * disc.mass * disc.vx;
     sums[mass] += weight_ * part * disc.mass;
@@ -66,7 +72,7 @@ std::vector<CellProfile::Layer> CellProfile::layers() const {
       if (block == without) continue;
       time += times_[block];
       for (std::size_t k = 0; k < kept; ++k)
-        sums[k] += sums_[(block * layers_ + layer) * kept + k];
+        sums[k] += sums_[layer * of_layer + block * kept + k];
     }
     Values of;
     if (!(sums[area] > 0.0)) return of;
@@ -77,7 +83,7 @@ std::vector<CellProfile::Layer> CellProfile::layers() const {
     return of;
   };
   std::vector<Layer> made;
-  for (std::size_t k = 0; k < layers_; ++k) {
+  for (std::size_t k = 0; k < sums_.size() / of_layer; ++k) {
     Layer layer{.y = (static_cast<double>(k) + 0.5) * thickness_,
                 .velocity = {},
                 .temperature = {},
@@ -107,7 +113,10 @@ std::vector<CellProfile::Layer> CellProfile::layers() const {
 
 void CellProfile::remember(Memory& memory) {
   memory.numbers("times", times_);
-  memory.numbers("sums", sums_);
+  memory.list("sums", sums_);
+  if (sums_.size() % of_layer != 0) {
+    throw InputError{fmt::format("sums: found {} numbers; they must be {} for each layer", sums_.size(), of_layer)};
+  }
 }
 
 }  // namespace talus

@@ -14,9 +14,12 @@ class CellProfile {
  public:
   static constexpr std::size_t blocks = 10;
 
-  /// layers: of this thickness [L] > 0 from y = 0 up; width of the field [L]. What is above the last layer is left out.
-  /// From the time `from` to `to` [T].
-  CellProfile(std::size_t layers, double thickness, double width, double from, double to);
+  /// Most layers: what is above them is left out.
+  static constexpr std::size_t most_layers = 100000;
+
+  /// Layers of this thickness [L] > 0 from y = 0 up, as many as discs are in; width of the field [L]. From the time
+  /// `from` to `to` [T].
+  CellProfile(double thickness, double width, double from, double to);
 
   struct Disc {
     double y{};  ///< of the centre [L]
@@ -42,12 +45,11 @@ class CellProfile {
   void remember(Memory& memory);
 
  private:
-  std::size_t layers_;
   double thickness_, width_, from_, block_time_;
   std::size_t block_{};        ///< of the present look
   double weight_{};            ///< of it
   std::vector<double> times_;  ///< of each block
-  std::vector<double> sums_;   ///< five for each layer, block by block
+  std::vector<double> sums_;   ///< five for each block, layer by layer
 };
 
 }  // namespace talus

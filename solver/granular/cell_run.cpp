@@ -17,15 +17,14 @@ namespace {
 /// Share of a LOOP or step by which a sum of steps may fall short of it and still be all of it.
 constexpr double whole = 1e-12;
 
-/// Steps between two samples of what is known of contacts: half a contact, but no more than a LOOP. Between flights
-/// each step, for contacts are few and flights begin when they end.
+/// Steps between two samples of what is known of contacts: half a contact, but no more than a LOOP.
 long steps_of_sample(const ShearCell& cell, const CellPlan& plan) {
-  if (plan.jump) return 1;
   const double in_loop = std::floor(plan.every / plan.step * (1.0 + whole));
   return std::max(1L, std::lround(std::min(0.5 * cell.contact_time() / plan.step, in_loop)));
 }
 
-constexpr long samples_of_profile = 8;
+constexpr long samples_of_look = 8;
+constexpr long most_looks = 32;  ///< in a flight
 
 /// Whole steps in a time; a time that is one but for its last digits counts as one.
 long steps_in(double time, double step) { return std::max(1L, std::lround(time / step)); }
@@ -73,31 +72,32 @@ CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
       sample_every_{steps_of_sample(cell, plan)},
       means_{quantities, plan.end, blocks},
       intervals_{quantities, plan.every * loops(plan), static_cast<std::size_t>(loops(plan))},
-      profile_{static_cast<std::size_t>(3 * cell.rows + 4), 0.5 * cell.diameter, cell.width(),
-               plan.end * start_up / blocks, plan.end} {
+      profile_{0.5 * cell.diameter, cell.width(), plan.end * start_up / blocks, plan.end} {
   std::visit(
       [&](auto& method, auto& system) {
         if constexpr (requires { system.keep_work(); }) system.keep_work();
         system.begin(discs_);
+        system.settle(discs_);  // what touches from the start on stores energy
         method.start(system, discs_, plan_.step);
       },
       method_, system_);
-  held_at_start_ = energies().held();
+  const Ledger at_start = energies();
+  held_at_start_ = at_start.held() + at_start.dissipated;
   began_ = start_.discs.t;
 }
 
 void CellRun::advance() {
   const long free = plan_.jump ? free_steps() : 0, before = steps_;
-  if (free > 1)
+  if (free > 0)
     jump(free);
   else
-    take_steps(plan_.jump ? 1 : steps_ahead());
+    take_steps(steps_ahead());
   due_ = loops_ended(steps_) > loops_ended(before) || finished();
 }
 
 /// To the next sample, LOOP or the end.
 long CellRun::steps_ahead() const {
-  return std::min({sample_every_ - since_sample_, next_loop() - steps_, last_step_ - steps_});
+  return std::min({sample_every_ - steps_ % sample_every_, next_loop() - steps_, last_step_ - steps_});
 }
 
 void CellRun::take_steps(long steps) {
@@ -121,8 +121,7 @@ void CellRun::take_steps(long steps) {
   };
   std::visit(go, method_, system_);
   steps_ += steps;
-  since_sample_ += steps;
-  if (since_sample_ >= sample_every_ || finished()) sample();
+  if (steps_ % sample_every_ == 0 || finished()) sample(false);
 }
 
 /// LOOPs in so many steps.
@@ -132,29 +131,35 @@ long CellRun::loops_ended(long steps) const {
 
 /// The first step after the next LOOP.
 long CellRun::next_loop() const {
-  return static_cast<long>(
-      std::ceil(static_cast<double>(loops_ended(steps_) + 1) * plan_.every / plan_.step * (1.0 - whole)));
+  const double next = static_cast<double>(loops_ended(steps_) + 1) * plan_.every / plan_.step * (1.0 - whole);
+  return std::max(steps_ + 1, static_cast<long>(std::ceil(next)));
 }
 
 /// As many steps as nothing can touch in: discs fly straight, the block falls. Of a pair with the block its way along
-/// the line of centres is at most |v| t + G t^2/2 (its true path would be a root of fourth degree).
+/// the line of centres is at most |v| t + G t^2/2 (its true path would be a root of fourth degree). From one sample to
+/// another: were it from where contacts end, samples would stand to those that follow in the same way each time, and
+/// see too little of them.
 long CellRun::free_steps() const {
-  bool acting = false;
+  if (acting_ != 0 || steps_ % sample_every_ != 0) return 0;
+  bool touching = false;
   const auto look = [&](const auto& system) -> const NeighbourList& {
-    system.for_each_contact(discs_, [&](const DiscContact&) { acting = true; });
+    system.for_each_contact(discs_, [&](const DiscContact&) { touching = true; });
     return system.list();
   };
   const NeighbourList& list = std::visit(look, system_);
-  if (acting) return 0;
+  if (touching) return 0;
   double time = std::numeric_limits<double>::infinity(), fastest = 0.0;
   for (std::size_t i = 0; i < discs_.size(); ++i)
     fastest = std::max(fastest, norm(Vec2{discs_.vx[i], discs_.vy[i]}));
   list.for_each_pair(discs_, [&](std::size_t i, std::size_t j, std::size_t, Vec2 d, const auto& shift) {
     const Vec2 v{discs_.vx[j] - discs_.vx[i] + shift.vx, discs_.vy[j] - discs_.vy[i]};
     const double radii = cell_.diameter, nearing = -dot(d, v), room = dot(d, d) - radii * radii;
-    if (j >= first_block_disc(cell_)) {
+    if (!(room > 0.0)) {
+      time = 0.0;
+    } else if (j >= first_block_disc(cell_)) {
       const double gap = norm(d) - radii, speed = norm(v);
-      time = std::min(time, 2.0 * gap / (speed + std::sqrt(speed * speed + 2.0 * cell_.gravity * gap)));
+      time =
+          std::min(time, gap > 0.0 ? 2.0 * gap / (speed + std::sqrt(speed * speed + 2.0 * cell_.gravity * gap)) : 0.0);
     } else if (nearing > 0.0) {
       const double root = nearing * nearing - dot(v, v) * room;
       if (root >= 0.0) time = std::min(time, room / (nearing + std::sqrt(root)));
@@ -163,7 +168,7 @@ long CellRun::free_steps() const {
   const double left = list.left();
   time = std::min(time, left / (fastest + std::sqrt(fastest * fastest + cell_.gravity * left)));
   const auto free = static_cast<long>(std::clamp(time / plan_.step - 1.0, 0.0, 1e15));
-  return std::min({free, next_loop() - steps_, last_step_ - steps_});
+  return std::min({free, next_loop() - steps_, last_step_ - steps_}) / sample_every_ * sample_every_;
 }
 
 /// How far the block falls freely in so many steps [L].
@@ -174,19 +179,25 @@ double CellRun::block_way(long steps) const {
 }
 
 /// Of the block the height over the time is a parabola, of whose mean, and of its square's but for a term of fourth
-/// order, Simpson's rule leaves nothing out (but for half a step, if they are odd); discs are looked at in the middle
-/// of their way.
+/// order, Simpson's rule leaves nothing out (but for half a step, if they are odd). What is sampled is sampled in the
+/// middle of the flight; the field is looked across as often on the way as steps would do it.
 void CellRun::jump(long steps) {
-  std::visit([&](auto& system) { system.settle(discs_); }, system_);  // contacts that ended with the last step
   const auto height = [&] { return discs_.y[first_block_disc(cell_)] - discs_.y[cell_.free_discs()]; };
   const double sixth = static_cast<double>(steps) * plan_.step / 6.0, first = height();
   const long rest = steps - steps / 2;
   fly(steps / 2);
   const double middle = height(), last = middle + block_way(rest);
   book_walls(sixth, {}, {}, first), book_walls(4.0 * sixth, {}, {}, middle), book_walls(sixth, {}, {}, last);
+  const long looks = std::clamp(steps / sample_every_ / samples_of_look, 1L, most_looks);
+  const double flight = static_cast<double>(steps) * plan_.step, part = flight / static_cast<double>(looks);
+  for (long k = 0; k < looks; ++k) {
+    const double after = (static_cast<double>(k) + 0.5) * part;
+    look_across(static_cast<double>(steps_) * plan_.step + after, part,
+                after - static_cast<double>(steps / 2) * plan_.step);
+  }
   steps_ += steps;
   jumped_ += steps;
-  sample();
+  sample(true);
   fly(rest);
 }
 
@@ -215,13 +226,15 @@ void CellRun::book_walls(double time, Vec2 block, Vec2 base, double height) {
   waiting_ += time;
 }
 
-void CellRun::sample() {
+void CellRun::sample(bool flown) {
   Values values;
   for (std::size_t k = 0; k < quantities; ++k)
     values[k] = walls_[k] / waiting_;
   const auto value = [&](CellQuantity quantity) -> double& { return values[at(quantity)]; };
   const double forwards = std::signbit(cell_.block_speed) ? -1.0 : 1.0, area = cell_.width() * cell_.diameter;
   const std::size_t free = cell_.free_discs();
+  // Contacts that the last drift has begun or ended are as they are now.
+  std::visit([&](auto& system) { system.settle(discs_); }, system_);
   const std::vector<ActingContact> contacts = acting_contacts();
   for (const ActingContact& contact : contacts) {
     const Vec2 force = contact.force_on_b();
@@ -237,6 +250,7 @@ void CellRun::sample() {
     for (const std::size_t disc : {contact.a, contact.b})
       if (disc < free) value(CellQuantity::coordination) += 1.0 / static_cast<double>(free);
   }
+  acting_ = static_cast<long>(contacts.size());
   value(CellQuantity::contacts) = static_cast<double>(contacts.size());
   value(CellQuantity::touching) = contacts.empty() ? 0.0 : 1.0;
   for (std::size_t i = 0; i < free; ++i) {
@@ -247,33 +261,33 @@ void CellRun::sample() {
   const double fraction = solid_fraction(cell_, discs_);
   value(CellQuantity::solid_fraction) = fraction;
   const double time = static_cast<double>(steps_) * plan_.step - 0.5 * waiting_;
-  profile_waiting_ += waiting_;
-  if (++profile_samples_ >= samples_of_profile || finished()) look_across(time), check_numbers();
+  if (!flown) profile_waiting_ += waiting_, ++profile_samples_;
+  if (profile_samples_ >= samples_of_look || finished()) {
+    look_across(time, profile_waiting_, 0.0);
+    profile_waiting_ = 0.0, profile_samples_ = 0;
+    check_numbers();
+  }
   means_.add(time, waiting_, values);
   // The last LOOP may be shorter than what the last sample stands for.
   intervals_.add(finished() ? static_cast<double>(steps_) * plan_.step * (1.0 - whole) : time, waiting_, values);
   walls_ = {};
   waiting_ = 0.0;
-  since_sample_ = 0;
   check(fraction);
 }
 
-/// Discs by height; after the start-up. They hardly move in some contact times.
-void CellRun::look_across(double time) {
-  if (time >= plan_.end * start_up / blocks) {
-    const std::size_t free = cell_.free_discs();
-    profile_.look(time, profile_waiting_);
-    for (std::size_t i = 0; i < free; ++i) {
-      profile_.add({.y = discs_.y[i] - discs_.y[free],
-                    .vx = discs_.vx[i],
-                    .vy = discs_.vy[i],
-                    .radius = 0.5 * cell_.diameter,
-                    .mass = cell_.mass,
-                    .spin = cell_.friction ? discs_.spin[i] : 0.0});
-    }
+/// Free discs by height, so much later than they stand; after the start-up.
+void CellRun::look_across(double time, double weight, double later) {
+  if (time < plan_.end * start_up / blocks || !(weight > 0.0)) return;
+  const std::size_t free = cell_.free_discs();
+  profile_.look(time, weight);
+  for (std::size_t i = 0; i < free; ++i) {
+    profile_.add({.y = discs_.y[i] + later * discs_.vy[i] - discs_.y[free],
+                  .vx = discs_.vx[i],
+                  .vy = discs_.vy[i],
+                  .radius = 0.5 * cell_.diameter,
+                  .mass = cell_.mass,
+                  .spin = cell_.friction ? discs_.spin[i] : 0.0});
   }
-  profile_waiting_ = 0.0;
-  profile_samples_ = 0;
 }
 
 std::vector<CellRun::ActingContact> CellRun::acting_contacts() const {
@@ -347,8 +361,13 @@ double CellRun::interval_mean(std::size_t interval, CellQuantity quantity) const
 }
 
 double CellRun::drift(CellQuantity quantity) const {
-  constexpr std::size_t middle = (start_up + blocks) / 2;
-  const double change = means_.mean(at(quantity), middle, blocks) - means_.mean(at(quantity), start_up, middle);
+  constexpr std::size_t fewest = 16;  // blocks; an error that fewer tell is not known well
+  std::size_t last = blocks;
+  while (last > start_up && !means_.seen(last - 1))
+    --last;
+  if (last < start_up + fewest) return 0.0;
+  const std::size_t middle = (start_up + last) / 2;
+  const double change = means_.mean(at(quantity), middle, last) - means_.mean(at(quantity), start_up, middle);
   // Of means over halves the variance is twice that of the whole, of their difference four times.
   const double error = 2.0 * mean(quantity).error;
   return error > 0.0 ? change / error : 0.0;
@@ -387,7 +406,7 @@ void CellRun::remember(Memory& memory) {
   memory.part("discs", [&] { remember(memory, discs_); });
   memory.part("system", [&] { std::visit([&](auto& system) { system.remember(memory, discs_); }, system_); });
   memory.part("method", [&] { std::visit([&](auto& method) { method.remember(memory, discs_); }, method_); });
-  memory.count("steps", steps_), memory.count("jumped", jumped_), memory.count("since_sample", since_sample_);
+  memory.count("steps", steps_), memory.count("jumped", jumped_), memory.count("acting", acting_);
   memory.number("waiting", waiting_);
   memory.number("profile_waiting", profile_waiting_), memory.count("profile_samples", profile_samples_);
   memory.numbers("walls", walls_);

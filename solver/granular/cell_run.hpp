@@ -71,7 +71,7 @@ class CellRun {
   CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start);
 
   /// Goes on to the next sample or output: half a contact time, or a LOOP if that is shorter, if that is not less than
-  /// a step; or as long as nothing can touch.
+  /// a step; or to the last sample for as long as nothing can touch.
   void advance();
   bool finished() const { return steps_ >= last_step_; }
   /// Whether something is to be written after this step: each LOOP, and at the end.
@@ -111,7 +111,8 @@ class CellRun {
   /// Whether there is one: a last LOOP may be too short for a step.
   bool interval_seen(std::size_t interval) const { return intervals_.seen(interval); }
   double interval_mean(std::size_t interval, CellQuantity quantity) const;
-  /// How much the mean of the later half differs from that of the earlier, in standard errors of the difference.
+  /// How much the mean of the later half of what has been run after the start-up differs from that of the earlier, in
+  /// standard errors of the difference; 0 while that is less than 16 blocks.
   double drift(CellQuantity quantity) const;
   const CellProfile& profile() const { return profile_; }
   double largest_overlap() const { return largest_overlap_; }  ///< [L]
@@ -157,8 +158,9 @@ class CellRun {
   void take_steps(long steps);
   /// Forces on the block and the base; height of one over the other [L].
   void book_walls(double time, Vec2 block, Vec2 base, double height);
-  void sample();
-  void look_across(double time);
+  /// flown: of a flight, whose looks across the field have been.
+  void sample(bool flown);
+  void look_across(double time, double weight, double later);
   long loops_ended(long steps) const;
   Ledger energies();
   void check(double fraction);
@@ -173,9 +175,9 @@ class CellRun {
   long steps_{}, last_step_{}, jumped_{};
   bool due_{};
   long sample_every_;
-  long since_sample_{};  ///< steps
-  double waiting_{};     ///< time that the next sample stands for [T]
-  Values walls_{};       ///< sums over that time of what is known at each step
+  long acting_{1};    ///< contacts at the last sample; before the first, as if there were one
+  double waiting_{};  ///< time that the next sample stands for [T]
+  Values walls_{};    ///< sums over that time of what is known at each step
   BlockMeans means_;
   BlockMeans intervals_;  ///< one block for each LOOP
   CellProfile profile_;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "solver/io/json_number.hpp"
@@ -23,7 +24,8 @@ std::string unit(const CellScene& scene, Dimension dimension) {
 Json numbers(const CellScene& scene, const std::vector<CellNumber>& of) {
   Json json = Json::object();
   for (const CellNumber& each : of) {
-    Json entry{{"value", json_number(each.estimate.value)}};
+    Json entry{{"value", nullptr}};
+    if (!std::isnan(each.estimate.value)) entry["value"] = json_number(each.estimate.value);
     if (each.estimate.error > 0.0) entry["error"] = json_number(each.estimate.error);
     if (each.drift != 0.0) entry["drift"] = json_number(each.drift);
     if (scene.units && each.dimension != dimension::number) entry["unit"] = unit(scene, each.dimension);
@@ -77,7 +79,12 @@ constexpr std::array history_columns{
     HistoryColumn{"coordination", dimension::number, Q::coordination},
 };
 
-double share(double part, double whole) { return whole != 0.0 ? part / whole : 0.0; }
+/// Not a number where there is no whole.
+double share(double part, double whole) {
+  return whole != 0.0 ? part / whole : std::numeric_limits<double>::quiet_NaN();
+}
+/// In a series, which is drawn: nought there.
+double share_or_none(double part, double whole) { return whole != 0.0 ? part / whole : 0.0; }
 
 }  // namespace
 
@@ -89,7 +96,8 @@ std::string cell_header(const CellScene& scene, std::string_view name, Dimension
 std::vector<CellNumber> cell_groups(const CellScene& scene, CellRun& run) {
   const ShearCell& cell = scene.cell;
   const double mean_depth = run.mean(Q::depth).value, now = depth(cell, run.discs());
-  const double pressure = cell.overburden(), rate = std::abs(cell.block_speed) / (mean_depth > 0.0 ? mean_depth : now);
+  const bool known = mean_depth > 0.0;
+  const double pressure = cell.overburden(), rate = std::abs(cell.block_speed) / (known ? mean_depth : now);
   const auto group = [](const char* name, double value, const char* meaning) {
     return CellNumber{name, dimension::number, {value, 0.0}, 0.0, meaning};
   };
@@ -110,7 +118,8 @@ std::vector<CellNumber> cell_groups(const CellScene& scene, CellRun& run) {
       group("contact_steps", cell.contact_time() / scene.plan.step, "contact time over step"),
       group("stiffness_number", cell.stiffness() / (pressure * cell.diameter), "kappa = K1/(P D)"),
       group("inertial_number", rate * cell.diameter * std::sqrt(cell.density() / pressure),
-            "I = (VXT/H) D sqrt(rho/P) with the mean depth H"),
+            known ? "I = (VXT/H) D sqrt(rho/P) with the mean depth H"
+                  : "I = (VXT/H) D sqrt(rho/P) with the depth H of now; no mean is known yet"),
       group("contact_shear", cell.contact_time() * rate, "contact time times VXT/H"),
       group("block_over_disc", cell.block_mass / cell.mass, "MTOP/M"),
       group("columns_over_wall", static_cast<double>(cell.columns) / cell.wall_discs, "NWID/TWID"),
@@ -188,10 +197,10 @@ std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
                    run.began() + std::min(static_cast<double>(k + 1) * scene.plan.every, last));
     for (const HistoryColumn& column : history_columns)
       fmt::format_to(std::back_inserter(text), ",{}", of(column.quantity));
-    fmt::format_to(std::back_inserter(text), ",{},{}", share(of(Q::top_shear), of(Q::top_normal)),
-                   share(of(Q::multiple), of(Q::contacts)));
+    fmt::format_to(std::back_inserter(text), ",{},{}", share_or_none(of(Q::top_shear), of(Q::top_normal)),
+                   share_or_none(of(Q::multiple), of(Q::contacts)));
     if (scene.cell.friction)
-      fmt::format_to(std::back_inserter(text), ",{},{}", share(of(Q::sliding), of(Q::contacts)), of(Q::spin));
+      fmt::format_to(std::back_inserter(text), ",{},{}", share_or_none(of(Q::sliding), of(Q::contacts)), of(Q::spin));
     text += "\n";
   }
   return text;
