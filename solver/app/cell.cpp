@@ -102,6 +102,8 @@ CellOrder left_order(const CellOptions& options) {
       .file = {}, .text = {}, .scene = {}, .choices = {}, .folder = options.resume, .left = {}, .warnings = {}};
   const fs::path checkpoint = order.folder / "checkpoint.json";
   order.left = read_checkpoint(checkpoint, TALUS_VERSION);
+  if (!order.left->memory.contains("choices.integrator"))
+    throw InputError{checkpoint.string() + ": it is of no cell; `talus run --resume` takes on what `talus run` left"};
   order.file = order.left->scene_file;
   order.text = read_text(order.file);
   if (fnv1a(order.text) != order.left->scene_fnv1a) {
@@ -167,7 +169,7 @@ class CellProgress {
  public:
   explicit CellProgress(const CellRun& run) : first_{run.steps()}, start_{Clock::now()} {}
   void show(const CellRun& run) {
-    if (run.steps() % 256 != 0 || !line_.due()) return;
+    if (!line_.due()) return;
     const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
     const double rate = static_cast<double>(run.steps() - first_) / seconds;
     line_.show(fmt::format("t {:.4g} of {:.4g}, {:.3g} steps/s, {:.0f} s left",
@@ -182,6 +184,13 @@ class CellProgress {
   Progress line_;
 };
 
+/// What so many steps took of the clock's time, which is in no file: files are the same each time.
+std::string cost(const CellRun& run, long steps, double seconds) {
+  if (steps == 0) return "took no step";
+  return fmt::format("took {:.3g} s for {} steps, {:.3g} s for a unit of time of the flow", seconds, steps,
+                     seconds / (static_cast<double>(steps) * run.plan().step));
+}
+
 int cell(const CellOptions& options) {
   CellOrder order = options.resume.empty() ? new_order(options) : left_order(options);
   std::optional<CellFiles> files;
@@ -195,6 +204,8 @@ int cell(const CellOptions& options) {
   std::optional<Interruption> interruption;
   if (files) interruption.emplace();
   const auto signal = [&] { return interruption ? interruption->signal() : 0; };
+  const long first = run->steps();
+  const auto began = std::chrono::steady_clock::now();
   {
     CellProgress progress{*run};
     while (!run->finished() && run->failure().empty() && signal() == 0) {
@@ -202,9 +213,11 @@ int cell(const CellOptions& options) {
       progress.show(*run);
       if (!files || !run->due()) continue;
       files->begin_loop(run->discs().t);
-      files->write_loop(*run, checkpoint_of(order, *run, *files));
+      files->write_loop(*run);
+      if (files->checkpoint_due()) files->write_checkpoint(checkpoint_of(order, *run, *files));
     }
   }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   std::vector<std::string> warnings = order.warnings;
   if (run->largest_overlap() > CellRun::deepest * order.scene.cell.diameter ||
       run->largest_fraction() > CellRun::fullest) {
@@ -228,12 +241,13 @@ int cell(const CellOptions& options) {
   const CellOutcome outcome{run->finished() && run->failure().empty(), run->failure(), warnings};
   const bool left = !run->finished() && run->failure().empty();
   if (files) {
-    if (left) write_whole(files->checkpoint(), checkpoint_of(order, *run, *files));
+    if (left) files->write_checkpoint(checkpoint_of(order, *run, *files));
     files->write_end(*run, outcome);
     if (!left) files->remove_checkpoint();
   }
   fmt::print("{}",
              options.json ? cell_summary_json(order.scene, *run, outcome) : cell_summary(order.scene, *run, outcome));
+  if (!options.json) fmt::print("{}\n", cost(*run, run->steps() - first, seconds));
   if (files && !options.json) fmt::print("files: {}: {}\n", files->folder().string(), fmt::join(files->names(), ", "));
   for (std::size_t k = order.warnings.size(); k < warnings.size(); ++k)
     print_failure("warning: " + warnings[k]);
@@ -256,14 +270,15 @@ Command add_cell(CLI::App& talus) {
   app->add_option("CNTRL", options->scene, "CNTRL.DAT of 1989 (any .DAT), or a scene file (.toml) with [cell]");
   app->add_option(
       "--out", options->folder,
-      "folder for RESTART.DAT and a checkpoint at each LOOP, with GRAPH = 1 PIC.DAT and the states "
-      "cell.pvd, at the end history.csv, profile.csv, plot.json and summary.json; without it nothing is written");
+      "folder for RESTART.DAT at each LOOP, with GRAPH = 1 PIC.DAT and the states of cell.pvd, for a checkpoint "
+      "behind the first and then about every second, at the end history.csv, profile.csv, plot.json and summary.json; "
+      "without it nothing is written");
   app->add_option("--resume", options->resume, "folder in which a run was left: take it on as if it had never stopped");
   app->add_option("--integrator", options->integrator,
                   fmt::format("{}; default {}", fmt::join(disc_method_names(), ", "), CellPlan{}.integrator));
   app->add_option("--units", options->units, "unit system of CNTRL.DAT, which names none: SI or US");
   app->add_option("--seed", options->seed, "of the first velocities across the field; default the scene's, or 0")
-      ->check(number_between(0, 9007199254740991));
+      ->check(number_between(0, static_cast<double>(most_seed)));
   app->add_flag("--historical", options->historical,
                 "as the runs of 1989 may have been: Euler's steps; K1/K2 must be .45 and STEP 1e-7");
   app->add_flag("--jump", options->jump, "pass time in which nothing can touch at once");
@@ -276,7 +291,8 @@ Command add_cell(CLI::App& talus) {
       "  talus cell cases/cell/CNTRL.DAT --units SI --out out\n"
       "  talus cell cases/cell/ice.toml --out out --seed 3 --json\n"
       "  talus cell --resume out\n"
-      "SIGINT and SIGTERM stop a run that has a folder after its present step; kill -9 leaves it at its last LOOP.");
+      "SIGINT and SIGTERM stop a run that has a folder after its present step; kill -9 leaves it at its last\n"
+      "checkpoint.");
   return {app, [options] { return cell(*options); }};
 }
 

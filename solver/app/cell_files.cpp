@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "solver/io/atomic_file.hpp"
 #include "solver/io/cell_plot.hpp"
 #include "solver/io/cell_restart.hpp"
@@ -10,7 +14,18 @@
 namespace talus::app {
 namespace {
 
-std::string state_name(std::size_t number) { return fmt::format("cell_states/cell_{:06}.vtp", number); }
+constexpr std::string_view states = "cell_states";
+
+std::string state_name(std::size_t number) { return fmt::format("{}/cell_{:06}.vtp", states, number); }
+bool names_state(std::string_view file) { return file.starts_with("cell_") && file.ends_with(".vtp"); }
+
+/// Files besides the states: what stands of each run as it goes, and at its end.
+constexpr std::array<std::string_view, 3> going{"RESTART.DAT", "PIC.DAT", "checkpoint.json"};
+constexpr std::array<std::string_view, 5> ended{"history.csv", "profile.csv", "cell.pvd", "plot.json", "summary.json"};
+bool names_file(std::string_view file) {
+  return std::find(going.begin(), going.end(), file) != going.end() ||
+         std::find(ended.begin(), ended.end(), file) != ended.end();
+}
 
 const std::filesystem::path& made(const std::filesystem::path& folder) {
   make_folder(folder);
@@ -21,23 +36,40 @@ const std::filesystem::path& made(const std::filesystem::path& folder) {
 
 CellFiles::CellFiles(std::filesystem::path folder, const CellScene& scene)
     : folder_{std::move(folder)}, lock_{made(folder_)}, scene_{&scene} {
-  if (scene.pictures) make_folder(folder_ / "cell_states");
+  if (scene.pictures) make_folder(folder_ / states);
 }
 
 void CellFiles::begin(bool taken_on) const {
   std::error_code none;
+  const std::filesystem::path of_states = folder_ / states;
+  remove_remains(folder_, names_file), remove_remains(of_states, names_state);
   std::filesystem::remove(folder_ / "summary.json", none);
-  if (!taken_on) remove_checkpoint();
+  if (taken_on) return;
+  // RESTART.DAT stays until it is written anew: it may be what this run goes on from.
+  for (const std::string_view file : ended)
+    std::filesystem::remove(folder_ / file, none);
+  std::filesystem::remove(folder_ / "PIC.DAT", none);
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator{of_states, none})
+    if (names_state(entry.path().filename().string())) files.push_back(entry.path());
+  for (const std::filesystem::path& file : files)
+    std::filesystem::remove(file, none);
+  if (!scene_->pictures) std::filesystem::remove(of_states, none);  // if nothing else is in it
+  remove_checkpoint();
 }
 
-void CellFiles::write_loop(CellRun& run, const std::string& checkpoint) {
+void CellFiles::write_loop(CellRun& run) {
   const Discs discs = run.discs();
   write_whole(folder_ / "RESTART.DAT", cell_restart_text(run.cell(), discs, cycles_before_ + run.steps()));
   if (scene_->pictures) {
     write_whole(folder_ / "PIC.DAT", cell_picture_text(run.cell(), discs));
     write_whole(folder_ / state_name(times_.size() - 1), cell_state_vtp(run));
   }
-  write_whole(this->checkpoint(), checkpoint);
+}
+
+void CellFiles::write_checkpoint(const std::string& text) {
+  write_whole(checkpoint(), text);
+  next_checkpoint_ = Clock::now() + std::chrono::seconds{1};
 }
 
 void CellFiles::write_end(CellRun& run, const CellOutcome& outcome) {
@@ -62,7 +94,7 @@ std::vector<std::string> CellFiles::names() const {
   std::vector<std::string> names;
   // A run that fails before its first LOOP leaves none of them.
   if (!times_.empty()) names.emplace_back("RESTART.DAT");
-  if (!times_.empty() && scene_->pictures) names.insert(names.end(), {"PIC.DAT", "cell_states"});
+  if (!times_.empty() && scene_->pictures) names.insert(names.end(), {"PIC.DAT", std::string{states}});
   if (scene_->pictures) names.emplace_back("cell.pvd");
   names.insert(names.end(), {"history.csv", "profile.csv", "plot.json", "summary.json"});
   return names;

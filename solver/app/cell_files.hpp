@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -17,16 +18,21 @@ class CellFiles {
   CellFiles(std::filesystem::path folder, const CellScene& scene);
 
   /// When the run stands: removes the summary of an earlier run, which would vouch for a mixture, and, if no run that
-  /// was left there is taken on, its checkpoint, which is not this run's.
+  /// was left there is taken on, all that an earlier one wrote but RESTART.DAT; what was being written when one was
+  /// killed in any case.
   void begin(bool taken_on) const;
 
   /// Of a run that goes on from a RESTART.DAT: the cycles that it names.
   void count_on(long cycles) { cycles_before_ = cycles; }
   /// Notes that a state is to be written: before the checkpoint is made, which holds the series so far.
   void begin_loop(double time) { times_.push_back(time); }
-  /// After each LOOP: RESTART.DAT, and with pictures PIC.DAT and a state of the series; the checkpoint last.
-  /// `checkpoint` is its text. Errors: IoError.
-  void write_loop(CellRun& run, const std::string& checkpoint);
+  /// After each LOOP: RESTART.DAT, and with pictures PIC.DAT and a state of the series. Errors: IoError.
+  void write_loop(CellRun& run);
+  /// Whether a checkpoint is to be written behind a LOOP: the first, then if the last is a second old. It holds all
+  /// LOOPs so far; short ones would spend the run's time on it.
+  bool checkpoint_due() const { return Clock::now() >= next_checkpoint_; }
+  /// Errors: IoError.
+  void write_checkpoint(const std::string& text);
   /// At the end: history.csv, profile.csv, the series' index, plot.json, summary.json last: it says that all is there.
   void write_end(CellRun& run, const CellOutcome& outcome);
   /// Removes the checkpoint of a run that needs it no more, for all else is written.
@@ -40,11 +46,14 @@ class CellFiles {
   void remember(Memory& memory) { memory.list("times", times_), memory.count("cycles_before", cycles_before_); }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   std::filesystem::path folder_;
   FolderLock lock_;
   const CellScene* scene_;
   std::vector<double> times_;  ///< of the states written so far [T]
   long cycles_before_{};
+  Clock::time_point next_checkpoint_{};
 };
 
 }  // namespace talus::app

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "solver/base/error.hpp"
 
@@ -16,6 +17,9 @@ namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Of the temporary file of another: what mkstemp() puts six letters or digits in place of.
+constexpr std::string_view any_ending = ".XXXXXX";
 
 IoError io_error(const fs::path& file, int reason) {
   return IoError{fmt::format("{}: {}", file.string(), std::strerror(reason))};
@@ -78,7 +82,7 @@ void write_whole(const fs::path& file, std::string_view content) {
   if (::stat(file.c_str(), &present) == 0 && !S_ISREG(present.st_mode) && !S_ISDIR(present.st_mode)) {
     return write_directly(file, content);
   }
-  std::string path = (file.parent_path() / fmt::format(".{}.XXXXXX", file.filename().string())).string();
+  std::string path = (file.parent_path() / ("." + file.filename().string() + std::string{any_ending})).string();
   const int number = ::mkstemp(path.data());
   if (number < 0) throw io_error(file, errno);
   Descriptor temporary{number, path};
@@ -89,6 +93,19 @@ void write_whole(const fs::path& file, std::string_view content) {
   if (reason == 0 && ::rename(path.c_str(), file.c_str()) != 0) reason = errno;
   if (reason != 0) throw io_error(file, reason);
   temporary.keep();
+}
+
+void remove_remains(const fs::path& folder, const std::function<bool(std::string_view)>& of) {
+  std::error_code none;
+  std::vector<fs::path> remains;
+  for (const fs::directory_entry& entry : fs::directory_iterator{folder, none}) {
+    const std::string file = entry.path().filename().string();
+    if (file.size() < any_ending.size() + 2 || file.front() != '.') continue;
+    const std::size_t end = file.size() - any_ending.size();
+    if (file[end] == '.' && of(std::string_view{file}.substr(1, end - 1))) remains.push_back(entry.path());
+  }
+  for (const fs::path& file : remains)
+    fs::remove(file, none);
 }
 
 void make_folder(const fs::path& folder) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 namespace talus {
@@ -10,6 +11,10 @@ namespace talus {
 /// directly. Errors: IoError "out/history.csv: No space left on device"; what stood under the name before is then still
 /// there.
 void write_whole(const std::filesystem::path& file, std::string_view content);
+
+/// Removes what write_whole() left in a folder when its program was killed, of files whose names `of` holds for. What
+/// cannot be removed stays.
+void remove_remains(const std::filesystem::path& folder, const std::function<bool(std::string_view)>& of);
 
 /// Makes a folder and those above it. Errors: IoError with the system's reason.
 void make_folder(const std::filesystem::path& folder);

@@ -165,6 +165,55 @@ BOOST_AUTO_TEST_CASE(another_run_is_not_taken_on_for_this_one) {
   BOOST_TEST(!fs::exists(fs::path{out} / "checkpoint.json"));
 }
 
+BOOST_AUTO_TEST_CASE(no_file_of_an_earlier_run_stays_beside_those_of_another) {
+  const Folder folder;
+  const std::string file = folder.file("CNTRL.DAT", control), out = folder.path / "out";
+  BOOST_TEST(talus_ran({"cell", file, "--out", out}).code == 0);
+  // What was being written when a run was killed, and what is somebody else's.
+  folder.file("out/.history.csv.a1B2c3", ""), folder.file("out/cell_states/.cell_000003.vtp.a1B2c3", "");
+  folder.file("out/notes.txt", "mine"), folder.file("out/.notes.txt.a1B2c3", "mine");
+  const std::string without = folder.file("NO_PICTURES.DAT", "0 0" + control.substr(3));
+  BOOST_TEST(talus_ran({"cell", without, "--out", out}).code == 0);
+  const std::string fresh = folder.path / "fresh";
+  BOOST_TEST(talus_ran({"cell", without, "--out", fresh}).code == 0);
+  auto left = files(out);
+  BOOST_TEST(left.erase("notes.txt") == 1U);
+  BOOST_TEST(left.erase(".notes.txt.a1B2c3") == 1U);
+  BOOST_TEST((left == files(fresh)));
+}
+
+BOOST_AUTO_TEST_CASE(what_no_mean_tells_is_null) {
+  const Folder folder;
+  const std::string file = folder.file("CNTRL.DAT", control), out = folder.path / "out";
+  stopped({"cell", file, "--out", out}, fs::path{out} / "checkpoint.json", SIGINT);
+  const Json stopped_early = Json::parse(talus::read_text(fs::path{out} / "summary.json"));
+  if (stopped_early["counts"]["steps"] < 4000) BOOST_TEST(stopped_early["results"]["depth"]["value"].is_null());
+  // Nothing drives the discs, and nothing presses them.
+  const std::string still =
+      folder.file("STILL.DAT", "0 0\n1.7e4 34693.877551020405 1e-3 7.2e-7 0 0.00897\n8 10 11 0\n6e-7 1e-3 1e-2\n");
+  const Ended ended = talus_ran({"cell", still, "--out", out, "--json"});
+  BOOST_TEST_REQUIRE(ended.code == 0, ended.err);
+  const Json results = Json::parse(ended.out)["results"];
+  BOOST_TEST(results["stress_ratio_top"]["value"].is_null());
+  BOOST_TEST(results["top_shear"]["value"] == 0.0);
+  BOOST_TEST(talus_ran({"plot", out}).code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(cells_and_scenes_of_bodies_are_told_apart) {
+  const Folder folder;
+  const std::string file = scene("cell/CNTRL.DAT"), out = folder.path / "out";
+  const Ended ran = talus_ran({"run", file});
+  BOOST_TEST(ran.code == 2);
+  BOOST_TEST(holds(ran.err, "CNTRL.DAT: a shear cell is run by `talus cell`"), ran.err);
+  stopped({"cell", folder.file("CNTRL.DAT", control), "--out", out}, fs::path{out} / "checkpoint.json", SIGKILL);
+  const Ended resumed = talus_ran({"run", "--resume", out});
+  BOOST_TEST(resumed.code == 2);
+  BOOST_TEST(holds(resumed.err, "it is of a shear cell; `talus cell --resume` takes it on"), resumed.err);
+  const Ended listed = talus_ran({"list", "fields"});
+  for (const char* const name : {"overburden", "wall_discs", "growth", "end_rule", "images", "every", "jump"})
+    BOOST_TEST(holds(listed.out, name), name);
+}
+
 BOOST_AUTO_TEST_CASE(two_runs_do_not_share_a_folder) {
   const Folder folder;
   const std::string file = folder.file("CNTRL.DAT", control), out = folder.path / "out";
@@ -227,7 +276,8 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing_are_refused) {
   for (const auto& [words, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
            {{"cell", file, "--out", ""}, "--out: found \"\"; a value must follow"},
            {{"cell", file, "--integrator", ""}, "--integrator: found \"\"; a value must follow"},
-           {{"cell", file, "--seed", "-1"}, "--seed: found -1; it must be a number between 0 and 9007199254740991"},
+           {{"cell", file, "--seed", "-1"}, "--seed: found -1; it must be a number between 0 and 9007199254740992"},
+           {{"cell", file, "--virtual", "--jump"}, "--jump: found on; with virtual discs each step is taken"},
            {{"study", "shear", "--time", "nan"}, "--time: found nan; it must be a number between 0.01 and 1000"},
            {{"cell", many}, "NHT: found 100000; it must be at most 100 of 100000 columns"}}) {
     const Ended ended = talus_ran(words);
