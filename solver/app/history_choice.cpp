@@ -138,7 +138,11 @@ std::vector<const KeptColumn*> of_elements(const KeptRun& run, const Found& foun
     }
     std::vector<std::string> known;
     for (const KeptColumn* column : found.second)
-      known.push_back(shown_subject(column->subject()));
+      if (!of_scene(*column)) known.push_back(shown_subject(column->subject()));
+    if (known.empty()) {
+      throw InputError{fmt::format("{}: history '{}' is of the whole, and of no element: found --element {}",
+                                   found.first->file.string(), wish.history, element)};
+    }
     throw InputError{fmt::format("{}: history '{}' was kept of no element '{}'; nearest: {}; kept of: {}",
                                  found.first->file.string(), wish.history, element, nearest_name(element, known),
                                  fmt::join(known, ", "))};

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -6,9 +7,13 @@
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
 #include "solver/geometry/shape.hpp"
+#include "solver/granular/cell_plan.hpp"
+#include "solver/granular/disc_method.hpp"
+#include "solver/granular/shear_cell.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/fence_names.hpp"
 #include "solver/laws/law_list.hpp"
+#include "solver/laws/settled.hpp"
 #include "solver/model/contact.hpp"
 #include "solver/model/model.hpp"
 #include "solver/scenes/scene.hpp"
@@ -139,6 +144,20 @@ void list_fence_fields() {
                   [](std::string_view name, auto choice) { print_names<decltype(choice)>(name); });
 }
 
+void list_cell_fields() {
+  fmt::print(
+      "[cell]     law  restitution or the law's loss  friction  shear_stiffness  overburden or block_mass  seed, "
+      "and\n");
+  print_counts<ShearCell>();
+  print_fields<ShearCell>();
+  list_law_fields<DiscLaws>("  laws of a cell");
+  print_names<EndRule>("end_rule");
+  print_names<Images>("images");
+  fmt::print("[run] of a cell  integrator  jump  images  historical  pictures (on or off), and\n");
+  print_fields<CellPlan>();
+  fmt::print("  integrator: {}\n", fmt::join(disc_method_names(), ", "));
+}
+
 void list_fields() {
   fmt::print(
       "file       title  units  gravity\n"
@@ -153,6 +172,7 @@ void list_fields() {
   list_laws();
   list_shapes();
   list_fence_fields();
+  list_cell_fields();
 }
 
 const std::vector<std::pair<std::string, void (*)()>>& topics() {

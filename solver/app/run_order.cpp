@@ -83,6 +83,8 @@ RunOrder new_order(const RunOptions& options) {
 RunOrder resumed_order(const RunOptions& options) {
   const fs::path file = fs::path{options.resume} / checkpoint_name;
   Checkpoint checkpoint = read_checkpoint(file, TALUS_VERSION);
+  if (checkpoint.memory.contains("choices.integrator"))
+    throw InputError{file.string() + ": it is of a shear cell; `talus cell --resume` takes it on"};
   const bool sheet = checkpoint.memory.contains("sheet.time");
   for (const auto& [name, given] : {std::pair{"--end", !options.end.empty()},
                                     {"--step", !options.step.empty()},

@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "solver/app/command.hpp"
 #include "solver/app/progress.hpp"
 #include "solver/granular/shear_study.hpp"
 #include "solver/io/atomic_file.hpp"
+#include "solver/io/folder_lock.hpp"
 #include "solver/io/study_text.hpp"
 
 namespace talus::app {
@@ -26,6 +28,9 @@ struct StudyOptions {
 
 int study(const StudyOptions& options) {
   StudyPlan plan = options.plan;
+  // At once: what the study takes long for is not lost then for want of a folder.
+  std::optional<FolderLock> folder;
+  if (!options.folder.empty()) make_folder(options.folder), folder.emplace(options.folder);
   std::vector<StudyMean> means;
   {
     Progress line;
@@ -36,13 +41,10 @@ int study(const StudyOptions& options) {
     };
     means = shear_study(shear_study_points(false), plan);
   }
-  const std::vector<Verdict> found = verdicts(means);
-  fmt::print("{}", study_text(means, found));
-  if (options.folder.empty()) return ok;
-  make_folder(options.folder);
   const fs::path file = fs::path{options.folder} / "shear_study.csv";
-  write_whole(file, study_csv(means));
-  fmt::print("file: {}\n", file.string());
+  if (folder) write_whole(file, study_csv(means));
+  fmt::print("{}", study_text(means, verdicts(means), plan.seeds));
+  if (folder) fmt::print("file: {}\n", file.string());
   return ok;
 }
 
@@ -61,7 +63,10 @@ Command add_study(CLI::App& talus) {
   app->add_option("--threads", options->plan.threads, "default: all; the numbers do not depend on it")
       ->check(CLI::Range(1U, 1024U));
   app->add_option("--out", options->folder, "folder for shear_study.csv, every run of it");
-  app->footer("Example:\n  talus study shear --seeds 8 --time 2 --out study");
+  app->footer(
+      "Friction and density of discs of unlike sizes against the inertial number are in the report of `make verify`,\n"
+      "case dense_rheology.\n"
+      "Example:\n  talus study shear --seeds 8 --time 2 --out study");
   return {app, [options] { return study(*options); }};
 }
 

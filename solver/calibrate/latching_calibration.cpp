@@ -27,6 +27,13 @@ double gain_in_loading(const SteppedContact& contact) {
 }
 
 InputError out_of_range(const SteppedContact& contact, double restitution, double least) {
+  if (least > 1.0) {
+    return InputError{
+        fmt::format("restitution: found {}; with {} at this step, w1 h = {:.4g}, an impact always gains speed, {:.4g} "
+                    "times as much "
+                    "at least; a shorter step is needed",
+                    restitution, method_name(contact), contact.loading_angle(), least)};
+  }
   return InputError{
       fmt::format("restitution: found {}; with {} at this step, w1 h = {:.4g}, it can be made {:.4g} to 1; a shorter "
                   "step reaches further",

@@ -121,6 +121,17 @@ Verdict verdict(std::string prediction, std::string measured, const Difference& 
   return {std::move(prediction), std::move(measured), found.t(), found.chance(), outturn};
 }
 
+/// Of the series of stiffnesses the points that ran; null if there is none.
+std::pair<const StudyMean*, const StudyMean*> softest_and_hardest(const std::vector<StudyMean>& study) {
+  const StudyMean *soft = nullptr, *hard = nullptr;
+  for (const StudyMean& point : study) {
+    if (point.point.series != "stiffness" || point.seeds < 2) continue;
+    if (soft == nullptr || point.point.stiffness < soft->point.stiffness) soft = &point;
+    if (hard == nullptr || point.point.stiffness > hard->point.stiffness) hard = &point;
+  }
+  return {soft, hard};
+}
+
 std::string words(Estimate estimate) { return fmt::format("{:.3f} +- {:.3f}", estimate.value, estimate.error); }
 
 Verdict falls(const std::vector<StudyMean>& study, std::string_view series, std::string prediction) {
@@ -253,6 +264,14 @@ std::vector<Verdict> verdicts(const std::vector<StudyMean>& study) {
                          Difference{mean, error, count - 1.0}, -1.0));
   made.push_back(falls(study, "5000 d/s", "4. They form often enough to lower the ratio as a whole."));
   made.push_back(falls(study, "1000 d/s", "The same at a fifth of the speed."));
+  if (const auto [soft, hard] = softest_and_hardest(study); soft != nullptr && soft != hard) {
+    made.push_back(verdict(
+        "Softer discs under the same load and drive, whose contacts are multiple more often, carry a lower ratio.",
+        fmt::format("S/N {} at {:g} times the stiffness, share of multiple contacts {}; {} and {} at {:g} times",
+                    words(soft->of(Q::stress_ratio)), soft->point.stiffness, words(soft->of(Q::multiple_share)),
+                    words(hard->of(Q::stress_ratio)), words(hard->of(Q::multiple_share)), hard->point.stiffness),
+        difference(*soft, *hard, Q::stress_ratio), -1.0));
+  }
   return made;
 }
 

@@ -96,8 +96,9 @@ struct Verdict {
   Outturn outturn{Outturn::not_shown};
 };
 /// By the points of the series "5000 d/s" between 2 and 32 kPa: compression, formation of multiple contacts, their
-/// lower ratio, whether the ratio as a whole falls; last the same of the whole at 1000 d/s. Errors: InputError if a
-/// series has fewer than two points that ran.
+/// lower ratio, whether the ratio as a whole falls; then the same of the whole at 1000 d/s, and, if the stiffness is
+/// varied, whether the ratio falls with it where load and drive are kept: the inertial number, then, is the same but
+/// for the depth. Errors: InputError if a series of loads has fewer than two points that ran.
 [[nodiscard]] std::vector<Verdict> verdicts(const std::vector<StudyMean>& study);
 
 }  // namespace talus

@@ -27,6 +27,20 @@ void choose(CellScene& scene, const CellChoices& choices) {
   static_cast<void>(make_disc_method(scene.plan.integrator));
 }
 
+/// The option of the command line that said what a field is; none if its file did.
+std::string_view option_of(const CellChoices& choices, std::string_view field) {
+  if (field == "integrator" && choices.integrator) return "--integrator";
+  if (field == "historical" && choices.historical) return "--historical";
+  if (field == "images" && choices.virtual_discs) return "--virtual";
+  if (field == "jump" && choices.jump) return "--jump";
+  return {};
+}
+/// An objection to what the command line said. Errors: InputError if it did.
+void blame_option(const CellChoices& choices, const CellObjection& objection) {
+  if (const std::string_view option = option_of(choices, objection.field); !option.empty())
+    throw InputError{fmt::format("{}: {}", option, objection.words)};
+}
+
 /// A run as that of 1989 may have been: Euler, K1/K2 = .45 and a step of 1e-7 (both from the thesis; that the method is
 /// Euler's is inferred from them).
 std::vector<CellObjection> historical_objections(const CellScene& scene) {
@@ -34,8 +48,9 @@ std::vector<CellObjection> historical_objections(const CellScene& scene) {
   const LatchingSpring* const law = scene.cell.law_of_1989();
   if (!scene.plan.historical || law == nullptr) return found;
   const double ratio = law->stiffness / law->unloading_stiffness;
-  if (scene.plan.integrator != "euler")
-    throw InputError{fmt::format("historical: found the integrator {}; it must be euler", scene.plan.integrator)};
+  if (scene.plan.integrator != "euler") {
+    found.push_back({"integrator", fmt::format("found {}; a historical run is Euler's: euler", scene.plan.integrator)});
+  }
   if (std::abs(ratio - 0.45) > 1e-9) {
     found.push_back({"unloading_stiffness", fmt::format("found {}; a historical run has K1/K2 = .45: it must be {}",
                                                         law->unloading_stiffness, law->stiffness / 0.45)});
@@ -156,7 +171,10 @@ CellScene read_control(std::string_view text, std::string_view name, const CellC
   scene.plan.every = reader.real("LOOP", "every");
   scene.plan.end = reader.real("TIME", "end");
   choose(scene, choices);
-  if (const auto found = all_objections(scene); !found.empty()) reader.fail(found.front());
+  if (const auto found = all_objections(scene); !found.empty()) {
+    blame_option(choices, found.front());
+    reader.fail(found.front());
+  }
   return scene;
 }
 
@@ -194,6 +212,17 @@ void read_law(SceneTable& table, double mass, LinearSpringDashpot& law) {
   }
 }
 
+/// Fails for an objection, whose numbers are in the scene's units: before them stands what the file has.
+[[noreturn]] void object(const SceneTable& table, const CellObjection& objection) {
+  constexpr std::string_view found = "found ";
+  const std::string written = table.written(objection.field);
+  const char first = objection.words.size() > found.size() ? objection.words[found.size()] : ' ';
+  const bool of_number = objection.words.starts_with(found) && ((first >= '0' && first <= '9') || first == '-');
+  if (written.empty() || !of_number) table.fail(objection.field, objection.words);
+  table.fail(objection.field, fmt::format("found {}, in {}: {}", written, table.units().name,
+                                          std::string_view{objection.words}.substr(found.size())));
+}
+
 /// All keys of [cell] with this law.
 template <class L>
 std::vector<std::string> cell_keys() {
@@ -227,13 +256,10 @@ void read_cell_table(SceneTable table, ShearCell& cell) {
     cell.block_mass = pressure * cell.wall_discs * cell.diameter * cell.diameter / cell.gravity;
   }
   if (table.has("seed")) {
-    const int seed = table.whole("seed");
-    if (seed < 0) table.fail("seed", fmt::format("found {}; it must be >= 0", seed));
-    cell.seed = static_cast<std::uint64_t>(seed);
+    cell.seed = static_cast<std::uint64_t>(table.whole_between("seed", 0, most_seed));
   }
   // What cannot be filled is told with this table's place; fields' ranges are told already.
-  for (const CellObjection& objection : objections(cell))
-    table.fail(objection.field, objection.words);
+  if (const auto found = objections(cell); !found.empty()) object(table, found.front());
 }
 
 bool is_deck(std::string_view name) { return name.ends_with(".DAT") || name.ends_with(".dat"); }
@@ -262,8 +288,9 @@ CellScene read_toml(std::string_view text, std::string_view name, const CellChoi
   scene.pictures = on(run, "pictures");
   choose(scene, choices);
   if (const auto found = all_objections(scene); !found.empty()) {
+    blame_option(choices, found.front());
     const bool of_run = std::find(keys.begin(), keys.end(), found.front().field) != keys.end();
-    (of_run ? run : cell).fail(found.front().field, found.front().words);
+    object(of_run ? run : cell, found.front());
   }
   return scene;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,6 +20,9 @@ struct CellScene {
   bool restart{};   ///< RESTRT: the discs come from RESTART.DAT beside the file
   bool pictures{};  ///< GRAPH: PIC.DAT and the series of pictures are written
 };
+
+/// Of seeds: beyond it whole numbers have gaps where a file holds them as numbers.
+inline constexpr std::int64_t most_seed = std::int64_t{1} << 53U;
 
 /// What the command line says instead of the file, or in addition to CNTRL.DAT, which has no place for it.
 struct CellChoices {

@@ -13,7 +13,10 @@ namespace talus {
 /// row, `r*`, a slash), which Fortran would leave as they were before.
 class ListDirected {
  public:
-  explicit ListDirected(std::string_view text) : rest_{text} {}
+  /// A byte-order mark in front is passed over.
+  explicit ListDirected(std::string_view text) : rest_{text} {
+    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+  }
 
   /// The next line as a whole: READ(unit,'(A)').
   [[nodiscard]] std::string_view whole_line();

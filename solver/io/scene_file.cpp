@@ -1,6 +1,7 @@
 #include "solver/io/scene_file.hpp"
 
 #include "solver/base/error.hpp"
+#include "solver/io/cell_file.hpp"
 #include "solver/io/dat_deck.hpp"
 #include "solver/io/fence_file.hpp"
 #include "solver/io/toml_document.hpp"
@@ -10,6 +11,7 @@ namespace talus {
 
 SceneFile read_scene_file(const std::filesystem::path& file) {
   if (!is_deck(file)) return read_scene_file(read_text(file), file.string());
+  if (describes_cell(file)) throw InputError{file.string() + ": a shear cell is run by `talus cell`"};
   const scenes::Fence fence = read_deck(file);
   try {
     const scenes::FenceScene made = scenes::fence_scene(fence);

@@ -136,10 +136,22 @@ double SceneTable::number_of(std::string_view key, const TomlValue& value, Range
 
 int SceneTable::whole(std::string_view key) { return whole_of(key, demand(key)); }
 
-int SceneTable::whole_of(std::string_view key, const TomlValue& value) const {
+std::int64_t SceneTable::whole_between(std::string_view key, std::int64_t least, std::int64_t most) {
+  const TomlValue& value = demand(key);
   const auto* integer = std::get_if<std::int64_t>(&value.data);
-  if (integer != nullptr && std::abs(*integer) <= 1'000'000'000) return static_cast<int>(*integer);
-  fail_at(value.line, key, fmt::format("found {}; it must be a whole number, e.g. 12", found(value)));
+  if (integer != nullptr && *integer >= least && *integer <= most) return *integer;
+  fail_at(value.line, key,
+          fmt::format("found {}; it must be a whole number between {} and {}", found(value), least, most));
+}
+
+int SceneTable::whole_of(std::string_view key, const TomlValue& value) const {
+  constexpr std::int64_t most = 1'000'000'000;
+  const auto* integer = std::get_if<std::int64_t>(&value.data);
+  if (integer == nullptr)
+    fail_at(value.line, key, fmt::format("found {}; it must be a whole number, e.g. 12", found(value)));
+  if (*integer < -most || *integer > most)
+    fail_at(value.line, key, fmt::format("found {}; it must be between {} and {}", *integer, -most, most));
+  return static_cast<int>(*integer);
 }
 
 std::vector<int> SceneTable::wholes_or_one(std::string_view key) {
@@ -186,6 +198,11 @@ void SceneTable::fail_range(std::string_view key, long found, long least, long m
   fail(key, most - least == 1
                 ? fmt::format("found {}; it must be {} or {}", found, least, most)
                 : fmt::format("found {}; it must be a whole number between {} and {}", found, least, most));
+}
+
+std::string SceneTable::written(std::string_view key) const {
+  const TomlValue* const value = find(key);
+  return value != nullptr && std::holds_alternative<std::string>(value->data) ? found(*value) : std::string{};
 }
 
 std::string SceneTable::text(std::string_view key) {

@@ -45,6 +45,8 @@ class SceneTable {
   [[nodiscard]] double number(std::string_view key, Range range = Range::any);
   /// A whole number.
   [[nodiscard]] int whole(std::string_view key);
+  /// A whole number between these, both among them.
+  [[nodiscard]] std::int64_t whole_between(std::string_view key, std::int64_t least, std::int64_t most);
   /// A whole number, or an array of them that is not empty.
   [[nodiscard]] std::vector<int> wholes_or_one(std::string_view key);
   /// An array of pairs of quantities.
@@ -97,6 +99,9 @@ class SceneTable {
   void refuse(std::string_view key, std::string_view why);
   /// Refuses all keys but these and those asked for so far, naming the nearest known one.
   void allow(std::vector<std::string> keys);
+
+  /// A text as it stands there, in quotes; empty if the key is missing or no text.
+  [[nodiscard]] std::string written(std::string_view key) const;
 
   /// Throws an error about a key (or about the table itself, if it has no such key).
   [[noreturn]] void fail(std::string_view key, std::string_view words) const;

@@ -102,6 +102,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_told_with_its_place) {
   BOOST_TEST(message(with(control, "5e-3 0.1", "5e-7 0.1")) ==
              "CNTRL.DAT:4: STEP LOOP TIME: LOOP: found 5e-07; it must be at least 1e-06: a run has at most 100000 "
              "outputs");
+  BOOST_TEST(message(with(control, "5e-3 0.1", "1e-6 0.1")).empty());  // 1e5 of them, by the last bit but one
+  BOOST_TEST(message("\xEF\xBB\xBF" + control).empty());
   BOOST_TEST(message(with(control, "5e-3 0.1", "0.2 0.1")) ==
              "CNTRL.DAT:4: STEP LOOP TIME: LOOP: found 0.2; it must be at most the time that the run takes, 0.1");
   BOOST_TEST(
@@ -144,7 +146,7 @@ BOOST_AUTO_TEST_CASE(steps_that_change_the_restitution_are_refused_but_in_a_hist
       message(with(historical, "1e-7 5e-3", "1e-8 5e-3"), "CNTRL.DAT", {.integrator = "euler", .historical = true})
           .starts_with("CNTRL.DAT:4: STEP LOOP TIME: STEP: found 1e-08; a historical run has a step of 1e-7"));
   BOOST_TEST(message(historical, "CNTRL.DAT", {.historical = true}) ==
-             "historical: found the integrator central_difference; it must be euler");
+             "CNTRL.DAT: integrator: found central_difference; a historical run is Euler's: euler");
   BOOST_TEST(message(control, "CNTRL.DAT", {.integrator = "rk4"}).find("integrator of discs 'rk4' is not known") == 0U);
 }
 
@@ -169,9 +171,18 @@ BOOST_AUTO_TEST_CASE(wrong_scene_files) {
       std::string::npos);
   BOOST_TEST(
       told("columns = 10", "columns = 12").starts_with("c.toml:11: cell: columns: found 12; it must be at most"));
-  BOOST_TEST(told("\"0.2 us\"", "\"2 us\"").starts_with("c.toml:17: run: step: found 2e-06; a contact lasts"));
+  BOOST_TEST(told("\"0.2 us\"", "\"2 us\"")
+                 .starts_with("c.toml:17: run: step: found \"2 us\", in SI: 2e-06; a contact lasts"));
   BOOST_TEST(told("seed = 3", "seeds = 3").find("nearest: seed") != std::string::npos);
   BOOST_TEST(told("euler_cromer", "rk4").find("rk4") != std::string::npos);
+  BOOST_TEST(told("seed = 3", "seed = 9007199254740993") ==
+             "c.toml:14: cell: seed: found 9007199254740993; it must be a whole number between 0 and 9007199254740992");
+  BOOST_TEST(told("seed = 3", "seed = 99999999999").empty());
+  BOOST_TEST(told("[run]", "[run]\nhistorical = \"on\"").starts_with("c.toml:"));
+  // What the command line said stands in no line.
+  BOOST_TEST(message(toml, "c.toml", {.integrator = "euler"}).starts_with("c.toml:17: run: step: "));
+  BOOST_TEST(message(toml, "c.toml", {.integrator = "euler_cromer", .historical = true}) ==
+             "--integrator: found euler_cromer; a historical run is Euler's: euler");
   BOOST_TEST(message(toml, "c.toml", {.units = us}) == "c.toml: a unit system is named in the file already");
 }
 
@@ -208,7 +219,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_go_with_a_law_is_told_with_its_place) {
              "c.toml:5: cell: damping: found \"-1 N s/m\"; it must be >= 0");
   BOOST_TEST(
       told("restitution = 0.5", "damping = \"1 N s/m\"\nlaw = \"linear_spring_dashpot\"\nend_rule = \"attractive\"")
-          .starts_with("c.toml:5: cell: damping: found 1; it must be < 0.156"));
+          .starts_with("c.toml:5: cell: damping: found \"1 N s/m\", in SI: 1; it must be < 0.156"));
   BOOST_TEST(told("restitution = 0.5", "law = \"linear_spring_dashpot\"") ==
              "c.toml:3: cell: damping: it is missing; it, or else restitution, must stand");
   BOOST_TEST(told("restitution = 0.5", "restitution = 0.5\nshear_stiffness = \"1e4 N/m\"") ==
@@ -240,7 +251,7 @@ BOOST_AUTO_TEST_CASE(images_across_the_borders_may_be_virtual_discs) {
   BOOST_TEST(message(with(toml, "jump = \"on\"", "jump = \"on\"\nimages = \"virtual\""), "c.toml") ==
              "c.toml:20: run: jump: found on; with virtual discs each step is taken");
   BOOST_TEST(message(control, "CNTRL.DAT", {.jump = true, .virtual_discs = true}) ==
-             "CNTRL.DAT: jump: found on; with virtual discs each step is taken");
+             "--jump: found on; with virtual discs each step is taken");
 }
 
 BOOST_AUTO_TEST_CASE(a_key_that_is_mistyped_is_told_before_the_one_that_is_missing) {
