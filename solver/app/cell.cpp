@@ -197,6 +197,8 @@ int cell(const CellOptions& options) {
   if (!order.folder.empty()) files.emplace(order.folder, order.scene);
   const std::unique_ptr<CellRun> run = standing_run(order, files ? &*files : nullptr);
   if (files) files->begin(order.left.has_value());
+  // Before the first LOOP: what it writes may be the RESTART.DAT that the run goes on from.
+  if (files && !order.left) files->write_checkpoint(checkpoint_of(order, *run, *files));
   for (const std::string& warning : order.warnings)
     print_failure("warning: " + warning);
 
@@ -211,9 +213,11 @@ int cell(const CellOptions& options) {
     while (!run->finished() && run->failure().empty() && signal() == 0) {
       run->advance();
       progress.show(*run);
-      if (!files || !run->due()) continue;
-      files->begin_loop(run->discs().t);
-      files->write_loop(*run);
+      if (!files) continue;
+      if (run->due()) {
+        files->begin_loop(run->discs().t);
+        files->write_loop(*run);
+      }
       if (files->checkpoint_due()) files->write_checkpoint(checkpoint_of(order, *run, *files));
     }
   }
@@ -271,7 +275,7 @@ Command add_cell(CLI::App& talus) {
   app->add_option(
       "--out", options->folder,
       "folder for RESTART.DAT at each LOOP, with GRAPH = 1 PIC.DAT and the states of cell.pvd, for a checkpoint "
-      "behind the first and then about every second, at the end history.csv, profile.csv, plot.json and summary.json; "
+      "at the start and about every second, at the end history.csv, profile.csv, plot.json and summary.json; "
       "without it nothing is written");
   app->add_option("--resume", options->resume, "folder in which a run was left: take it on as if it had never stopped");
   app->add_option("--integrator", options->integrator,

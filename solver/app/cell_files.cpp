@@ -17,7 +17,13 @@ namespace {
 constexpr std::string_view states = "cell_states";
 
 std::string state_name(std::size_t number) { return fmt::format("{}/cell_{:06}.vtp", states, number); }
-bool names_state(std::string_view file) { return file.starts_with("cell_") && file.ends_with(".vtp"); }
+bool names_state(std::string_view file) {
+  constexpr std::string_view before = "cell_", after = ".vtp";
+  if (!file.starts_with(before) || !file.ends_with(after) || file.size() < before.size() + 6 + after.size())
+    return false;
+  const std::string_view number = file.substr(before.size(), file.size() - before.size() - after.size());
+  return number.find_first_not_of("0123456789") == std::string_view::npos;
+}
 
 /// Files besides the states: what stands of each run as it goes, and at its end.
 constexpr std::array<std::string_view, 3> going{"RESTART.DAT", "PIC.DAT", "checkpoint.json"};
@@ -40,6 +46,8 @@ CellFiles::CellFiles(std::filesystem::path folder, const CellScene& scene)
 }
 
 void CellFiles::begin(bool taken_on) const {
+  // First what would vouch for the rest.
+  if (!taken_on) remove_checkpoint();
   std::error_code none;
   const std::filesystem::path of_states = folder_ / states;
   remove_remains(folder_, names_file), remove_remains(of_states, names_state);
@@ -55,7 +63,6 @@ void CellFiles::begin(bool taken_on) const {
   for (const std::filesystem::path& file : files)
     std::filesystem::remove(file, none);
   if (!scene_->pictures) std::filesystem::remove(of_states, none);  // if nothing else is in it
-  remove_checkpoint();
 }
 
 void CellFiles::write_loop(CellRun& run) {

@@ -18,8 +18,8 @@ class CellFiles {
   CellFiles(std::filesystem::path folder, const CellScene& scene);
 
   /// When the run stands: removes the summary of an earlier run, which would vouch for a mixture, and, if no run that
-  /// was left there is taken on, all that an earlier one wrote but RESTART.DAT; what was being written when one was
-  /// killed in any case.
+  /// was left there is taken on, its checkpoint and all that an earlier cell wrote but RESTART.DAT; what was being
+  /// written when one was killed in any case.
   void begin(bool taken_on) const;
 
   /// Of a run that goes on from a RESTART.DAT: the cycles that it names.
@@ -28,8 +28,8 @@ class CellFiles {
   void begin_loop(double time) { times_.push_back(time); }
   /// After each LOOP: RESTART.DAT, and with pictures PIC.DAT and a state of the series. Errors: IoError.
   void write_loop(CellRun& run);
-  /// Whether a checkpoint is to be written behind a LOOP: the first, then if the last is a second old. It holds all
-  /// LOOPs so far; short ones would spend the run's time on it.
+  /// Whether the last checkpoint is a second old. It holds all LOOPs so far; one behind each would take most of the
+  /// time of a run with short ones.
   bool checkpoint_due() const { return Clock::now() >= next_checkpoint_; }
   /// Errors: IoError.
   void write_checkpoint(const std::string& text);

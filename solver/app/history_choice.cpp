@@ -138,7 +138,7 @@ std::vector<const KeptColumn*> of_elements(const KeptRun& run, const Found& foun
     }
     std::vector<std::string> known;
     for (const KeptColumn* column : found.second)
-      if (!of_scene(*column)) known.push_back(shown_subject(column->subject()));
+      if (!column->subject().empty()) known.push_back(shown_subject(column->subject()));
     if (known.empty()) {
       throw InputError{fmt::format("{}: history '{}' is of the whole, and of no element: found --element {}",
                                    found.first->file.string(), wish.history, element)};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -124,7 +125,9 @@ Estimate BlockMeans::estimate(std::size_t quantity, std::size_t first) const {
 }
 
 Estimate BlockMeans::ratio(std::size_t over, std::size_t under, std::size_t first) const {
-  return estimate(first, [&](const Means& mean) { return mean(over) / mean(under); });
+  return estimate(first, [&](const Means& mean) {
+    return mean(under) != 0.0 ? mean(over) / mean(under) : std::numeric_limits<double>::quiet_NaN();
+  });
 }
 
 void BlockMeans::remember(Memory& memory) {

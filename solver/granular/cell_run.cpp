@@ -168,7 +168,11 @@ long CellRun::free_steps() const {
   const double left = list.left();
   time = std::min(time, left / (fastest + std::sqrt(fastest * fastest + cell_.gravity * left)));
   const auto free = static_cast<long>(std::clamp(time / plan_.step - 1.0, 0.0, 1e15));
-  return std::min({free, next_loop() - steps_, last_step_ - steps_}) / sample_every_ * sample_every_;
+  // A flight is booked in one block.
+  constexpr long parts = blocks;
+  const long next_block = ((steps_ * parts / last_step_ + 1) * last_step_ + parts - 1) / parts;
+  return std::min({free, next_loop() - steps_, next_block - steps_, last_step_ - steps_}) / sample_every_ *
+         sample_every_;
 }
 
 /// How far the block falls freely in so many steps [L].
@@ -180,7 +184,7 @@ double CellRun::block_way(long steps) const {
 
 /// Of the block the height over the time is a parabola, of whose mean, and of its square's but for a term of fourth
 /// order, Simpson's rule leaves nothing out (but for half a step, if they are odd). What is sampled is sampled in the
-/// middle of the flight; the field is looked across as often on the way as steps would do it.
+/// middle of the flight; the field is looked across on the way.
 void CellRun::jump(long steps) {
   const auto height = [&] { return discs_.y[first_block_disc(cell_)] - discs_.y[cell_.free_discs()]; };
   const double sixth = static_cast<double>(steps) * plan_.step / 6.0, first = height();
@@ -233,8 +237,12 @@ void CellRun::sample(bool flown) {
   const auto value = [&](CellQuantity quantity) -> double& { return values[at(quantity)]; };
   const double forwards = std::signbit(cell_.block_speed) ? -1.0 : 1.0, area = cell_.width() * cell_.diameter;
   const std::size_t free = cell_.free_discs();
-  // Contacts that the last drift has begun or ended are as they are now.
-  std::visit([&](auto& system) { system.settle(discs_); }, system_);
+  // Contacts that the last drift has begun or ended are as they are now. A velocity Verlet has evaluated them since,
+  // at other velocities, by which friction settles.
+  const auto settle = [&](const auto& method, auto& system) {
+    if constexpr (!std::same_as<std::decay_t<decltype(method)>, VelocityVerletOf<Discs>>) system.settle(discs_);
+  };
+  std::visit(settle, method_, system_);
   const std::vector<ActingContact> contacts = acting_contacts();
   for (const ActingContact& contact : contacts) {
     const Vec2 force = contact.force_on_b();

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Of the temporary file of another: what mkstemp() puts six letters or digits in place of.
-constexpr std::string_view any_ending = ".XXXXXX";
+constexpr std::string_view ending = ".talus-", any_ending = ".talus-XXXXXX";
 
 IoError io_error(const fs::path& file, int reason) {
   return IoError{fmt::format("{}: {}", file.string(), std::strerror(reason))};
@@ -102,7 +102,8 @@ void remove_remains(const fs::path& folder, const std::function<bool(std::string
     const std::string file = entry.path().filename().string();
     if (file.size() < any_ending.size() + 2 || file.front() != '.') continue;
     const std::size_t end = file.size() - any_ending.size();
-    if (file[end] == '.' && of(std::string_view{file}.substr(1, end - 1))) remains.push_back(entry.path());
+    if (std::string_view{file}.substr(end).starts_with(ending) && of(std::string_view{file}.substr(1, end - 1)))
+      remains.push_back(entry.path());
   }
   for (const fs::path& file : remains)
     fs::remove(file, none);

@@ -309,7 +309,7 @@ bool describes_cell(const std::filesystem::path& file) {
     return std::any_of(table.begin(), table.end(), [](const TomlEntry& entry) { return entry.key == "cell"; });
   }
   if (file.filename() == "CNTRL.DAT") return true;
-  std::istringstream words{text};
+  std::istringstream words{std::string{without_mark(text)}};
   int numbers = 0;
   for (std::string word; words >> word; ++numbers) {
     double number = 0.0;

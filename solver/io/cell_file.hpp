@@ -22,7 +22,7 @@ struct CellScene {
 };
 
 /// Of seeds: beyond it whole numbers have gaps where a file holds them as numbers.
-inline constexpr std::int64_t most_seed = std::int64_t{1} << 53U;
+inline constexpr std::int64_t most_seed = (std::int64_t{1} << 53U) - 1;
 
 /// What the command line says instead of the file, or in addition to CNTRL.DAT, which has no place for it.
 struct CellChoices {

@@ -208,8 +208,7 @@ std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
 
 std::vector<CellProfile::Layer> filled_layers(const CellRun& run) {
   std::vector<CellProfile::Layer> layers = run.profile().layers();
-  while (!layers.empty() && layers.back().fraction.value == 0.0)
-    layers.pop_back();
+  std::erase_if(layers, [](const CellProfile::Layer& layer) { return layer.fraction.value == 0.0; });
   return layers;
 }
 

@@ -5,6 +5,11 @@
 
 namespace talus {
 
+/// A text without the byte-order mark that editors put in front.
+inline std::string_view without_mark(std::string_view text) {
+  return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
 /// Text read as Fortran reads it under list-directed format, READ(unit,*): a record starts on a new line, goes on with
 /// the next line where values are missing, and drops what its last line holds beyond them. Values are separated by
 /// blanks, tabs or one comma; `r*value` stands for r equal values. Lines end with LF or CR LF.
@@ -14,9 +19,7 @@ namespace talus {
 class ListDirected {
  public:
   /// A byte-order mark in front is passed over.
-  explicit ListDirected(std::string_view text) : rest_{text} {
-    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
-  }
+  explicit ListDirected(std::string_view text) : rest_{without_mark(text)} {}
 
   /// The next line as a whole: READ(unit,'(A)').
   [[nodiscard]] std::string_view whole_line();

@@ -12,7 +12,7 @@ namespace talus {
 std::string study_text(const std::vector<StudyMean>& study, const std::vector<Verdict>& verdicts, int seeds) {
   using Q = StudyQuantity;
   std::string text =
-      fmt::format("{:10} {:>6} {:>7} {:>9} {:>5}  {:17} {:15} {:15} {:15} {:15} {:15}\n", "series", "kPa", "d/s",
+      fmt::format("{:10} {:>6} {:>7} {:>9} {:>5}  {:17} {:15} {:15} {:15} {:15} {}\n", "series", "kPa", "d/s",
                   "stiffness", "seeds", "S/N", "depth/D", "multiple", "M/S", "overlap/D", "order");
   bool soft = false, failed = false;
   for (const StudyMean& point : study) {
@@ -24,7 +24,7 @@ std::string study_text(const std::vector<StudyMean>& study, const std::vector<Ve
     const bool is_soft = std::any_of(point.runs.begin(), point.runs.end(), [](const StudyMean::Run& run) {
       return run.numbers[static_cast<std::size_t>(Q::largest_overlap)] > CellRun::deepest;
     });
-    fmt::format_to(std::back_inserter(text), "{:10} {:6g} {:7g} {:9g} {:5}  {:17} {:15} {:15} {:15} {:15} {:15}{}\n",
+    fmt::format_to(std::back_inserter(text), "{:10} {:6g} {:7g} {:9g} {:5}  {:17} {:15} {:15} {:15} {:15} {}{}\n",
                    point.point.series, point.point.overburden / 1e3, point.point.speed, point.point.stiffness,
                    point.seeds, of(Q::stress_ratio, 4), of(Q::depth, 3), of(Q::multiple_share, 3),
                    of(Q::multiple_shear_share, 3), of(Q::largest_overlap, 3), of(Q::order, 3), is_soft ? " *" : "");

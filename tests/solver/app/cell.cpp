@@ -74,16 +74,13 @@ BOOST_AUTO_TEST_CASE(a_run_that_was_killed_goes_on_to_the_same_files) {
   for (const std::string integrator : {"velocity_verlet", "euler_cromer", "central_difference"}) {
     const std::string whole = folder.path / (integrator + "_whole"), killed = folder.path / (integrator + "_killed");
     BOOST_TEST(talus_ran({"cell", file, "--out", whole, "--integrator", integrator}).code == 0);
-    // No time to write anything: what is there is of its last LOOP.
+    // No time to write anything; what was half written goes when the run is taken on.
     const int status = stopped({"cell", file, "--out", killed, "--integrator", integrator},
                                fs::path{killed} / "cell_states/cell_000003.vtp", SIGKILL);
     BOOST_TEST(WIFSIGNALED(status));
     BOOST_TEST(fs::exists(fs::path{killed} / "checkpoint.json"));
     const Ended ended = talus_ran({"cell", "--resume", killed});
     BOOST_TEST_REQUIRE(ended.code == 0, ended.err);
-    // A file that was half written when it was killed is none of the run's.
-    for (const auto& entry : fs::recursive_directory_iterator{killed})
-      if (entry.path().filename().string().front() == '.') fs::remove(entry.path());
     same_files(killed, whole);
   }
 }
@@ -99,8 +96,6 @@ BOOST_AUTO_TEST_CASE(a_rough_cell_leaves_spins_and_goes_on_to_the_same_files) {
       stopped({"cell", file, "--out", killed}, fs::path{killed} / "cell_states/cell_000003.vtp", SIGKILL);
   BOOST_TEST(WIFSIGNALED(status));
   BOOST_TEST(talus_ran({"cell", "--resume", killed}).code == 0);
-  for (const auto& entry : fs::recursive_directory_iterator{killed})
-    if (entry.path().filename().string().front() == '.') fs::remove(entry.path());
   same_files(killed, whole);
   const auto left = files(whole);
   const Json summary = Json::parse(left.at("summary.json"));
@@ -162,7 +157,8 @@ BOOST_AUTO_TEST_CASE(another_run_is_not_taken_on_for_this_one) {
   fs::create_directories(fs::path{out} / "RESTART.DAT.d");
   fs::remove(fs::path{out} / "RESTART.DAT"), fs::rename(fs::path{out} / "RESTART.DAT.d", fs::path{out} / "RESTART.DAT");
   BOOST_TEST(talus_ran({"cell", file, "--out", out, "--seed", "6"}).code == 4);
-  BOOST_TEST(!fs::exists(fs::path{out} / "checkpoint.json"));
+  const Json checkpoint = Json::parse(talus::read_text(fs::path{out} / "checkpoint.json"));
+  BOOST_TEST(checkpoint["memory"]["choices.seed"] == Json::array({6.0}));
 }
 
 BOOST_AUTO_TEST_CASE(no_file_of_an_earlier_run_stays_beside_those_of_another) {
@@ -170,15 +166,17 @@ BOOST_AUTO_TEST_CASE(no_file_of_an_earlier_run_stays_beside_those_of_another) {
   const std::string file = folder.file("CNTRL.DAT", control), out = folder.path / "out";
   BOOST_TEST(talus_ran({"cell", file, "--out", out}).code == 0);
   // What was being written when a run was killed, and what is somebody else's.
-  folder.file("out/.history.csv.a1B2c3", ""), folder.file("out/cell_states/.cell_000003.vtp.a1B2c3", "");
-  folder.file("out/notes.txt", "mine"), folder.file("out/.notes.txt.a1B2c3", "mine");
+  folder.file("out/.history.csv.talus-a1B2c3", ""), folder.file("out/cell_states/.cell_000003.vtp.talus-a1B2c3", "");
+  folder.file("out/notes.txt", "mine"), folder.file("out/.history.csv.backup", "mine"),
+      folder.file("out/cell_states/cell_notes.vtp", "mine");
   const std::string without = folder.file("NO_PICTURES.DAT", "0 0" + control.substr(3));
   BOOST_TEST(talus_ran({"cell", without, "--out", out}).code == 0);
   const std::string fresh = folder.path / "fresh";
   BOOST_TEST(talus_ran({"cell", without, "--out", fresh}).code == 0);
   auto left = files(out);
   BOOST_TEST(left.erase("notes.txt") == 1U);
-  BOOST_TEST(left.erase(".notes.txt.a1B2c3") == 1U);
+  BOOST_TEST(left.erase(".history.csv.backup") == 1U);
+  BOOST_TEST(left.erase("cell_states/cell_notes.vtp") == 1U);
   BOOST_TEST((left == files(fresh)));
 }
 
@@ -197,6 +195,9 @@ BOOST_AUTO_TEST_CASE(what_no_mean_tells_is_null) {
   BOOST_TEST(results["stress_ratio_top"]["value"].is_null());
   BOOST_TEST(results["top_shear"]["value"] == 0.0);
   BOOST_TEST(talus_ran({"plot", out}).code == 0);
+  const Ended element = talus_ran({"plot", out, "--history", "depth", "--element", "3"});
+  BOOST_TEST(element.code == 2);
+  BOOST_TEST(holds(element.err, "history 'depth' is of the whole, and of no element"), element.err);
 }
 
 BOOST_AUTO_TEST_CASE(cells_and_scenes_of_bodies_are_told_apart) {
@@ -276,7 +277,9 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing_are_refused) {
   for (const auto& [words, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
            {{"cell", file, "--out", ""}, "--out: found \"\"; a value must follow"},
            {{"cell", file, "--integrator", ""}, "--integrator: found \"\"; a value must follow"},
-           {{"cell", file, "--seed", "-1"}, "--seed: found -1; it must be a number between 0 and 9007199254740992"},
+           {{"cell", file, "--seed", "9007199254740993"},
+            "--seed: found 9007199254740993; it must be a number between 0"},
+           {{"cell", file, "--seed", "-1"}, "--seed: found -1; it must be a number between 0 and 9007199254740991"},
            {{"cell", file, "--virtual", "--jump"}, "--jump: found on; with virtual discs each step is taken"},
            {{"study", "shear", "--time", "nan"}, "--time: found nan; it must be a number between 0.01 and 1000"},
            {{"cell", many}, "NHT: found 100000; it must be at most 100 of 100000 columns"}}) {

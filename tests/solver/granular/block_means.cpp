@@ -29,6 +29,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_told_is_no_number) {
   for (const double t : {0.5, 1.5, 2.5, 3.5})
     means.add(t, 1.0, std::array{t > 3.0 ? 1.0 : 0.0, 0.0});
   BOOST_TEST(std::isnan(means.ratio(1, 1, 0).value));
+  BOOST_TEST(std::isnan(means.ratio(0, 1, 0).value));
   BOOST_TEST(means.ratio(1, 1, 0).error == 0.0);
   BOOST_TEST(means.ratio(1, 0, 0).value == 0.0);
   // Three of four blocks have no denominator: series of them alone do not count.

@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(wrong_scene_files) {
   BOOST_TEST(told("seed = 3", "seeds = 3").find("nearest: seed") != std::string::npos);
   BOOST_TEST(told("euler_cromer", "rk4").find("rk4") != std::string::npos);
   BOOST_TEST(told("seed = 3", "seed = 9007199254740993") ==
-             "c.toml:14: cell: seed: found 9007199254740993; it must be a whole number between 0 and 9007199254740992");
+             "c.toml:14: cell: seed: found 9007199254740993; it must be a whole number between 0 and 9007199254740991");
   BOOST_TEST(told("seed = 3", "seed = 99999999999").empty());
   BOOST_TEST(told("[run]", "[run]\nhistorical = \"on\"").starts_with("c.toml:"));
   // What the command line said stands in no line.
