@@ -24,7 +24,6 @@ long steps_of_sample(const ShearCell& cell, const CellPlan& plan) {
 }
 
 constexpr long samples_of_look = 8;
-constexpr long most_looks = 32;  ///< in a flight
 
 /// Whole steps in a time; a time that is one but for its last digits counts as one.
 long steps_in(double time, double step) { return std::max(1L, std::lround(time / step)); }
@@ -183,22 +182,16 @@ double CellRun::block_way(long steps) const {
 }
 
 /// Of the block the height over the time is a parabola, of whose mean, and of its square's but for a term of fourth
-/// order, Simpson's rule leaves nothing out (but for half a step, if they are odd). What is sampled is sampled in the
-/// middle of the flight; the field is looked across on the way.
+/// order, Simpson's rule leaves nothing out (but for half a step, if they are odd); discs are looked at in the middle
+/// of their way.
 void CellRun::jump(long steps) {
+  look_across(static_cast<double>(steps_) * plan_.step);  // for what was sampled before
   const auto height = [&] { return discs_.y[first_block_disc(cell_)] - discs_.y[cell_.free_discs()]; };
   const double sixth = static_cast<double>(steps) * plan_.step / 6.0, first = height();
   const long rest = steps - steps / 2;
   fly(steps / 2);
   const double middle = height(), last = middle + block_way(rest);
   book_walls(sixth, {}, {}, first), book_walls(4.0 * sixth, {}, {}, middle), book_walls(sixth, {}, {}, last);
-  const long looks = std::clamp(steps / sample_every_ / samples_of_look, 1L, most_looks);
-  const double flight = static_cast<double>(steps) * plan_.step, part = flight / static_cast<double>(looks);
-  for (long k = 0; k < looks; ++k) {
-    const double after = (static_cast<double>(k) + 0.5) * part;
-    look_across(static_cast<double>(steps_) * plan_.step + after, part,
-                after - static_cast<double>(steps / 2) * plan_.step);
-  }
   steps_ += steps;
   jumped_ += steps;
   sample(true);
@@ -269,12 +262,8 @@ void CellRun::sample(bool flown) {
   const double fraction = solid_fraction(cell_, discs_);
   value(CellQuantity::solid_fraction) = fraction;
   const double time = static_cast<double>(steps_) * plan_.step - 0.5 * waiting_;
-  if (!flown) profile_waiting_ += waiting_, ++profile_samples_;
-  if (profile_samples_ >= samples_of_look || finished()) {
-    look_across(time, profile_waiting_, 0.0);
-    profile_waiting_ = 0.0, profile_samples_ = 0;
-    check_numbers();
-  }
+  profile_waiting_ += waiting_;
+  if (++profile_samples_ >= samples_of_look || flown || finished()) look_across(time), check_numbers();
   means_.add(time, waiting_, values);
   // The last LOOP may be shorter than what the last sample stands for.
   intervals_.add(finished() ? static_cast<double>(steps_) * plan_.step * (1.0 - whole) : time, waiting_, values);
@@ -283,19 +272,22 @@ void CellRun::sample(bool flown) {
   check(fraction);
 }
 
-/// Free discs by height, so much later than they stand; after the start-up.
-void CellRun::look_across(double time, double weight, double later) {
-  if (time < plan_.end * start_up / blocks || !(weight > 0.0)) return;
-  const std::size_t free = cell_.free_discs();
-  profile_.look(time, weight);
-  for (std::size_t i = 0; i < free; ++i) {
-    profile_.add({.y = discs_.y[i] + later * discs_.vy[i] - discs_.y[free],
-                  .vx = discs_.vx[i],
-                  .vy = discs_.vy[i],
-                  .radius = 0.5 * cell_.diameter,
-                  .mass = cell_.mass,
-                  .spin = cell_.friction ? discs_.spin[i] : 0.0});
+/// Free discs by height, for the time since the last look; after the start-up.
+void CellRun::look_across(double time) {
+  if (time >= plan_.end * start_up / blocks && profile_waiting_ > 0.0) {
+    const std::size_t free = cell_.free_discs();
+    profile_.look(time, profile_waiting_);
+    for (std::size_t i = 0; i < free; ++i) {
+      profile_.add({.y = discs_.y[i] - discs_.y[free],
+                    .vx = discs_.vx[i],
+                    .vy = discs_.vy[i],
+                    .radius = 0.5 * cell_.diameter,
+                    .mass = cell_.mass,
+                    .spin = cell_.friction ? discs_.spin[i] : 0.0});
+    }
   }
+  profile_waiting_ = 0.0;
+  profile_samples_ = 0;
 }
 
 std::vector<CellRun::ActingContact> CellRun::acting_contacts() const {

@@ -158,9 +158,8 @@ class CellRun {
   void take_steps(long steps);
   /// Forces on the block and the base; height of one over the other [L].
   void book_walls(double time, Vec2 block, Vec2 base, double height);
-  /// flown: of a flight, whose looks across the field have been.
   void sample(bool flown);
-  void look_across(double time, double weight, double later);
+  void look_across(double time);
   long loops_ended(long steps) const;
   Ledger energies();
   void check(double fraction);

@@ -348,14 +348,16 @@ BOOST_AUTO_TEST_CASE(discs_that_overlap_at_the_start_do_not_fly) {
 }
 
 BOOST_AUTO_TEST_CASE(profiles_are_those_of_all_moments_with_jumps_too) {
-  // One disc that goes up and down between its walls: in the middle of each flight it is in the middle.
+  // A disc that goes straight up and down between a disc of the base and one of the block.
   ShearCell cell = sparse(ice_cell(8e3, 5e3));
-  cell.rows = 2, cell.columns = 2, cell.wall_discs = 4, cell.block_speed = 0.05;
-  cell.gravity = 0.1, cell.block_mass = 1.0;
+  cell.law = LinearSpringDashpot{2e6, 0.0};
+  cell.rows = 1, cell.columns = 1, cell.wall_discs = 4, cell.block_speed = 1e-9;
+  cell.gravity = 1e-6, cell.block_mass = 1e3;
   FilledCell start = fill(cell);
-  for (std::size_t i = 0; i < cell.free_discs(); ++i)
-    start.discs.vx[i] = 0.0, start.discs.vy[i] = 1.0 + 0.1 * static_cast<double>(i);
-  CellPlan how = plan(cell, 4000.0);
+  const std::size_t block = first_block_disc(cell);
+  start.discs.x[0] = start.discs.x[1], start.discs.x[block] = start.discs.x[1];
+  start.discs.vx[0] = 0.0, start.discs.vy[0] = 2.0;
+  CellPlan how = plan(cell, 13000.0);
   CellRun step_by_step{cell, how, start};
   how.jump = true;
   CellRun jumping{cell, how, start};
@@ -363,8 +365,10 @@ BOOST_AUTO_TEST_CASE(profiles_are_those_of_all_moments_with_jumps_too) {
   BOOST_TEST(jumping.jumped() > jumping.steps() / 2);
   const auto one = step_by_step.profile().layers(), other = jumping.profile().layers();
   BOOST_TEST_REQUIRE(one.size() == other.size());
+  double apart = 0.0, all = 0.0;
   for (std::size_t k = 0; k < one.size(); ++k)
-    BOOST_TEST(std::abs(one[k].fraction.value - other[k].fraction.value) < 0.01);
+    apart += std::abs(one[k].fraction.value - other[k].fraction.value), all += one[k].fraction.value;
+  BOOST_TEST(apart < 0.02 * all);
 }
 
 BOOST_AUTO_TEST_CASE(loops_that_all_but_end_with_a_step_end) {
