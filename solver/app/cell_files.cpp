@@ -25,13 +25,10 @@ bool names_state(std::string_view file) {
   return number.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// Files besides the states: what stands of each run as it goes, and at its end.
-constexpr std::array<std::string_view, 3> going{"RESTART.DAT", "PIC.DAT", "checkpoint.json"};
-constexpr std::array<std::string_view, 5> ended{"history.csv", "profile.csv", "cell.pvd", "plot.json", "summary.json"};
-bool names_file(std::string_view file) {
-  return std::find(going.begin(), going.end(), file) != going.end() ||
-         std::find(ended.begin(), ended.end(), file) != ended.end();
-}
+/// Files besides the states.
+constexpr std::array<std::string_view, 8> single{"RESTART.DAT", "PIC.DAT",  "checkpoint.json", "history.csv",
+                                                 "profile.csv", "cell.pvd", "plot.json",       "summary.json"};
+bool names_file(std::string_view file) { return std::find(single.begin(), single.end(), file) != single.end(); }
 
 const std::filesystem::path& made(const std::filesystem::path& folder) {
   make_folder(folder);
@@ -54,14 +51,8 @@ void CellFiles::begin(bool taken_on) const {
   std::filesystem::remove(folder_ / "summary.json", none);
   if (taken_on) return;
   // RESTART.DAT stays until it is written anew: it may be what this run goes on from.
-  for (const std::string_view file : ended)
-    std::filesystem::remove(folder_ / file, none);
-  std::filesystem::remove(folder_ / "PIC.DAT", none);
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator{of_states, none})
-    if (names_state(entry.path().filename().string())) files.push_back(entry.path());
-  for (const std::filesystem::path& file : files)
-    std::filesystem::remove(file, none);
+  remove_files(folder_, [](std::string_view file) { return names_file(file) && file != "RESTART.DAT"; });
+  remove_files(of_states, names_state);
   if (!scene_->pictures) std::filesystem::remove(of_states, none);  // if nothing else is in it
 }
 

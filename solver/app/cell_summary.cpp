@@ -88,8 +88,7 @@ std::string cell_check(const CellScene& scene) {
   add("contact time", with_unit(scene, cell.contact_time(), dimension::time));
   add("step", fmt::format("{} with {}", with_unit(scene, scene.plan.step, dimension::time), scene.plan.integrator));
   add("expected cost", fmt::format("{} steps and force evaluations to {}; {} outputs", run.last_step(),
-                                   with_unit(scene, scene.plan.end, dimension::time),
-                                   std::ceil(scene.plan.end / scene.plan.every * (1.0 - 1e-12))));
+                                   with_unit(scene, scene.plan.end, dimension::time), scene.plan.outputs()));
   if (scene.restart) add("start", "RESTART.DAT beside the file, which is not looked at here");
   text += "groups\n";
   for (const CellNumber& group : cell_groups(scene, run))

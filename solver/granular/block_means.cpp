@@ -66,6 +66,13 @@ double BlockMeans::block_mean(std::size_t block, std::size_t quantity) const {
   return weight_[block] > 0.0 ? sum(block, quantity) / weight_[block] : 0.0;
 }
 
+std::size_t BlockMeans::reached() const {
+  std::size_t last = blocks();
+  while (last > 0 && !seen(last - 1))
+    --last;
+  return last;
+}
+
 double BlockMeans::mean(std::size_t quantity, std::size_t first, std::size_t last) const {
   double weight = 0.0, total = 0.0;
   for (std::size_t block = first; block < last; ++block)
@@ -75,10 +82,7 @@ double BlockMeans::mean(std::size_t quantity, std::size_t first, std::size_t las
 
 Estimate BlockMeans::estimate(std::size_t first, const std::function<double(const Means&)>& of) const {
   // Of a run that has not ended, as far as it has come.
-  std::size_t last = blocks();
-  while (last > first && !(weight_[last - 1] > 0.0))
-    --last;
-  const std::size_t count = last - first;
+  const std::size_t last = std::max(first, reached()), count = last - first;
   std::vector<double> sums(quantities_);
   double time = 0.0;
   const auto add = [&](std::size_t block, double times) {

@@ -35,6 +35,8 @@ class BlockMeans {
 
   std::size_t blocks() const { return weight_.size(); }
   bool seen(std::size_t block) const { return weight_[block] > 0.0; }
+  /// The number of blocks up to the last one with a sample.
+  std::size_t reached() const;
   /// Mean in one block; 0 of a block without a sample.
   double block_mean(std::size_t block, std::size_t quantity) const;
 

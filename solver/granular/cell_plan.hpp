@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -32,6 +33,11 @@ struct CellPlan {
   bool historical{};  ///< a run as that of 1989 may have been: steps that change the restitution are not refused
   bool jump{};        ///< whether time in which nothing can touch is passed at once
   Images images{};
+
+  /// Share of a LOOP that sums of steps may be off by.
+  static constexpr double round_off = 1e-12;
+  /// LOOPs in the run, of which the last may not be whole.
+  double outputs() const { return std::ceil(end / every * (1.0 - round_off)); }
 
   static constexpr std::array<Field<CellPlan>, 3> fields() {
     return {{{"step", dimension::time, &CellPlan::step, Range::positive, "step STEP"},

@@ -14,8 +14,8 @@
 namespace talus {
 namespace {
 
-/// Share of a LOOP or step by which a sum of steps may fall short of it and still be all of it.
-constexpr double whole = 1e-12;
+/// Share of a LOOP by which a sum of steps may fall short of it and still be all of it.
+constexpr double whole = CellPlan::round_off;
 
 /// Steps between two samples of what is known of contacts: half a contact, but no more than a LOOP.
 long steps_of_sample(const ShearCell& cell, const CellPlan& plan) {
@@ -27,9 +27,6 @@ constexpr long samples_of_look = 8;
 
 /// Whole steps in a time; a time that is one but for its last digits counts as one.
 long steps_in(double time, double step) { return std::max(1L, std::lround(time / step)); }
-
-/// LOOPs in a run, the last one perhaps not whole.
-double loops(const CellPlan& plan) { return std::ceil(plan.end / plan.every * (1.0 - whole)); }
 
 std::size_t at(CellQuantity quantity) { return static_cast<std::size_t>(quantity); }
 
@@ -70,7 +67,7 @@ CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
       last_step_{steps_in(plan.end, plan.step)},
       sample_every_{steps_of_sample(cell, plan)},
       means_{quantities, plan.end, blocks},
-      intervals_{quantities, plan.every * loops(plan), static_cast<std::size_t>(loops(plan))},
+      intervals_{quantities, plan.every * plan.outputs(), static_cast<std::size_t>(plan.outputs())},
       profile_{0.5 * cell.diameter, cell.width(), plan.end * start_up / blocks, plan.end} {
   std::visit(
       [&](auto& method, auto& system) {
@@ -139,28 +136,22 @@ long CellRun::next_loop() const {
 /// another: were it from where contacts end, samples would stand to those that follow in the same way each time, and
 /// see too little of them.
 long CellRun::free_steps() const {
-  if (acting_ != 0 || steps_ % sample_every_ != 0) return 0;
-  bool touching = false;
-  const auto look = [&](const auto& system) -> const NeighbourList& {
-    system.for_each_contact(discs_, [&](const DiscContact&) { touching = true; });
-    return system.list();
-  };
-  const NeighbourList& list = std::visit(look, system_);
-  if (touching) return 0;
+  if (acted_ || steps_ % sample_every_ != 0) return 0;
+  const NeighbourList& list =
+      std::visit([](const auto& system) -> const NeighbourList& { return system.list(); }, system_);
   double time = std::numeric_limits<double>::infinity(), fastest = 0.0;
   for (std::size_t i = 0; i < discs_.size(); ++i)
     fastest = std::max(fastest, norm(Vec2{discs_.vx[i], discs_.vy[i]}));
   list.for_each_pair(discs_, [&](std::size_t i, std::size_t j, std::size_t, Vec2 d, const auto& shift) {
     const Vec2 v{discs_.vx[j] - discs_.vx[i] + shift.vx, discs_.vy[j] - discs_.vy[i]};
-    const double radii = cell_.diameter, nearing = -dot(d, v), room = dot(d, d) - radii * radii;
-    if (!(room > 0.0)) {
+    const double radii = cell_.diameter, gap = norm(d) - radii, nearing = -dot(d, v);
+    if (!(gap > 0.0)) {
       time = 0.0;
     } else if (j >= first_block_disc(cell_)) {
-      const double gap = norm(d) - radii, speed = norm(v);
-      time =
-          std::min(time, gap > 0.0 ? 2.0 * gap / (speed + std::sqrt(speed * speed + 2.0 * cell_.gravity * gap)) : 0.0);
+      const double speed = norm(v);
+      time = std::min(time, 2.0 * gap / (speed + std::sqrt(speed * speed + 2.0 * cell_.gravity * gap)));
     } else if (nearing > 0.0) {
-      const double root = nearing * nearing - dot(v, v) * room;
+      const double room = dot(d, d) - radii * radii, root = nearing * nearing - dot(v, v) * room;
       if (root >= 0.0) time = std::min(time, room / (nearing + std::sqrt(root)));
     }
   });
@@ -251,7 +242,7 @@ void CellRun::sample(bool flown) {
     for (const std::size_t disc : {contact.a, contact.b})
       if (disc < free) value(CellQuantity::coordination) += 1.0 / static_cast<double>(free);
   }
-  acting_ = static_cast<long>(contacts.size());
+  acted_ = !contacts.empty();
   value(CellQuantity::contacts) = static_cast<double>(contacts.size());
   value(CellQuantity::touching) = contacts.empty() ? 0.0 : 1.0;
   for (std::size_t i = 0; i < free; ++i) {
@@ -362,9 +353,7 @@ double CellRun::interval_mean(std::size_t interval, CellQuantity quantity) const
 
 double CellRun::drift(CellQuantity quantity) const {
   constexpr std::size_t fewest = 16;  // blocks; an error that fewer tell is not known well
-  std::size_t last = blocks;
-  while (last > start_up && !means_.seen(last - 1))
-    --last;
+  const std::size_t last = means_.reached();
   if (last < start_up + fewest) return 0.0;
   const std::size_t middle = (start_up + last) / 2;
   const double change = means_.mean(at(quantity), middle, last) - means_.mean(at(quantity), start_up, middle);
@@ -406,7 +395,7 @@ void CellRun::remember(Memory& memory) {
   memory.part("discs", [&] { remember(memory, discs_); });
   memory.part("system", [&] { std::visit([&](auto& system) { system.remember(memory, discs_); }, system_); });
   memory.part("method", [&] { std::visit([&](auto& method) { method.remember(memory, discs_); }, method_); });
-  memory.count("steps", steps_), memory.count("jumped", jumped_), memory.count("acting", acting_);
+  memory.count("steps", steps_), memory.count("jumped", jumped_);
   memory.number("waiting", waiting_);
   memory.number("profile_waiting", profile_waiting_), memory.count("profile_samples", profile_samples_);
   memory.numbers("walls", walls_);

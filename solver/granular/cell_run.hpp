@@ -174,7 +174,7 @@ class CellRun {
   long steps_{}, last_step_{}, jumped_{};
   bool due_{};
   long sample_every_;
-  long acting_{1};    ///< contacts at the last sample; before the first, as if there were one
+  bool acted_{};      ///< whether contacts did at the last sample: no need to look whether discs can fly
   double waiting_{};  ///< time that the next sample stands for [T]
   Values walls_{};    ///< sums over that time of what is known at each step
   BlockMeans means_;

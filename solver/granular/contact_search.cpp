@@ -22,14 +22,8 @@ TALUS_CLONES std::size_t find_near(const DiscSweep& sweep, double nearer, std::s
     near[(k - from) / pack_size] = bytes_of(x * x + y * y < within * within);
   }
   std::size_t count = 0;
-  for (std::size_t k = from; k < to; k += pack_size) {
-    const std::size_t bits = bits_of(near[(k - from) / pack_size]);
-    Numbers numbers;
-    std::memcpy(&numbers, chosen.lanes[bits].data(), sizeof numbers);
-    numbers += static_cast<std::uint32_t>(k);
-    std::memcpy(found + count, &numbers, sizeof numbers);
-    count += chosen.count[bits];
-  }
+  for (std::size_t k = from; k < to; k += pack_size)
+    count += number_lanes(near[(k - from) / pack_size], k, found + count);
   return count;
 }
 

@@ -88,6 +88,17 @@ using Numbers [[gnu::vector_size(32)]] = std::uint32_t;
   return static_cast<std::size_t>((bytes & 0x0101010101010101U) * 0x0102040810204080U >> 56U);
 }
 
+/// Writes the numbers of the lanes whose bytes are set, the first lane's being `first`, in a row, and what fills a pack
+/// behind them; how many they are.
+[[gnu::always_inline]] inline std::size_t number_lanes(std::uint64_t bytes, std::size_t first, std::uint32_t* row) {
+  const std::size_t bits = bits_of(bytes);
+  Numbers numbers;
+  std::memcpy(&numbers, chosen.lanes[bits].data(), sizeof numbers);
+  numbers += static_cast<std::uint32_t>(first);
+  std::memcpy(row, &numbers, sizeof numbers);
+  return chosen.count[bits];
+}
+
 [[gnu::always_inline]] inline void square_root(Pack& x) {
   std::array<double, pack_size> numbers;
   std::memcpy(numbers.data(), &x, sizeof x);

@@ -95,18 +95,21 @@ void write_whole(const fs::path& file, std::string_view content) {
   temporary.keep();
 }
 
-void remove_remains(const fs::path& folder, const std::function<bool(std::string_view)>& of) {
+void remove_files(const fs::path& folder, const std::function<bool(std::string_view)>& of) {
   std::error_code none;
-  std::vector<fs::path> remains;
-  for (const fs::directory_entry& entry : fs::directory_iterator{folder, none}) {
-    const std::string file = entry.path().filename().string();
-    if (file.size() < any_ending.size() + 2 || file.front() != '.') continue;
-    const std::size_t end = file.size() - any_ending.size();
-    if (std::string_view{file}.substr(end).starts_with(ending) && of(std::string_view{file}.substr(1, end - 1)))
-      remains.push_back(entry.path());
-  }
-  for (const fs::path& file : remains)
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator{folder, none})
+    if (of(entry.path().filename().string())) found.push_back(entry.path());
+  for (const fs::path& file : found)
     fs::remove(file, none);
+}
+
+void remove_remains(const fs::path& folder, const std::function<bool(std::string_view)>& of) {
+  remove_files(folder, [&](std::string_view file) {
+    if (file.size() < any_ending.size() + 2 || file.front() != '.') return false;
+    const std::size_t end = file.size() - any_ending.size();
+    return file.substr(end).starts_with(ending) && of(file.substr(1, end - 1));
+  });
 }
 
 void make_folder(const fs::path& folder) {

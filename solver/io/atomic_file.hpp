@@ -12,8 +12,11 @@ namespace talus {
 /// there.
 void write_whole(const std::filesystem::path& file, std::string_view content);
 
-/// Removes what write_whole() left in a folder when its program was killed, of files whose names `of` holds for. What
-/// cannot be removed stays.
+/// Removes the files of a folder for whose names `of` holds. What cannot be removed stays.
+void remove_files(const std::filesystem::path& folder, const std::function<bool(std::string_view)>& of);
+
+/// Removes what write_whole() left in a folder when its program was killed, of files for whose names
+/// `of` holds.
 void remove_remains(const std::filesystem::path& folder, const std::function<bool(std::string_view)>& of);
 
 /// Makes a folder and those above it. Errors: IoError with the system's reason.

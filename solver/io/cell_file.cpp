@@ -212,15 +212,13 @@ void read_law(SceneTable& table, double mass, LinearSpringDashpot& law) {
   }
 }
 
-/// Fails for an objection, whose numbers are in the scene's units: before them stands what the file has.
+/// Fails for an objection; where it found what the file says in other units, that stands before it.
 [[noreturn]] void object(const SceneTable& table, const CellObjection& objection) {
   constexpr std::string_view found = "found ";
   const std::string written = table.written(objection.field);
-  const char first = objection.words.size() > found.size() ? objection.words[found.size()] : ' ';
-  const bool of_number = objection.words.starts_with(found) && ((first >= '0' && first <= '9') || first == '-');
-  if (written.empty() || !of_number) table.fail(objection.field, objection.words);
-  table.fail(objection.field, fmt::format("found {}, in {}: {}", written, table.units().name,
-                                          std::string_view{objection.words}.substr(found.size())));
+  const std::string_view rest = std::string_view{objection.words}.substr(found.size());
+  if (written.empty() || rest.starts_with(written)) table.fail(objection.field, objection.words);
+  table.fail(objection.field, fmt::format("found \"{}\", in {}: {}", written, table.units().name, rest));
 }
 
 /// All keys of [cell] with this law.

@@ -140,8 +140,9 @@ std::int64_t SceneTable::whole_between(std::string_view key, std::int64_t least,
   const TomlValue& value = demand(key);
   const auto* integer = std::get_if<std::int64_t>(&value.data);
   if (integer != nullptr && *integer >= least && *integer <= most) return *integer;
-  fail_at(value.line, key,
-          fmt::format("found {}; it must be a whole number between {} and {}", found(value), least, most));
+  const std::string allowed = most - least == 1 ? fmt::format("{} or {}", least, most)
+                                                : fmt::format("a whole number between {} and {}", least, most);
+  fail_at(value.line, key, fmt::format("found {}; it must be {}", found(value), allowed));
 }
 
 int SceneTable::whole_of(std::string_view key, const TomlValue& value) const {
@@ -194,15 +195,10 @@ std::vector<int> SceneTable::wholes(std::string_view key) {
   return result;
 }
 
-void SceneTable::fail_range(std::string_view key, long found, long least, long most) const {
-  fail(key, most - least == 1
-                ? fmt::format("found {}; it must be {} or {}", found, least, most)
-                : fmt::format("found {}; it must be a whole number between {} and {}", found, least, most));
-}
-
 std::string SceneTable::written(std::string_view key) const {
   const TomlValue* const value = find(key);
-  return value != nullptr && std::holds_alternative<std::string>(value->data) ? found(*value) : std::string{};
+  const auto* text = value != nullptr ? std::get_if<std::string>(&value->data) : nullptr;
+  return text != nullptr ? *text : std::string{};
 }
 
 std::string SceneTable::text(std::string_view key) {

@@ -90,8 +90,7 @@ class SceneTable {
   /// A whole number in the range of its field.
   template <class T>
   void read_count(T& value, const CountField<T>& field) {
-    const int count = whole(field.name);
-    if (count < field.least || count > field.most) fail_range(field.name, count, field.least, field.most);
+    const auto count = static_cast<int>(whole_between(field.name, field.least, field.most));
     std::visit([&](auto member) { value.*member = count; }, field.member);
   }
 
@@ -100,7 +99,7 @@ class SceneTable {
   /// Refuses all keys but these and those asked for so far, naming the nearest known one.
   void allow(std::vector<std::string> keys);
 
-  /// A text as it stands there, in quotes; empty if the key is missing or no text.
+  /// A text as it stands there, without its quotes; empty if the key is missing or no text.
   [[nodiscard]] std::string written(std::string_view key) const;
 
   /// Throws an error about a key (or about the table itself, if it has no such key).
@@ -121,7 +120,6 @@ class SceneTable {
   double number_of(std::string_view key, const TomlValue& value, Range range) const;
   double quantity_of(std::string_view key, const TomlValue& value, Dimension dimension, Range range) const;
   int whole_of(std::string_view key, const TomlValue& value) const;
-  [[noreturn]] void fail_range(std::string_view key, long found, long least, long most) const;
   [[noreturn]] void fail_at(int line, std::string_view key, std::string_view words) const;
   std::string place(int line) const;
 

@@ -157,12 +157,7 @@ TALUS_CLONES std::size_t BareCell::push() {
     keep_where(largest, overlaps);
     talus::store(largest, largest_of + k);
     store_places(force * (x / distance), force * (y / distance), forces + 2 * k);
-    const std::size_t bits = bits_of(bytes_of(overlaps));
-    Numbers numbers;
-    std::memcpy(&numbers, chosen.lanes[bits].data(), sizeof numbers);
-    numbers += static_cast<std::uint32_t>(k);
-    std::memcpy(touching + count, &numbers, sizeof numbers);
-    count += chosen.count[bits];
+    count += number_lanes(bytes_of(overlaps), k, touching + count);
   }
   return count;
 }

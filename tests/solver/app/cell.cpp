@@ -182,10 +182,7 @@ BOOST_AUTO_TEST_CASE(no_file_of_an_earlier_run_stays_beside_those_of_another) {
 
 BOOST_AUTO_TEST_CASE(what_no_mean_tells_is_null) {
   const Folder folder;
-  const std::string file = folder.file("CNTRL.DAT", control), out = folder.path / "out";
-  stopped({"cell", file, "--out", out}, fs::path{out} / "checkpoint.json", SIGINT);
-  const Json stopped_early = Json::parse(talus::read_text(fs::path{out} / "summary.json"));
-  if (stopped_early["counts"]["steps"] < 4000) BOOST_TEST(stopped_early["results"]["depth"]["value"].is_null());
+  const std::string out = folder.path / "out";
   // Nothing drives the discs, and nothing presses them.
   const std::string still =
       folder.file("STILL.DAT", "0 0\n1.7e4 34693.877551020405 1e-3 7.2e-7 0 0.00897\n8 10 11 0\n6e-7 1e-3 1e-2\n");
@@ -305,6 +302,7 @@ BOOST_AUTO_TEST_CASE(runs_that_fail_say_why) {
   const Json summary = Json::parse(talus::read_text(fs::path{out} / "summary.json"));
   BOOST_TEST(summary["outcome"]["kind"] == "diverged");
   BOOST_TEST(summary["outcome"].contains("words"));
+  BOOST_TEST(summary["results"]["depth"]["value"].is_null());  // there is no mean yet
 }
 
 BOOST_AUTO_TEST_CASE(a_cell_is_exported_for_lammps_with_dashpots_if_they_may_stand_for_latches) {

@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(profiles_are_those_of_all_moments_with_jumps_too) {
   double apart = 0.0, all = 0.0;
   for (std::size_t k = 0; k < one.size(); ++k)
     apart += std::abs(one[k].fraction.value - other[k].fraction.value), all += one[k].fraction.value;
-  BOOST_TEST(apart < 0.02 * all);
+  BOOST_TEST(apart < 0.006 * all);  // .003 was measured: some thirty looks at each way across
 }
 
 BOOST_AUTO_TEST_CASE(means_of_flights_are_those_of_their_steps) {

@@ -180,8 +180,8 @@ BOOST_AUTO_TEST_CASE(energy_that_contacts_hold_at_the_start_is_accounted_for) {
     start.discs = before.discs();
     CellRun ran{cell, how, start};
     run(ran);
-    // Without what the contacts of the start hold 4 to 8 % of it are missing.
-    BOOST_TEST(std::abs(ran.ledger().gained) < 2e-3 * ran.ledger().dissipated);
+    // Without what the contacts of the start hold 4 to 8 % of it are missing; 2.6e-5 and 1.1e-4 were measured.
+    BOOST_TEST(std::abs(ran.ledger().gained) < 3e-4 * ran.ledger().dissipated);
   }
 }
 
@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(what_is_steady_is_steady_also_where_a_run_is_left) {
     ran.advance();
   // Blocks that were not reached are no zeros: counted as such they made it some fifty errors.
   for (const CellQuantity quantity : {CellQuantity::solid_fraction, CellQuantity::depth, CellQuantity::touching})
-    BOOST_TEST(std::abs(ran.drift(quantity)) < 10.0);
+    BOOST_TEST(std::abs(ran.drift(quantity)) < 3.0);
 }
 
 BOOST_AUTO_TEST_CASE(contacts_are_counted_from_their_first_moment_on) {
