@@ -60,12 +60,12 @@ BOOST_AUTO_TEST_CASE(discs_that_overlap_at_the_start_do_not_fly) {
   Discs& discs = start.discs;
   discs.x[1] = discs.x[0] + 0.999 * cell.diameter, discs.y[1] = discs.y[0];
   discs.vx[0] = -1.0, discs.vx[1] = 1.0;
-  CellPlan how = plan(cell, 10.0);
+  CellPlan how = plan(cell, 1000.0);
   CellRun step_by_step{cell, how, start};
   how.jump = true;
   CellRun jumping{cell, how, start};
   run(step_by_step), run(jumping);
-  BOOST_TEST(step_by_step.discs().vx[1] > 1.05);
+  BOOST_TEST(jumping.jumped() > 0);
   BOOST_TEST(apart(step_by_step, jumping) < 1e-9 * cell.diameter);
 }
 
