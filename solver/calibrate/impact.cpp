@@ -149,6 +149,7 @@ Scene with_damping(Scene scene, ContactId contact, double damping) {
       [&]<class L>(L& law) {
         if constexpr (requires { law.damping; }) {
           law.damping = damping;
+          if constexpr (requires { law.damping_ratio; }) law.damping_ratio = 0.0;
         } else {
           throw InputError{fmt::format("contact '{}': the law '{}' has no damping", changed.name, L::name)};
         }

@@ -47,7 +47,10 @@ std::vector<SpringLabel> spring_labels(const Dynamics& dynamics) {
 double duration(const SpringLabel& label, const Spring& spring) {
   if (!std::isfinite(spring.effective_mass)) return std::numeric_limits<double>::infinity();
   const auto* dashpot = label.law ? std::get_if<LinearSpringDashpot>(label.law) : nullptr;
-  if (dashpot) return contact_time(*dashpot, spring.effective_mass);
+  if (dashpot) {
+    return contact_time({.stiffness = spring.stiffness, .damping = spring.damping, .end_rule = dashpot->end_rule},
+                        spring.effective_mass);
+  }
   return std::numbers::pi * std::sqrt(spring.effective_mass / spring.stiffness);
 }
 

@@ -59,7 +59,7 @@ template <class L>
   std::copy_n(&state.mode[first.mode], run.count, &lines.mode[run.cable]);
   std::copy_n(state.z.data() + first.memory, L::memory_size * run.count, &lines.memory[run.cable]);
   for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
-    lines.set(c, law.linear_piece(memory<L>(state, slot), state.mode[slot.mode]));
+    lines.set(c, law.linear_piece(memory(law, state, slot), state.mode[slot.mode]));
   });
 }
 

@@ -215,7 +215,7 @@ void CableForces::sum_pulls(const State& state, Workspace& work, Rates* out) con
   for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, const CableRun& run) {
     if (run.quiet) return;
     for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
-      const LawForce force = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);
+      const LawForce force = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]);
       work.paths.tension[c] = force.total();
       if (out)
         out->work[static_cast<std::size_t>(L::dissipation)] +=
@@ -241,7 +241,7 @@ void CableForces::sum_pulls(const CableRun& run, Workspace& work) const {
 void CableForces::keep_rest(const State& state, const Workspace& work) {
   rest_pulls_.resize(size());
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    const double tension = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]).total();
+    const double tension = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
     rest_pulls_[c] = tension * work.paths.pull(c);
   });
 }
@@ -250,7 +250,7 @@ void CableForces::list_woken(const State& state, const Workspace& work, double s
                              std::vector<BodyId>& woken) const {
   for (const std::size_t c : work.waking.borders) {
     visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
-      const double tension = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]).total();
+      const double tension = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
       const Vec2 change = tension * work.paths.pull(c) - rest_pulls_[c];
       if (std::max(std::abs(change.x), std::abs(change.y)) <= share * tension) return;
       const Joint& a = joints_[ends_[c].a];
@@ -280,7 +280,7 @@ bool CableForces::guards(const State& state, const Workspace& work, double ahead
     if (run.quiet && stay_straight(run.cable, run.count, constants_.rest_length, work.lines, work.paths, ahead)) return;
     any = true;
     for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
-      out[slot.mode] = law.guard(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);
+      out[slot.mode] = law.guard(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]);
     });
   });
   for (std::size_t h = 0; h < holders_.size(); ++h) {
@@ -290,17 +290,32 @@ bool CableForces::guards(const State& state, const Workspace& work, double ahead
   return any;
 }
 
+void CableForces::for_each_taut(const State& state, const Workspace& work,
+                                const std::function<void(const TautCable&)>& visit) const {
+  const auto goes_past_a_hanger = [&](std::size_t c) {
+    return std::any_of(work.rigging.chains.begin(), work.rigging.chains.end(), [c](const Chain& chain) {
+      return std::find(chain.cables.begin(), chain.cables.end(), c) != chain.cables.end();
+    });
+  };
+  for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
+    const Mode mode = state.mode[slot.mode];
+    if (mode == 0 || goes_past_a_hanger(c)) return;
+    visit({c, local_slopes(law, kinematics(work, c), memory(law, state, slot), mode), constants_.share_a[c],
+           constants_.share_b[c]});
+  });
+}
+
 double CableForces::stored_energy(const State& state, const Workspace& work) const {
   double sum = 0.0;
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    sum += copies_[c] * law.stored_energy(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]);
+    sum += copies_[c] * law.stored_energy(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]);
   });
   return sum;
 }
 
 void CableForces::tensions(const State& state, const Workspace& work, std::span<double> out) const {
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    out[c] = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]).total();
+    out[c] = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
   });
 }
 

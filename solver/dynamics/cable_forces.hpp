@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -81,6 +82,15 @@ class CableForces {
   bool none_ends(const Workspace& work, double ahead) const;
   /// Of rows that at their rates stay on their straight lines for the time ahead [T] none. Whether there are any.
   bool guards(const State& state, const Workspace& work, double ahead, std::span<double> out) const;
+  /// A cable that pulls, and runs straight between its own joints.
+  struct TautCable {
+    std::size_t index{};
+    Tangent slopes;    ///< of its tension
+    double share_a{};  ///< force on the body at end A for each unit of tension
+    double share_b{};
+  };
+  void for_each_taut(const State& state, const Workspace& work,
+                     const std::function<void(const TautCable&)>& visit) const;
   double stored_energy(const State& state, const Workspace& work) const;
   /// Lists the sleeping bodies on which a cable pulls otherwise than at rest, by more than `share` of its tension.
   void list_woken(const State& state, const Workspace& work, double share, std::vector<BodyId>& woken) const;

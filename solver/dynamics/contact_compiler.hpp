@@ -45,7 +45,7 @@ class ContactCompiler {
     array.slots.push_back(next_);
     array.groups.back().last = array.laws.size();
     pairs_[next_.mode] = {id_a, id_b};
-    next_ = {next_.mode + 1, next_.memory + L::memory_size};
+    next_ = {next_.mode + 1, next_.memory + memory_count(law_)};
     next_friction_ = {next_friction_.mode + 1, next_friction_.memory + 1};
   }
 
@@ -107,10 +107,20 @@ class ContactCompiler {
     if (const auto* circle = std::get_if<Circle>(&a)) return add_ball({{}, circle->radius}, id_a, id_b, b);
     if (const auto* circle = std::get_if<Circle>(&b)) return add_ball({{}, circle->radius}, id_b, id_a, a);
     if (std::holds_alternative<HalfPlane>(a)) return add_resultant(id_b, b, id_a, a);
-    if (const auto* outline = std::get_if<Superquadric>(&a)) return add(id_a, *outline, id_b, std::get<HalfPlane>(b));
+    if (const auto* outline = std::get_if<Superquadric>(&a)) {
+      if (std::holds_alternative<Rectangle>(b)) return add_resultant(id_b, b, id_a, a);
+      if (const auto* other = std::get_if<Superquadric>(&b)) return add(id_a, *outline, id_b, *other);
+      return add(id_a, *outline, id_b, std::get<HalfPlane>(b));
+    }
     const auto& box = std::get<Rectangle>(a);
-    if (const auto* plane = std::get_if<HalfPlane>(&b)) return add(id_a, box, id_b, *plane);
-    add(id_a, box, id_b, std::get<Rectangle>(b));
+    if (const auto* plane = std::get_if<HalfPlane>(&b)) {
+      for (const Vec2 corner : boundary_nodes(a, 4))
+        add(id_a, Ball{corner, 0.0}, id_b, *plane);
+      return;
+    }
+    if (const auto* outline = std::get_if<Superquadric>(&b)) return add(id_a, box, id_b, *outline);
+    for (const int end : {0, 1})
+      add(id_a, RectangleEnd{box, end}, id_b, std::get<Rectangle>(b));
   }
 
   const Model& model_;

@@ -1,6 +1,7 @@
 #include "solver/dynamics/contact_forces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <variant>
 
@@ -40,6 +41,20 @@ void for_each_near(const Laws& laws, const Workspace& work, Visit&& visit) {
   });
 }
 
+/// Where the friction of an instance of the group is kept.
+Slot friction_slot(const ContactGroup& group, std::size_t instance) {
+  const std::size_t place = instance - group.first;
+  return {group.first_friction.mode + place, group.first_friction.memory + place};
+}
+
+/// c_s of a contact with friction whose normal law is this [F T/L].
+template <class L>
+double friction_dashpot(const ContactGroup& group, const L& law, std::span<const double> memory) {
+  double time = 0.0;
+  if constexpr (requires { law.retardation_time(memory); }) time = law.retardation_time(memory);
+  return group.friction->dashpot(time);
+}
+
 /// One instance of friction, and the normal force at it.
 struct Slider {
   const ContactGroup& group;
@@ -47,6 +62,7 @@ struct Slider {
   Slot slot;
   std::size_t instance{};  ///< of the contact, in Workspace::gaps
   double normal{};         ///< [F]
+  double dashpot{};        ///< c_s [F T/L]
 };
 
 /// Calls visit(slider) for each instance of friction within reach; `rough`: whether there are any.
@@ -58,13 +74,14 @@ void for_each_slider(const Laws& laws, bool rough, const State& state, const Wor
       if (!group.friction || !work.near[group.candidate]) continue;
       for (std::size_t i = group.first; i < group.last; ++i) {
         using L = typename std::decay_t<decltype(array.laws)>::value_type;
-        const Slot slot{group.first_friction.mode + i - group.first, group.first_friction.memory + i - group.first};
+        const Slot slot = friction_slot(group, i);
         const Slot normal = array.slots[i];
         const Mode mode = state.mode[normal.mode];
         if (mode == 0 && state.mode[slot.mode] == CoulombFriction::open) continue;
-        const double force =
-            mode == 0 ? 0.0 : array.laws[i](kinematics(work, normal.mode), memory<L>(state, normal), mode).total();
-        visit(Slider{group, *group.friction, slot, normal.mode, force});
+        const L& law = array.laws[i];
+        const auto remembered = memory(law, state, normal);
+        const double force = mode == 0 ? 0.0 : law(kinematics(work, normal.mode), remembered, mode).total();
+        visit(Slider{group, *group.friction, slot, normal.mode, force, friction_dashpot(group, law, remembered)});
       }
     }
   });
@@ -78,6 +95,11 @@ double slip_rate(const Workspace& work, const Slider& slider) {
   const Pose A = work.poses[index(slider.group.a)];
   const Pose B = work.poses[index(slider.group.b)];
   return dot(velocity_at(B, gap.p_WC) - velocity_at(A, gap.p_WC), tangent(gap));
+}
+
+/// The stretch that would add as much force as the dashpot of a contact that sticks or is about to [L].
+double viscous_stretch(const Workspace& work, const Slider& slider) {
+  return slider.dashpot == 0.0 ? 0.0 : slider.dashpot / slider.law.stiffness * slip_rate(work, slider);
 }
 
 /// Starts the spring of a contact that has just begun to push: its bodies have been closing since they touched, for
@@ -117,12 +139,11 @@ void update_gaps(const Laws& laws, const State* state, Workspace& work) {
 
 }  // namespace
 
-ContactForces::ContactForces(const Model& model, const Layout& layout) {
+ContactForces::ContactForces(const Model& model, const Layout& layout) : mobility_{model} {
   std::size_t count = 0;
   for (const std::size_t instances : layout.contact_instances)
     count += instances;
   pairs_.resize(count);
-  tangents_.resize(count);
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     const Contact& contact = model.contacts[c];
     rough_ = rough_ || contact.friction.has_value();
@@ -134,8 +155,8 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) {
         [&]<class L>(const L& law) {
           auto& arrays = std::get<ContactArrays<L>>(laws_);
           arrays.used = true;
+          if constexpr (StartsByMass<L>) starts_by_mass_ = starts_by_mass_ || memory_count(law) > 0;
           ContactCompiler<L>{model, arrays, pairs_}.add(c, contact, law, slot, layout.friction_slots[c]);
-          std::fill_n(tangents_.begin() + static_cast<std::ptrdiff_t>(slot.mode), instances, law.tangent());
         },
         contact.law);
   }
@@ -219,6 +240,7 @@ void ContactForces::begin(State& state, const Workspace& work) const {
 
 // All laws' visits in line: a call for each array would cost more than most arrays do.
 [[gnu::flatten]] void ContactForces::settle(State& state, const Workspace& work) const {
+  if (starts_by_mass_) start_contacts(state, work);
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup& group) {
     // The gap declares onset: what does not act and does not touch stays so.
     if (state.mode[slot.mode] == 0 && work.gaps[slot.mode].depth < 0.0) return;
@@ -227,7 +249,7 @@ void ContactForces::begin(State& state, const Workspace& work) const {
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     if (state.mode[slider.slot.mode] == CoulombFriction::open && slider.normal > 0.0) start_spring(state, work, slider);
     double& stretch = state.z[slider.slot.memory];
-    const auto settled = slider.law.settle(stretch, slider.normal);
+    const auto settled = slider.law.settle(stretch, slider.normal, viscous_stretch(work, slider));
     stretch = settled.stretch;
     state.mode[slider.slot.mode] = settled.mode;
     state.work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.copies * settled.dissipated;
@@ -260,15 +282,77 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
     const Mode mode = state.mode[slot.mode];
     if (mode == 0) return;
     const Kinematics x = kinematics(work, slot.mode);
-    const LawForce force = law(x, memory<L>(state, slot), mode);
+    const LawForce force = law(x, memory(law, state, slot), mode);
     const Gap& gap = work.gaps[slot.mode];
     add_pair(work, group, gap, force.total() * gap.n_AB);
     if (out) out->work[static_cast<std::size_t>(L::dissipation)] += group.copies * force.dissipative * x.extent_rate;
   });
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     const Gap& gap = work.gaps[slider.instance];
-    const double force = slider.law(state.z[slider.slot.memory], slider.normal);
+    const double stretch = state.z[slider.slot.memory];
+    const bool sticks = state.mode[slider.slot.mode] == CoulombFriction::sticking;
+    const double viscous = sticks ? viscous_stretch(work, slider) : 0.0;
+    const double force = slider.law(stretch, slider.normal, viscous);
     add_pair(work, slider.group, gap, -force * tangent(gap));
+    if (out && viscous != 0.0) {
+      const double power = (force - slider.law(stretch, slider.normal)) * slip_rate(work, slider);
+      out->work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.copies * power;
+    }
+  });
+}
+
+/// Speed at which the bodies part at one instance for a unit impulse between them at another [1/M]: share_a/m_A +
+/// share_b/m_B of PointMobility, in the present pose.
+double ContactForces::mobility(const Workspace& work, const ContactGroup& group, const Gap& one, const Gap& two) const {
+  const auto of = [&](BodyId body, double share) {
+    return share * mobility_.between(body, work.poses[index(body)], {one.p_WC, one.n_AB}, {two.p_WC, two.n_AB});
+  };
+  return of(group.a, group.share_a) + of(group.b, group.share_b);
+}
+
+/// Starts the memory of laws that depend on the effective mass, of the instances that begin to touch: m = p/u, with p
+/// the impulse that stops the closing speed u there. Two that begin together stop each other's, too (a side that lands
+/// flat): A p = u, with A the mobilities between them. Where a body cannot move along the normal nothing closes: 0.
+template <class Array>
+void ContactForces::start_contacts(const Array& array, const ContactGroup& group, State& state,
+                                   const Workspace& work) const {
+  const auto begins = [&](std::size_t i) {
+    const std::size_t instance = array.slots[i].mode;
+    return memory_count(array.laws[i]) > 0 && state.mode[instance] == 0 && work.gaps[instance].depth >= 0.0;
+  };
+  std::array<std::size_t, 2> pair{};
+  std::size_t count = 0;
+  for (std::size_t i = group.first; i < group.last; ++i) {
+    if (!begins(i)) continue;
+    if (count < 2) pair[count] = i;
+    ++count;
+    const Gap& gap = work.gaps[array.slots[i].mode];
+    const double each = mobility(work, group, gap, gap);
+    array.laws[i].start_contact(memory(array.laws[i], state, array.slots[i]), each > 0.0 ? 1.0 / each : 0.0);
+  }
+  if (count != 2) return;
+  const Gap &one = work.gaps[array.slots[pair[0]].mode], &two = work.gaps[array.slots[pair[1]].mode];
+  const double u1 = work.rates[array.slots[pair[0]].mode], u2 = work.rates[array.slots[pair[1]].mode];
+  const double a11 = mobility(work, group, one, one), a22 = mobility(work, group, two, two);
+  const double a12 = mobility(work, group, one, two), determinant = a11 * a22 - a12 * a12;
+  const double p1 = a22 * u1 - a12 * u2, p2 = a11 * u2 - a12 * u1;  // times the determinant
+  if (!(u1 > 0.0 && u2 > 0.0 && p1 > 0.0 && p2 > 0.0 && determinant > 1e-12 * a11 * a22)) return;
+  const auto start = [&](std::size_t i, double mass) {
+    array.laws[i].start_contact(memory(array.laws[i], state, array.slots[i]), mass);
+  };
+  start(pair[0], p1 / (determinant * u1));
+  start(pair[1], p2 / (determinant * u2));
+}
+
+void ContactForces::start_contacts(State& state, const Workspace& work) const {
+  if (!work.any_near) return;
+  for_each_array(laws_, [&](const auto& array) {
+    using L = typename std::decay_t<decltype(array.laws)>::value_type;
+    if constexpr (StartsByMass<L>) {
+      for (const ContactGroup& group : array.groups) {
+        if (work.near[group.candidate]) start_contacts(array, group, state, work);
+      }
+    }
   });
 }
 
@@ -316,12 +400,12 @@ ContactForces::Overlap ContactForces::deepest_overlap(const Workspace& work) con
 
 void ContactForces::guards(const State& state, const Workspace& work, std::span<double> out) const {
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup&) {
-    out[slot.mode] = law.guard(kinematics(work, slot.mode), memory<L>(state, slot), state.mode[slot.mode]);
+    out[slot.mode] = law.guard(kinematics(work, slot.mode), memory(law, state, slot), state.mode[slot.mode]);
   });
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     const Slot slot = slider.slot;
-    out[slot.mode] =
-        slider.law.guard(state.z[slot.memory], slip_rate(work, slider), slider.normal, state.mode[slot.mode]);
+    out[slot.mode] = slider.law.guard(state.z[slot.memory], slip_rate(work, slider), slider.normal,
+                                      state.mode[slot.mode], viscous_stretch(work, slider));
   });
 }
 
@@ -330,7 +414,7 @@ std::vector<ContactForces::LinearContact> ContactForces::linear_contacts(const S
   std::vector<LinearContact> found;
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup& group) {
     if constexpr (requires(std::span<const double> m, Mode mode) { law.linear_part(m, mode); }) {
-      const Tangent slopes = law.linear_part(memory<L>(state, slot), state.mode[slot.mode]);
+      const Tangent slopes = law.linear_part(memory(law, state, slot), state.mode[slot.mode]);
       if (slopes.stiffness == 0.0 && slopes.damping == 0.0) return;
       found.push_back({group.a, group.b, work.gaps[slot.mode].n_AB, slopes, group.share_a, group.share_b});
     }
@@ -338,10 +422,37 @@ std::vector<ContactForces::LinearContact> ContactForces::linear_contacts(const S
   return found;
 }
 
+void ContactForces::for_each_acting(const State& state, const Workspace& work,
+                                    const std::function<void(const ActingContact&)>& visit) const {
+  if (!work.any_near) return;
+  for_each_array(laws_, [&](const auto& array) {
+    for (const ContactGroup& group : array.groups) {
+      if (!work.near[group.candidate]) continue;
+      for (std::size_t i = group.first; i < group.last; ++i) {
+        const auto& law = array.laws[i];
+        const Slot slot = array.slots[i];
+        const Mode mode = state.mode[slot.mode];
+        if (mode == 0) continue;
+        const auto remembered = memory(law, state, slot);
+        const Gap& gap = work.gaps[slot.mode];
+        const Tangent slopes = local_slopes(law, kinematics(work, slot.mode), remembered, mode);
+        ActingContact contact{group.a, group.b, gap.n_AB, gap.p_WC, slopes, group.share_a, group.share_b, {}};
+        const Slot friction = friction_slot(group, i);
+        if (group.friction && state.mode[friction.mode] != CoulombFriction::open) {
+          contact.friction = {state.mode[friction.mode], friction.memory, group.friction->stiffness,
+                              friction_dashpot(group, law, remembered), group.friction->coefficient};
+        }
+        visit(contact);
+      }
+    }
+  });
+}
+
 double ContactForces::stored_energy(const State& state, const Workspace& work) const {
   double sum = 0.0;
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup& group) {
-    const double stored = law.stored_energy(kinematics(work, slot.mode), memory<L>(state, slot), state.mode[slot.mode]);
+    const double stored =
+        law.stored_energy(kinematics(work, slot.mode), memory(law, state, slot), state.mode[slot.mode]);
     sum += group.copies * stored;
   });
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
@@ -353,7 +464,7 @@ double ContactForces::stored_energy(const State& state, const Workspace& work) c
 void ContactForces::forces(const State& state, const Workspace& work, std::span<double> out) const {
   std::fill_n(out.begin(), size(), 0.0);
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup&) {
-    out[slot.mode] = law(kinematics(work, slot.mode), memory<L>(state, slot), state.mode[slot.mode]).total();
+    out[slot.mode] = law(kinematics(work, slot.mode), memory(law, state, slot), state.mode[slot.mode]).total();
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -7,7 +8,9 @@
 #include <vector>
 
 #include "solver/dynamics/candidates.hpp"
+#include "solver/dynamics/effective_mass.hpp"
 #include "solver/dynamics/workspace.hpp"
+#include "solver/geometry/gap.hpp"
 #include "solver/geometry/node_depth.hpp"
 #include "solver/geometry/shape.hpp"
 #include "solver/laws/law_list.hpp"
@@ -48,7 +51,8 @@ struct ContactArrays {
 
   std::tuple<Array<Ball, Circle>, Array<Ball, Rectangle>, Array<Ball, Superquadric>, Array<Ball, SideFaces>,
              Array<Ball, CentroidRays>, Array<Ball, Smoother>, Array<Ball, HalfPlane>, Array<Ball, Terrain>,
-             Array<Rectangle, HalfPlane>, Array<Superquadric, HalfPlane>, Array<Rectangle, Rectangle>>
+             Array<Superquadric, HalfPlane>, Array<RectangleEnd, Rectangle>, Array<Superquadric, Superquadric>,
+             Array<Rectangle, Superquadric>>
       arrays;
   bool used{};  ///< some array has an instance
 };
@@ -116,13 +120,31 @@ class ContactForces {
   };
   /// Those of the instances within reach; of other laws none.
   std::vector<LinearContact> linear_contacts(const State& state, const Workspace& work) const;
+  /// An instance that acts.
+  struct ActingContact {
+    BodyId a{};
+    BodyId b{};
+    Vec2 n_AB;
+    Vec2 p_WC;
+    Tangent slopes;    ///< of the normal force
+    double share_a{};  ///< see ContactGroup
+    double share_b{};
+    struct Friction {
+      Mode mode{};
+      std::size_t memory{};  ///< of its stretch in the state
+      double stiffness{};    ///< [F/L]
+      double dashpot{};      ///< [F T/L]
+      double coefficient{};
+    };
+    std::optional<Friction> friction;
+  };
+  void for_each_acting(const State& state, const Workspace& work,
+                       const std::function<void(const ActingContact&)>& visit) const;
   /// Rates of the memory that follows the motion: the slip rate where two bodies touch and friction acts.
   void memory_rates(const State& state, const Workspace& work, Rates& out) const;
   double stored_energy(const State& state, const Workspace& work) const;
   /// Normal force of each instance [F], > 0 pushing apart.
   void forces(const State& state, const Workspace& work, std::span<double> out) const;
-  /// Tangent of each law instance, in order.
-  const std::vector<Tangent>& tangents() const { return tangents_; }
   /// The two bodies of each instance, in the order of its gap's normal.
   struct Pair {
     BodyId a{};
@@ -131,12 +153,18 @@ class ContactForces {
   const std::vector<Pair>& pairs() const { return pairs_; }
 
  private:
+  double mobility(const Workspace& work, const ContactGroup& group, const Gap& one, const Gap& two) const;
+  void start_contacts(State& state, const Workspace& work) const;
+  template <class Array>
+  void start_contacts(const Array& array, const ContactGroup& group, State& state, const Workspace& work) const;
+
   ContactLaws::Tuple<ContactArrays> laws_;
-  bool rough_{};  ///< some contact has friction
+  bool rough_{};           ///< some contact has friction
+  bool starts_by_mass_{};  ///< the memory of some law starts with the effective mass of its contact
+  PointMobility mobility_;
   ContactSearch search_;
   std::vector<std::size_t> pair_of_;  ///< of each mode slot, in the search; the number of pairs for other modes
   std::vector<Pair> pairs_;
-  std::vector<Tangent> tangents_;
 };
 
 }  // namespace talus

@@ -81,6 +81,9 @@ class Dynamics {
   [[nodiscard]] double longest_step(const Workspace& work) const;
   /// Of each coordinate, the length [L] by which one unit moves its body: 1, or the radius of gyration.
   [[nodiscard]] std::vector<double> lengths() const;
+  /// After update(): the springs and dashpots that act, seen from the coordinates. Directions of forces are taken as
+  /// fixed; cables that run straight past broken hangers are left out.
+  void linearization(const State& state, const Workspace& work, AffinePiece& out) const;
   /// After update(): the linear piece that the state is in, of a model without obstacle_to_closed_form().
   void affine_piece(const State& state, const Workspace& work, AffinePiece& out) const;
   /// Coordinates behind the first so many are of bodies that sleep. After update(); all, if the sleepers have changed

@@ -76,8 +76,8 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
     lengths.push_back(constants_.rest_length[c]);
     compliances.push_back(1.0 / tangents_[c].stiffness);
     visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
-      if constexpr (requires { law.natural_elongation(memory<L>(state, slot)); })
-        lengths.back() += law.natural_elongation(memory<L>(state, slot));
+      if constexpr (requires { law.natural_elongation(memory(law, state, slot)); })
+        lengths.back() += law.natural_elongation(memory(law, state, slot));
       if constexpr (requires { L::broken; }) carries = carries && state.mode[slot.mode] != L::broken;
     });
     natural += lengths.back();
@@ -113,7 +113,7 @@ double CableForces::pull_on(const Holder& holder, const State& state, const Work
   Vec2 pull;
   for (const std::size_t c : holder.cables) {
     visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
-      const double tension = law(kinematics(work, c), memory<L>(state, slot), state.mode[slot.mode]).total();
+      const double tension = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
       pull +=
           (ends_[c].a == holder.joint ? constants_.share_a[c] : -constants_.share_b[c]) * tension * work.paths.pull(c);
     });

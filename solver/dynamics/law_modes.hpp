@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "solver/dynamics/workspace.hpp"
@@ -12,15 +14,34 @@ namespace talus {
 
 /// Memory of one law instance in a state.
 template <class L>
-std::span<const double> memory(const State& state, Slot slot) {
-  return std::span{state.z}.subspan(slot.memory, L::memory_size);
+std::span<const double> memory(const L& law, const State& state, Slot slot) {
+  return std::span{state.z}.subspan(slot.memory, memory_count(law));
+}
+template <class L>
+std::span<double> memory(const L& law, State& state, Slot slot) {
+  return std::span{state.z}.subspan(slot.memory, memory_count(law));
+}
+
+/// Slopes of a law's force in a mode [F/L and F T/L]: as the law says where it is linear, else by central differences.
+template <Law L>
+Tangent local_slopes(const L& law, Kinematics x, std::span<const double> memory, Mode mode) {
+  if constexpr (requires { law.linear_part(memory, mode); }) {
+    return law.linear_part(memory, mode);
+  } else {
+    const auto difference = [&](double by, double at_rate) {
+      const Kinematics more{x.extent + by, x.extent_rate + at_rate}, less{x.extent - by, x.extent_rate - at_rate};
+      return 0.5 * (law(more, memory, mode).total() - law(less, memory, mode).total());
+    };
+    const double extent = 1e-6 * std::abs(x.extent), rate = std::max(std::abs(x.extent_rate), std::abs(x.extent));
+    if (extent == 0.0) return law.tangent();
+    return {difference(extent, 0.0) / extent, difference(0.0, rate) / rate};
+  }
 }
 
 /// Brings the mode and memory of one law instance up to date, and books what that releases.
 template <Law L>
 void settle_mode(const L& law, Slot slot, Kinematics x, State& state, double copies) {
-  const std::span memory{std::span{state.z}.subspan(slot.memory, L::memory_size)};
-  settle(law, memory, x, state.mode[slot.mode],
+  settle(law, memory(law, state, slot), x, state.mode[slot.mode],
          [&](double released) { state.work[static_cast<std::size_t>(L::release)] += copies * released; });
 }
 

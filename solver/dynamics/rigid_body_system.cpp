@@ -49,6 +49,11 @@ void RigidBodySystem::guards_of(const State& state, std::span<const std::size_t>
   dynamics_->guards_of(state, modes, work_, out);
 }
 
+void RigidBodySystem::linearization(const State& state, AffinePiece& out) {
+  dynamics_->update(state, work_);
+  dynamics_->linearization(state, work_, out);
+}
+
 void RigidBodySystem::count() {
   if (evaluations_ == allowed_) throw TooManyEvaluations{};
   ++evaluations_;

@@ -39,6 +39,8 @@ class RigidBodySystem {
   std::vector<double> lengths() const { return dynamics_->lengths(); }
   /// The linear piece of the state whose derivative was the last.
   void affine_piece(const State& state, AffinePiece& out) const { dynamics_->affine_piece(state, work_, out); }
+  /// See Dynamics; at any state.
+  void linearization(const State& state, AffinePiece& out);
   bool keeps_accounts() const { return ledger_; }
   bool moves_memory() const { return dynamics_->follows_motion(); }
   void wake_all(State& state) const { dynamics_->wake_all(state); }

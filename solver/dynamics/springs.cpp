@@ -1,24 +1,42 @@
 #include "solver/dynamics/springs.hpp"
 
+#include <cmath>
+#include <type_traits>
+#include <variant>
+
+#include "solver/dynamics/point_gradient.hpp"
+
 namespace talus {
 namespace {
 
 /// Adds the derivative of (direction . position of the body's point at p_WP) to the gradient.
 void add_gradient(const Dynamics& dynamics, const Workspace& work, BodyId body, Vec2 p_WP, Vec2 direction,
                   std::vector<double>& gradient) {
-  const Layout& layout = dynamics.layout();
-  const Body& moved = dynamics.model().bodies[index(body)];
-  Vec2 center = moved.mobility == Mobility::pinned ? pin(moved) : work.poses[index(body)].p_WB;
-  // A guided body turns about the point level with its pin, across the guide from its centre of mass.
-  const Vec2 pin_now = world_point(work.poses[index(body)], moved.p_BPin);
-  if (moved.mobility == Mobility::guided_x) center.x = pin_now.x;
-  if (moved.mobility == Mobility::guided_y) center.y = pin_now.y;
-  for (std::size_t i = layout.first[index(body)]; i < layout.first[index(body) + 1]; ++i) {
-    const Axis axis = layout.coordinates[i].axis;
-    gradient[i] += axis == Axis::x   ? direction.x
-                   : axis == Axis::y ? direction.y
-                                     : dot(cross(1.0, p_WP - center), direction);
-  }
+  for_each_gradient(dynamics, work, body, p_WP, direction,
+                    [&gradient](std::size_t i, double derivative) { gradient[i] += derivative; });
+}
+
+/// The law of a contact while it acts with this effective mass [M].
+Tangent tangent(const ContactLaw& law, double effective_mass) {
+  return std::visit(
+      [effective_mass]<class L>(const L& of) {
+        if constexpr (StartsByMass<L>) return of.tangent(effective_mass);
+        return of.tangent();
+      },
+      law);
+}
+
+/// c/k of a contact law of this effective mass [T]; 0 of laws that have none.
+double retardation_time(const ContactLaw& law, double effective_mass) {
+  return std::visit(
+      [effective_mass]<class L>(const L& of) {
+        if constexpr (StartsByMass<L>) {
+          const Tangent slopes = of.tangent(effective_mass);
+          return slopes.damping / slopes.stiffness;
+        }
+        return 0.0;
+      },
+      law);
 }
 
 double effective_mass(const std::vector<double>& gradient, const std::vector<double>& inertias) {
@@ -35,13 +53,18 @@ std::vector<Spring> springs(const Dynamics& dynamics, const State& state) {
   dynamics.update_all(state, work);
   std::vector<Spring> found;
   const ContactForces& contacts = dynamics.contacts();
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Gap& gap = work.gaps[i];
-    Spring spring{contacts.tangents()[i].stiffness, contacts.tangents()[i].damping, gap.depth, 0.0,
-                  std::vector<double>(state.q.size())};
-    add_gradient(dynamics, work, contacts.pairs()[i].a, gap.p_WC, gap.n_AB, spring.gradient);
-    add_gradient(dynamics, work, contacts.pairs()[i].b, gap.p_WC, -gap.n_AB, spring.gradient);
-    found.push_back(std::move(spring));
+  for (std::size_t c = 0, i = 0; c < dynamics.model().contacts.size(); ++c) {
+    const std::size_t last = i + dynamics.layout().contact_instances[c];
+    for (; i < last; ++i) {
+      const Gap& gap = work.gaps[i];
+      Spring spring{.extent = gap.depth, .gradient = std::vector<double>(state.q.size())};
+      add_gradient(dynamics, work, contacts.pairs()[i].a, gap.p_WC, gap.n_AB, spring.gradient);
+      add_gradient(dynamics, work, contacts.pairs()[i].b, gap.p_WC, -gap.n_AB, spring.gradient);
+      const double mass = effective_mass(spring.gradient, dynamics.inertias());
+      const Tangent slopes = tangent(dynamics.model().contacts[c].law, std::isfinite(mass) ? mass : 0.0);
+      spring.stiffness = slopes.stiffness, spring.damping = slopes.damping;
+      found.push_back(std::move(spring));
+    }
   }
   const CableForces& cables = dynamics.cables();
   for (std::size_t c = 0; c < cables.size(); ++c) {
@@ -61,7 +84,10 @@ std::vector<Spring> springs(const Dynamics& dynamics, const State& state) {
     for (; i < last; ++i) {
       if (!friction) continue;
       const Vec2 across{-work.gaps[i].n_AB.y, work.gaps[i].n_AB.x};
-      Spring spring{friction->stiffness, 0.0, 0.0, 0.0, std::vector<double>(state.q.size())};
+      const double normal_mass = effective_mass(found[i].gradient, dynamics.inertias());
+      const double time =
+          retardation_time(dynamics.model().contacts[c].law, std::isfinite(normal_mass) ? normal_mass : 0.0);
+      Spring spring{friction->stiffness, friction->dashpot(time), 0.0, 0.0, std::vector<double>(state.q.size())};
       add_gradient(dynamics, work, contacts.pairs()[i].b, work.gaps[i].p_WC, across, spring.gradient);
       add_gradient(dynamics, work, contacts.pairs()[i].a, work.gaps[i].p_WC, -across, spring.gradient);
       found.push_back(std::move(spring));

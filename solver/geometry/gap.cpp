@@ -50,29 +50,47 @@ Overlap least_overlap(const Rectangle& box, const Pose& pose, const std::array<V
   return least;
 }
 
-/// Deepest point below the face of the part of the other rectangle's outline that lies over the face's length: the side
-/// that looks most against the face is cut to that length; flat sides give the middle of what is common.
-Vec2 deepest_point(const Side& face, const Rectangle& box, const Pose& pose) {
-  Side facing = side(box, pose, 0);
+/// The sides with which two rectangles face each other: one whose face the other rectangle reaches least deep, and the
+/// other's side that looks most against it.
+struct Facing {
+  double depth{};    ///< of all the other's corners below the face [L]
+  bool face_of_b{};  ///< else of a
+  Side face;
+  Side other;
+
+  Vec2 n_AB() const { return face_of_b ? -face.n : face.n; }
+};
+
+Side facing_side(const Side& face, const Rectangle& box, const Pose& pose) {
+  Side found = side(box, pose, 0);
   for (int i = 1; i < 4; ++i) {
     const Side other = side(box, pose, i);
-    if (dot(other.n, face.n) < dot(facing.n, face.n)) facing = other;
+    if (dot(other.n, face.n) < dot(found.n, face.n)) found = other;
   }
-  const Vec2 start = facing.middle - facing.half_length * facing.t;
-  const Vec2 end = facing.middle + facing.half_length * facing.t;
-  const double along_start = dot(start - face.middle, face.t);
-  const double along_end = dot(end - face.middle, face.t);
-  const auto cut = [&](double along) {
-    const double wanted = std::clamp(along, -face.half_length, face.half_length);
-    const double share = along_end == along_start ? 0.0 : (wanted - along_start) / (along_end - along_start);
-    return start + std::clamp(share, 0.0, 1.0) * (end - start);
-  };
-  const Vec2 p = cut(along_start);
-  const Vec2 q = cut(along_end);
-  const double height_p = dot(p - face.middle, face.n);
-  const double height_q = dot(q - face.middle, face.n);
-  if (height_p == height_q) return 0.5 * (p + q);
-  return height_p < height_q ? p : q;
+  return found;
+}
+
+Facing facing(const Rectangle& a, const Pose& A, const Rectangle& b, const Pose& B) {
+  const Overlap below_b = least_overlap(b, B, world_corners(a, A));
+  const Overlap below_a = least_overlap(a, A, world_corners(b, B));
+  if (below_b.depth <= below_a.depth) return {below_b.depth, true, below_b.face, facing_side(below_b.face, a, A)};
+  return {below_a.depth, false, below_a.face, facing_side(below_a.face, b, B)};
+}
+
+/// The gap at one end, behind (-1) or ahead (1) along the tangent of the face: of the corner, of either side, that is
+/// nearer to the middle along the line half-way between both sides. Where the corners pass each other along that line
+/// they are equally deep below the sides, so that the depth does not jump.
+Gap end_gap(const Facing& found, double end) {
+  const Side &face = found.face, &other = found.other;  // the other side runs against the face
+  const Vec2 corner = face.middle + (end * face.half_length) * face.t;
+  const Vec2 other_corner = other.middle - (end * other.half_length) * other.t;
+  const bool other_is_nearer = end * dot(other_corner - corner, face.t - other.t) <= 0.0;
+  const double depth =
+      other_is_nearer ? -dot(other_corner - face.middle, face.n) : -dot(corner - other.middle, other.n);
+  // Apart, the sides need not be over each other: a corner below the line of a side then says nothing.
+  if (found.depth < 0.0) return {std::min(found.depth, depth), found.n_AB(), other_is_nearer ? other_corner : corner};
+  if (other_is_nearer) return {depth, found.n_AB(), other_corner};
+  return {depth, found.face_of_b ? other.n : -other.n, corner};
 }
 
 }  // namespace
@@ -121,30 +139,19 @@ Depth depth_below(const Rectangle& shape, Vec2 p) {
   return {-beyond_y, {0.0, sign(p.y)}};
 }
 
-Gap gap(const Rectangle& a, const Pose& A, const HalfPlane&, const Pose& B) {
-  const Vec2 n = B.R_WB * Vec2{0.0, 1.0};
-  double lowest = std::numeric_limits<double>::infinity();
-  Vec2 sum;
-  double count = 0.0;
-  for (const Vec2 corner : world_corners(a, A)) {
-    const double height = dot(corner - B.p_WB, n);
-    if (height < lowest) {
-      lowest = height;
-      sum = corner;
-      count = 1.0;
-    } else if (height == lowest) {
-      sum += corner;
-      count += 1.0;
-    }
-  }
-  return {-lowest, -n, (1.0 / count) * sum};
+Gap gap(const Rectangle& a, const Pose& A, const Rectangle& b, const Pose& B) {
+  const Facing found = facing(a, A, b, B);
+  const Gap behind = end_gap(found, -1.0), ahead = end_gap(found, 1.0);
+  const Vec2 deepest = behind.depth == ahead.depth  ? 0.5 * (behind.p_WC + ahead.p_WC)
+                       : behind.depth > ahead.depth ? behind.p_WC
+                                                    : ahead.p_WC;
+  return {found.depth, found.n_AB(), deepest};
 }
 
-Gap gap(const Rectangle& a, const Pose& A, const Rectangle& b, const Pose& B) {
-  const Overlap below_b = least_overlap(b, B, world_corners(a, A));
-  const Overlap below_a = least_overlap(a, A, world_corners(b, B));
-  if (below_b.depth <= below_a.depth) return {below_b.depth, -below_b.face.n, deepest_point(below_b.face, a, A)};
-  return {below_a.depth, below_a.face.n, deepest_point(below_a.face, b, B)};
+Gap gap(const RectangleEnd& a, const Pose& A, const Rectangle& b, const Pose& B) {
+  const Facing found = facing(a.rectangle, A, b, B);
+  // The face's tangent is counter-clockwise from its normal, which is n_AB or -n_AB.
+  return end_gap(found, (a.end == 1) == found.face_of_b ? -1.0 : 1.0);
 }
 
 }  // namespace talus

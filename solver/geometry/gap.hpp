@@ -62,15 +62,30 @@ template <class Target>
   return ball_gap(ball, A, ball_depth(ball, placement(A, B), target), B);
 }
 
-/// Gap between a rectangle and a half-plane: at the lowest corner, half-way along the side when two are equally low.
-[[nodiscard]] Gap gap(const Rectangle& a, const Pose& A, const HalfPlane& b, const Pose& B);
-
 /// Gap between a superquadric and a half-plane: at the lowest point, exact for every exponent > 1.
 [[nodiscard]] Gap gap(const Superquadric& a, const Pose& A, const HalfPlane& b, const Pose& B);
 
-/// Gap between two rectangles along the side normal of least overlap (separating axes); found without a vertex inside,
-/// too. The force acts at the deepest point of the other rectangle's side, at the middle of the common part when it
-/// lies flat. When the rectangles are apart corner to corner, -depth is a lower bound of their distance.
+/// Gap between two convex outlines, at least one of them curved: along the direction in which the least displacement
+/// parts them (touching, of several the shortest), exact to round-off; of bodies apart, the one between the nearest
+/// points. The force acts at the deepest points, on the normal's line through both.
+[[nodiscard]] Gap gap(const Superquadric& a, const Pose& A, const Superquadric& b, const Pose& B);
+[[nodiscard]] Gap gap(const Rectangle& a, const Pose& A, const Superquadric& b, const Pose& B);
+
+/// Gap between two rectangles along the side normal of least overlap (separating axes), with its deepest point; found
+/// without a vertex inside, too. When the rectangles are apart corner to corner, -depth is a lower bound of their
+/// distance.
 [[nodiscard]] Gap gap(const Rectangle& a, const Pose& A, const Rectangle& b, const Pose& B);
+
+/// One end of the side along which a rectangle touches another: the one behind (0) or ahead (1) counter-clockwise of
+/// the normal from it to the other.
+struct RectangleEnd {
+  Rectangle rectangle;
+  int end{};
+};
+
+/// Gap of two rectangles at one end of the part that their facing sides have in common. A side that lies flat rests on
+/// both ends, and the force moves from one to the other continuously as it tilts. At each end a corner of one rectangle
+/// is below a side of the other, so that a spring there has a potential.
+[[nodiscard]] Gap gap(const RectangleEnd& a, const Pose& A, const Rectangle& b, const Pose& B);
 
 }  // namespace talus

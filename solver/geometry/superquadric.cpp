@@ -88,6 +88,16 @@ Vec2 outward_normal(const Superquadric& shape, Vec2 p) {
   return (1.0 / norm(g)) * g;
 }
 
+// By Hoelder's inequality the support function is the dual norm h = (|a m_x|^q + |b m_y|^q)^(1/q), q = n/(n - 1),
+// reached at x = a |a m_x/h|^(q - 1), y alike.
+Vec2 farthest_point(const Superquadric& shape, Vec2 m) {
+  const double q = shape.exponent / (shape.exponent - 1.0);
+  const double h = gauge({1.0 / shape.half_width, 1.0 / shape.half_height, q}, m);
+  const double x = shape.half_width * power(shape.half_width * std::abs(m.x) / h, q - 1.0);
+  const double y = shape.half_height * power(shape.half_height * std::abs(m.y) / h, q - 1.0);
+  return {std::copysign(x, m.x), std::copysign(y, m.y)};
+}
+
 // Of a line F = const:  (F_xx F_y^2 + F_yy F_x^2)/|grad F|^3, as F_xy is nought here.
 double curvature(const Superquadric& shape, Vec2 p) {
   const double n = shape.exponent, a = shape.half_width, b = shape.half_height;

@@ -41,6 +41,9 @@ struct Superquadric {
 /// Outward unit normal at a point of the outline, in its own axes.
 [[nodiscard]] Vec2 outward_normal(const Superquadric& shape, Vec2 p);
 
+/// The point of the outline farthest along a direction m of its own axes, exact for every exponent > 1.
+[[nodiscard]] Vec2 farthest_point(const Superquadric& shape, Vec2 m);
+
 /// Curvature at a point of the outline [1/L]: 1/r for a circle, nought in the middle of a side for n > 2.
 [[nodiscard]] double curvature(const Superquadric& shape, Vec2 p);
 

@@ -111,16 +111,10 @@ Depth depth_below(const Superquadric& shape, Vec2 p) {
   return {is_inside(shape, p) ? best.distance : -best.distance, normal};
 }
 
-// The lowest point is where the outward normal is m = -n_B. By Hoelder's inequality the support function is the dual
-// norm h = (|a m_x|^q + |b m_y|^q)^(1/q), q = n/(n - 1), reached at x = a |a m_x/h|^(q - 1), y alike.
+// The lowest point is where the outward normal is -n_B.
 Gap gap(const Superquadric& a, const Pose& A, const HalfPlane&, const Pose& B) {
   const Vec2 n = B.R_WB * Vec2{0.0, 1.0};
-  const Vec2 m = unrotate(A.R_WB, -n);
-  const double q = a.exponent / (a.exponent - 1.0);
-  const double h = gauge({1.0 / a.half_width, 1.0 / a.half_height, q}, m);
-  const double x = a.half_width * power(a.half_width * std::abs(m.x) / h, q - 1.0);
-  const double y = a.half_height * power(a.half_height * std::abs(m.y) / h, q - 1.0);
-  const Vec2 lowest = world_point(A, {std::copysign(x, m.x), std::copysign(y, m.y)});
+  const Vec2 lowest = world_point(A, farthest_point(a, unrotate(A.R_WB, -n)));
   const double depth = -dot(lowest - B.p_WB, n);
   return {depth, -n, lowest + (0.5 * depth) * n};
 }

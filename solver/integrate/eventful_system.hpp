@@ -5,24 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "solver/integrate/affine_piece.hpp"
 #include "solver/state/state.hpp"
 
 namespace talus {
-
-/// Linear pieces of motion: how the accelerations of a state change with its coordinates and velocities,
-///
-///   a = a0 - sum stiffness (q - q0) - sum damping (v - v0),
-///
-/// as long as no mode changes. No terms: free flight.
-struct AffinePiece {
-  struct Term {
-    std::size_t row{};     ///< of the acceleration
-    std::size_t column{};  ///< of the coordinate and its velocity
-    double stiffness{};    ///< [1/T^2 of row/column]
-    double damping{};      ///< [1/T of row/column]
-  };
-  std::vector<Term> terms;
-};
 
 /// What is said along with the guards of a state.
 struct Prospect {
@@ -48,6 +34,9 @@ struct EventfulSystem {
   std::function<std::vector<double>(const State&)> lengths;
   /// The linear piece that the state is in: none if the system has no such pieces.
   std::function<void(const State&, AffinePiece&)> affine_piece;
+  /// How accelerations and memory rates change about a state, nearly: the springs and dashpots that act, without the
+  /// change of their directions. None if the system does not say.
+  std::function<void(const State&, AffinePiece&)> linearization;
   /// Whether work and impulse are kept; if not they have no rates.
   bool keeps_accounts{true};
   /// Whether some memory has a rate.
@@ -74,6 +63,8 @@ EventfulSystem eventful(System& system) {
   }
   if constexpr (requires(AffinePiece & out) { system.affine_piece(State{}, out); })
     asked.affine_piece = [&system](const State& at, AffinePiece& out) { system.affine_piece(at, out); };
+  if constexpr (requires(AffinePiece & out) { system.linearization(State{}, out); })
+    asked.linearization = [&system](const State& at, AffinePiece& out) { system.linearization(at, out); };
   if constexpr (requires { system.keeps_accounts(); }) asked.keeps_accounts = system.keeps_accounts();
   if constexpr (requires { system.moves_memory(); }) asked.moves_memory = system.moves_memory();
   return asked;

@@ -20,19 +20,6 @@ constexpr std::array<std::array<double, 2>, 4> gauss{{{0.18343464249564980493947
                                                       {0.796666477413626739591553, 0.222381034453374470544356},
                                                       {0.960289856497536231683560, 0.101228536290376259152531}}};
 
-/// The rate [1/T] above which no motion of the piece swings or dies: by the largest sums of its rows.
-double fastest_rate(const AffinePiece& piece, std::size_t size) {
-  std::vector<double> stiffness(size), damping(size);
-  for (const AffinePiece::Term& term : piece.terms) {
-    stiffness[term.row] += std::abs(term.stiffness);
-    damping[term.row] += std::abs(term.damping);
-  }
-  double fastest = 0.0;
-  for (std::size_t i = 0; i < size; ++i)
-    fastest = std::max(fastest, std::sqrt(stiffness[i]) + damping[i]);
-  return fastest;
-}
-
 }  // namespace
 
 void LinearMotion::begin(EventfulSystem& system, const State& start, double interval) {
@@ -40,7 +27,7 @@ void LinearMotion::begin(EventfulSystem& system, const State& start, double inte
   piece_.terms.clear();
   if (system.affine_piece) system.affine_piece(start, piece_);
   q0_ = start.q, v0_ = start.v, a0_ = found_.v;
-  const double fastest = fastest_rate(piece_, a0_.size());
+  const double fastest = fastest_rate(piece_, std::vector<double>(a0_.size(), 1.0));
   step_ = fastest > 0.0 ? 1.0 / fastest : interval;
 }
 

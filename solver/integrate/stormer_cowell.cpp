@@ -21,6 +21,12 @@ constexpr std::size_t most_terms = 12;
 /// The first step of a piece, as a share of the usual one.
 constexpr double first_share = 0.25;
 
+/// An implicit step costs about as many evaluations as so many steps of the polynomial.
+constexpr double implicit_cost = 12.0;
+/// Steps of the polynomial above this order have errors that count, not stiffness.
+constexpr std::size_t stiff_order = 4;
+constexpr long most_patience = 400;
+
 /// How much longer than the last a step may be: the first few feel their way, high orders bear little.
 double largest_growth(std::size_t terms) { return terms == 1 ? 8.0 : terms <= 3 ? 4.0 : terms <= 6 ? 2.0 : 1.3; }
 
@@ -58,7 +64,13 @@ TALUS_CLONES Reach reach(const State& begin, const State& end, const std::vector
 }  // namespace
 
 PolynomialMotion::PolynomialMotion(const State& state, double tolerance)
-    : tolerance_{tolerance}, start_{state.q}, basis_(Differences::most + 1), predicted_{state}, found_{state} {}
+    : tolerance_{tolerance},
+      start_{state.q},
+      implicit_step_{state},
+      implicit_rates_{state},
+      basis_(Differences::most + 1),
+      predicted_{state},
+      found_{state} {}
 
 void PolynomialMotion::flatten(const Rates& rates) {
   new_.assign(rates.v.begin(), rates.v.end());
@@ -82,13 +94,38 @@ void PolynomialMotion::begin(EventfulSystem& system, const State& start, double 
   flatten(found_);
   rates_.begin(start.t, new_);
   order_ = 1;
-  if (usual_ == 0.0) usual_ = interval;
+  if (usual_ == 0.0) {
+    usual_ = interval;
+    start_scales(system, start);
+  }
   step_ = first_share * usual_;
-  hesitates_ = false;
+  hesitates_ = implicit_ = implicit_last_ = false;
+  held_ = 0;
+}
+
+/// Of a motion that starts at rest, errors relative to its own first displacement would never be small: the memory of
+/// friction is first integrated with no velocity at all. Its springs are moved by a/w^2 and a/w at least, with w the
+/// fastest rate of the springs that act.
+void PolynomialMotion::start_scales(EventfulSystem& system, const State& start) {
+  if (!system.linearization) return;
+  AffinePiece piece;
+  system.linearization(start, piece);
+  const double rate = fastest_rate(piece, lengths_);
+  if (rate == 0.0) return;
+  double most = 0.0;
+  for (std::size_t i = 0; i < lengths_.size(); ++i)
+    most = std::max(most, lengths_[i] * std::abs(found_.v[i]));
+  speed_ = most / rate, way_ = speed_ / rate;
 }
 
 std::string PolynomialMotion::advance(EventfulSystem& system, const State& begin, State& end, double longest) {
   if (lengths_.empty()) lengths_ = system.lengths(begin);
+  if (!implicit_ && held_ >= patience_) implicit_ = is_held_by_stiffness(system, begin);
+  if (implicit_) {
+    if (advance_implicitly(system, begin, end, longest)) return {};
+    leave_implicit(begin);
+  }
+  implicit_last_ = false;
   // The rates at the end of the last step join the others only now: until then they told of that step.
   if (begin.t > rates_.newest()) {
     if (hesitates_) {
@@ -112,6 +149,55 @@ std::string PolynomialMotion::advance(EventfulSystem& system, const State& begin
     h = step_;
   }
   return fmt::format("no step is short enough for the tolerance at t = {:.6g}", begin.t);
+}
+
+/// Whether springs and dashpots that act are faster than steps of this length can follow with a low order.
+bool PolynomialMotion::is_held_by_stiffness(EventfulSystem& system, const State& begin) {
+  held_ = 0;
+  system.derivative(begin, implicit_rates_);
+  if (!implicit_step_.begin(system, begin) || !(step_ * implicit_step_.fastest_rate(lengths_) > 0.1)) {
+    patience_ = std::min(2 * patience_, most_patience);
+    return false;
+  }
+  explicit_step_ = step_;
+  step_ *= 4.0;
+  implicit_count_ = 0, implicit_start_ = begin.t;
+  return true;
+}
+
+/// One implicit step; false if the polynomial is to go on from the beginning of the step.
+bool PolynomialMotion::advance_implicitly(EventfulSystem& system, const State& begin, State& end, double longest) {
+  if (implicit_count_ > 0 && !implicit_step_.begin(system, begin)) return false;
+  // The first few may find out how long they can be.
+  constexpr long trial = 4;
+  if (implicit_count_ >= trial && step_ < implicit_cost * explicit_step_) return false;
+  double h = std::min(step_, longest);
+  speed_now_ = speed_, way_now_ = way_;
+  while (begin.t + h > begin.t) {
+    const double error = implicit_step_.take(system, begin, implicit_rates_, h, scales(), end);
+    if (error <= 1.0) {
+      measure(h, begin, end);
+      speed_ = speed_now_, way_ = way_now_;
+      step_ = h * (error > 0.0 ? std::clamp(0.9 * inverse_root(error, 4), 0.3, 5.0) : 5.0);
+      implicit_last_ = true;
+      ++implicit_count_;
+      return true;
+    }
+    h *= std::isfinite(error) ? std::clamp(0.8 * inverse_root(error, 4), 0.1, 0.8) : 0.25;
+    if (h < explicit_step_) return false;
+  }
+  return false;
+}
+
+/// The polynomial begins anew with the rates at the end of the last implicit step.
+void PolynomialMotion::leave_implicit(const State& begin) {
+  flatten(implicit_rates_);
+  rates_.begin(begin.t, new_);
+  order_ = 1;
+  const double paid = implicit_cost * static_cast<double>(implicit_count_) * explicit_step_;
+  patience_ = begin.t - implicit_start_ > 2.0 * paid ? first_patience : std::min(2 * patience_, most_patience);
+  step_ = first_share * explicit_step_;
+  implicit_ = false;
 }
 
 /// Predicts, evaluates and corrects; says nothing of whether the step will do.
@@ -169,6 +255,7 @@ void PolynomialMotion::correct(const Basis& last, const State& from, State& to) 
 }
 
 void PolynomialMotion::state_at(const State& begin, const State&, double t, State& out) const {
+  if (implicit_last_) return implicit_step_.state_at(begin, t, out);
   std::array<Basis, Differences::most + 1> basis;
   rates_.basis(t, used_ + 1, basis);
   move(begin, t, {basis.data(), used_}, out);
@@ -244,6 +331,8 @@ void PolynomialMotion::choose_next(double h, const Errors& errors) {
   }
   const double most = largest_growth(used_);
   step_ = h * std::clamp(best, 0.3, most);
+  if (used_ > stiff_order || step_ > 3.0 * held_step_) held_ = 0, held_step_ = step_;
+  ++held_;
   usual_ = best < most ? step_ : std::max(usual_, step_);
 }
 
@@ -272,6 +361,17 @@ void PolynomialMotion::remember(Memory& memory, const State& like) {
   memory.number("way", way_);
   memory.number("speed", speed_);
   memory.numbers("start", start_);
+  memory.flag("implicit", implicit_);
+  memory.flag("implicit_last", implicit_last_);
+  if (memory.puts_back()) implicit_rates_ = Rates{like};
+  memory.part("implicit_rates", [&] { talus::remember(memory, implicit_rates_); });
+  memory.part("implicit_step", [&] { implicit_step_.remember(memory, like); });
+  memory.number("explicit_step", explicit_step_);
+  memory.number("implicit_start", implicit_start_);
+  memory.count("implicit_count", implicit_count_);
+  memory.count("held", held_);
+  memory.number("held_step", held_step_);
+  memory.count("patience", patience_);
 }
 
 }  // namespace talus

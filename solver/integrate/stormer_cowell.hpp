@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/integrate/differences.hpp"
+#include "solver/integrate/implicit_step.hpp"
 #include "solver/integrate/located_steps.hpp"
 
 namespace talus {
@@ -15,8 +16,11 @@ namespace talus {
 /// for steps of any length Krogh 1974, Shampine & Gordon 1975). Predict, evaluate once, correct. Between the ends of
 /// the steps the same polynomial says where the system is.
 ///
-/// tolerance: how far prediction and correction may be apart, as a share of the longest way and the largest speed of
-/// the run so far.
+/// Where stiff springs keep the steps short though hardly anything changes (a body that rests, rolls or slides on a
+/// contact), the steps are those of ImplicitStep, as long as these save evaluations.
+///
+/// tolerance: how far prediction and correction may be apart, relative to the largest displacement and speed of the run
+/// so far; of a run that starts at rest, to those by which its springs respond to the forces at the start.
 class PolynomialMotion {
  public:
   static constexpr std::string_view name = "stormer_cowell";
@@ -30,7 +34,7 @@ class PolynomialMotion {
   void begin(EventfulSystem& system, const State& start, double interval);
   void hesitate() { step_ *= 1e-4, hesitates_ = true; }
   std::string advance(EventfulSystem& system, const State& begin, State& end, double longest);
-  NearEnd near_end(const State&) const { return {&predicted_, true}; }
+  NearEnd near_end(const State& end) const { return implicit_last_ ? NearEnd{&end, true} : NearEnd{&predicted_, true}; }
   void state_at(const State& begin, const State& end, double t, State& out) const;
   void complete(EventfulSystem&, const State&, State&) {}
   bool ends_at_outputs(const EventfulSystem&) const { return false; }
@@ -41,6 +45,11 @@ class PolynomialMotion {
  private:
   using Basis = Differences::Basis;
 
+  void start_scales(EventfulSystem& system, const State& start);
+  ErrorScales scales() const { return {speed_now_, way_now_, tolerance_, lengths_}; }
+  bool is_held_by_stiffness(EventfulSystem& system, const State& begin);
+  bool advance_implicitly(EventfulSystem& system, const State& begin, State& end, double longest);
+  void leave_implicit(const State& begin);
   void try_step(EventfulSystem& system, const State& begin, double h, State& end);
   /// Of the last step; what it would have been with one term less, and one more; infinite where there is none.
   struct Errors {
@@ -74,6 +83,18 @@ class PolynomialMotion {
   double speed_{};               ///< largest speed so far [L/T]
   std::vector<double> start_;    ///< coordinates at the start of the run
   std::vector<double> lengths_;  ///< of the coordinates, once asked for
+
+  ImplicitStep implicit_step_;
+  bool implicit_{};                ///< the next step is an implicit one
+  bool implicit_last_{};           ///< the last was
+  Rates implicit_rates_;           ///< at the beginning of the next implicit step
+  double explicit_step_{};         ///< before the implicit ones began [T]
+  double implicit_start_{};        ///< when they began [T]
+  long implicit_count_{};          ///< of them in a row
+  long held_{};                    ///< steps of low order in a row that have not grown beyond three times ...
+  double held_step_{};             ///< ... this one [T]
+  long patience_{first_patience};  ///< so many of them before an implicit step is tried
+  static constexpr long first_patience = 12;
 
   // Scratch of a step.
   std::vector<Basis> basis_;

@@ -26,8 +26,8 @@ std::vector<PartState> cable_states(const Dynamics& dynamics, const State& state
     std::visit(
         [&]<class L>(const L& law) {
           PartState left{dynamics.model().cables[c].name, L::modes[state.mode[slot.mode]], 0.0};
-          if constexpr (requires { law.natural_elongation(memory<L>(state, slot)); })
-            left.stretch = law.natural_elongation(memory<L>(state, slot));
+          if constexpr (requires { law.natural_elongation(memory(law, state, slot)); })
+            left.stretch = law.natural_elongation(memory(law, state, slot));
           states.push_back(std::move(left));
         },
         dynamics.model().cables[c].law);

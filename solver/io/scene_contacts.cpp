@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "solver/io/scene_parts.hpp"
+#include "solver/laws/restitution.hpp"
 
 namespace talus {
 namespace {
@@ -20,7 +21,7 @@ template <class L>
 void read_law(SceneTable& table, SceneContact& read) {
   L law;
   std::vector<std::string> keys = field_names<L>();
-  keys.insert(keys.end(), {"between", "method", "nodes", "node_depth", "friction", "shear_stiffness"});
+  keys.insert(keys.end(), {"between", "method", "nodes", "node_depth", "friction", "shear_stiffness", "shear_damping"});
   if constexpr (HasEndRule<L>) keys.push_back("end_rule");
   if constexpr (Restituting<L>) keys.insert(keys.end(), {"restitution", "restitution_rule"});
   table.allow(keys);
@@ -32,9 +33,11 @@ void read_law(SceneTable& table, SceneContact& read) {
       table.fail("damping", "give either this or restitution, one of the two");
     }
     if (table.has("restitution")) {
-      read.restitution = table.number("restitution");
-      if (!(*read.restitution > 0.0 && *read.restitution <= 1.0)) {
-        table.fail("restitution", fmt::format("found {}; it must be in (0, 1]", *read.restitution));
+      const double e = table.number("restitution", Range::positive_fraction);
+      if (read.rule == RestitutionRule::eq_21) {
+        read.restitution = e;
+      } else {
+        law.damping_ratio = damping_ratio(e, law.end_rule);
       }
     } else {
       table.refuse("restitution_rule", "the damping is given; leave this out or give restitution instead");
@@ -50,6 +53,15 @@ std::array<int, 2> read_nodes(SceneTable& table) {
   return {counts.front(), counts.back()};
 }
 
+/// The dashpot of friction that sticks. Without `shear_damping` a linear spring and dashpot has the same retardation
+/// time c/k along the surfaces as along the normal, as a viscoelastic solid has; other laws have none.
+void read_shear_damping(SceneTable& table, Contact& contact) {
+  if (!contact.friction) return table.refuse("shear_damping", "without friction it has no use; leave it out");
+  contact.friction->follows_normal =
+      !table.has("shear_damping") && std::holds_alternative<LinearSpringDashpot>(contact.law);
+  contact.friction->damping = table.quantity_or("shear_damping", dimension::damping, 0.0, Range::non_negative);
+}
+
 SceneContact read_contact(SceneTable table, const Model& bodies) {
   SceneContact read{table, {}, {}, RestitutionRule::effective_mass};
   Contact& contact = read.contact;
@@ -63,7 +75,7 @@ SceneContact read_contact(SceneTable table, const Model& bodies) {
   if (contact.method == ContactMethod::nodes) {
     if (table.has("nodes")) contact.nodes = read_nodes(table);
     contact.node_depth = table.choice_or("node_depth", contact.node_depth);
-    if (read.restitution && read.rule == RestitutionRule::effective_mass) {
+    if (table.has("restitution") && read.rule == RestitutionRule::effective_mass) {
       table.fail("restitution_rule", "contact by nodes has no single effective mass; it must be \"eq_21\"");
     }
   } else {
@@ -71,6 +83,7 @@ SceneContact read_contact(SceneTable table, const Model& bodies) {
       table.refuse(key, "contact by resultant has no nodes; leave it out");
   }
   contact.friction = read_friction(table, std::visit([](const auto& l) { return l.tangent().stiffness; }, contact.law));
+  read_shear_damping(table, contact);
   return read;
 }
 

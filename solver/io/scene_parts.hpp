@@ -18,18 +18,18 @@ struct SceneBody {
   double spin{};  ///< [rad/T]
 };
 
-/// Which inertia a wanted restitution is turned into a damping with.
+/// How a required restitution sets the dashpot.
 enum class RestitutionRule {
-  effective_mass,  ///< what the contact's ends feel along the normal as the bodies stand at the start; formula of the
-                   ///< end rule
-  eq_21,           ///< the reduced mass of two particles and the formula of the attractive rule (FENCE 1993, Eq. 21)
+  effective_mass,  ///< at every impact, by the effective mass along the normal when the bodies touch and the formula
+                   ///< of the end rule
+  eq_21,           ///< once, by the reduced mass of two particles and the formula of the attractive rule (FENCE 1993)
 };
 template <>
 struct Names<RestitutionRule> {
   static constexpr std::array<std::string_view, 2> list{"effective_mass", "eq_21"};
 };
 
-/// A contact as written; `restitution` stands where it gives no damping.
+/// A contact as written; `restitution` where its damping is to follow from that by Eq. 21.
 struct SceneContact {
   SceneTable table;
   Contact contact;
@@ -52,7 +52,8 @@ struct SceneHanger {
 /// The readers of a scene's parts. All errors are InputError with file, line, name and field.
 [[nodiscard]] std::vector<SceneBody> read_bodies(SceneTable& file);
 [[nodiscard]] std::vector<SceneContact> read_contacts(SceneTable& file, const Model& bodies);
-/// `friction` of a contact, if it has any; its `shear_stiffness` is the normal one [F/L] unless it is given.
+/// `friction` of a contact, if it has any; its `shear_stiffness` is the normal one [F/L] unless it is given. No
+/// dashpot.
 [[nodiscard]] std::optional<CoulombFriction> read_friction(SceneTable& table, double normal_stiffness);
 [[nodiscard]] std::vector<SceneCable> read_cables(SceneTable& file, const Model& bodies);
 [[nodiscard]] std::vector<SceneHanger> read_hangers(SceneTable& file, const Model& bodies);

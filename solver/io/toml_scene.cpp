@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "solver/dynamics/springs.hpp"
 #include "solver/io/scene_parts.hpp"
 #include "solver/io/toml_fence.hpp"
 #include "solver/laws/restitution.hpp"
@@ -46,21 +45,14 @@ double particle_mass(const Model& model, const Contact& contact) {
   return effective_mass(ContactSide{a.mass, {}, 0.0, false}, ContactSide{b.mass, {}, 0.0, false});
 }
 
-/// Damping from restitution, where a contact is written so.
+/// Damping by Eq. 21, where a contact requires it.
 void set_damping(std::vector<SceneContact>& contacts, const Model& undamped) {
-  const Dynamics dynamics{undamped};
-  const std::vector<Spring> springs = talus::springs(dynamics, rest_state(undamped));
-  std::size_t spring = 0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    SceneContact& read = contacts[i];
-    if (read.restitution) {
-      const bool by_particles = read.rule == RestitutionRule::eq_21;
-      const double mass = by_particles ? particle_mass(undamped, read.contact) : springs[spring].effective_mass;
-      auto& law = std::get<LinearSpringDashpot>(read.contact.law);
-      const EndRule rule = by_particles ? EndRule::attractive : law.end_rule;
-      read.table.placed([&] { law.damping = damping(damping_ratio(*read.restitution, rule), law.stiffness, mass); });
-    }
-    spring += dynamics.layout().contact_instances[i];
+  for (SceneContact& read : contacts) {
+    if (!read.restitution) continue;
+    auto& law = std::get<LinearSpringDashpot>(read.contact.law);
+    const double mass = particle_mass(undamped, read.contact);
+    read.table.placed(
+        [&] { law.damping = damping(damping_ratio(*read.restitution, EndRule::attractive), law.stiffness, mass); });
   }
 }
 

@@ -28,6 +28,11 @@ namespace talus {
 ///   reset                     the mode that follows, and the memory it starts with
 ///   track (only if needed)    brings memory that follows the motion inside a mode, such as a largest stretch, up to
 ///   date
+///   memory_count() (only if it depends on the parameters)   doubles of memory in place of memory_size
+///   start_contact(memory, m_eff) (of contact laws, only if needed)   sets memory when the bodies touch, by the
+///   effective mass along the normal; called before the first reset of a contact, if there is any memory
+///   tangent(m_eff) (with it)  the tangent of a contact of that effective mass
+///   retardation_time(memory) (only of a linear spring and dashpot)   c/k of the present contact [T]
 ///   linear_part (only if in every mode the force is linear in extent and rate)  its slopes in a mode with that memory
 ///   linear_piece (only if it has one)  the straight line that it is in a mode, so that rows of springs at rest in
 ///   their modes are worked out without asking each
@@ -45,6 +50,19 @@ concept Law = std::equality_comparable<L> &&
   { law.guard(x, memory, mode) } -> std::same_as<double>;
   { law.reset(x, writable, mode) } -> std::same_as<Reset>;
   { law.tangent() } -> std::same_as<Tangent>;
+};
+
+/// Doubles of memory that an instance of a law has.
+template <Law L>
+constexpr std::size_t memory_count(const L& law) {
+  if constexpr (requires { law.memory_count(); }) return law.memory_count();
+  return L::memory_size;
+}
+
+/// Whether the memory of a contact law starts with the effective mass of the contact.
+template <class L>
+concept StartsByMass = requires(const L law, std::span<double> memory) {
+  law.start_contact(memory, 1.0);
 };
 
 /// A closed list of law types: parsers, tests, the command line and the report iterate over it.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <string_view>
 
@@ -9,18 +10,23 @@
 
 namespace talus {
 
-/// Normal contact by a linear spring and a dashpot in parallel: F = k depth + c d(depth)/dt
+/// Normal contact by a linear spring and a dashpot in parallel: F = k overlap + c d(overlap)/dt
 /// (Mustoe & Huttelmaier 1993, Eq. 17; Cundall & Strack 1979), with the end rule as a choice.
+///
+/// The dashpot coefficient is either constant (`damping`), or follows from `damping_ratio` and the effective mass m_eff
+/// that the contact has when its bodies touch: c = 2 xi sqrt(k m_eff). The second gives every impact the same
+/// restitution, whatever the bodies, their pose and their pins; its c is then the law's memory.
 struct LinearSpringDashpot {
   static constexpr std::string_view name = "linear_spring_dashpot";
   static constexpr std::array<std::string_view, 3> modes{"open", "touching", "released"};
-  static constexpr std::size_t memory_size = 0;
+  static constexpr std::size_t memory_size = 0;  ///< without a damping ratio; see memory_count()
   static constexpr Mechanism dissipation = Mechanism::contact_damping;
   static constexpr Mechanism release = Mechanism::contact_release;
 
   double stiffness{};  ///< k_n [F/L] > 0
-  double damping{};    ///< c [F T/L] >= 0
+  double damping{};    ///< c [F T/L] >= 0; not used if damping_ratio > 0
   EndRule end_rule{EndRule::clamped};
+  double damping_ratio{};  ///< xi >= 0 of every impact; 0: c is `damping`
 
   static constexpr std::array<Field<LinearSpringDashpot>, 2> fields() {
     return {{{"stiffness", dimension::stiffness, &LinearSpringDashpot::stiffness, Range::positive,
@@ -29,18 +35,38 @@ struct LinearSpringDashpot {
               "dashpot coefficient c: force for each unit of closing speed"}}};
   }
 
-  constexpr LawForce operator()(Kinematics x, std::span<const double>, Mode mode) const { return spring()(x, mode); }
-  constexpr double stored_energy(Kinematics x, std::span<const double>, Mode mode) const {
-    return spring().stored_energy(x, mode);
-  }
-  constexpr double guard(Kinematics x, std::span<const double>, Mode mode) const { return spring().guard(x, mode); }
-  constexpr Reset reset(Kinematics x, std::span<double>, Mode mode) const { return spring().reset(x, mode); }
-  constexpr Tangent tangent() const { return {stiffness, damping}; }
-  constexpr Tangent linear_part(std::span<const double>, Mode mode) const {
-    return mode == UnilateralSpring::acting ? tangent() : Tangent{};
+  /// Doubles of memory: the dashpot coefficient of the present contact, if it follows from a damping ratio.
+  constexpr std::size_t memory_count() const { return damping_ratio > 0.0 ? 1 : 0; }
+  /// Sets the memory of a contact that begins, by the effective mass [M] along its normal; only with a damping ratio.
+  void start_contact(std::span<double> memory, double effective_mass) const {
+    memory[0] = tangent(effective_mass).damping;
   }
 
-  /// While the bodies overlap nothing is remembered (settled.hpp).
+  constexpr LawForce operator()(Kinematics x, std::span<const double> memory, Mode mode) const {
+    return spring(memory)(x, mode);
+  }
+  constexpr double stored_energy(Kinematics x, std::span<const double> memory, Mode mode) const {
+    return spring(memory).stored_energy(x, mode);
+  }
+  constexpr double guard(Kinematics x, std::span<const double> memory, Mode mode) const {
+    return spring(memory).guard(x, mode);
+  }
+  constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
+    return spring(memory).reset(x, mode);
+  }
+  constexpr Tangent tangent() const { return {stiffness, damping}; }
+  /// The same for a contact of that effective mass [M].
+  Tangent tangent(double effective_mass) const {
+    if (damping_ratio == 0.0) return tangent();
+    return {stiffness, 2.0 * damping_ratio * std::sqrt(stiffness * effective_mass)};
+  }
+  constexpr Tangent linear_part(std::span<const double> memory, Mode mode) const {
+    return mode == UnilateralSpring::acting ? Tangent{stiffness, dashpot(memory)} : Tangent{};
+  }
+  /// Retardation time c/k of the spring and dashpot [T].
+  constexpr double retardation_time(std::span<const double> memory) const { return dashpot(memory) / stiffness; }
+
+  /// While the bodies overlap nothing is remembered (settled.hpp); without a damping ratio.
   constexpr bool needs_rate() const { return damping != 0.0; }
   template <class Number>
   [[gnu::always_inline]] constexpr void settled(const Number& overlap, const Number& rate, Number&,
@@ -63,7 +89,10 @@ struct LinearSpringDashpot {
   friend constexpr bool operator==(const LinearSpringDashpot&, const LinearSpringDashpot&) = default;
 
  private:
-  constexpr UnilateralSpring spring() const { return {stiffness, damping, end_rule}; }
+  constexpr double dashpot(std::span<const double> memory) const { return memory.empty() ? damping : memory[0]; }
+  constexpr UnilateralSpring spring(std::span<const double> memory) const {
+    return {stiffness, dashpot(memory), end_rule};
+  }
 };
 
 }  // namespace talus

@@ -13,7 +13,8 @@ namespace talus {
 
 /// How the overlap of two outlines becomes forces.
 enum class ContactMethod {
-  resultant,  ///< one force for a pair, from the exact gap of the two shapes: does not depend on any discretisation
+  resultant,  ///< from the exact gap of the two shapes, independent of any discretisation: one force for a pair; a
+              ///< rectangle that lies flat on a half-plane or another rectangle rests on both ends of its side
   nodes,      ///< the law acts at each boundary node of one body inside the other, both ways (FENCE 1993): the answer
               ///< depends on the number of nodes and does not converge with it
 };

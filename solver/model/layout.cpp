@@ -10,13 +10,22 @@
 namespace talus {
 namespace {
 
-std::size_t memory_size(const auto& law) {
-  return std::visit([](const auto& l) { return l.memory_size; }, law);
+std::size_t memory_of(const auto& law) {
+  return std::visit([](const auto& l) { return talus::memory_count(l); }, law);
 }
 
-/// Law instances of a contact: one for a resultant, one for each boundary node of either body otherwise.
+/// Law instances of a contact. Resultant: one; of a rectangle each corner on a half-plane, and both ends of the common
+/// side with another rectangle. Nodes: one for each boundary node of either body.
 std::size_t instances(const Model& model, const Contact& contact) {
-  if (contact.method == ContactMethod::resultant) return 1;
+  if (contact.method == ContactMethod::resultant) {
+    const Shape& a = model.bodies[index(contact.a)].shape;
+    const Shape& b = model.bodies[index(contact.b)].shape;
+    const bool box_a = std::holds_alternative<Rectangle>(a), box_b = std::holds_alternative<Rectangle>(b);
+    if (box_a && box_b) return 2;
+    const bool on_plane =
+        (box_a && std::holds_alternative<HalfPlane>(b)) || (box_b && std::holds_alternative<HalfPlane>(a));
+    return on_plane ? 4 : 1;
+  }
   return boundary_nodes(model.bodies[index(contact.a)].shape, contact.nodes[0]).size() +
          boundary_nodes(model.bodies[index(contact.b)].shape, contact.nodes[1]).size();
 }
@@ -46,12 +55,12 @@ Layout::Layout(const Model& model) {
     contact_slots.push_back({mode_count, memory_count});
     contact_instances.push_back(instances(model, contact));
     mode_count += contact_instances.back();
-    memory_count += contact_instances.back() * memory_size(contact.law);
+    memory_count += contact_instances.back() * memory_of(contact.law);
   }
   for (const Cable& cable : model.cables) {
     cable_slots.push_back({mode_count, memory_count});
     mode_count += 1;
-    memory_count += memory_size(cable.law);
+    memory_count += memory_of(cable.law);
   }
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
     friction_slots.push_back({mode_count, memory_count});

@@ -82,8 +82,9 @@ bool has_gap(const Shape& a, const Shape& b, ContactMethod method) {
   const auto is_round = [](const Shape& s) { return std::holds_alternative<Circle>(s); };
   const bool outlined = !std::holds_alternative<NoShape>(a) && !std::holds_alternative<NoShape>(b);
   if (method == ContactMethod::nodes) return outlined && !(is_ground(a) && is_ground(b));
-  return outlined && (is_round(a) || is_round(b) || (is_box(a) && (is_box(b) || is_plane(b))) ||
-                      (is_plane(a) && (is_box(b) || is_outline(b))) || (is_outline(a) && is_plane(b)));
+  const auto is_angular = [&](const Shape& s) { return is_box(s) || is_outline(s); };
+  return outlined && (is_round(a) || is_round(b) || (is_angular(a) && (is_angular(b) || is_plane(b))) ||
+                      (is_plane(a) && is_angular(b)));
 }
 
 /// Whether two cables in series have the same tension when each takes a share of the stretch by its compliance.
@@ -186,8 +187,8 @@ ContactId ModelBuilder::add(Contact contact) {
   if (!has_gap(a.shape, b.shape, contact.method)) {
     throw InputError{
         fmt::format("contact '{}': no contact between shapes '{}' and '{}' by method '{}'; known pairs: circle "
-                    "with circle, rectangle, superquadric, half_plane, terrain; rectangle with rectangle, half_plane; "
-                    "superquadric with half_plane",
+                    "with circle, rectangle, superquadric, half_plane, terrain; rectangle and superquadric with "
+                    "rectangle, superquadric, half_plane",
                     contact.name, shape_name(a.shape), shape_name(b.shape),
                     Names<ContactMethod>::list[static_cast<std::size_t>(contact.method)])};
   }
@@ -198,9 +199,12 @@ ContactId ModelBuilder::add(Contact contact) {
   }
   std::visit([&](const auto& law) { check_fields("contact", contact.name, law); }, contact.law);
   if (const auto* law = std::get_if<LatchingSpring>(&contact.law)) check_latch(contact.name, *law);
+  if (const auto* law = std::get_if<LinearSpringDashpot>(&contact.law))
+    check_number("contact", contact.name, "damping_ratio", Range::non_negative, law->damping_ratio);
   if (contact.friction) {
     check_number("contact", contact.name, "friction", Range::non_negative, contact.friction->coefficient);
     check_number("contact", contact.name, "shear_stiffness", Range::positive, contact.friction->stiffness);
+    check_number("contact", contact.name, "shear_damping", Range::non_negative, contact.friction->damping);
   }
   model_.contacts.push_back(std::move(contact));
   return static_cast<ContactId>(model_.contacts.size() - 1);

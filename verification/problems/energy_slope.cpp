@@ -73,6 +73,9 @@ std::vector<TouchingPair> pairs() {
           {"disc, terrain", disc, hills},
           {"rectangle, plane", box, HalfPlane{}},
           {"superellipse n = 5, plane", stone, HalfPlane{}},
+          {"ellipse, superellipse n = 5", ellipse, stone},
+          {"superellipses n = 20", Superquadric{0.5, 0.35, 20.0}, Superquadric{0.4, 0.6, 20.0}},
+          {"rectangle, superellipse n = 5", box, stone},
           {"rectangle, rectangle", Rectangle{0.4, 0.3}, box},
           {"slender rectangles", Rectangle{0.7, 0.08}, Rectangle{0.1, 0.8}},
           {"nodes: rectangle, rectangle", Rectangle{0.4, 0.3}, box, by_nodes},
@@ -158,6 +161,8 @@ std::vector<TouchingPair> sliding_pairs() {
   const auto by_nodes = ContactMethod::nodes;
   return {{"rectangles", square, box},
           {"nodes: rectangles", square, box, by_nodes},
+          {"n = 20", rounded, column},
+          {"rectangle, n = 20", square, column},
           {"nodes: n = 20", rounded, column, by_nodes},
           {"nodes, side faces: n = 20", rounded, column, by_nodes, NodeDepth::side_face},
           {"nodes, smoother: n = 20", rounded, column, by_nodes, NodeDepth::smoother},

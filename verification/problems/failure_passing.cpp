@@ -193,7 +193,7 @@ FailureFound check_crossed_bars(Findings& findings, const Setup& setup) {
   findings.expect("crossed bars: overlap of the plus by all directions, over the sum of the half sides",
                   overlap / 1.125, 1.0, Tolerance::exact("both are sums of powers of two"));
   findings.expect("crossed bars: force of the plus by one resultant", force(crossed(0.0, ContactMethod::resultant)),
-                  1.125, Tolerance::exact("k times the least overlap of the sides"));
+                  2.25, Tolerance::exact("at both ends of the side k times the least overlap of the sides, 1.125"));
   findings.expect("crossed bars: force of two corners inside, by nodes", force(corner), 0.125,
                   Tolerance::exact("two nodes, each 1/16 deep"));
   findings.expect_true("crossed bars: nothing said of corners inside",

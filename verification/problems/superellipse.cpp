@@ -37,7 +37,8 @@ of the area to leading order, and the like of $J$; the next term is $M^{-2/n}$ o
 slowly that the constant must be extrapolated with that power.
 
 The outline reaches $h = (|a m_x|^q + |b m_y|^q)^{1/q}$, $q = n/(n-1)$, in the direction $m$ (Hoelder's inequality): its
-overlap with a plane is $h$ less the centre's distance.
+overlap with a plane is $h$ less the centre's distance. The overlap of two outlines is the least length by which one
+must be displaced to part them; the reference tries directions one by one, and bisects by points inside.
 
 The nearest point of the outline is sought by brute force: both faces of the point's quadrant in 400 steps, each local
 minimum refined by golden sections in long double.
@@ -182,6 +183,7 @@ void run(Findings& findings, const Setup& setup) {
   check_area(findings, setup);
   check_support(findings, setup);
   check_depth(findings, setup);
+  check_pairs(findings, setup);
   check_search(findings, setup);
   if (setup.coarse) return;
   check_scenes(findings, setup);
@@ -198,7 +200,7 @@ Case superellipse() {
       .requirements = {{"Eq. 1", {"polygon's area", "polar moment", "lowest point", "depth below a superellipse"}},
                        {"A3", {"polygon"}},
                        {"E1", {"superellipse with a plane", "lowest point of a superellipse"}},
-                       {"E2", {"depth below a superellipse"}},
+                       {"E2", {"depth below a superellipse", "pairs of superellipses"}},
                        {"E10", {"contact search", "random scenes"}},
                        {"shape.superquadric", {"polygon", "superellipse", "contact search"}},
                        {"shape.half_plane", {"superellipse with a plane", "contact search"}},
@@ -206,10 +208,13 @@ Case superellipse() {
                        {"shape.rectangle", {"contact search", "random scenes"}},
                        {"method.resultant", {"superellipse with a plane", "random scenes"}},
                        {"method.nodes", {"depth below a superellipse", "random scenes"}},
+                       {"pair.superquadric.superquadric", {"pairs of superellipses"}},
+                       {"pair.rectangle.superquadric", {"pairs of superellipses"}},
                        {"pair.superquadric.half_plane", {"superellipse with a plane"}}},
       .main_checks = {"order of the polygon's area in 1/nodes, n = 20",
                       "overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles",
                       "depth below a superellipse, farthest from brute force, n = 2 ... 50",
+                      "overlap of pairs of superellipses and rectangles, farthest from brute force",
                       "touching pairs that the contact search leaves out",
                       "random scenes with other contacts or accelerations when nothing is left out"},
       .source = "Mustoe & Huttelmaier 1993, Eq. 1; Barr 1981",
@@ -217,6 +222,8 @@ Case superellipse() {
       .faults =
           {{"exponent_off", "an exponent .1 % too large",
             "depth below a superellipse, farthest from brute force, n = 2 ... 50"},
+           {"pair_exponent_off", "the exponents of pairs 5 % too large",
+            "overlap of pairs of superellipses and rectangles, farthest from brute force"},
            {"half_axis_off", "a half axis a millionth too long",
             "overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles"},
            {"nodes_left_out", "every other node left out",

@@ -18,6 +18,9 @@ inline constexpr std::array superellipse_half_axes{1.25, 4.0};
 /// Area and polar moment of polygons of boundary nodes.
 void check_area(Findings& findings, const Setup& setup);
 
+/// Overlaps and distances of pairs of outlines, against brute force.
+void check_pairs(Findings& findings, const Setup& setup);
+
 /// Pairs that the contact search leaves out, against brute force; scenes with and without the search.
 void check_search(Findings& findings, const Setup& setup);
 void check_scenes(Findings& findings, const Setup& setup);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace talus::verification::reference {
@@ -71,6 +72,57 @@ bool overlap_by_points(const Outline& a, const Outline& b, int count) {
     return std::any_of(points.begin(), points.end(), [&](Point p) { return holds(in, frame.inwards(p)); });
   };
   return any_in(a, b) || any_in(b, a);
+}
+
+namespace {
+
+/// How far b must move in the direction of the angle to no longer overlap a.
+double displacement(const Outline& a, Outline b, double angle, int count) {
+  const double c = std::cos(angle), s = std::sin(angle), x = b.x, y = b.y;
+  const auto overlaps = [&](double by) {
+    b.x = x + by * c, b.y = y + by * s;
+    return overlap_by_points(a, b, count);
+  };
+  double inside = 0.0, outside = 2.0 * (a.size.a + a.size.b + b.size.a + b.size.b);
+  for (int i = 0; i < 30; ++i) {
+    const double middle = 0.5 * (inside + outside);
+    (overlaps(middle) ? inside : outside) = middle;
+  }
+  return 0.5 * (inside + outside);
+}
+
+double distance_of_points(const Outline& a, const Outline& b, int count) {
+  double least = std::numeric_limits<double>::infinity();
+  const std::vector<Point> of_b = boundary(b, count);
+  for (const Point p : boundary(a, count)) {
+    for (const Point q : of_b)
+      least = std::min(least, std::hypot(p.x - q.x, p.y - q.y));
+  }
+  return least;
+}
+
+}  // namespace
+
+double least_displacement(const Outline& a, const Outline& b, int count) {
+  if (!overlap_by_points(a, b, count)) return -distance_of_points(a, b, count);
+  constexpr int directions = 90;
+  constexpr double part = 2.0 * std::numbers::pi / directions;
+  double best = 0.0, least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < directions; ++i) {
+    const double found = displacement(a, b, i * part, count / 8);
+    if (found < least) best = i * part, least = found;
+  }
+  constexpr double golden = 0.6180339887498949;
+  double low = best - part, high = best + part;
+  for (int i = 0; i < 16; ++i) {
+    const double left = high - golden * (high - low), right = low + golden * (high - low);
+    if (displacement(a, b, left, count) < displacement(a, b, right, count)) {
+      high = right;
+    } else {
+      low = left;
+    }
+  }
+  return displacement(a, b, 0.5 * (low + high), count);
 }
 
 }  // namespace talus::verification::reference

@@ -28,4 +28,10 @@ struct Outline {
 /// missed.
 [[nodiscard]] bool overlap_by_points(const Outline& a, const Outline& b, int count = 400);
 
+/// Length of the shortest displacement of b after which it no longer overlaps a (of outlines apart, minus their
+/// distance), by brute force: the displacement along each of many directions by bisection of overlap_by_points(), the
+/// shortest refined by golden sections; the distance over all pairs of points. Of curved outlines off by about
+/// (2 pi/count)^2/8 of their radius.
+[[nodiscard]] double least_displacement(const Outline& a, const Outline& b, int count);
+
 }  // namespace talus::verification::reference

@@ -18,6 +18,14 @@ using namespace talus;
 
 namespace {
 
+/// Depth of a rectangle's lowest corner below a half-plane.
+double lowest_corner(const Rectangle& box, const Pose& A, const Pose& plane) {
+  double depth = -1e300;
+  for (const Vec2 corner : boundary_nodes(Shape{box}, 4))
+    depth = std::max(depth, gap(Ball{corner, 0.0}, A, HalfPlane{}, plane).depth);
+  return depth;
+}
+
 struct RandomPoses {
   std::mt19937_64 random{3};
   std::uniform_real_distribution<double> place{-4.0, 4.0}, angle{-7.0, 7.0};
@@ -88,8 +96,10 @@ struct Strewn {
             return gap(Ball{{}, a.radius}, A, b, B).depth;
           else if constexpr (box_a && ball_b)
             return gap(Ball{{}, b.radius}, B, a, A).depth;
-          else if constexpr (box_a && (box_b || ground_b))
+          else if constexpr (box_a && box_b)
             return gap(a, A, b, B).depth;
+          else if constexpr (box_a && ground_b)
+            return lowest_corner(a, A, B);
           else
             throw std::logic_error{"no such pair"};
         },
@@ -131,8 +141,7 @@ BOOST_AUTO_TEST_CASE(rectangles) {
 
 BOOST_AUTO_TEST_CASE(rectangle_and_half_plane_at_any_slope) {
   const Rectangle a{0.5, 1.5};
-  BOOST_TEST(left_out(a, HalfPlane{}, [&](const Pose& A, const Pose& B) { return gap(a, A, HalfPlane{}, B).depth; }) >
-             5000);
+  BOOST_TEST(left_out(a, HalfPlane{}, [&](const Pose& A, const Pose& B) { return lowest_corner(a, A, B); }) > 5000);
 }
 
 BOOST_AUTO_TEST_CASE(what_touches_is_found_however_the_bodies_move) {

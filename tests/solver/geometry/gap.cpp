@@ -1,6 +1,8 @@
 #define BOOST_TEST_MODULE gap
 #include "solver/geometry/gap.hpp"
 
+#include <algorithm>
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
@@ -82,21 +84,87 @@ BOOST_AUTO_TEST_CASE(ball_sinks_into_a_tilted_plane) {
   BOOST_TEST(found.n_AB.y == -std::cos(tilt), boost::test_tools::tolerance(1e-14));
 }
 
-BOOST_AUTO_TEST_CASE(rectangle_on_plane_flat_and_on_a_corner) {
-  const Rectangle box{1.0, 0.5};
-  const Gap flat = gap(box, at(3.0, 0.4), HalfPlane{}, at(0, 0));
-  BOOST_TEST(flat.depth == 0.1, boost::test_tools::tolerance(1e-14));
-  BOOST_TEST(flat.p_WC.x == 3.0);  // middle of the lower side
-  const Gap corner = gap(box, at(0.0, 1.0, 0.3), HalfPlane{}, at(0, 0));
-  BOOST_TEST(corner.depth == std::sin(0.3) + 0.5 * std::cos(0.3) - 1.0, boost::test_tools::tolerance(1e-13));
-  BOOST_TEST(corner.p_WC.x == -std::cos(0.3) + 0.5 * std::sin(0.3), boost::test_tools::tolerance(1e-13));
+BOOST_AUTO_TEST_CASE(rectangles_flat_on_each_other_rest_on_both_ends_of_the_common_side) {
+  const Rectangle a{1.0, 0.5}, b{1.0, 0.5};
+  const Pose A = at(0.5, 0.95), B = at(0, 0);
+  const Gap whole = gap(a, A, b, B);
+  BOOST_TEST(whole.depth == 0.05, boost::test_tools::tolerance(1e-13));
+  BOOST_TEST(whole.n_AB.y == -1.0);
+  BOOST_TEST(whole.p_WC.x == 0.25, boost::test_tools::tolerance(1e-14));  // common part [-.5, 1]
+  // Counter-clockwise of the normal, which points down, is to the right.
+  const Gap behind = gap(RectangleEnd{a, 0}, A, b, B), ahead = gap(RectangleEnd{a, 1}, A, b, B);
+  BOOST_TEST(behind.p_WC.x == -0.5, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(ahead.p_WC.x == 1.0, boost::test_tools::tolerance(1e-14));
+  for (const Gap& end : {behind, ahead}) {
+    BOOST_TEST(end.depth == 0.05, boost::test_tools::tolerance(1e-13));
+    BOOST_TEST(end.n_AB.y == -1.0);
+  }
 }
 
-BOOST_AUTO_TEST_CASE(rectangles_flat_on_each_other_meet_in_the_middle_of_the_common_side) {
-  const Gap found = gap(Rectangle{1.0, 0.5}, at(0.5, 0.95), Rectangle{1.0, 0.5}, at(0, 0));
-  BOOST_TEST(found.depth == 0.05, boost::test_tools::tolerance(1e-13));
-  BOOST_TEST(found.n_AB.y == -1.0);
-  BOOST_TEST(found.p_WC.x == 0.25, boost::test_tools::tolerance(1e-14));  // common part [-.5, 1]
+// Whatever the tilt, and wherever the corners pass each other: no depth jumps, and springs at both ends have the
+// potential (d_0^2 + d_1^2)/2.
+BOOST_AUTO_TEST_CASE(ends_of_two_rectangles_move_without_a_jump_and_have_a_potential) {
+  const Rectangle a{0.5, 0.4}, b{0.6, 0.3};
+  const auto depths = [&](double x, double tilt) {
+    std::array<double, 2> found{};
+    for (int end : {0, 1})
+      found[static_cast<std::size_t>(end)] = gap(RectangleEnd{a, end}, at(x, 0.65, tilt), b, at(0, 0)).depth;
+    return found;
+  };
+  double jump = 0.0, step = 1e-5;
+  for (double tilt = -0.3; tilt < 0.3; tilt += 0.01) {
+    for (double x = -0.6; x < 0.6; x += 0.013) {
+      const auto here = depths(x, tilt), moved = depths(x + step, tilt), turned = depths(x, tilt + step);
+      if (std::max(here[0], here[1]) < 0.0) continue;
+      for (std::size_t end : {0U, 1U}) {
+        if (std::min({here[end], moved[end], turned[end]}) <= 0.0) continue;
+        jump = std::max({jump, std::abs(moved[end] - here[end]), std::abs(turned[end] - here[end])});
+      }
+    }
+  }
+  BOOST_TEST(jump < 1.2 * step);  // a corner moves no farther
+  double worst = 0.0;
+  int places = 0;
+  for (double tilt = -0.25; tilt < 0.25; tilt += 0.0617) {
+    for (double x = -0.55; x < 0.55; x += 0.0731) {
+      const auto energy = [&](double dx, double turn) {
+        const auto d = depths(x + dx, tilt + turn);
+        return 0.5 * (std::max(d[0], 0.0) * std::max(d[0], 0.0) + std::max(d[1], 0.0) * std::max(d[1], 0.0));
+      };
+      double force = 0.0, moment = 0.0;
+      const Pose A = at(x, 0.65, tilt);
+      for (int end : {0, 1}) {
+        const Gap found = gap(RectangleEnd{a, end}, A, b, at(0, 0));
+        const Vec2 on_a = -std::max(found.depth, 0.0) * found.n_AB;
+        force += on_a.x, moment += cross(found.p_WC - A.p_WB, on_a);
+      }
+      const double h = 1e-6;
+      worst = std::max(worst, std::abs(force + (energy(h, 0) - energy(-h, 0)) / (2 * h)));
+      worst = std::max(worst, std::abs(moment + (energy(0, h) - energy(0, -h)) / (2 * h)));
+      places += energy(0, 0) > 0.0 ? 1 : 0;
+    }
+  }
+  BOOST_TEST(places > 60);
+  BOOST_TEST(worst < 1e-8);  // h^2 times the third derivative, and 1e-17/h
+}
+
+BOOST_AUTO_TEST_CASE(ends_of_rectangles_apart_are_at_least_as_far_apart_as_the_sides) {
+  std::mt19937 random{17};
+  std::uniform_real_distribution<double> place{-3.0, 3.0};
+  const Rectangle a{1.0, 0.4}, b{0.6, 0.8};
+  int apart = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Pose A = at(place(random), place(random), place(random)), B = at(place(random), place(random), place(random));
+    const double depth = gap(a, A, b, B).depth;
+    if (depth >= 0.0) {
+      BOOST_TEST(std::max(depth_of(RectangleEnd{a, 0}, A, b, B), depth_of(RectangleEnd{a, 1}, A, b, B)) > 0.0);
+      continue;
+    }
+    ++apart;
+    for (int end : {0, 1})
+      BOOST_TEST(depth_of(RectangleEnd{a, end}, A, b, B) <= depth);
+  }
+  BOOST_TEST(apart > 5000);
 }
 
 BOOST_AUTO_TEST_CASE(crossed_rectangles_are_found_without_a_vertex_inside) {
@@ -140,7 +208,8 @@ BOOST_AUTO_TEST_CASE(depth_rate_is_the_rate_of_the_depth) {
   check(Ball{{0.3, 0.1}, 0.5}, Circle{1.0}, 1.4);
   check(Ball{{}, 0.5}, Rectangle{1.0, 0.6}, 1.0);
   check(Ball{{0.2, 0.0}, 0.0}, HalfPlane{}, 0.1);
-  check(Rectangle{1.0, 0.5}, HalfPlane{}, 0.6);
+  check(RectangleEnd{{1.0, 0.5}, 0}, Rectangle{0.8, 0.7}, 1.1);
+  check(RectangleEnd{{1.0, 0.5}, 1}, Rectangle{0.8, 0.7}, 1.1);
 }
 
 BOOST_AUTO_TEST_CASE(path_length_rate_and_pull) {

@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(fields_of_other_contact_laws) {
              "s.toml:16: contact 'bounce': unloading_stiffness is 1000; it must be >= stiffness, which is 10000");
   constexpr std::string_view known =
       "known: name, law, stiffness, unloading_stiffness, growth, between, method, nodes, node_depth, friction, "
-      "shear_stiffness";
+      "shear_stiffness, shear_damping";
   BOOST_TEST(
       latching("unloading_stiffness = \"2e4 N/m\"\nrestitution = 0.5") ==
       fmt::format("s.toml:22: contact 'bounce': restitution: this key is not known; nearest: friction; {}", known));
