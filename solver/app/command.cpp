@@ -142,7 +142,18 @@ CLI::Validator number_between(double least, double most) {
 void print_failure(std::string_view words) {
   const char* no_color = std::getenv("NO_COLOR");
   const bool red = ::isatty(STDERR_FILENO) == 1 && (no_color == nullptr || *no_color == '\0');
-  fmt::print(stderr, "{}talus: {}{}\n", red ? "\033[31m" : "", words, red ? "\033[0m" : "");
+  std::string lines;
+  for (std::size_t from = 0; from <= words.size();) {
+    const std::size_t end = std::min(words.find('\n', from), words.size());
+    const std::string_view line = words.substr(from, end - from);
+    const bool help = line.starts_with("help: ");
+    lines += fmt::format("{}{}{}{}\n", red ? "\033[31m" : "", help ? "" : "talus: ", line, red ? "\033[0m" : "");
+    from = end + 1;
+  }
+  // What stdout has must stand before it, and each of both in whole lines, if they go to the same file.
+  std::fflush(stdout);
+  fmt::print(stderr, "{}", lines);
+  std::fflush(stderr);
 }
 
 int run_command_line(int count, const char* const* arguments) {

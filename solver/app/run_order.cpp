@@ -20,31 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A tenth of the method's linear limit, or a fiftieth of the shortest contact if that is less. Errors: InputError
-/// where neither says anything, and where the method grows at any step.
-double automatic_step(const Scene& scene) {
-  const Dynamics dynamics{scene.model};
-  const StepAdvice advice = advise_step(dynamics, scene.initial);
-  double step = advice.shortest_contact / 50.0;
-  if (const auto limit = step_limit(advice, name(scene.integrator))) step = std::min(step, 0.1 * limit->step);
-  if (step == 0.0) {
-    throw InputError{
-        fmt::format("--step: found \"auto\"; {} grows at any step, for this scene vibrates without a dashpot; choose "
-                    "another method",
-                    name(scene.integrator))};
-  }
-  if (std::isfinite(step)) return step;
-  throw InputError{fmt::format(
-      "--step: found \"auto\"; no contact limits the steps of this scene and {} has no limit in closed form; give one",
-      name(scene.integrator))};
-}
-
 /// A new run, with what the command line changes of its scene.
 RunOrder new_order(const RunOptions& options) {
   if (options.scene.empty()) throw InputError{"SCENE is required, or --resume DIR\nhelp: talus run --help"};
-  if (options.tolerance != 0.0 && options.integrator.empty()) {
-    throw InputError{"--tolerance: it goes with --integrator; name both"};
-  }
   if (!options.until.empty() && options.folder.empty()) {
     throw InputError{"--until: it goes with --out, the folder in which the run is left to be taken on"};
   }
@@ -66,12 +44,17 @@ RunOrder new_order(const RunOptions& options) {
   Scene& scene = order.file.scene;
   const UnitSystem& units = scene.model.units;
   if (!options.end.empty()) scene.plan.end = option_quantity("--end", options.end, dimension::time, units);
-  if (!options.integrator.empty()) {
-    const IntegratorChoice chosen = choose_integrator(scene.model, options.integrator, options.tolerance);
+  if (!options.integrator.empty() || options.tolerance != 0.0) {
+    const std::string_view method = options.integrator.empty() ? name(scene.integrator) : options.integrator;
+    // The scene's tolerance stays with it, under any method that takes one.
+    const bool takes_one = method == automatic_integrator || has_step_control(method);
+    const double given = options.tolerance != 0.0 ? options.tolerance : talus::tolerance(scene.integrator);
+    const double tolerance = takes_one || options.tolerance != 0.0 ? given : 0.0;
+    const IntegratorChoice chosen = choose_integrator(scene.model, method, tolerance);
     scene.integrator = chosen.integrator;
     scene.integrator_why = chosen.why;
   }
-  if (options.step == "auto") {
+  if (options.step == automatic_step_name) {
     scene.plan.step = automatic_step(scene);
   } else if (!options.step.empty()) {
     scene.plan.step = option_quantity("--step", options.step, dimension::time, units);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include "solver/base/error.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/laws/restitution.hpp"
 
@@ -173,6 +174,23 @@ std::optional<StepLimit> step_limit(const StepAdvice& advice, std::string_view i
     if (!first || step < first->step) first = StepLimit{mode, *product, step};
   }
   return first;
+}
+
+double automatic_step(const Scene& scene) {
+  const Dynamics dynamics{scene.model};
+  const StepAdvice advice = advise_step(dynamics, scene.initial);
+  double step = advice.shortest_contact / 200.0;
+  if (const auto limit = step_limit(advice, name(scene.integrator))) step = std::min(step, limit->step / 20.0);
+  if (step == 0.0) {
+    throw InputError{
+        fmt::format("step: found \"auto\"; {} grows at any step, since this scene vibrates without a dashpot; choose "
+                    "another method",
+                    name(scene.integrator))};
+  }
+  if (std::isfinite(step)) return step;
+  throw InputError{fmt::format(
+      "step: found \"auto\"; no contact limits the steps of this scene and {} has no limit in closed form; give one",
+      name(scene.integrator))};
 }
 
 std::optional<double> linear_limit(std::string_view integrator, double damping_ratio) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/dynamics/springs.hpp"
+#include "solver/scenes/scene.hpp"
 
 namespace talus {
 
@@ -58,5 +59,13 @@ struct StepLimit {
   double step{};     ///< [T]
 };
 [[nodiscard]] std::optional<StepLimit> step_limit(const StepAdvice& advice, std::string_view integrator);
+
+/// The name by which a scene leaves its fixed step to automatic_step().
+inline constexpr std::string_view automatic_step_name = "auto";
+
+/// A fixed step of known error for the scene's method [T]: a twentieth of its linear limit, or a 200th of the shortest
+/// contact if that is less (a dashpot's impact then errs by at most 0.3 % of its speed).
+/// Errors: InputError where neither says anything, and where the method grows at any step.
+[[nodiscard]] double automatic_step(const Scene& scene);
 
 }  // namespace talus

@@ -18,7 +18,8 @@ class Line {
   /// A body whose point at p_WP moves the extent by `direction`, and feels `share` times the force against it.
   void add(BodyId body, Vec2 p_WP, Vec2 direction, double share) {
     for_each_gradient(dynamics_, work_, body, p_WP, direction, [&](std::size_t coordinate, double gradient) {
-      if (gradient != 0.0) parts_[count_++] = {coordinate, gradient, share * gradient / dynamics_.inertias()[coordinate]};
+      if (gradient != 0.0)
+        parts_[count_++] = {coordinate, gradient, share * gradient / dynamics_.inertias()[coordinate]};
     });
   }
 

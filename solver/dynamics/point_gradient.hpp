@@ -18,9 +18,7 @@ void for_each_gradient(const Dynamics& dynamics, const Workspace& work, BodyId b
   if (moved.mobility == Mobility::guided_y) center.y = pin_now.y;
   for (std::size_t i = layout.first[index(body)]; i < layout.first[index(body) + 1]; ++i) {
     const Axis axis = layout.coordinates[i].axis;
-    visit(i, axis == Axis::x   ? direction.x
-             : axis == Axis::y ? direction.y
-                               : dot(cross(1.0, p_WP - center), direction));
+    visit(i, axis == Axis::x ? direction.x : axis == Axis::y ? direction.y : dot(cross(1.0, p_WP - center), direction));
   }
 }
 

@@ -63,12 +63,12 @@ class Common {
   const Pose& B_;
 };
 
-/// Normals of the sides of both outlines by turns, A's first, counter-clockwise. Between two neighbours a rectangle's farthest point is one
-/// corner, and a superquadric's runs along one arc.
+/// Normals of the sides of both outlines by turns, A's first, counter-clockwise. Between two neighbours a rectangle's
+/// farthest point is one corner, and a superquadric's runs along one arc.
 std::array<Vec2, 9> side_normals(const Pose& A, const Pose& B) {
   const Vec2 x = A.R_WB * Vec2{1.0, 0.0};
   Vec2 other = B.R_WB * Vec2{1.0, 0.0};
-  while (!(dot(other, x) > 0.0 && cross(x, other) >= 0.0) )
+  while (!(dot(other, x) > 0.0 && cross(x, other) >= 0.0))
     other = quarter_turn(other);
   std::array<Vec2, 9> normals;
   Vec2 of_a = x;
@@ -122,10 +122,9 @@ class LeastCommon {
       const double right = static_cast<double>(i) / parts, slope_right = at(right).slope;
       if (slope_left < 0.0 && slope_right > 0.0) {
         std::uintmax_t evaluations = 100;
-        const auto [low, high] = boost::math::tools::toms748_solve([&](double s) { return at(s).slope; }, left, right,
-                                                                   slope_left, slope_right,
-                                                                   boost::math::tools::eps_tolerance<double>(52),
-                                                                   evaluations);
+        const auto [low, high] =
+            boost::math::tools::toms748_solve([&](double s) { return at(s).slope; }, left, right, slope_left,
+                                              slope_right, boost::math::tools::eps_tolerance<double>(52), evaluations);
         const At found = at(0.5 * (low + high));
         if (found.value < best_.value) best_ = found;
       }
@@ -147,9 +146,7 @@ Gap convex_gap(const S& a, const Pose& A, const T& b, const Pose& B) {
 
 }  // namespace
 
-Gap gap(const Superquadric& a, const Pose& A, const Superquadric& b, const Pose& B) {
-  return convex_gap(a, A, b, B);
-}
+Gap gap(const Superquadric& a, const Pose& A, const Superquadric& b, const Pose& B) { return convex_gap(a, A, b, B); }
 
 Gap gap(const Rectangle& a, const Pose& A, const Superquadric& b, const Pose& B) { return convex_gap(a, A, b, B); }
 

@@ -22,9 +22,9 @@ constexpr std::array<std::array<double, 6>, 6> a{{
     {82889.0 / 524892.0, 0.0, 15625.0 / 83664.0, 69875.0 / 102672.0, -2260.0 / 8211.0, diagonal},
 }};
 /// Weights of the embedded method of order 3.
-constexpr std::array<double, 6> embedded{4586570599.0 / 29645900160.0,   0.0,
-                                         178811875.0 / 945068544.0,      814220225.0 / 1159782912.0,
-                                         -3700637.0 / 11593932.0,        61727.0 / 225920.0};
+constexpr std::array<double, 6> embedded{4586570599.0 / 29645900160.0, 0.0,
+                                         178811875.0 / 945068544.0,    814220225.0 / 1159782912.0,
+                                         -3700637.0 / 11593932.0,      61727.0 / 225920.0};
 
 constexpr int most_iterations = 6;
 /// Error of Newton's method that a stage may keep, relative to that of the step.
@@ -44,7 +44,8 @@ double relative(double error, double scale) { return error == 0.0 ? 0.0 : error 
 
 }  // namespace
 
-ImplicitStep::ImplicitStep(const State& like) : begin_rates_{like}, end_rates_{like}, end_{like}, at_{like}, found_{like} {
+ImplicitStep::ImplicitStep(const State& like)
+    : begin_rates_{like}, end_rates_{like}, end_{like}, at_{like}, found_{like} {
   rates_.fill(found_);
   velocities_.fill(like.v);
 }
@@ -72,8 +73,8 @@ void ImplicitStep::place_stage(const State& begin, double h, std::size_t stage) 
   at_.v = velocities_[stage];
 }
 
-/// Newton's method for the accelerations k and memory rates y of a stage. With b = h/4, a change dk moves its velocities
-/// by b dk, its coordinates by b^2 dk, and memory by b (dz/dt - y) + b^2 slope dk, so that
+/// Newton's method for the accelerations k and memory rates y of a stage. With b = h/4, a change dk moves its
+/// velocities by b dk, its coordinates by b^2 dk, and memory by b (dz/dt - y) + b^2 slope dk, so that
 ///   (I + b C + b^2 K) dk = f(stage) - k - b sum pull (dz/dt - y).
 bool ImplicitStep::solve_stage(EventfulSystem& system, const State& begin, double h, std::size_t stage,
                                const ErrorScales& scales) {
@@ -136,8 +137,8 @@ double ImplicitStep::error(double h, const ErrorScales& scales) {
          scales.tolerance;
 }
 
-double ImplicitStep::take(EventfulSystem& system, const State& begin, Rates& rates, double h,
-                          const ErrorScales& scales, State& end) {
+double ImplicitStep::take(EventfulSystem& system, const State& begin, Rates& rates, double h, const ErrorScales& scales,
+                          State& end) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!solver_.factorise(piece_, diagonal * h)) return infinity;
   fastest_rate_ = fastest_rate(scales.lengths);

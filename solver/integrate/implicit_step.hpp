@@ -21,8 +21,8 @@ struct ErrorScales {
 
 /// Steps of a diagonally implicit Runge-Kutta method of order 4, L-stable and stiffly accurate, with an embedded method
 /// of order 3 for the error (ESDIRK4(3)6L[2]SA of Kennedy & Carpenter 2003). The stages are solved by Newton's method
-/// with a linearization of the system, so that stiff contacts whose forces hardly change do not limit the step. Within a
-/// step the coordinates are the polynomial of order 5 through coordinates, velocities and accelerations at both ends,
+/// with a linearization of the system, so that stiff contacts whose forces hardly change do not limit the step. Within
+/// a step the coordinates are the polynomial of order 5 through coordinates, velocities and accelerations at both ends,
 /// memory and accounts the cubic through values and rates.
 class ImplicitStep {
  public:
@@ -34,8 +34,8 @@ class ImplicitStep {
   /// Upper bound of the rates at which the linearized system moves [1/T].
   double fastest_rate(std::span<const double> lengths) const { return talus::fastest_rate(piece_, lengths); }
 
-  /// Takes a step of length h. `rates`: at its beginning; afterwards, if the error is at most 1, at its end. Returns the
-  /// error in multiples of the tolerance: infinite if Newton's method does not converge.
+  /// Takes a step of length h. `rates`: at its beginning; afterwards, if the error is at most 1, at its end. Returns
+  /// the error in multiples of the tolerance: infinite if Newton's method does not converge.
   [[nodiscard]] double take(EventfulSystem& system, const State& begin, Rates& rates, double h,
                             const ErrorScales& scales, State& end);
   /// The state at a time within the last step, which began with this state.

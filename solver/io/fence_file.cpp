@@ -40,7 +40,13 @@ scenes::Fence read_fence(const std::filesystem::path& file) {
                     "deck describe nothing else",
                     file.string())};
   }
-  return read_fence(table, source);
+  source.collect();
+  try {
+    return read_fence(table, source);
+  } catch (const SceneSource::Collected&) {
+    source.check();
+    throw;
+  }
 }
 
 std::string fence_text(const scenes::Fence& fence, FenceFormat format) {

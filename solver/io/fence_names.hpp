@@ -7,6 +7,9 @@
 
 namespace talus {
 
+/// The name by which a scene file takes the choices of the 1993 program for all that it does not name.
+inline constexpr std::string_view fence_rules_1993 = "1993";
+
 /// Names of the motions of an element that can be held, in the order of its flags.
 inline constexpr std::array<std::string_view, 3> held_axes{"x", "y", "rotation"};
 

@@ -101,6 +101,19 @@ Fault layer_fault(const Fence& fence) {
   return {};
 }
 
+/// Where a run ends by exit.
+Fault end_fault(const Fence& fence) {
+  if (fence.options.end != scenes::FenceEnd::exit) return {};
+  for (std::size_t i = 0; i < fence.rocks.size(); ++i) {
+    if (fence.rocks[i].position.x > fence.options.exit_x) continue;
+    return FenceFault{i + 2, "position",
+                      fmt::format("found x = {}: the rock starts behind exit_x, {}, where the run ends",
+                                  amount(fence.rocks[i].position.x, fence, dimension::length),
+                                  amount(fence.options.exit_x, fence, dimension::length))};
+  }
+  return {};
+}
+
 Fault history_fault(const Fence& fence) {
   if (fence.history_codes.size() > most_history_codes) {
     return FenceFault{
@@ -136,6 +149,7 @@ std::optional<FenceFault> fault(const Fence& fence) {
   if (Fault found = along_fault(fence.column, fence.rocks.size() + 2, fence, false)) return found;
   if (Fault found = yield_fault(fence.options)) return found;
   if (Fault found = layer_fault(fence)) return found;
+  if (Fault found = end_fault(fence)) return found;
   return history_fault(fence);
 }
 

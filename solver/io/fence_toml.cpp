@@ -46,9 +46,26 @@ std::string number_lines(const T& value, const UnitSystem& units) {
   return text;
 }
 
+/// A text cut into its lines, each with its end.
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = text.find('\n', from) + 1;
+    lines.push_back(text.substr(from, end - from));
+    from = end;
+  }
+  return lines;
+}
+
 std::string element_lines(std::string_view head, const FenceElement& element, const UnitSystem& units) {
   std::string text = fmt::format("\n{}\nsolid = \"{}\"\n", head, choice_name(element.solid));
-  text += number_lines(element, units);
+  const bool by_power = element.outline == scenes::ElementOutline::by_power;
+  for (const std::string& line : lines_of(number_lines(element, units))) {
+    if (by_power || !line.starts_with("power = ")) text += line;
+  }
+  if (!by_power) text += fmt::format("shape = \"{}\"\n", choice_name(element.outline));
+  if (element.outline == scenes::ElementOutline::superquadric)
+    text += fmt::format("exponent = {}\n", quantity(element.exponent, dimension::number, units));
   if (element.along != 0.0) text += fmt::format("along = {}\n", quantity(element.along, dimension::length, units));
   for (const auto& field : FenceElement::vectors()) {
     const Vec2 vector = element.*field.member;
@@ -59,7 +76,9 @@ std::string element_lines(std::string_view head, const FenceElement& element, co
   for (std::size_t i = 0; i < element.held.size(); ++i) {
     if (element.held[i]) held.push_back(in_quotes(held_axes[i]));
   }
-  return held.empty() ? text : text + fmt::format("held = [{}]\n", fmt::join(held, ", "));
+  // The ground is held unless its table says otherwise.
+  const bool said = !held.empty() || head == "[fence.ground]";
+  return said ? text + fmt::format("held = [{}]\n", fmt::join(held, ", ")) : text;
 }
 
 std::string option_lines(const scenes::FenceOptions& options, const UnitSystem& units) {
@@ -85,6 +104,8 @@ std::string option_lines(const scenes::FenceOptions& options, const UnitSystem& 
 std::string fence_toml(const Fence& fence) {
   std::string text = fence.title.empty() ? "" : fmt::format("title = {}\n", in_quotes(fence.title));
   text += fmt::format("units = \"{}\"\n\n[fence]\n", fence.units.name);
+  const bool historical = fence.options == scenes::FenceOptions{};
+  if (historical) text += fmt::format("rules = \"{}\"\n", fence_rules_1993);
   text += number_lines(fence, fence.units);
   text += fmt::format("history_elements = [{}]\n", fmt::join(fence.history_elements, ", "));
   text += fmt::format("history_codes = [{}]\n", fmt::join(fence.history_codes, ", "));
@@ -104,7 +125,8 @@ std::string fence_toml(const Fence& fence) {
   for (const scenes::StretchedCable& cable : fence.stretched_cables)
     text += fmt::format("\n[[fence.stretched_cable]]\ncable = {}\n", in_quotes(cable.cable)) +
             number_lines(cable, fence.units);
-  return fence.options == scenes::FenceOptions{} ? text : text + option_lines(fence.options, fence.units);
+  const bool usual = historical || fence.options == scenes::current_options();
+  return usual ? text : text + option_lines(fence.options, fence.units);
 }
 
 }  // namespace talus

@@ -40,7 +40,7 @@ SceneBody read_body(SceneTable table) {
   SceneBody read{table, {}, {}, 0.0};
   Body& body = read.body;
   body.name = table.text("name");
-  static_cast<void>(table.text("mobility"));
+  static_cast<void>(table.choice("mobility", {Names<Mobility>::list.begin(), Names<Mobility>::list.end()}));
   body.mobility = table.choice_or("mobility", Mobility::free);
   for (const std::string_view key : {"mass", "inertia", "moment", "pin", "velocity", "spin", "force"}) {
     if (const std::string_view why = objection(key, body.mobility); !why.empty()) table.refuse(key, why);
@@ -61,17 +61,32 @@ SceneBody read_body(SceneTable table) {
 
 std::vector<SceneBody> read_bodies(SceneTable& file) {
   std::vector<SceneBody> bodies;
-  for (const SceneTable& table : file.tables("body"))
-    bodies.push_back(read_body(table));
+  for (const SceneTable& table : file.tables("body")) {
+    // A body that cannot be read is still one that contacts may name.
+    SceneBody body{table, {.name = table.written("name")}, {}, 0.0};
+    table.source().guard(table.line(), [&] { body = read_body(table); });
+    bodies.push_back(std::move(body));
+  }
   return bodies;
 }
 
-BodyId body_named(const SceneTable& table, std::string_view key, const Model& bodies, const std::string& name) {
-  if (const auto found = find_body(bodies, name)) return *found;
-  std::vector<std::string> known;
-  for (const Body& body : bodies.bodies)
-    known.push_back(body.name);
-  table.fail(key, unknown_name("body", name, known).what());
+BodyNames::BodyNames(const std::vector<SceneBody>& bodies) {
+  for (const SceneBody& read : bodies) {
+    const std::string& name = read.body.name;
+    if (!ids_.emplace(name, static_cast<BodyId>(names_.size())).second && !name.empty()) {
+      read.table.source().guard(read.table.line(), [&] {
+        read.table.placed([&] { throw InputError{fmt::format("body '{}' exists already; names must differ", name)}; });
+      });
+    }
+    names_.push_back(name);
+  }
+}
+
+BodyId BodyNames::find(const SceneTable& table, std::string_view key, const std::string& name) const {
+  if (const auto found = ids_.find(name); found != ids_.end()) return found->second;
+  const std::string message = unknown_name("body", name, names_).what();
+  if (table.source().has_errors_of("body")) throw SceneSource::Collected{message};
+  table.fail(key, message);
 }
 
 }  // namespace talus

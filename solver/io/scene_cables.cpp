@@ -5,17 +5,17 @@
 namespace talus {
 namespace {
 
-CableEnd read_end(SceneTable table, const Model& bodies) {
+CableEnd read_end(SceneTable table, const BodyNames& bodies) {
   table.allow({"body", "point"});
   CableEnd end;
-  if (table.has("body")) end.body = body_named(table, "body", bodies, table.text("body"));
+  if (table.has("body")) end.body = bodies.find(table, "body", table.text("body"));
   const std::vector<double> p = table.quantities("point", dimension::length, 2, 3);
   end.p = {p[0], p[1], p.size() == 3 ? p[2] : 0.0};
   return end;
 }
 
-SceneCable read_cable(SceneTable table, const Model& bodies) {
-  SceneCable read{table, {}};
+SceneCable read_cable(SceneTable table, const BodyNames& bodies) {
+  SceneCable read{table, {}, {}, 0.0};
   Cable& cable = read.cable;
   cable.name = table.text("name");
   const std::string law = table.choice("law", CableLaws::names());
@@ -35,17 +35,17 @@ SceneCable read_cable(SceneTable table, const Model& bodies) {
   });
   cable.a = read_end(table.table("from"), bodies);
   cable.b = read_end(table.table("to"), bodies);
-  const double distance = norm(reference_point(bodies, cable.b) - reference_point(bodies, cable.a));
-  cable.rest_length = table.quantity_or("rest_length", dimension::length, distance, Range::non_negative) +
-                      table.quantity_or("slack", dimension::length, 0.0);
+  if (table.has("rest_length"))
+    read.rest_length = table.quantity("rest_length", dimension::length, Range::non_negative);
+  read.slack = table.quantity_or("slack", dimension::length, 0.0);
   return read;
 }
 
-SceneHanger read_hanger(SceneTable table, const Model& bodies) {
+SceneHanger read_hanger(SceneTable table, const BodyNames& bodies) {
   SceneHanger read{table, {}};
   read.hanger.name = table.text("name");
   table.allow({"body", "point", "strength"});
-  read.hanger.body = body_named(table, "body", bodies, table.text("body"));
+  read.hanger.body = bodies.find(table, "body", table.text("body"));
   const std::vector<double> p = table.quantities("point", dimension::length, 2, 3);
   read.hanger.p = {p[0], p[1], p.size() == 3 ? p[2] : 0.0};
   read.hanger.strength = table.quantity("strength", dimension::force, Range::positive);
@@ -54,17 +54,17 @@ SceneHanger read_hanger(SceneTable table, const Model& bodies) {
 
 }  // namespace
 
-std::vector<SceneHanger> read_hangers(SceneTable& file, const Model& bodies) {
+std::vector<SceneHanger> read_hangers(SceneTable& file, const BodyNames& bodies) {
   std::vector<SceneHanger> hangers;
-  for (const SceneTable& table : file.tables("hanger"))
-    hangers.push_back(read_hanger(table, bodies));
+  for (SceneTable& table : file.tables("hanger"))
+    table.source().guard(table.line(), [&] { hangers.push_back(read_hanger(std::move(table), bodies)); });
   return hangers;
 }
 
-std::vector<SceneCable> read_cables(SceneTable& file, const Model& bodies) {
+std::vector<SceneCable> read_cables(SceneTable& file, const BodyNames& bodies) {
   std::vector<SceneCable> cables;
-  for (const SceneTable& table : file.tables("cable"))
-    cables.push_back(read_cable(table, bodies));
+  for (SceneTable& table : file.tables("cable"))
+    table.source().guard(table.line(), [&] { cables.push_back(read_cable(std::move(table), bodies)); });
   return cables;
 }
 

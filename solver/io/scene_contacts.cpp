@@ -28,13 +28,13 @@ void read_law(SceneTable& table, SceneContact& read) {
   table.read_fields(law);
   if constexpr (HasEndRule<L>) law.end_rule = table.choice_or("end_rule", law.end_rule);
   if constexpr (Restituting<L>) {
-    read.rule = table.choice_or("restitution_rule", read.rule);
+    const auto rule = table.choice_or("restitution_rule", RestitutionRule::effective_mass);
     if (table.has("restitution") == table.has("damping")) {
-      table.fail("damping", "give either this or restitution, one of the two");
+      table.complain("damping", "give either this or restitution, one of the two");
     }
     if (table.has("restitution")) {
       const double e = table.number("restitution", Range::positive_fraction);
-      if (read.rule == RestitutionRule::eq_21) {
+      if (rule == RestitutionRule::eq_21) {
         read.restitution = e;
       } else {
         law.damping_ratio = damping_ratio(e, law.end_rule);
@@ -62,21 +62,21 @@ void read_shear_damping(SceneTable& table, Contact& contact) {
   contact.friction->damping = table.quantity_or("shear_damping", dimension::damping, 0.0, Range::non_negative);
 }
 
-SceneContact read_contact(SceneTable table, const Model& bodies) {
-  SceneContact read{table, {}, {}, RestitutionRule::effective_mass};
+SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
+  SceneContact read{table, {}, {}};
   Contact& contact = read.contact;
   contact.name = table.text("name");
   const std::string law = table.choice("law", ContactLaws::names());
   visit_named<ContactLaw>(law, [&](auto wanted) { read_law<decltype(wanted)>(table, read); });
   const std::vector<std::string> between = table.texts("between", 2);
-  contact.a = body_named(table, "between", bodies, between[0]);
-  contact.b = body_named(table, "between", bodies, between[1]);
+  contact.a = bodies.find(table, "between", between[0]);
+  contact.b = bodies.find(table, "between", between[1]);
   contact.method = table.choice_or("method", contact.method);
   if (contact.method == ContactMethod::nodes) {
     if (table.has("nodes")) contact.nodes = read_nodes(table);
     contact.node_depth = table.choice_or("node_depth", contact.node_depth);
-    if (table.has("restitution") && read.rule == RestitutionRule::effective_mass) {
-      table.fail("restitution_rule", "contact by nodes has no single effective mass; it must be \"eq_21\"");
+    if (table.has("restitution") && !read.restitution) {
+      table.complain("restitution_rule", "contact by nodes has no single effective mass; it must be \"eq_21\"");
     }
   } else {
     for (const std::string_view key : {"nodes", "node_depth"})
@@ -98,10 +98,10 @@ std::optional<CoulombFriction> read_friction(SceneTable& table, double normal_st
                          table.quantity_or("shear_stiffness", dimension::stiffness, normal_stiffness, Range::positive)};
 }
 
-std::vector<SceneContact> read_contacts(SceneTable& file, const Model& bodies) {
+std::vector<SceneContact> read_contacts(SceneTable& file, const BodyNames& bodies) {
   std::vector<SceneContact> contacts;
-  for (const SceneTable& table : file.tables("contact"))
-    contacts.push_back(read_contact(table, bodies));
+  for (SceneTable& table : file.tables("contact"))
+    table.source().guard(table.line(), [&] { contacts.push_back(read_contact(std::move(table), bodies)); });
   return contacts;
 }
 

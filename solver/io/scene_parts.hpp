@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solver/io/scene_table.hpp"
@@ -34,13 +36,14 @@ struct SceneContact {
   SceneTable table;
   Contact contact;
   std::optional<double> restitution;
-  RestitutionRule rule{RestitutionRule::effective_mass};
 };
 
 /// A cable as written.
 struct SceneCable {
   SceneTable table;
   Cable cable;
+  std::optional<double> rest_length;  ///< none: the distance of its ends at the start [L]
+  double slack{};                     ///< added to it [L]
 };
 
 /// A hanger as written.
@@ -49,21 +52,32 @@ struct SceneHanger {
   Hanger hanger;
 };
 
-/// The readers of a scene's parts. All errors are InputError with file, line, name and field.
+/// The names of a scene's bodies, in their order.
+class BodyNames {
+ public:
+  /// Errors: two bodies of one name.
+  explicit BodyNames(const std::vector<SceneBody>& bodies);
+
+  /// The body of that name, which `key` of a table names. Errors: an unknown name, with the nearest known; left out
+  /// where bodies have errors, from which it may follow.
+  [[nodiscard]] BodyId find(const SceneTable& table, std::string_view key, const std::string& name) const;
+
+ private:
+  std::map<std::string, BodyId, std::less<>> ids_;
+  std::vector<std::string> names_;
+};
+
+/// The readers of a scene's parts. Errors are added to the source's, with file, line, name and field.
 [[nodiscard]] std::vector<SceneBody> read_bodies(SceneTable& file);
-[[nodiscard]] std::vector<SceneContact> read_contacts(SceneTable& file, const Model& bodies);
+[[nodiscard]] std::vector<SceneContact> read_contacts(SceneTable& file, const BodyNames& bodies);
 /// `friction` of a contact, if it has any; its `shear_stiffness` is the normal one [F/L] unless it is given. No
 /// dashpot.
 [[nodiscard]] std::optional<CoulombFriction> read_friction(SceneTable& table, double normal_stiffness);
-[[nodiscard]] std::vector<SceneCable> read_cables(SceneTable& file, const Model& bodies);
-[[nodiscard]] std::vector<SceneHanger> read_hangers(SceneTable& file, const Model& bodies);
+[[nodiscard]] std::vector<SceneCable> read_cables(SceneTable& file, const BodyNames& bodies);
+[[nodiscard]] std::vector<SceneHanger> read_hangers(SceneTable& file, const BodyNames& bodies);
 
-/// What is watched during a run: `watch = { instability = "error", .. }`.
-[[nodiscard]] WatchRules read_watch(SceneTable table);
-
-/// The body of that name, wanted by `key` of a table. Errors: an unknown name, with the nearest known.
-[[nodiscard]] BodyId body_named(const SceneTable& table, std::string_view key, const Model& bodies,
-                                const std::string& name);
+/// What is watched during a run: `watch = { instability = "error", .. }`, or "off".
+[[nodiscard]] WatchRules read_watch(SceneTable& owner, std::string_view key);
 
 /// Calls visit with a default-made value of the alternative of a variant whose `name` is this; false if there is none.
 template <class Variant, std::size_t I = 0, class Visit>

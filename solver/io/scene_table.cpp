@@ -9,6 +9,9 @@
 namespace talus {
 namespace {
 
+/// Stands for a number that is wrong or missing until that is reported: allowed for all ranges.
+constexpr double placeholder = 1.0;
+
 /// Why a name cannot head the columns of a history; empty if it can.
 std::string_view objection(std::string_view name) {
   for (const std::string_view taken : {"time", "energy", "lost", "closure"}) {
@@ -24,6 +27,29 @@ std::string_view objection(std::string_view name) {
 }
 
 }  // namespace
+
+void SceneSource::add(int line, std::string message) const {
+  errors_.push_back({line, std::move(message)});
+  if (errors_.size() >= most_errors) check();
+}
+
+bool SceneSource::has_errors_of(std::string_view kind) const {
+  return std::any_of(errors_.begin(), errors_.end(), [&](const Error& error) {
+    return error.message.find(fmt::format(": {} ", kind)) != std::string::npos;
+  });
+}
+
+void SceneSource::check() const {
+  collects_ = false;
+  if (errors_.empty()) return;
+  std::stable_sort(errors_.begin(), errors_.end(), [](const Error& a, const Error& b) { return a.line < b.line; });
+  std::string all;
+  for (const Error& error : errors_)
+    all += (all.empty() ? "" : "\n") + error.message;
+  if (errors_.size() >= most_errors)
+    all += fmt::format("\n{}: there may be more errors; these are the first found", file);
+  throw InputError{all};
+}
 
 SceneTable::SceneTable(const SceneSource& source, const TomlValue& value, std::string noun)
     : source_{&source}, table_{std::get_if<TomlTable>(&value.data)}, line_{value.line}, noun_{std::move(noun)} {
@@ -42,21 +68,48 @@ bool SceneTable::has(std::string_view key) {
   return find(key) != nullptr;
 }
 
-const TomlValue& SceneTable::demand(std::string_view key) {
-  if (has(key)) return *find(key);
-  fail_at(line_, key, "it is missing");
+bool SceneTable::is_text(std::string_view key) const {
+  const TomlValue* const value = find(key);
+  return value != nullptr && std::holds_alternative<std::string>(value->data);
+}
+
+const TomlValue* SceneTable::demand(std::string_view key) {
+  if (has(key)) return find(key);
+  if (std::find(misspelt_.begin(), misspelt_.end(), key) == misspelt_.end()) complain_at(line_, key, "it is missing");
+  return nullptr;
+}
+
+const TomlValue& SceneTable::demand_at_once(std::string_view key) {
+  const TomlValue* const value = demand(key);
+  if (value == nullptr) throw SceneSource::Collected{full_message(line_, key, "it is missing")};
+  return *value;
 }
 
 std::string SceneTable::place(int line) const { return fmt::format("{}:{}: ", source_->file, line); }
 
-void SceneTable::fail_at(int line, std::string_view key, std::string_view words) const {
+std::string SceneTable::full_message(int line, std::string_view key, std::string_view message) const {
   const std::string noun = noun_.empty() ? "" : noun_ + ": ";
-  throw InputError{fmt::format("{}{}{}: {}", place(line), noun, key, words)};
+  return fmt::format("{}{}{}: {}", place(line), noun, key, message);
 }
 
-void SceneTable::fail(std::string_view key, std::string_view words) const {
+void SceneTable::complain_at(int line, std::string_view key, std::string_view message) const {
+  if (!source_->collects()) throw InputError{full_message(line, key, message)};
+  source_->add(line, full_message(line, key, message));
+}
+
+void SceneTable::fail_at(int line, std::string_view key, std::string_view message) const {
+  complain_at(line, key, message);
+  throw SceneSource::Collected{full_message(line, key, message)};
+}
+
+void SceneTable::fail(std::string_view key, std::string_view message) const {
   const TomlValue* value = find(key);
-  fail_at(value != nullptr ? value->line : line_, key, words);
+  fail_at(value != nullptr ? value->line : line_, key, message);
+}
+
+void SceneTable::complain(std::string_view key, std::string_view message) const {
+  const TomlValue* value = find(key);
+  complain_at(value != nullptr ? value->line : line_, key, message);
 }
 
 double SceneTable::quantity_of(std::string_view key, const TomlValue& value, Dimension dimension, Range range) const {
@@ -65,21 +118,26 @@ double SceneTable::quantity_of(std::string_view key, const TomlValue& value, Dim
   if (text == nullptr) {
     const bool bare = std::holds_alternative<double>(value.data) || std::holds_alternative<std::int64_t>(value.data);
     const std::string example = fmt::format("\"{} {}\"", bare ? found(value) : "1", symbol(source_->units, dimension));
-    fail_at(value.line, key,
-            bare ? fmt::format("found {}; the unit is missing; write e.g. {}", found(value), example)
-                 : fmt::format("found {}; it must be a quantity in quotes, e.g. {}", found(value), example));
+    complain_at(value.line, key,
+                bare ? fmt::format("found {}; the unit is missing; write e.g. {}", found(value), example)
+                     : fmt::format("found {}; it must be a quantity in quotes, e.g. {}", found(value), example));
+    return placeholder;
   }
+  std::string wrong;
   try {
     const double quantity = parse_quantity(*text, dimension, source_->units);
     if (contains(range, quantity)) return quantity;
+    wrong = fmt::format("found \"{}\"; it must be {}", *text, words(range));
   } catch (const InputError& error) {
-    fail_at(value.line, key, error.what());
+    wrong = error.what();
   }
-  fail_at(value.line, key, fmt::format("found \"{}\"; it must be {}", *text, words(range)));
+  complain_at(value.line, key, wrong);
+  return placeholder;
 }
 
 double SceneTable::quantity(std::string_view key, Dimension dimension, Range range) {
-  return quantity_of(key, demand(key), dimension, range);
+  const TomlValue* const value = demand(key);
+  return value == nullptr ? placeholder : quantity_of(key, *value, dimension, range);
 }
 
 double SceneTable::quantity_or(std::string_view key, Dimension dimension, double absent, Range range) {
@@ -90,18 +148,22 @@ std::vector<double> SceneTable::quantities(std::string_view key, Dimension dimen
                                            std::size_t most) {
   constexpr std::string_view axes = "xyz";
   TALUS_DEMAND(most <= axes.size());
-  const TomlValue& value = demand(key);
+  const TomlValue* const given = demand(key);
+  if (given == nullptr) return std::vector<double>(least);
+  const TomlValue& value = *given;
   const auto* elements = std::get_if<TomlArray>(&value.data);
   const std::string count = least == most ? fmt::format("{}", least) : fmt::format("{} or {}", least, most);
   if (elements == nullptr) {
     const std::string example = fmt::format("\"1 {}\"", symbol(source_->units, dimension));
     const std::vector<std::string> examples(least, example);
-    fail_at(value.line, key,
-            fmt::format("found {}; it must be an array of {} quantities, e.g. [{}]", found(value), count,
-                        fmt::join(examples, ", ")));
+    complain_at(value.line, key,
+                fmt::format("found {}; it must be an array of {} quantities, e.g. [{}]", found(value), count,
+                            fmt::join(examples, ", ")));
+    return std::vector<double>(least);
   }
   if (elements->size() < least || elements->size() > most) {
-    fail_at(value.line, key, fmt::format("found {} components; it must have {}", elements->size(), count));
+    complain_at(value.line, key, fmt::format("found {} components; it must have {}", elements->size(), count));
+    return std::vector<double>(least);
   }
   std::vector<double> result;
   for (std::size_t i = 0; i < elements->size(); ++i) {
@@ -119,7 +181,10 @@ Vec2 SceneTable::vector_or(std::string_view key, Dimension dimension, Vec2 absen
   return has(key) ? vector(key, dimension) : absent;
 }
 
-double SceneTable::number(std::string_view key, Range range) { return number_of(key, demand(key), range); }
+double SceneTable::number(std::string_view key, Range range) {
+  const TomlValue* const value = demand(key);
+  return value == nullptr ? placeholder : number_of(key, *value, range);
+}
 
 double SceneTable::number_of(std::string_view key, const TomlValue& value, Range range) const {
   double number = 0.0;
@@ -128,21 +193,27 @@ double SceneTable::number_of(std::string_view key, const TomlValue& value, Range
   } else if (const auto* integer = std::get_if<std::int64_t>(&value.data)) {
     number = static_cast<double>(*integer);
   } else {
-    fail_at(value.line, key, fmt::format("found {}; it must be a pure number without quotes, e.g. 0.5", found(value)));
+    complain_at(value.line, key,
+                fmt::format("found {}; it must be a pure number without quotes, e.g. 0.5", found(value)));
+    return placeholder;
   }
   if (std::isfinite(number) && contains(range, number)) return number;
-  fail_at(value.line, key, fmt::format("found {}; it must be {}", found(value), words(range)));
+  complain_at(value.line, key, fmt::format("found {}; it must be {}", found(value), words(range)));
+  return placeholder;
 }
 
-int SceneTable::whole(std::string_view key) { return whole_of(key, demand(key)); }
+int SceneTable::whole(std::string_view key) { return whole_of(key, demand_at_once(key)); }
 
 std::int64_t SceneTable::whole_between(std::string_view key, std::int64_t least, std::int64_t most) {
-  const TomlValue& value = demand(key);
+  const TomlValue* const given = demand(key);
+  if (given == nullptr) return least;
+  const TomlValue& value = *given;
   const auto* integer = std::get_if<std::int64_t>(&value.data);
   if (integer != nullptr && *integer >= least && *integer <= most) return *integer;
   const std::string allowed = most - least == 1 ? fmt::format("{} or {}", least, most)
                                                 : fmt::format("a whole number between {} and {}", least, most);
-  fail_at(value.line, key, fmt::format("found {}; it must be {}", found(value), allowed));
+  complain_at(value.line, key, fmt::format("found {}; it must be {}", found(value), allowed));
+  return least;
 }
 
 int SceneTable::whole_of(std::string_view key, const TomlValue& value) const {
@@ -156,7 +227,7 @@ int SceneTable::whole_of(std::string_view key, const TomlValue& value) const {
 }
 
 std::vector<int> SceneTable::wholes_or_one(std::string_view key) {
-  const TomlValue& value = demand(key);
+  const TomlValue& value = demand_at_once(key);
   if (!std::holds_alternative<TomlArray>(value.data)) return {whole_of(key, value)};
   std::vector<int> result = wholes(key);
   if (result.empty()) fail_at(value.line, key, "found no number; give one");
@@ -164,7 +235,7 @@ std::vector<int> SceneTable::wholes_or_one(std::string_view key) {
 }
 
 std::vector<std::array<double, 2>> SceneTable::pairs(std::string_view key, Dimension first, Dimension second) {
-  const TomlValue& value = demand(key);
+  const TomlValue& value = demand_at_once(key);
   const auto one = [&](Dimension dimension) {
     return dimension == dimension::number ? "1.0" : fmt::format("\"1 {}\"", symbol(source_->units, dimension));
   };
@@ -184,7 +255,7 @@ std::vector<std::array<double, 2>> SceneTable::pairs(std::string_view key, Dimen
 }
 
 std::vector<int> SceneTable::wholes(std::string_view key) {
-  const TomlValue& value = demand(key);
+  const TomlValue& value = demand_at_once(key);
   const auto* elements = std::get_if<TomlArray>(&value.data);
   if (elements == nullptr) {
     fail_at(value.line, key, fmt::format("found {}; it must be an array of whole numbers, e.g. [1, 2]", found(value)));
@@ -202,14 +273,14 @@ std::string SceneTable::written(std::string_view key) const {
 }
 
 std::string SceneTable::text(std::string_view key) {
-  const TomlValue& value = demand(key);
+  const TomlValue& value = demand_at_once(key);
   const auto* text = std::get_if<std::string>(&value.data);
   if (text != nullptr && !text->empty()) return *text;
   fail_at(value.line, key, fmt::format("found {}; it must be a text in quotes", found(value)));
 }
 
 std::vector<std::string> SceneTable::texts(std::string_view key, std::size_t count) {
-  const TomlValue& value = demand(key);
+  const TomlValue& value = demand_at_once(key);
   std::vector<std::string> result;
   if (const auto* elements = std::get_if<TomlArray>(&value.data)) {
     for (const TomlValue& element : *elements) {
@@ -228,7 +299,7 @@ std::string SceneTable::choice(std::string_view key, const std::vector<std::stri
 }
 
 std::vector<std::string> SceneTable::choices(std::string_view key, const std::vector<std::string>& known) {
-  const TomlValue& value = demand(key);
+  const TomlValue& value = demand_at_once(key);
   std::vector<std::string> result;
   const auto* elements = std::get_if<TomlArray>(&value.data);
   for (std::size_t i = 0; elements != nullptr && i < elements->size(); ++i) {
@@ -245,7 +316,7 @@ std::vector<std::string> SceneTable::choices(std::string_view key, const std::ve
 }
 
 SceneTable SceneTable::table(std::string_view key) {
-  const TomlValue& value = demand(key);
+  const TomlValue& value = demand_at_once(key);
   if (!std::holds_alternative<TomlTable>(value.data)) {
     fail_at(value.line, key, fmt::format("found {}; it must be a table", found(value)));
   }
@@ -269,28 +340,32 @@ std::vector<SceneTable> SceneTable::numbered_tables(std::string_view key) {
 }
 
 std::vector<SceneTable> SceneTable::tables(std::string_view key) {
-  std::vector<SceneTable> result = numbered_tables(key);
-  for (SceneTable& table : result) {
-    const std::string name = table.text("name");
-    if (const std::string_view why = objection(name); !why.empty()) {
-      table.fail("name", fmt::format("found \"{}\"; {}", name, why));
-    }
-    table.noun_ = fmt::format("{} '{}'", key, name);
+  std::vector<SceneTable> result;
+  for (SceneTable& table : numbered_tables(key)) {
+    source_->guard(table.line_, [&] {
+      const std::string name = table.text("name");
+      if (const std::string_view why = objection(name); !why.empty()) {
+        table.fail("name", fmt::format("found \"{}\"; {}", name, why));
+      }
+      table.noun_ = fmt::format("{} '{}'", key, name);
+      result.push_back(std::move(table));
+    });
   }
   return result;
 }
 
 void SceneTable::refuse(std::string_view key, std::string_view why) {
-  if (find(key) != nullptr) fail(key, why);
+  if (find(key) != nullptr) complain(key, why);
 }
 
 void SceneTable::allow(std::vector<std::string> keys) {
   known_.insert(known_.end(), keys.begin(), keys.end());
   for (const auto& [name, value] : *table_) {
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
-    fail_at(value.line, name,
-            fmt::format("this key is not known; nearest: {}; known: {}", nearest_name(name, known_),
-                        fmt::join(known_, ", ")));
+    misspelt_.push_back(nearest_name(name, known_));
+    complain_at(
+        value.line, name,
+        fmt::format("this key is not known; nearest: {}; known: {}", misspelt_.back(), fmt::join(known_, ", ")));
   }
 }
 

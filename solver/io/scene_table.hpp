@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "solver/base/error.hpp"
@@ -14,15 +15,60 @@
 
 namespace talus {
 
-/// What all tables of one scene file share.
-struct SceneSource {
+/// What all tables of one scene file share, and what is wrong in it so far.
+class SceneSource {
+ public:
+  /// At most so many errors of one file are listed.
+  static constexpr std::size_t most_errors = 20;
+
   std::string file;  ///< as named in messages
   UnitSystem units;
+
+  SceneSource(std::string name, UnitSystem system) : file{std::move(name)}, units{system} {}
+
+  /// From here on errors of single keys and tables are collected, up to the next check(): a wrong or missing key gets a
+  /// placeholder, a table that cannot be read is left out.
+  void collect() const { collects_ = true; }
+  bool collects() const { return collects_; }
+  /// Whether an error collected so far is of tables of this kind: "body".
+  bool has_errors_of(std::string_view kind) const;
+  /// Throws all errors collected so far, by lines, in one InputError with one line for each.
+  void check() const;
+
+  /// Adds an error, and throws all if there are too many.
+  void add(int line, std::string message) const;
+  /// Calls `read`; what it throws is added, of the given line if it names none.
+  template <class Read>
+  void guard(int line, Read&& read) const {
+    if (!collects_) return void(read());
+    try {
+      read();
+    } catch (const Collected&) {
+      // It is in the list.
+    } catch (const InputError& error) {
+      add(line, error.what());
+    }
+  }
+
+  /// An error that is in the list.
+  class Collected : public InputError {
+   public:
+    using InputError::InputError;
+  };
+
+ private:
+  struct Error {
+    int line{};
+    std::string message;
+  };
+  mutable bool collects_{false};
+  mutable std::vector<Error> errors_;
 };
 
 /// One table of a scene file, read key by key. All errors are InputError of the form
-/// `file.toml:17: body 'rock': mass: found "-3 kg"; it must be > 0`. Keys
-/// that were neither asked for nor allowed are refused by allow(), which a reader calls before it misses anything.
+/// `file.toml:17: body 'rock': mass: found "-3 kg"; it must be > 0`; see SceneSource for several. Keys that were
+/// neither read nor allowed are refused by allow(), which a reader calls first: a key that is missing under its own
+/// name, but there under one much like it, is one error.
 class SceneTable {
  public:
   /// `noun` says in messages what the table describes: "body 'rock'"; empty for the file itself. `value` must be a
@@ -30,8 +76,11 @@ class SceneTable {
   SceneTable(const SceneSource& source, const TomlValue& value, std::string noun);
 
   int line() const { return line_; }
+  const SceneSource& source() const { return *source_; }
   const UnitSystem& units() const { return source_->units; }
   bool has(std::string_view key);
+  /// Whether it is there, and a text in quotes.
+  bool is_text(std::string_view key) const;
 
   /// A quantity with its unit, in consistent units of the scene; one without dimension is a pure number.
   [[nodiscard]] double quantity(std::string_view key, Dimension dimension, Range range = Range::any);
@@ -103,7 +152,9 @@ class SceneTable {
   [[nodiscard]] std::string written(std::string_view key) const;
 
   /// Throws an error about a key (or about the table itself, if it has no such key).
-  [[noreturn]] void fail(std::string_view key, std::string_view words) const;
+  [[noreturn]] void fail(std::string_view key, std::string_view message) const;
+  /// Adds such an error to the source's, or throws it if the source does not collect them.
+  void complain(std::string_view key, std::string_view message) const;
   /// Calls `action`; an InputError of it gets this table's file and line in front.
   template <class Action>
   auto placed(Action&& action) const {
@@ -116,11 +167,16 @@ class SceneTable {
 
  private:
   const TomlValue* find(std::string_view key) const;
-  const TomlValue& demand(std::string_view key);
+  /// The value of a key; none if it is missing, which is then an error.
+  const TomlValue* demand(std::string_view key);
+  /// The value of a key without which the table cannot be read.
+  const TomlValue& demand_at_once(std::string_view key);
   double number_of(std::string_view key, const TomlValue& value, Range range) const;
   double quantity_of(std::string_view key, const TomlValue& value, Dimension dimension, Range range) const;
   int whole_of(std::string_view key, const TomlValue& value) const;
-  [[noreturn]] void fail_at(int line, std::string_view key, std::string_view words) const;
+  [[noreturn]] void fail_at(int line, std::string_view key, std::string_view message) const;
+  void complain_at(int line, std::string_view key, std::string_view message) const;
+  std::string full_message(int line, std::string_view key, std::string_view message) const;
   std::string place(int line) const;
 
   const SceneSource* source_;
@@ -128,6 +184,7 @@ class SceneTable {
   int line_;
   std::string noun_;
   std::vector<std::string> known_;
+  std::vector<std::string> misspelt_;  ///< keys that unknown ones were meant to be
 };
 
 /// Names of the fields of T, as written in a scene.

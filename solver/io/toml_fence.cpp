@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "solver/base/unit_table.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/fence_names.hpp"
 #include "solver/io/fence_rules.hpp"
 #include "solver/io/scene_parts.hpp"
+#include "solver/scenes/fence_element.hpp"
 #include "solver/scenes/fence_scene.hpp"
 
 namespace talus {
@@ -26,41 +29,132 @@ std::vector<std::string> keys() {
   return names;
 }
 
-FenceElement read_element(SceneTable& table, ElementType type) {
+/// Nodes of a quadrant where an element does not say: twelve of a rock, four of a column (1993).
+constexpr int usual_rock_points = 4, usual_column_points = 2;
+
+/// What an element is part of.
+enum class Part { ground, rock, column };
+
+/// The outline: by `power` as in a deck, or by `shape`, with `exponent` if that is a superquadric.
+void read_outline(SceneTable& table, FenceElement& element) {
+  const auto names = Names<scenes::ElementOutline>::list;
+  if (table.has("shape")) {
+    table.refuse("power", "found beside shape; leave one of them out");
+    const std::string shape = table.choice("shape", {names.begin() + 1, names.end()});
+    element.outline = static_cast<scenes::ElementOutline>(std::ranges::find(names, shape) - names.begin());
+  } else if (table.has("exponent")) {
+    table.refuse("power", "found beside exponent (n = 2/power); leave one of them out");
+    element.outline = scenes::ElementOutline::superquadric;
+  }
+  if (element.outline != scenes::ElementOutline::superquadric)
+    return table.refuse("exponent", "only a superquadric has one; leave it out or give shape = \"superquadric\"");
+  element.exponent = table.number("exponent", Range::positive);
+  if (!(element.exponent > 1.0) || element.exponent > 1e4)
+    table.complain("exponent", fmt::format("found {}; it must be > 1 and at most 10000", element.exponent));
+}
+
+/// The density: as given, or by the mass of the solid.
+void read_density(SceneTable& table, FenceElement& element, Part part) {
+  if (table.has("mass")) {
+    table.refuse("density", "found beside mass; leave one of them out");
+    const double mass = table.quantity("mass", dimension::mass, Range::positive);
+    element.density = 1.0;
+    element.density = mass / mass_properties(element).mass;
+  } else if (table.has("density") || part != Part::ground) {
+    if (!table.has("density")) return table.complain("density", "it is missing; give density or mass");
+    element.density = table.quantity("density", dimension::density, Range::positive);
+  } else {
+    element.density = 1.0;  // the ground is held: nothing follows from its mass
+  }
+}
+
+FenceElement read_element(SceneTable table, Part part) {
   std::vector<std::string> known = keys<FenceElement>();
   for (const auto& field : FenceElement::vectors())
     known.emplace_back(field.name);
-  known.insert(known.end(), {"solid", "held", "along"});
+  known.insert(known.end(), {"solid", "shape", "exponent", "mass", "held", "along"});
   table.allow(known);
   FenceElement element;
-  element.type = type;
-  static_cast<void>(table.text("solid"));
+  element.type = part == Part::column ? ElementType::column : ElementType::rock;
+  element.solid = part == Part::ground ? scenes::ElementSolid::block
+                  : part == Part::rock ? scenes::ElementSolid::ellipsoid
+                                       : scenes::ElementSolid::cylinder;
   element.solid = table.choice_or("solid", element.solid);
-  table.read_fields(element);
+  for (const auto& field : FenceElement::fields()) {
+    if (field.name != "density") table.read_field(element, field);
+  }
+  read_outline(table, element);
+  read_density(table, element, part);
   element.along = table.quantity_or("along", dimension::length, 0.0);
-  for (const auto& field : FenceElement::counts())
-    table.read_count(element, field);
+  element.points = part == Part::rock ? usual_rock_points : usual_column_points;
+  for (const auto& field : FenceElement::counts()) {
+    if (table.has(field.name)) table.read_count(element, field);
+  }
   for (const auto& field : FenceElement::vectors())
     element.*field.member = table.vector_or(field.name, field.dimension, {});
   if (table.has("held")) {
     for (const std::string& axis : table.choices("held", {held_axes.begin(), held_axes.end()}))
       element.held[static_cast<std::size_t>(std::ranges::find(held_axes, axis) - held_axes.begin())] = true;
+  } else if (part == Part::ground) {
+    element.held = {true, true, true};
   }
   return element;
 }
 
-scenes::FenceOptions read_options(SceneTable table) {
-  scenes::FenceOptions options;
+scenes::FenceOptions read_options(SceneTable table, scenes::FenceOptions options) {
+  std::vector<std::string> known = field_names<scenes::FenceOptions>();
+  for_each_choice(options, [&](std::string_view name, auto&) { known.emplace_back(name); });
+  known.insert(known.end(), {"watch", "integrator", "table"});
+  table.allow(known);
   for_each_choice(options, [&](std::string_view name, auto& choice) { choice = table.choice_or(name, choice); });
-  if (table.has("watch")) options.watch = read_watch(table.table("watch"));
-  if (table.has("integrator")) options.integrator = table.choice("integrator", integrator_names());
+  if (table.has("watch")) options.watch = read_watch(table, "watch");
+  if (table.has("integrator")) {
+    options.integrator = table.choice("integrator", integrator_choices());
+    // Another method has its own step control.
+    if (!table.has("tolerance") && options.integrator != automatic_integrator && !has_step_control(options.integrator))
+      options.tolerance = 0.0;
+  }
   table.read_fields(options);
+  if (options.end == scenes::FenceEnd::exit && !table.has("exit_x"))
+    table.complain("exit_x", "it is missing; a run that ends by exit needs the x that the rocks pass");
   if (table.has("table")) {
     for (const auto& [strain, multiple] : table.pairs("table", dimension::number, dimension::number))
       options.table.push_back({strain, multiple});
   }
-  table.allow(field_names<scenes::FenceOptions>());
   return options;
+}
+
+/// Steps of a fence's run: `steps`, or as many as `duration` takes; and how often its files get a state and a row.
+void read_steps(SceneTable& table, Fence& fence) {
+  const auto field = [](std::string_view name) {
+    for (const auto& count : Fence::counts())
+      if (count.name == name) return count;
+    TALUS_DEMAND(false);
+    return Fence::counts()[0];
+  };
+  if (table.has("duration")) {
+    table.refuse("steps", "found beside duration; leave one of them out");
+    const double duration = table.quantity("duration", dimension::time, Range::positive);
+    fence.steps = fence.print_every = fence.history_every = 1;
+    table.source().check();
+    table.source().collect();
+    if (fault(fence)) return;  // it is reported with all others
+    const double step = table.placed([&] { return scenes::fence_scene(fence).scene.plan.step; });
+    const double steps = std::ceil(duration / step - 1e-9);
+    if (!(steps <= 1e9))
+      table.fail("duration", fmt::format("it takes {:.3g} steps of {:.3g}; there can be 1e9", steps, step));
+    fence.steps = static_cast<long>(steps);
+  } else if (!table.has("steps")) {
+    return table.complain("duration", "it is missing; give the time that the run lasts, e.g. \"0.5 s\" (or steps)");
+  } else {
+    table.read_count(fence, field("steps"));
+  }
+  constexpr long usual_states = 100, usual_rows = 1000;
+  fence.print_every = std::max(1L, fence.steps / usual_states);
+  fence.history_every = std::max(1L, fence.steps / usual_rows);
+  for (const std::string_view name : {"print_every", "history_every"}) {
+    if (table.has(name)) table.read_count(fence, field(name));
+  }
 }
 
 /// A changed column: what its table leaves out is as with the others.
@@ -78,16 +172,6 @@ scenes::ChangedColumn read_changed(SceneTable& table, const Fence& fence) {
   return column;
 }
 
-/// The tables of a fence's elements: the ground, the rocks and the column, in this order.
-std::vector<SceneTable> element_tables(SceneTable& table) {
-  std::vector<SceneTable> tables{table.table("ground")};
-  for (const SceneTable& rock : table.numbered_tables("rock"))
-    tables.push_back(rock);
-  if (tables.size() == 1) table.fail("rock", "it is missing; a fence has at least one rock, headed [[fence.rock]]");
-  tables.push_back(table.table("column"));
-  return tables;
-}
-
 std::vector<int> wholes_or_none(SceneTable& table, std::string_view key) {
   return table.has(key) ? table.wholes(key) : std::vector<int>{};
 }
@@ -96,30 +180,57 @@ std::vector<int> wholes_or_none(SceneTable& table, std::string_view key) {
 
 Fence read_fence(SceneTable& file, SceneSource& source) {
   file.allow({"title", "units", "fence"});
-  source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
+  source.guard(file.line(), [&] {
+    source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
+  });
   Fence fence;
   fence.units = source.units;
-  if (file.has("title")) fence.title = file.text("title");
-  if (const std::string why = objection_to_title(fence.title); !why.empty()) file.fail("title", why);
+  if (file.has("title")) {
+    source.guard(file.line(), [&] {
+      fence.title = file.text("title");
+      if (const std::string why = objection_to_title(fence.title); !why.empty()) file.fail("title", why);
+    });
+  }
   SceneTable table = file.table("fence");
   std::vector<std::string> known = keys<Fence>();
-  known.insert(known.end(), {"history_elements", "history_codes", "ground", "ground_profile", "rock", "column",
-                             "changed_column", "stretched_cable", "options"});
+  known.insert(known.end(), {"rules", "duration", "history_elements", "history_codes", "ground", "ground_profile",
+                             "rock", "column", "changed_column", "stretched_cable", "options"});
   table.allow(known);
-  table.read_fields(fence);
-  for (const auto& field : Fence::counts())
-    table.read_count(fence, field);
+  const bool historical = table.has("rules") && table.choice("rules", {std::string{fence_rules_1993}}) == "1993";
+  fence.options = historical ? scenes::FenceOptions{} : scenes::current_options();
+  fence.gravity = exact::standard_gravity / si_size(source.units, dimension::acceleration);
+  fence.gravity_sign = -1, fence.connections = 2, fence.layers = 1;
+  for (const auto& field : Fence::fields())
+    if (field.name != "gravity" || table.has(field.name)) table.read_field(fence, field);
+  for (const auto& field : Fence::counts()) {
+    const bool required = field.name == "columns";
+    const bool of_run = field.name == "steps" || field.name == "print_every" || field.name == "history_every";
+    if (!of_run && (required || table.has(field.name))) table.read_count(fence, field);
+  }
   fence.history_elements = wholes_or_none(table, "history_elements");
   fence.history_codes = wholes_or_none(table, "history_codes");
-  std::vector<SceneTable> elements = element_tables(table);
-  fence.ground = read_element(elements.front(), ElementType::rock);
+  std::vector<SceneTable> elements;
+  const auto read = [&](const SceneTable& element, Part part) {
+    elements.push_back(element);
+    FenceElement found;
+    source.guard(element.line(), [&] { found = read_element(element, part); });
+    return found;
+  };
+  source.guard(table.line(), [&] { fence.ground = read(table.table("ground"), Part::ground); });
+  for (const SceneTable& rock : table.numbered_tables("rock"))
+    fence.rocks.push_back(read(rock, Part::rock));
+  if (fence.rocks.empty())
+    table.complain("rock", "it is missing; a fence has at least one rock, headed [[fence.rock]]");
+  source.guard(table.line(), [&] { fence.column = read(table.table("column"), Part::column); });
   if (table.has("ground_profile")) {
     for (const auto& [x, y] : table.pairs("ground_profile", dimension::length, dimension::length))
       fence.ground_profile.push_back({x, y});
   }
-  for (std::size_t i = 1; i + 1 < elements.size(); ++i)
-    fence.rocks.push_back(read_element(elements[i], ElementType::rock));
-  fence.column = read_element(elements.back(), ElementType::column);
+  if (table.has("options"))
+    source.guard(table.line(), [&] { fence.options = read_options(table.table("options"), fence.options); });
+  if (!table.has("duration")) read_steps(table, fence);
+  source.check();
+  source.collect();
   for (SceneTable& changed : table.numbered_tables("changed_column")) {
     const scenes::ChangedColumn column = read_changed(changed, fence);
     if (std::ranges::find(fence.changed_columns, column.place, &scenes::ChangedColumn::place) !=
@@ -130,11 +241,12 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   }
   for (SceneTable& stretched : table.numbered_tables("stretched_cable")) {
     scenes::StretchedCable cable{.cable = stretched.text("cable")};
-    stretched.read_fields(cable);
     stretched.allow({"stretch"});
+    stretched.read_fields(cable);
     fence.stretched_cables.push_back(cable);
   }
-  if (table.has("options")) fence.options = read_options(table.table("options"));
+  if (table.has("duration")) read_steps(table, fence);
+  source.check();
   if (const auto found = fault(fence)) {
     (found->element == 0 ? table : elements[found->element - 1]).fail(found->field, found->words);
   }

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "solver/calibrate/step_advice.hpp"
 #include "solver/io/scene_parts.hpp"
 #include "solver/io/toml_fence.hpp"
 #include "solver/laws/restitution.hpp"
@@ -21,19 +24,48 @@ struct Parts {
   std::vector<SceneHanger> hangers;
 };
 
-/// The model of the parts; what a builder refuses gets the line of the table concerned.
-Model built(const Parts& parts, const SceneTable& file) {
-  ModelBuilder builder{file.units()};
-  builder.gravity(parts.gravity);
-  for (const SceneBody& read : parts.bodies)
-    read.table.placed([&] { return builder.add(read.body); });
-  for (const SceneContact& read : parts.contacts)
-    read.table.placed([&] { return builder.add(read.contact); });
-  for (const SceneCable& read : parts.cables)
-    read.table.placed([&] { return builder.add(read.cable); });
-  for (const SceneHanger& read : parts.hangers)
-    read.table.placed([&] { return builder.add(read.hanger); });
-  return file.placed([&] { return builder.build(); });
+/// The table [run] as written.
+struct SceneRun {
+  explicit SceneRun(SceneTable of) : table{std::move(of)} {}
+
+  SceneTable table;
+  std::string integrator{automatic_integrator};
+  double tolerance{};                ///< 0: none given
+  double end{};                      ///< [T]
+  std::optional<double> step{};      ///< [T]
+  bool automatic_step{};             ///< step = "auto"
+  std::optional<double> interval{};  ///< [T]
+  bool ledger{true};
+  WatchRules watch;
+};
+
+/// Rows of the history of a run that does not say how many.
+constexpr double usual_rows = 1000.0;
+
+Parts read_parts(SceneTable& file) {
+  Parts parts;
+  parts.gravity = file.vector_or("gravity", dimension::acceleration, {});
+  parts.bodies = read_bodies(file);
+  const BodyNames names{parts.bodies};
+  parts.contacts = read_contacts(file, names);
+  parts.cables = read_cables(file, names);
+  parts.hangers = read_hangers(file, names);
+  return parts;
+}
+
+SceneRun read_run(SceneTable table) {
+  SceneRun run{std::move(table)};
+  run.table.allow({"integrator", "tolerance", "step", "end", "interval", "ledger", "watch"});
+  if (run.table.has("integrator")) run.integrator = run.table.choice("integrator", integrator_choices());
+  if (run.table.has("tolerance")) run.tolerance = run.table.number("tolerance", Range::positive);
+  run.end = run.table.quantity("end", dimension::time, Range::positive);
+  run.automatic_step = run.table.written("step") == automatic_step_name;
+  if (!run.automatic_step && run.table.has("step"))
+    run.step = run.table.quantity("step", dimension::time, Range::positive);
+  if (run.table.has("interval")) run.interval = run.table.quantity("interval", dimension::time, Range::positive);
+  if (run.table.has("ledger")) run.ledger = run.table.choice("ledger", {"on", "off"}) == "on";
+  if (run.table.has("watch")) run.watch = read_watch(run.table, "watch");
+  return run;
 }
 
 /// Reduced mass of two bodies taken as particles; a fixed one as infinitely heavy [M].
@@ -46,41 +78,64 @@ double particle_mass(const Model& model, const Contact& contact) {
 }
 
 /// Damping by Eq. 21, where a contact requires it.
-void set_damping(std::vector<SceneContact>& contacts, const Model& undamped) {
-  for (SceneContact& read : contacts) {
-    if (!read.restitution) continue;
-    auto& law = std::get<LinearSpringDashpot>(read.contact.law);
-    const double mass = particle_mass(undamped, read.contact);
-    read.table.placed(
-        [&] { law.damping = damping(damping_ratio(*read.restitution, EndRule::attractive), law.stiffness, mass); });
-  }
+Contact damped(const SceneContact& read, const Model& bodies) {
+  Contact contact = read.contact;
+  if (!read.restitution) return contact;
+  auto& law = std::get<LinearSpringDashpot>(contact.law);
+  law.damping =
+      damping(damping_ratio(*read.restitution, EndRule::attractive), law.stiffness, particle_mass(bodies, contact));
+  return contact;
 }
 
-Parts read_parts(SceneTable& file) {
-  Parts parts;
-  parts.gravity = file.vector_or("gravity", dimension::acceleration, {});
-  parts.bodies = read_bodies(file);
-  const Model bodies = built(parts, file);
-  parts.contacts = read_contacts(file, bodies);
-  parts.cables = read_cables(file, bodies);
-  parts.hangers = read_hangers(file, bodies);
-  set_damping(parts.contacts, built(parts, file));
-  return parts;
+Cable with_length(const SceneCable& read, const Model& bodies) {
+  Cable cable = read.cable;
+  const double distance = norm(reference_point(bodies, cable.b) - reference_point(bodies, cable.a));
+  cable.rest_length = read.rest_length.value_or(distance) + read.slack;
+  return cable;
 }
 
-void read_run(SceneTable table, Scene& scene) {
-  table.allow({"integrator", "tolerance", "step", "end", "interval", "ledger", "watch"});
-  const std::string integrator = table.choice("integrator", integrator_choices());
-  const double tolerance = table.has("tolerance") ? table.number("tolerance", Range::positive) : 0.0;
-  const IntegratorChoice chosen = table.placed([&] { return choose_integrator(scene.model, integrator, tolerance); });
+/// The model of the parts; what a builder refuses gets the line of the table concerned.
+Model built(const Parts& parts, const SceneTable& file) {
+  ModelBuilder builder{file.units()};
+  builder.gravity(parts.gravity);
+  const auto add = [&](const SceneTable& table, const auto& part_of) {
+    table.source().guard(table.line(), [&] { table.placed([&] { return builder.add(part_of()); }); });
+  };
+  for (const SceneBody& read : parts.bodies)
+    add(read.table, [&] { return read.body; });
+  // What refers to bodies needs all of them.
+  if (builder.model().bodies.size() != parts.bodies.size()) file.source().check();
+  for (const SceneContact& read : parts.contacts)
+    add(read.table, [&] { return damped(read, builder.model()); });
+  for (const SceneCable& read : parts.cables)
+    add(read.table, [&] { return with_length(read, builder.model()); });
+  file.source().check();
+  for (const SceneHanger& read : parts.hangers)
+    read.table.placed([&] { return builder.add(read.hanger); });
+  return file.placed([&] { return builder.build(); });
+}
+
+/// Method and plan of a scene that has its model and start.
+void set_run(const SceneRun& run, Scene& scene) {
+  const SceneTable& table = run.table;
+  const IntegratorChoice chosen =
+      table.placed([&] { return choose_integrator(scene.model, run.integrator, run.tolerance); });
   scene.integrator = chosen.integrator;
   scene.integrator_why = chosen.why;
-  scene.plan.step = table.quantity("step", dimension::time, Range::positive);
-  scene.plan.end = table.quantity("end", dimension::time, Range::positive);
-  scene.plan.interval = table.quantity_or("interval", dimension::time, scene.plan.step, Range::positive);
+  scene.plan.end = run.end;
+  scene.plan.ledger = run.ledger;
+  scene.plan.watch = run.watch;
+  if (run.automatic_step) {
+    scene.plan.step = table.placed([&] { return automatic_step(scene); });
+  } else if (run.step) {
+    scene.plan.step = *run.step;
+  } else if (chooses_steps(scene.integrator)) {
+    scene.plan.step = run.end / usual_rows;
+  } else {
+    table.fail("step", fmt::format("it is missing; {} has a fixed step: give it, or \"auto\"", name(scene.integrator)));
+  }
+  scene.plan.interval = run.interval.value_or(std::max(run.end / usual_rows, scene.plan.step));
   table.placed([&] { check_step_count(scene.plan); });
-  if (table.has("watch")) scene.plan.watch = read_watch(table.table("watch"));
-  if (table.has("ledger")) scene.plan.ledger = table.choice("ledger", {"on", "off"}) == "on";
 }
 
 State start_state(const Parts& parts, const Model& model) {
@@ -94,33 +149,61 @@ State start_state(const Parts& parts, const Model& model) {
 
 }  // namespace
 
-WatchRules read_watch(SceneTable table) {
+WatchRules read_watch(SceneTable& owner, std::string_view key) {
   WatchRules rules;
+  if (owner.is_text(key)) {
+    static_cast<void>(owner.choice(key, {"off"}));
+    for (const WatchRules::Choice& choice : WatchRules::choices())
+      rules.*choice.member = Breach::off;
+    return rules;
+  }
+  SceneTable table = owner.table(key);
   for (const WatchRules::Choice& choice : WatchRules::choices())
     rules.*choice.member = table.choice_or(choice.name, rules.*choice.member);
   table.allow({});
   return rules;
 }
 
+namespace {
+
+SceneFile read_fence_scene(SceneTable& file, SceneSource& source) {
+  const scenes::Fence fence = read_fence(file, source);
+  const scenes::FenceScene made = file.table("fence").placed([&] { return scenes::fence_scene(fence); });
+  return {made.scene, FenceInput{fence, made}};
+}
+
+SceneFile read_bodies_scene(SceneTable& file, SceneSource& source) {
+  file.refuse("cell", "a shear cell is run by `talus cell`");
+  file.allow({"title", "units", "gravity", "body", "contact", "cable", "hanger", "run"});
+  source.guard(file.line(), [&] {
+    source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
+  });
+  Scene scene;
+  if (file.has("title")) source.guard(file.line(), [&] { scene.title = file.text("title"); });
+  const Parts parts = read_parts(file);
+  std::optional<SceneRun> run;
+  source.guard(file.line(), [&] { run.emplace(read_run(file.table("run"))); });
+  source.check();
+  source.collect();
+  scene.model = built(parts, file);
+  scene.initial = start_state(parts, scene.model);
+  set_run(*run, scene);
+  return {std::move(scene)};
+}
+
+}  // namespace
+
 SceneFile read_scene_file(std::string_view text, std::string_view name) {
   const TomlValue document = parse_toml(text, name);
   SceneSource source{std::string{name}, si};
   SceneTable file{source, document, ""};
-  if (file.has("fence")) {
-    const scenes::Fence fence = read_fence(file, source);
-    const scenes::FenceScene made = file.table("fence").placed([&] { return scenes::fence_scene(fence); });
-    return {made.scene, FenceInput{fence, made}};
+  source.collect();
+  try {
+    return file.has("fence") ? read_fence_scene(file, source) : read_bodies_scene(file, source);
+  } catch (const SceneSource::Collected&) {
+    source.check();
+    throw;
   }
-  file.refuse("cell", "a shear cell is run by `talus cell`");
-  file.allow({"title", "units", "gravity", "body", "contact", "cable", "hanger", "run"});
-  source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
-  Scene scene;
-  scene.title = file.text("title");
-  const Parts parts = read_parts(file);
-  scene.model = built(parts, file);
-  scene.initial = start_state(parts, scene.model);
-  read_run(file.table("run"), scene);
-  return {std::move(scene)};
 }
 
 Scene read_scene(std::string_view text, std::string_view name) { return read_scene_file(text, name).scene; }

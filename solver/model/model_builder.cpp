@@ -11,9 +11,9 @@
 namespace talus {
 namespace {
 
-void check_name(std::string_view kind, const std::string& name, bool used) {
+void check_name(std::string_view kind, const std::string& name, const std::set<std::string, std::less<>>& used) {
   if (name.empty()) throw InputError{fmt::format("a {} has no name; each needs one of its own", kind)};
-  if (used) throw InputError{fmt::format("{} '{}' exists already; names must differ", kind, name)};
+  if (used.contains(name)) throw InputError{fmt::format("{} '{}' exists already; names must differ", kind, name)};
 }
 
 void check_number(std::string_view kind, std::string_view name, std::string_view field, Range range, double value) {
@@ -119,7 +119,7 @@ void check_hanger(const Hanger& hanger, const Model& model) {
 }  // namespace
 
 BodyId ModelBuilder::add(Body body) {
-  check_name("body", body.name, find_body(model_, body.name).has_value());
+  check_name("body", body.name, body_names_);
   const bool moves = body.mobility != Mobility::fixed;
   const bool turns = talus::turns(body.mobility);
   if (moves) check_number("body", body.name, "mass", Range::positive, body.mass);
@@ -145,12 +145,13 @@ BodyId ModelBuilder::add(Body body) {
         fmt::format("body '{}': a {} cannot move; its mobility must be fixed", body.name, shape_name(body.shape))};
   }
   if (const auto* terrain = std::get_if<Terrain>(&body.shape)) check_terrain(body.name, *terrain);
+  body_names_.insert(body.name);
   model_.bodies.push_back(std::move(body));
   return static_cast<BodyId>(model_.bodies.size() - 1);
 }
 
 CableId ModelBuilder::add(Cable cable) {
-  check_name("cable", cable.name, find_cable(model_, cable.name).has_value());
+  check_name("cable", cable.name, cable_names_);
   for (const CableEnd& end : {cable.a, cable.b}) {
     TALUS_DEMAND(!end.body || index(*end.body) < model_.bodies.size());
     check_vector("cable", cable.name, "end", in_plane(end.p));
@@ -169,12 +170,13 @@ CableId ModelBuilder::add(Cable cable) {
   if (norm(reference_point(model_, cable.b) - reference_point(model_, cable.a)) == 0.0) {
     throw InputError{fmt::format("cable '{}': both ends are at the same point; they must be apart", cable.name)};
   }
+  cable_names_.insert(cable.name);
   model_.cables.push_back(std::move(cable));
   return static_cast<CableId>(model_.cables.size() - 1);
 }
 
 ContactId ModelBuilder::add(Contact contact) {
-  check_name("contact", contact.name, find_contact(model_, contact.name).has_value());
+  check_name("contact", contact.name, contact_names_);
   TALUS_DEMAND(index(contact.a) < model_.bodies.size() && index(contact.b) < model_.bodies.size());
   const Body& a = model_.bodies[index(contact.a)];
   const Body& b = model_.bodies[index(contact.b)];
@@ -206,12 +208,13 @@ ContactId ModelBuilder::add(Contact contact) {
     check_number("contact", contact.name, "shear_stiffness", Range::positive, contact.friction->stiffness);
     check_number("contact", contact.name, "shear_damping", Range::non_negative, contact.friction->damping);
   }
+  contact_names_.insert(contact.name);
   model_.contacts.push_back(std::move(contact));
   return static_cast<ContactId>(model_.contacts.size() - 1);
 }
 
 HangerId ModelBuilder::add(Hanger hanger) {
-  check_name("hanger", hanger.name, find_hanger(model_, hanger.name).has_value());
+  check_name("hanger", hanger.name, hanger_names_);
   TALUS_DEMAND(index(hanger.body) < model_.bodies.size());
   check_number("hanger", hanger.name, "strength", Range::positive, hanger.strength);
   const Body& body = model_.bodies[index(hanger.body)];
@@ -224,6 +227,7 @@ HangerId ModelBuilder::add(Hanger hanger) {
         fmt::format("hanger '{}': it is at the point of hanger '{}'; a point has one", hanger.name, other.name)};
   }
   check_hanger(hanger, model_);
+  hanger_names_.insert(hanger.name);
   model_.hangers.push_back(std::move(hanger));
   return static_cast<HangerId>(model_.hangers.size() - 1);
 }

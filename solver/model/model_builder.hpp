@@ -1,5 +1,9 @@
 #pragma once
 
+#include <functional>
+#include <set>
+#include <string>
+
 #include "solver/model/model.hpp"
 
 namespace talus {
@@ -31,11 +35,16 @@ class ModelBuilder {
   /// is not in proportion to the stiffness (as one they would have no single tension).
   HangerId add(Hanger hanger);
 
+  /// What has been added so far.
+  const Model& model() const { return model_; }
+
   /// The finished model. Errors: InputError if it has no body.
   [[nodiscard]] Model build() const;
 
  private:
   Model model_;
+  /// Names in use, of each kind.
+  std::set<std::string, std::less<>> body_names_, cable_names_, contact_names_, hanger_names_;
 };
 
 }  // namespace talus

@@ -20,16 +20,26 @@ enum class ElementType { rock = 0, column = 1 };
 /// Solid whose density gives an element's mass and inertia; the numbers are those of the 1993 deck.
 enum class ElementSolid { ellipsoid = 0, block = 1, cylinder = 2 };
 
+/// The outline of an element in its own axes, with half axes a and b.
+enum class ElementOutline {
+  by_power,     ///< |x/a|^n + |y/b|^n = 1 with n = 2/power; power 0 stands for the nearly rectangular outline of 1993,
+                ///< n = 20, except for ellipsoids, whose outline is then the ellipse (the rule of the 1993 deck)
+  ellipse,      ///< a circle for a = b
+  rectangle,    ///< with sides 2a and 2b
+  superquadric  ///< |x/a|^n + |y/b|^n = 1 with n = `exponent`
+};
+
 /// One element of a fence: the ground, a rock, or the column that stands for all columns (Mustoe & Huttelmaier 1993,
-/// Appendix II.4). Its outline is |x/a|^n + |y/b|^n = 1 in its own axes with n = 2/power; power 0 stands for the
-/// nearly rectangular outline of 1993, except for ellipsoids, whose outline is the ellipse.
+/// Appendix II.4).
 struct FenceElement {
   ElementType type{ElementType::rock};
   ElementSolid solid{ElementSolid::ellipsoid};
-  int points{2};               ///< nodes of the outline in one quadrant, both ends counted: 4 (points - 1) in all
-  double a{};                  ///< half-length along local x [L] > 0
-  double b{};                  ///< half-length along local y [L] > 0
-  double power{};              ///< 2/n, in [0, 1]
+  int points{2};  ///< nodes of the outline in one quadrant, both ends counted: 4 (points - 1) in all
+  double a{};     ///< half-length along local x [L] > 0
+  double b{};     ///< half-length along local y [L] > 0
+  ElementOutline outline{ElementOutline::by_power};
+  double power{};              ///< 2/n, in [0, 1]; of the outline by_power
+  double exponent{};           ///< n > 1; of the outline superquadric
   double density{};            ///< [M/L^3] > 0
   double bar_length{};         ///< attachment length of a column [L]; printed only, as in 1993
   Vec2 position{};             ///< centroid, world [L]
@@ -46,7 +56,8 @@ struct FenceElement {
     using F = FenceElement;
     return {{{"a", dimension::length, &F::a, Range::positive, "half-length along local x"},
              {"b", dimension::length, &F::b, Range::positive, "half-length along local y"},
-             {"power", dimension::number, &F::power, Range::fraction, "outline |x/a|^n + |y/b|^n = 1 with n = 2/power"},
+             {"power", dimension::number, &F::power, Range::fraction,
+              "outline of a deck: |x/a|^n + |y/b|^n = 1 with n = 2/power; 0: n = 20, of an ellipsoid n = 2"},
              {"density", dimension::density, &F::density, Range::positive, "mass density"},
              {"bar_length", dimension::length, &F::bar_length, Range::non_negative, "attachment length; only printed"},
              {"angle", dimension::angle, &F::angle, Range::any, "orientation, counter-clockwise positive"},
@@ -126,7 +137,8 @@ enum class FenceContact {
 /// Mass from which Eq. 21 makes a dashpot of the coefficient of restitution.
 enum class FenceCalibration {
   particles,       ///< the two bodies as particles (1993, Eq. 21)
-  effective_mass,  ///< what the bodies feel at the contact point
+  effective_mass,  ///< what the bodies feel at the contact point: of resultants at every impact, of nodes as they
+                   ///< stand at the start
 };
 
 /// The last bottom segment, towards the fixed end.
@@ -163,7 +175,7 @@ struct YieldMultiple {
   friend bool operator==(const YieldMultiple&, const YieldMultiple&) = default;
 };
 
-/// Choices that no record of the 1993 deck makes. The defaults are the historical program.
+/// Choices that no record of the 1993 deck makes. The defaults are the historical program; see current_options().
 struct FenceOptions {
   FenceSymmetry symmetry{FenceSymmetry::half};
   EvenCentre even_centre{EvenCentre::doubled};
@@ -213,6 +225,10 @@ struct FenceOptions {
 
   friend bool operator==(const FenceOptions&, const FenceOptions&) = default;
 };
+
+/// The choices of a new fence: contacts that do not depend on nodes and keep their restitution at every impact, no
+/// tension in contacts, central columns that are two bodies if there are two, located events.
+[[nodiscard]] FenceOptions current_options();
 
 /// A rockfall fence with its rocks: the records of a 1993 deck (Mustoe & Huttelmaier 1993, Appendix II.4) as numbers in
 /// one consistent system of units. x is horizontal, across the fence; y up; z along the fence.
@@ -318,6 +334,10 @@ struct Names<scenes::ElementType> {
 template <>
 struct Names<scenes::ElementSolid> {
   static constexpr std::array<std::string_view, 3> list{"ellipsoid", "block", "cylinder"};
+};
+template <>
+struct Names<scenes::ElementOutline> {
+  static constexpr std::array<std::string_view, 4> list{"by_power", "ellipse", "rectangle", "superquadric"};
 };
 template <>
 struct Names<scenes::FenceSymmetry> {

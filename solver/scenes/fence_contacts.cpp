@@ -21,9 +21,19 @@ FenceContactLaw FenceMaker::contact_law(double mass, double factor, double overl
 
 Contact FenceMaker::contact(std::string name, BodyId a, BodyId b, FenceContactLaw law) const {
   Contact made{.name = std::move(name), .a = a, .b = b};
-  made.law = LinearSpringDashpot{law.stiffness, law.damping, fence_.options.end_rule};
-  if (fence_.friction > 0.0)
-    made.friction = CoulombFriction{fence_.friction, fence_.options.shear_ratio * law.stiffness};
+  const FenceOptions& options = fence_.options;
+  LinearSpringDashpot spring{law.stiffness, law.damping, options.end_rule};
+  const bool at_impact =
+      options.calibration == FenceCalibration::effective_mass && options.contact == FenceContact::resultant;
+  if (at_impact) {
+    spring.damping = 0.0;
+    spring.damping_ratio = damping_ratio(fence_.restitution, options.end_rule);
+  }
+  made.law = spring;
+  if (fence_.friction > 0.0) {
+    made.friction = CoulombFriction{fence_.friction, options.shear_ratio * law.stiffness};
+    made.friction->follows_normal = at_impact;
+  }
   if (fence_.options.contact != FenceContact::resultant) made.method = ContactMethod::nodes;
   return made;
 }

@@ -8,13 +8,22 @@ namespace {
 /// 1993 replaced power 0 by this: exponent 2/.1 = 20 (fitted to the listing of sample2).
 constexpr double blunt_power = 0.1;
 
-double exponent(const FenceElement& e) { return 2.0 / (e.power == 0.0 ? blunt_power : e.power); }
+/// Exponent of an outline that is no rectangle.
+double exponent(const FenceElement& e) {
+  if (e.outline == ElementOutline::ellipse) return 2.0;
+  if (e.outline == ElementOutline::superquadric) return e.exponent;
+  if (e.power == 0.0) return e.solid == ElementSolid::ellipsoid ? 2.0 : 2.0 / blunt_power;
+  return 2.0 / e.power;
+}
 
+/// The outline, exactly. A circle is a shape with a simpler gap; by the nodes of 1993 one that a power describes keeps
+/// the nodes of its superquadric.
 Shape outline(const FenceElement& e, FenceContact contact) {
-  const bool round = e.solid == ElementSolid::ellipsoid && e.power == 0.0;
-  if (round) return e.a == e.b ? Shape{Circle{e.a}} : Shape{Superquadric{e.a, e.b, 2.0}};
-  if (contact == FenceContact::resultant) return Rectangle{e.a, e.b};
-  return Superquadric{e.a, e.b, exponent(e)};
+  if (e.outline == ElementOutline::rectangle) return Rectangle{e.a, e.b};
+  const double n = exponent(e);
+  const bool of_nodes = contact != FenceContact::resultant && e.outline == ElementOutline::by_power && e.power != 0.0;
+  if (n == 2.0 && e.a == e.b && !of_nodes) return Circle{e.a};
+  return Superquadric{e.a, e.b, n};
 }
 
 /// What the fixities of an element leave it; the point that they hold is its pin.

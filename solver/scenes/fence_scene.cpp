@@ -84,8 +84,10 @@ void FenceMaker::plan() {
   plan.end = static_cast<double>(fence_.steps) * plan.step;
   plan.interval = static_cast<double>(fence_.history_every) * plan.step;
   plan.watch = fence_.options.watch;
-  made_.scene.integrator =
-      choose_integrator(made_.scene.model, fence_.options.integrator, fence_.options.tolerance).integrator;
+  const IntegratorChoice chosen =
+      choose_integrator(made_.scene.model, fence_.options.integrator, fence_.options.tolerance);
+  made_.scene.integrator = chosen.integrator;
+  made_.scene.integrator_why = chosen.why;
   if (fence_.options.end == FenceEnd::exit) made_.scene.early_end = EarlyEnd{rocks_, fence_.options.exit_x, 0.0};
   if (fence_.options.end == FenceEnd::rest) made_.scene.early_end = EarlyEnd{rocks_, {}, 1e-3 * speed_};
 }
@@ -115,5 +117,17 @@ int element_count(const Fence& fence) {
 }
 
 FenceScene fence_scene(const Fence& fence) { return FenceMaker{fence}.make(); }
+
+FenceOptions current_options() {
+  FenceOptions options;
+  options.even_centre = EvenCentre::pair;
+  options.contact = FenceContact::resultant;
+  options.calibration = FenceCalibration::effective_mass;
+  options.end_rule = EndRule::clamped;
+  options.start = FenceStart::plain;
+  options.integrator = automatic_integrator;
+  options.tolerance = usual_tolerance;
+  return options;
+}
 
 }  // namespace talus::scenes

@@ -24,7 +24,8 @@ std::vector<std::string> integrator_choices() {
 
 IntegratorChoice choose_integrator(const Model& model, std::string_view name, double tolerance) {
   if (name != automatic_integrator) {
-    IntegratorChoice named{make_integrator(name, tolerance)};
+    const double given = tolerance == 0.0 && needs_tolerance(name) ? usual_tolerance : tolerance;
+    IntegratorChoice named{make_integrator(name, given)};
     if (!needs_closed_form(name)) return named;
     const auto obstacle = obstacle_to_closed_form(model);
     if (!obstacle) return named;
@@ -32,10 +33,12 @@ IntegratorChoice choose_integrator(const Model& model, std::string_view name, do
   }
   const auto obstacle = obstacle_to_closed_form(model);
   if (!obstacle) return {make_integrator(Exact::name), "all motion between events is linear"};
-  if (tolerance == 0.0)
-    throw InputError{
-        fmt::format("integrator 'auto': {}, so that there is no closed form; it needs a tolerance > 0", *obstacle)};
-  return {make_integrator(StormerCowell::name, tolerance), *obstacle + ", so that there is no closed form"};
+  return {make_integrator(StormerCowell::name, tolerance == 0.0 ? usual_tolerance : tolerance),
+          *obstacle + ", so that there is no closed form"};
+}
+
+bool chooses_steps(const Integrator& integrator) {
+  return tolerance(integrator) > 0.0 || located_events(integrator).has_value();
 }
 
 }  // namespace talus

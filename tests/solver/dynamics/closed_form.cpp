@@ -78,10 +78,8 @@ BOOST_AUTO_TEST_CASE(the_choice_is_exact_where_it_can_be) {
     }
     return "no error";
   };
-  BOOST_TEST(
-      message(has_none, "auto", 0.0) ==
-      "integrator 'auto': contact 'touch': the law hertz is not linear, so that there is no closed form; it needs "
-      "a tolerance > 0");
+  BOOST_TEST(tolerance(choose_integrator(has_none, "auto").integrator) == usual_tolerance);
+  BOOST_TEST(tolerance(choose_integrator(has_none, "stormer_cowell").integrator) == usual_tolerance);
   BOOST_TEST(message(has_none, "exact", 0.0) ==
              "integrator 'exact': the motion between events must be linear, but contact 'touch': the law hertz is not "
              "linear");

@@ -163,30 +163,30 @@ BOOST_AUTO_TEST_CASE(wrong_parts_beyond_the_deck) {
 BOOST_AUTO_TEST_CASE(wrong_fences) {
   const std::string keys = "this key is not known; nearest: ";
   BOOST_TEST(message("\"20000000 psi\"", "\"20000000 lbf\"") ==
-             "s.toml:18: fence: young: found \"20000000 lbf\"; that is a force; it must be a pressure, e.g. \"20000000 "
+             "s.toml:19: fence: young: found \"20000000 lbf\"; that is a force; it must be a pressure, e.g. \"20000000 "
              "lbf/ft^2\"");
   BOOST_TEST(message("\"20000000 psi\"", "20000000").substr(0, 57) ==
-             "s.toml:18: fence: young: found 20000000; the unit is miss");
+             "s.toml:19: fence: young: found 20000000; the unit is miss");
   BOOST_TEST(message("restitution = 0.4", "restitution = 1.4") ==
-             "s.toml:21: fence: restitution: found 1.4; it must be in (0, 1]");
+             "s.toml:22: fence: restitution: found 1.4; it must be in (0, 1]");
   BOOST_TEST(message("restitution = 0.4\n", "").substr(0, 44) == "s.toml:4: fence: restitution: it is missing");
   BOOST_TEST(message("columns = 13", "columns = 23") ==
-             "s.toml:10: fence: columns: found 23: 2.5 ft apart they take 55 ft; it must be less than the span, 55 ft");
+             "s.toml:11: fence: columns: found 23: 2.5 ft apart they take 55 ft; it must be less than the span, 55 ft");
   BOOST_TEST(message("connections = 2", "connections = 3") ==
-             "s.toml:9: fence: connections: found 3; it must be 1 or 2");
+             "s.toml:10: fence: connections: found 3; it must be 1 or 2");
   BOOST_TEST(message("steps = 3000", "stps = 3000").substr(0, 67) ==
-             "s.toml:5: fence: stps: this key is not known; nearest: steps; known");
+             "s.toml:6: fence: stps: this key is not known; nearest: steps; known");
   BOOST_TEST(
       message("solid = \"ellipsoid\"", "solid = \"cylinder\"") ==
-      "s.toml:52: fence: rock 1: solid: found 2 (cylinder); it must be 0 (ellipsoid) or 1 (block) for the ground "
+      "s.toml:53: fence: rock 1: solid: found 2 (cylinder); it must be 0 (ellipsoid) or 1 (block) for the ground "
       "and rocks");
   BOOST_TEST(message("[[fence.rock]]", "[[fence.rok]]").find("fence: rok: " + keys + "rock") != std::string::npos);
   BOOST_TEST(message("held = [\"x\", ", "held = [\"z\", ") ==
-             "s.toml:49: fence: ground: held: found \"z\"; known: x, y, rotation");
+             "s.toml:50: fence: ground: held: found \"z\"; known: x, y, rotation");
   BOOST_TEST(message("6, 7, 8, 35, 36]", "6, 7, 8, 35, 62]") ==
-             "s.toml:32: fence: history_codes: found 62; it must be in 1 .. 61");
+             "s.toml:33: fence: history_codes: found 62; it must be in 1 .. 61");
   BOOST_TEST(message("[2, 3, 4, 5, 6]", "7") ==
-             "s.toml:31: fence: history_elements: found 7; it must be an array of whole numbers, e.g. [1, 2]");
+             "s.toml:32: fence: history_elements: found 7; it must be an array of whole numbers, e.g. [1, 2]");
   BOOST_TEST(message("[fence]", "[run]\nend = \"1 s\"\n[fence]").substr(0, 60) ==
              "s.toml:4: run: this key is not known; nearest: units; known:");
   BOOST_TEST(message("DOUBLE", "two\\nlines") ==

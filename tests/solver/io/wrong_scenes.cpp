@@ -131,8 +131,10 @@ BOOST_AUTO_TEST_CASE(names_and_keys) {
 
 BOOST_AUTO_TEST_CASE(what_is_missing_or_has_no_place) {
   BOOST_TEST(message("mass = \"3 kg\"\n", "") == "s.toml:4: body 'rock': mass: it is missing");
-  BOOST_TEST(message("step = \"1 ms\"\n", "") == "s.toml:28: run: step: it is missing");
-  BOOST_TEST(message("title = \"Two\"\n", "") == "s.toml:1: title: it is missing");
+  BOOST_TEST(message("step = \"1 ms\"\n", "") ==
+             "s.toml:28: run: step: it is missing; rk4 has a fixed step: give it, or \"auto\"");
+  BOOST_TEST(message("end = \"1 s\"\n", "") == "s.toml:28: run: end: it is missing");
+  BOOST_TEST(message("title = \"Two\"\n", "") == "no error");
   BOOST_TEST(message("\"free\"", "\"particle\"") ==
              "s.toml:8: body 'rock': inertia: this body cannot turn; leave it out");
   BOOST_TEST(message("\"fixed\"", "\"fixed\"\nvelocity = [\"1 m/s\", \"0 m/s\"]") ==

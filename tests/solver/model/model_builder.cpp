@@ -106,8 +106,8 @@ BOOST_AUTO_TEST_CASE(wrong_contacts_are_refused) {
       "contact 'c': radius is 0; it must be > 0");
   refuses([&] { builder.add(Contact{.name = "c", .a = one, .b = two, .law = law}); },
           "contact 'c': no contact between shapes 'circle' and 'none' by method 'resultant'; known pairs: circle with "
-          "circle, rectangle, superquadric, half_plane, terrain; rectangle with rectangle, half_plane; superquadric "
-          "with half_plane");
+          "circle, rectangle, superquadric, half_plane, terrain; rectangle and superquadric with rectangle, "
+          "superquadric, half_plane");
   refuses(
       [&] {
         builder.add(
