@@ -185,6 +185,10 @@ Command add_advise(CLI::App& talus) {
   app->add_option("--evaluations", options->rules.evaluations,
                   "force evaluations that the pilots may take in all; default 2000000: of a fence of ten bodies some "
                   "ten seconds");
+  app->add_flag(
+      "--allow-warnings", options->rules.allows_warnings,
+      "advise methods whose runs are warned of, too: steps beyond a linear limit, fewer than 10 in a contact, an "
+      "energy balance that is off by more than 1 %");
   app->add_flag("--json", options->json, "print JSON, in SI units");
   app->footer(
       "Examples:\n"

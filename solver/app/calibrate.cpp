@@ -83,6 +83,14 @@ void print_text(const ImpactCalibration& found, const CalibrateOptions& options)
   line("restitution simulated with it", found.step.restitution, dimension::number);
   fmt::print("  simulated with {}; its error over all phases of the step is at most {:.3g}, asked for {:.3g}\n",
              options.integrator, found.step.largest_error, options.bound);
+  const auto in_units = [&units](double in_si, Dimension dimension) {
+    return fmt::format("\"{:.17g} {}\"", in_si / si_size(units, dimension), symbol(units, dimension));
+  };
+  fmt::print(
+      "in a scene, for these bodies and this line of impact:\n  stiffness = {}\n  damping = {}\n  end_rule = \"{}\"\n",
+      in_units(found.law.stiffness, dimension::stiffness), in_units(found.law.damping, dimension::damping),
+      options.end_rule);
+  fmt::print("for every impact, whatever the bodies: restitution = {} in place of damping\n", options.restitution);
 }
 
 int calibrate_impact(const CalibrateOptions& options) {
@@ -161,7 +169,8 @@ void print_text(const SceneCalibration& result, const Scene& scene, const std::s
   line("contact time", result.impact.contact_time, dimension::time);
   line("largest overlap", result.impact.largest_overlap, dimension::length);
   line("step", scene.plan.step, dimension::time);
-  fmt::print("in the scene: damping = \"{} {}\"\n", result.found.damping, symbol(units, dimension::damping));
+  fmt::print("in the scene:\n  damping = \"{:.17g} {}\"\n  end_rule = \"{}\"\n", result.found.damping,
+             symbol(units, dimension::damping), Names<EndRule>::list[static_cast<std::size_t>(result.end_rule)]);
 }
 
 int calibrate_scene(const CalibrateOptions& options) {
@@ -237,7 +246,8 @@ Command add_calibrate(CLI::App& talus) {
                   "linear_spring_dashpot (default), or latching_spring: K1/K2 of two discs that are stepped by --step");
   app->add_option("--masses", options->masses, "mass of one body (against a wall) or of two")->expected(1, 2);
   app->add_option("--stiffness", options->stiffness, "stiffness of the contact, e.g. \"1e6 lbf/ft\"");
-  app->add_option("--end-rule", options->end_rule, "attractive (default: Eq. 21 of 1993) or clamped");
+  app->add_option("--end-rule", options->end_rule,
+                  "clamped (default, as in scenes: never pulls) or attractive (Eq. 21 of 1993)");
   CLI::Option* pivot = app->add_option("--pivot", options->pivot,
                                        "the last body turns about a pin: its inertia about the "
                                        "pin, and the arm from pin to the contact's normal")

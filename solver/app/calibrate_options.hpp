@@ -13,7 +13,7 @@ struct CalibrateOptions {
   std::string law{"linear_spring_dashpot"};
   std::vector<std::string> masses;
   std::string stiffness;
-  std::string end_rule{"attractive"};
+  std::string end_rule{"clamped"};  ///< that of scenes
   std::vector<std::string> pivot;
   std::vector<std::string> offset;
   std::string speed{"1 m/s"};

@@ -55,28 +55,7 @@ std::unique_ptr<SceneRun> standing_run(const RunOrder& order, long frames) {
   return run;
 }
 
-/// The step against the method's linear limit, all contacts closed and all cables taut; empty where no limit is known.
-struct StepRatio {
-  std::string words;
-  bool beyond{false};
-};
-StepRatio step_ratio(const Scene& scene) {
-  const Dynamics dynamics{scene.model};
-  // The modes cost n^3: for a large scene `talus check` says what there is to say.
-  constexpr std::size_t largest = 150;
-  if (scene.initial.q.size() > largest) return {};
-  const auto limit = step_limit(advise_step(dynamics, scene.initial), name(scene.integrator));
-  if (!limit) return {};
-  const double product = scene.plan.step * limit->mode.frequency;
-  const bool beyond = product > limit->product;
-  return {fmt::format(
-              "h omega = {:.4g} {} {:.4g}, the linear limit of {} for the mode of {:.4g} rad a unit of time, xi {:.3g}",
-              product, beyond ? ">" : "<", limit->product, name(scene.integrator), limit->mode.frequency,
-              limit->mode.damping_ratio),
-          beyond};
-}
-
-/// Red on a terminal, unless NO_COLOR is set (no-color.org).
+/// Leaves the run in its folder, to be resumed.
 void write_checkpoint(const RunOrder& order, SceneRun& run) {
   Memory memory;
   run.remember(memory);
@@ -102,6 +81,13 @@ void write_files(const RunOrder& order, SceneRun& run, const RunRecord& record, 
   if (!leave) fs::remove(order.checkpoint(), none);
 }
 
+/// The command that takes the same run by located events instead of steps that are too long.
+std::string repair_command(const RunOptions& options) {
+  const std::string scene = options.scene.empty() ? "SCENE" : options.scene;
+  const std::string out = options.folder.empty() ? "" : fmt::format(" --out {}", options.folder);
+  return fmt::format("`talus run {} --integrator auto{}`", scene, out);
+}
+
 void print_result(const RunOptions& options, const RunOrder& order, const SceneRun& run, const RunRecord& record,
                   bool left) {
   const std::string resume = left ? fmt::format("talus run --resume {}", order.folder.string()) : "";
@@ -117,8 +103,10 @@ int run(const RunOptions& options) {
   const long last = last_step(options, order);
   const std::unique_ptr<FolderLock> lock = prepare(order);
   const std::unique_ptr<SceneRun> run = standing_run(order, options.frames);
-  const StepRatio ratio = step_ratio(order.file.scene);
-  if (ratio.beyond) print_failure(fmt::format("warning: {}; the answer may grow without bound", ratio.words));
+  if (run->watch().step_is_beyond()) {
+    print_failure(fmt::format("warning: {}; the answer may grow without bound; {} repairs it",
+                              run->watch().step_ratio(), repair_command(options)));
+  }
 
   // Without a folder there is nowhere to leave the run: a signal then ends the program as usual.
   std::optional<Interruption> interruption;
@@ -131,8 +119,8 @@ int run(const RunOptions& options) {
     return there || seen.t >= until || (interruption && interruption->signal() != 0);
   });
   if (there) outcome.kind = Outcome::Kind::finished;
-  if (!outcome && run->watch().breach().empty() && !ratio.words.empty())
-    outcome.words += fmt::format("; {}", ratio.words);
+  if (!outcome && run->watch().breach().empty() && !run->watch().step_ratio().empty())
+    outcome.words += fmt::format("; {}", run->watch().step_ratio());
 
   const bool left = !there && (outcome.kind == Outcome::Kind::stopped || (outcome && !options.until.empty()));
   const RunRecord record = run->record(outcome);

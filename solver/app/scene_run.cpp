@@ -78,6 +78,11 @@ Outcome SceneRun::go_on(const StopCondition& stop) {
     parts_.look(seen, info);
   }};
   const auto broken = [&] { return !watch_.breach().empty(); };
+  const auto look = [&](const State& seen, long at) {
+    std::optional<Watch::Balance> balance;
+    if (recorder_.ledger()) balance = {recorder_.accounts().energy_closure, recorder_.ledger()->energy_scale()};
+    watch_.look(seen, at, balance);
+  };
   const std::clock_t start = std::clock();
   const long first = standing_.step, evaluations = standing_.evaluations;
   long step = first;
@@ -87,13 +92,13 @@ Outcome SceneRun::go_on(const StopCondition& stop) {
     return {Outcome::Kind::diverged, standing_.state.t, watch_.breach()};
   }
   Outcome outcome = simulate(system_, standing_, scene_->plan, observers, [&](const State& seen) {
-    watch_.look(seen, ++step);
+    look(seen, ++step);
     return broken() || (stop && stop(seen));
   });
   parts_.ended(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, standing_.step - first,
                standing_.evaluations - evaluations);
   // Nobody is asked whether to stop with the last step.
-  if (outcome.kind == Outcome::Kind::finished) watch_.look(seen_, ++step);
+  if (outcome.kind == Outcome::Kind::finished) look(seen_, ++step);
   if (outcome && broken()) return {Outcome::Kind::diverged, outcome.time, watch_.breach()};
   return outcome;
 }

@@ -20,6 +20,7 @@ struct AdviceRules {
   int in_a_row{9};                   ///< rungs of a ladder, six to an octave or decade, that must all be as good
   int beside{8};                     ///< runs beside the coarsest of them that must be as good, too
   bool follows_differences{true};    ///< whether small differences of the start are followed
+  bool allows_warnings{false};       ///< whether runs that the watch warns of are good enough
   bool judges_as_printed{true};      ///< whether errors are those of what `talus run` prints
   std::function<void(long evaluations)> progress{};  ///< told after each pilot what all have taken
 };

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "solver/base/error.hpp"
+#include "solver/calibrate/watch.hpp"
 #include "solver/dynamics/springs.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
@@ -92,11 +93,19 @@ Followed follow_impact(const Scene& scene, ContactId contact) {
   RigidBodySystem system{dynamics, false};
   ImpactWatch watch{dynamics, contact};
   State state = scene.initial;
+  system.begin(state);
+  // The judgement of a run: an impact that slips through, or overlaps too far, gives no restitution.
+  std::optional<Watch> run_watch;
+  long step = 0;
+  if (scene.plan.watch.tunnelling != Breach::off) run_watch.emplace(scene, dynamics, state);
   Integrator integrator = scene.integrator;
   const Observer observer = std::ref(watch);
-  const Outcome outcome =
-      simulate(system, integrator, state, scene.plan, {&observer, 1}, [&watch](const State&) { return watch.over(); });
+  const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1}, [&](const State& seen) {
+    if (run_watch) run_watch->look(seen, ++step);
+    return watch.over() || (run_watch && !run_watch->breach().empty());
+  });
   if (!outcome) return {{}, outcome.words};
+  if (run_watch && !run_watch->breach().empty()) return {{}, run_watch->breach()};
   if (!watch.begun())
     return {{}, fmt::format("its bodies do not meet before the scene's end at t = {}", scene.plan.end)};
   if (!watch.approached()) return {{}, "its bodies do not approach each other; they touch at the start"};
@@ -128,7 +137,7 @@ Scene impact_scene(const LinearSpringDashpot& law, double effective_mass, double
   set_velocity(scene.model, scene.initial, ball, {0.0, -speed}, 0.0);
   scene.integrator = integrator;
   // Coarse steps draw the contact out; three times its length and a few steps are enough for all that are of use.
-  scene.plan = {step, 3.0 * ending + 4.0 * step, step, false};
+  scene.plan = {step, 3.0 * ending + 4.0 * step, step, false, {Breach::off, Breach::off, Breach::off}};
   return scene;
 }
 

@@ -229,7 +229,7 @@ Refusal unreached(const Advice& advice, const AdviceRules& rules) {
 Advice advise_method(const Scene& scene, const Quantity& quantity, const AdviceRules& rules) {
   check(rules);
   Advice advice;
-  PilotRuns runs{scene, quantity};
+  PilotRuns runs{scene, quantity, rules.allows_warnings};
   const double resolving = resolving_steps(runs.dynamics(), scene);
   if (!(resolving <= static_cast<double>(rules.evaluations))) {
     advice.refusal = {Refusal::Kind::stiff,

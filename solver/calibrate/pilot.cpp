@@ -110,6 +110,13 @@ void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, P
     return !watch.breach().empty() || (scene.early_end && reached(*scene.early_end, scene.model, seen));
   });
   pilot.failure = outcome ? watch.breach() : outcome.words;
+  if (pilot.failure.empty() && !warned_) {
+    if (watch.step_is_beyond()) {
+      pilot.failure = watch.step_ratio();
+    } else if (const auto warnings = watch.warnings(); !warnings.empty()) {
+      pilot.failure = warnings.front();
+    }
+  }
   if (!pilot.failure.empty()) return;
   const Recorder::Extreme& extreme = recorder.extremes()[quantity_->column];
   pilot.printed = quantity_->of(extreme.least, extreme.largest, pilot.values.back());

@@ -43,12 +43,14 @@ struct Pilot {
 constexpr long most_of(long cost) { return 64 * (cost + 100); }
 
 /// Runs of one scene by any method for the sake of one quantity. The accounts are kept where the scene keeps them, for
-/// they may cost evaluations; and the run is watched as `talus run` watches it: what that would end has failed.
+/// they may cost evaluations; and the run is watched as `talus run` watches it: what that would end, or warn of, has
+/// failed.
 class PilotRuns {
  public:
   /// Both must outlive it.
-  PilotRuns(const Scene& scene, const Quantity& quantity)
-      : scene_{&scene}, quantity_{&quantity}, dynamics_{scene.model} {}
+  /// `warned`: runs that the watch warns of count, too.
+  PilotRuns(const Scene& scene, const Quantity& quantity, bool warned)
+      : scene_{&scene}, quantity_{&quantity}, dynamics_{scene.model}, warned_{warned} {}
 
   /// One run; given up where it would take more than `most` evaluations.
   [[nodiscard]] Pilot run(const RunMethod& method, long most, const Nudge& nudge = {});
@@ -69,6 +71,7 @@ class PilotRuns {
   const Scene* scene_;
   const Quantity* quantity_;
   Dynamics dynamics_;
+  bool warned_{};
   long evaluations_{};
 };
 

@@ -58,6 +58,14 @@ Watch::Watch(const Scene& scene, const Dynamics& dynamics, const State& start)
   if (start.q.size() > most_coordinates) return;
   const StepAdvice closed = advise_step(dynamics, start);
   contact_times_ = times_of_contacts(dynamics, closed);
+  const auto limit = step_limit(closed, name(scene.integrator));
+  if (!fixed_step_ || !limit) return;
+  const double product = scene.plan.step * limit->mode.frequency;
+  step_is_beyond_ = product > limit->product;
+  step_ratio_ = fmt::format(
+      "h omega = {:.4g} {} {:.4g}, the linear limit of {} for the mode of {:.4g} rad a unit of time, xi {:.3g}",
+      product, step_is_beyond_ ? ">" : "<", limit->product, name(scene.integrator), limit->mode.frequency,
+      limit->mode.damping_ratio);
 }
 
 template <class Words>
@@ -80,7 +88,7 @@ void Watch::take(Watched which, double value, double limit, Breach breach, const
   }
 }
 
-void Watch::look(const State& seen, long step) {
+void Watch::look(const State& seen, long step, const std::optional<Balance>& balance) {
   const WatchRules& rules = scene_->plan.watch;
   const bool turn = step % every_ == 0;
   const bool changed = seen.mode != modes_;
@@ -95,7 +103,7 @@ void Watch::look(const State& seen, long step) {
     look_at_pairs(seen);
     if (step % 8 == 0) look_at_unseen(seen);
   }
-  if (turn && scene_->plan.ledger && rules.accuracy != Breach::off) look_at_drift(seen);
+  if ((turn || balance) && scene_->plan.ledger && rules.accuracy != Breach::off) look_at_drift(seen, balance);
 }
 
 /// Whether some contact acts.
@@ -197,22 +205,40 @@ void Watch::look_at_contacts(const State& seen) {
   }
 }
 
-void Watch::look_at_drift(const State& seen) {
-  const double closure = std::abs(ledger_.accounts(seen).energy_closure);
-  if (!(ledger_.energy_scale() > 0.0)) return;
-  const double drift = closure / ledger_.energy_scale();
-  take(Watched::drift, drift, largest_drift, scene_->plan.watch.accuracy, seen, {}, [&] {
-    return fmt::format(
-        "the energy ledger fails to close by {:.3g} % of its scale, more than {:g} %; a shorter step, or "
-        "a smaller tolerance, closes it better",
-        100.0 * drift, 100.0 * largest_drift);
-  });
+void Watch::look_at_drift(const State& seen, const std::optional<Balance>& balance) {
+  Balance now;
+  if (balance) {
+    now = *balance;
+  } else {
+    now.error = ledger_.accounts(seen).energy_closure;
+    now.scale = ledger_.energy_scale();
+  }
+  // What is not a number is the largest.
+  const double error = std::abs(now.error);
+  if (!(error <= balance_.error)) balance_.error = error, drift_time_ = seen.t;
+  balance_.scale = std::max(balance_.scale, now.scale);
+  if (scene_->plan.watch.accuracy == Breach::error && !(drift() <= largest_drift)) breach_ = drift_words();
+}
+
+std::string Watch::drift_words() const {
+  return fmt::format("at t = {:.6g} the energy balance is off by {:.3g} % of the largest energy, more than {:g} %",
+                     drift_time_, 100.0 * drift(), 100.0 * largest_drift);
+}
+
+std::vector<std::string> Watch::warnings() const {
+  std::vector<std::string> all = warnings_;
+  const bool judged = scene_->plan.ledger && scene_->plan.watch.accuracy == Breach::warning;
+  if (judged && !(drift() <= largest_drift)) all.push_back(drift_words());
+  return all;
 }
 
 void Watch::remember(Memory& memory) {
   memory.numbers("modes", modes_);
   memory.count("looked", looked_);
   memory.part("ledger", [&] { ledger_.remember(memory); });
+  memory.number("balance_error", balance_.error);
+  memory.number("balance_scale", balance_.scale);
+  memory.number("drift_time", drift_time_);
   std::vector<double> numbers;
   for (std::size_t i = 0; i < watched_count; ++i) {
     const Extreme& e = extremes_[i];
@@ -253,7 +279,6 @@ std::vector<std::string> watch_lines(const Watch& watch, const Scene& scene) {
   line(Watched::overlap, "largest overlap over half width", 100.0, " %", true);
   line(Watched::unseen, "largest overlap unseen by nodes", 100.0, " %", true);
   line(Watched::contact, "steps in the shortest contact", 1.0, "  ", true);
-  line(Watched::drift, "largest drift of the ledger", 100.0, " %", false);
   return lines;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,8 @@ enum class Watched : std::size_t {
   overlap,    ///< largest overlap over half the least width of the smaller body
   unseen,     ///< the same of outlines in contact by nodes, none of which is in the other; only where beyond its limit
   contact,    ///< time of the shortest contact that was touched, in steps
-  drift,      ///< largest energy closure of the ledger over its scale
 };
-inline constexpr std::size_t watched_count = 6;
+inline constexpr std::size_t watched_count = 5;
 
 /// Watches over a run: how near each number came to its limit, and when. Nothing that it does changes the run.
 /// - frequency is looked at where contacts or cables begin or end to act, at most 512 times a run, and 64 times in any
@@ -27,7 +27,8 @@ inline constexpr std::size_t watched_count = 6;
 /// - passing and overlap after every step in which something touches, else after every eighth (of methods that locate
 ///   events passing is their own affair); unseen after every eighth;
 /// - contact where one is touched, for methods of fixed step and scenes of as many coordinates;
-/// - drift 64 times, with the ledger on.
+/// - the energy balance after every step where it is given, else 64 times, with the ledger on. Where it is to warn, the
+///   whole run is judged at its end: early errors are small beside the energies to come.
 class Watch {
  public:
   /// The extreme of one number so far.
@@ -41,13 +42,27 @@ class Watch {
   /// Scene and Dynamics must outlive it. `start`: the first state of the run.
   Watch(const Scene& scene, const Dynamics& dynamics, const State& start);
 
-  /// Looks at the state after a step (0: before the first).
-  void look(const State& seen, long step);
+  /// The energy balance of a run so far, as its ledger has it.
+  struct Balance {
+    double error{};  ///< of the present state [F L]
+    double scale{};  ///< largest energy so far [F L]
+  };
+  /// Looks at the state after a step (0: before the first). Without a balance the watch draws its own, 64 times a run.
+  void look(const State& seen, long step, const std::optional<Balance>& balance = {});
+
+  /// Largest error of the energy balance over the largest energy, and when it was.
+  double drift() const { return balance_.scale > 0.0 ? balance_.error / balance_.scale : 0.0; }
+  double drift_time() const { return drift_time_; }
+
+  /// The step against the method's linear limit with all contacts closed and all cables taut; empty where no limit is
+  /// known.
+  const std::string& step_ratio() const { return step_ratio_; }
+  bool step_is_beyond() const { return step_is_beyond_; }
 
   /// Why the run must end; empty while it may go on.
   const std::string& breach() const { return breach_; }
   /// What was found and does not end the run, once for each number.
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  std::vector<std::string> warnings() const;
   const Extreme& extreme(Watched which) const { return extremes_[static_cast<std::size_t>(which)]; }
 
   /// Names what it carries from one step to the next.
@@ -62,7 +77,8 @@ class Watch {
   template <class Words>
   void take_overlap(Watched which, double share, const State& seen, ContactId contact, const Words& words);
   void look_at_contacts(const State& seen);
-  void look_at_drift(const State& seen);
+  void look_at_drift(const State& seen, const std::optional<Balance>& balance);
+  std::string drift_words() const;
   /// Takes a number into its extreme; a limit that it is beyond for the first time is a breach, with the words. A
   /// number may have two, the larger of which is the graver.
   template <class Words>
@@ -82,6 +98,10 @@ class Watch {
   long looked_{};                      ///< step of the last look at the frequency
   std::array<Extreme, watched_count> extremes_{};
   std::array<double, watched_count> reported_{};  ///< the limits beyond which each was said to be; 0: none yet
+  Balance balance_;                               ///< the largest error so far, and the scale
+  double drift_time_{};
+  std::string step_ratio_;
+  bool step_is_beyond_{};
   std::string breach_;
   std::vector<std::string> warnings_;
 };

@@ -192,7 +192,7 @@ void check_gas(Findings& findings, const Setup& setup, Table& table) {
                           advice.growth.result / question.accuracy, 1.0, 1e5,
                           "at least what was asked; at most the width of the box over a thousandth of it");
   // Two fine runs, either of which brute force would take for true.
-  PilotRuns runs{question.scene, quantity};
+  PilotRuns runs{question.scene, quantity, false};
   const Pilot one = runs.run({"stormer_cowell", 1e-12, 2000}, 10'000'000);
   const Pilot two = runs.run({"rk4", 0.0, 100'000}, 10'000'000);
   findings.count(static_cast<std::uint64_t>(runs.evaluations()));

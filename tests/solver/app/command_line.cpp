@@ -205,16 +205,18 @@ BOOST_AUTO_TEST_CASE(check_says_what_a_scene_carries) {
 // Values of the closed forms (e = .5 needs xi = .2552756 clamped and .2154538 by Eq. 21), of the pivot's mass I/h^2,
 // and the simulated e.
 BOOST_AUTO_TEST_CASE(calibration_as_json) {
-  const auto two = nlohmann::json::parse(talus_ran({"calibrate", "--restitution", ".5", "--masses", "3 kg", "6 kg",
-                                                    "--stiffness", "1e6 N/m", "--end-rule", "clamped", "--json"})
-                                             .out);
+  const auto two = nlohmann::json::parse(
+      talus_ran({"calibrate", "--restitution", ".5", "--masses", "3 kg", "6 kg", "--stiffness", "1e6 N/m", "--json"})
+          .out);
   BOOST_TEST(two.at("effective_mass").get<double>() == 2.0, boost::test_tools::tolerance(1e-15));
+  BOOST_TEST(two.at("end_rule").get<std::string>() == "clamped");
   BOOST_TEST(two.at("damping_ratio").get<double>() == 0.2552756, boost::test_tools::tolerance(1e-6));
   BOOST_TEST(two.at("damping").get<double>() == 2.0 * 0.2552756 * std::sqrt(2e6), boost::test_tools::tolerance(1e-6));
   BOOST_TEST(std::abs(two.at("restitution").get<double>() - 0.5) < 1e-3);
-  const auto pivot = nlohmann::json::parse(talus_ran({"calibrate", "--restitution", ".5", "--masses", "1 kg", "--pivot",
-                                                      "8 kg m^2", "2 m", "--stiffness", "1e6 N/m", "--json"})
-                                               .out);
+  const auto pivot =
+      nlohmann::json::parse(talus_ran({"calibrate", "--restitution", ".5", "--masses", "1 kg", "--pivot", "8 kg m^2",
+                                       "2 m", "--stiffness", "1e6 N/m", "--end-rule", "attractive", "--json"})
+                                .out);
   BOOST_TEST(pivot.at("effective_mass").get<double>() == 2.0, boost::test_tools::tolerance(1e-15));
   BOOST_TEST(pivot.at("damping_ratio").get<double>() == 0.2154537620, boost::test_tools::tolerance(1e-6));
   BOOST_TEST(pivot.at("end_rule").get<std::string>() == "attractive");

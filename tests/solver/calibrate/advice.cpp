@@ -28,7 +28,7 @@ Scene oscillator() {
 
 Pilot pilot_of(const Scene& scene, const std::string& name, const RunMethod& method) {
   const Quantity quantity = quantity_named(scene.model, name);
-  PilotRuns runs{scene, quantity};
+  PilotRuns runs{scene, quantity, true};  // one of these scenes overlaps by more than the watch likes
   return runs.run(method, 1'000'000);
 }
 
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_run_ends_at_the_same_time_by_every_method) {
 BOOST_AUTO_TEST_CASE(a_run_that_takes_too_much_is_given_up) {
   const Scene scene = oscillator();
   const Quantity quantity = quantity_named(scene.model, "bob.x.end");
-  PilotRuns runs{scene, quantity};
+  PilotRuns runs{scene, quantity, false};
   const Pilot pilot = runs.run({"rk4", 0.0, 1000}, 100);
   BOOST_TEST(pilot.failure == "given up after 100 evaluations");
   BOOST_TEST(runs.evaluations() == 100);

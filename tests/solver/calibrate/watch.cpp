@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE(contacts_of_few_steps_are_warned_of_where_they_touch) {
   BOOST_TEST(!few.empty());
   BOOST_TEST(says(few.front(), "lasts 9.9 steps"));
   for (const std::string& other : run(scene, std::acos(-1.0) / 100.0 / 10.1, 0.7).warnings)
-    BOOST_TEST(says(other, "ledger"));
+    BOOST_TEST(says(other, "energy balance"));
 }
 
 BOOST_AUTO_TEST_CASE(a_ledger_that_does_not_close_is_warned_of) {
@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(a_ledger_that_does_not_close_is_warned_of) {
   rules.tunnelling = Breach::off;
   const auto coarse = run(swings, 0.003, 0.3, "euler_cromer", rules).warnings;
   BOOST_TEST(coarse.size() == 1U);
-  if (!coarse.empty()) BOOST_TEST(says(coarse.front(), "the energy ledger fails to close"));
+  if (!coarse.empty()) BOOST_TEST(says(coarse.front(), "the energy balance is off by"));
   BOOST_TEST(run(swings, 0.00003, 0.3, "euler_cromer", rules).warnings.empty());
 }
 
