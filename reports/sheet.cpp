@@ -9,6 +9,7 @@
 #include "reports/report.hpp"
 #include "reports/sheet_drawing.hpp"
 #include "reports/sheet_tables.hpp"
+#include "reports/sheet_verdict.hpp"
 
 namespace talus::reports {
 namespace fs = std::filesystem;
@@ -41,6 +42,7 @@ std::string latex_text(const std::string& text) {
                                  {'{', "\\{"},
                                  {'}', "\\}"},
                                  {'$', "\\$"},
+                                 {'-', "-{}"},
                                  {'&', "\\&"},
                                  {'#', "\\#"},
                                  {'%', "\\%"},
@@ -112,7 +114,7 @@ std::string latex_table(const SheetTable& table) {
 }
 
 std::string html_table(const SheetTable& table) {
-  std::string text = fmt::format("<table><caption>{}</caption><thead><tr>", html_text(table.title));
+  std::string text = fmt::format("<div class=\"wide\"><table><caption>{}</caption><thead><tr>", html_text(table.title));
   for (const auto& [group, count] : groups(table))
     text += fmt::format("<th colspan=\"{}\">{}</th>", count, html_text(group));
   text += "</tr>";
@@ -134,7 +136,7 @@ std::string html_table(const SheetTable& table) {
     text +=
         fmt::format("<tfoot><tr><td colspan=\"{}\">{}</td></tr></tfoot>", table.heads.size(), html_text(table.note));
   }
-  return text + "</table>\n";
+  return text + "</table></div>\n";
 }
 
 /// The tables of one place, each written by `write`.
@@ -158,11 +160,29 @@ std::string rendered(const fs::path& page, const SheetRecord& record, const Esca
   data["run"] = fmt::format("{} at {:.6g} s; {} steps of {:.4g} s, {}", record.outcome, record.end, record.steps,
                             record.step, record.integrator);
   data["fence"] = fmt::format(
-      "{} layer{} of {} columns{}; span {:.4g} m, {:.4g} ft; sag {:.3g} m, {:.3g} ft; columns "
-      "{:.3g} m, {:.3g} ft apart",
+      "{} layer{} of {} columns{}; span {:.4g} m ({:.4g} ft), sag {:.3g} m ({:.3g} ft), columns "
+      "{:.3g} m ({:.3g} ft) apart",
       record.layers, record.layers == 1 ? "" : "s", record.columns_of_layer, record.half_model ? " (half model)" : "",
       record.span, record.span / 0.3048, record.sag, record.sag / 0.3048, record.spacing, record.spacing / 0.3048);
   const std::vector<SheetTable> tables = fence_tables(record);
+  const SheetVerdict verdict = sheet_verdict(record);
+  const auto list = [](const std::vector<SheetFact>& facts) {
+    mustache::data found{mustache::data::type::list};
+    for (const SheetFact& fact : facts) {
+      mustache::data item;
+      item["name"] = fact.name;
+      item["text"] = fact.text;
+      found << item;
+    }
+    return found;
+  };
+  data["verdict"] = verdict.text;
+  data["colour"] = verdict.colour;
+  data["facts"] = list(verdict.facts);
+  data["quality"] = verdict.quality;
+  data["quality_colour"] = verdict.quality_colour;
+  data["quality_facts"] = list(verdict.quality_facts);
+  data["unusable"] = !record.quality.usable;
   data["rocks"] = write(rock_table(record));
   data["tables"] = tables_at(SheetTable::Place::page, tables, write);
   data["left"] = tables_at(SheetTable::Place::left, tables, write);

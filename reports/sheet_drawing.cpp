@@ -180,7 +180,7 @@ std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const 
       "set multiplot\nset size ratio -1\nset tics font ',9'\nset title font ',10' offset 0,-0.7\n"
       "set xlabel font ',9' offset 0,0.8\nset ylabel font ',9' offset 1,0\nset key font ',9'\n"
       "set lmargin at screen 0.075\nset rmargin at screen 0.30\nset bmargin at screen 0.52\nset tmargin at screen "
-      "0.94\n"
+      "0.89\n"
       "set key off\nset xtics 1\nset title 'from the side'\nset xlabel 'x, m'\nset ylabel 'y, m'\n" +
       range('x', side.x) + range('y', side.y);
   body += fmt::format("plot {}, {}\n", ground.curve("lc rgb '#666666' lw 1.4"), side.curves);
@@ -190,7 +190,7 @@ std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const 
       std::string{record.half_model ? "along the fence, first layer; below z = 0 the half model mirrored"
                                     : "along the fence, first layer"} +
       "'\nset xlabel 'z, m'\n"
-      "set key on at screen 0.98, screen 0.98 right top vertical maxrows 3 Right noreverse samplen 1.5\n" +
+      "set key on at screen 0.98, screen 0.995 right top horizontal maxrows 1 Right noreverse samplen 1.5\n" +
       range('x', front.x) + range('y', front.y);
   body += fmt::format("plot {:.6g} with lines lc rgb '#666666' lw 1.4 notitle, {}\n", level, front.curves);
   body +=
@@ -200,9 +200,8 @@ std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const 
       "set key at screen 0.98, screen 0.385 right center horizontal maxrows 1 Right noreverse\nset autoscale\n"
       "set yrange [0:*]\n";
   body += fmt::format("plot {}\nunset label 1\nunset multiplot", forces.curves);
-  // Long tables leave it less of the page.
-  const double lines = static_cast<double>(std::min<std::size_t>(record.rocks.size() + record.columns.size(), 26));
-  const double height = 9.6 - 0.25 * std::max(0.0, lines - 16.0);
+  // Long tables leave it less of the page [cm].
+  const double height = record.rocks.size() + record.columns.size() > 9 ? 7.0 : 8.4;
   return fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string())) + ground.data() + side.data + front.data +
          forces.data + drawn_in_each_format(canvas, stem, body, height);
 }

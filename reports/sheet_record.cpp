@@ -21,8 +21,46 @@ SheetForce force(const Node& node) {
           numbers<3>(node.at("impulse"))};
 }
 
+std::string verdict(const Node& node) {
+  return node.one_of({"stopped", "undecided", "passed_under", "passed_over", "broke_through"});
+}
+
+std::optional<double> balance(const Node& node, const json& all) {
+  if (all.at("energy_balance").is_string()) return std::nullopt;
+  return node.at("energy_balance").finite();
+}
+
+SheetQuality quality(const Node& node, const json& all) {
+  SheetQuality found{.usable = node.at("usable").flag(),
+                     .flaw = node.at("flaw").text(),
+                     .step = node.at("step").text(),
+                     .balance = balance(node, all),
+                     .contact_steps = {},
+                     .touching = {},
+                     .repeat = {},
+                     .repair = {}};
+  if (node.has("steps_in_shortest_contact")) found.contact_steps = node.at("steps_in_shortest_contact").finite();
+  if (node.has("last_contact") && node.at("last_contact").at("touching").flag())
+    found.touching = node.at("last_contact").at("name").text();
+  if (node.has("repeat")) {
+    const Node repeat = node.at("repeat");
+    found.repeat = {repeat.at("change_of_speed").finite(), repeat.at("failure").text(), verdict(repeat.at("verdict")),
+                    repeat.at("change_of_largest_cable_force").finite()};
+  }
+  if (node.has("repair")) {
+    const Node repair = node.at("repair");
+    found.repair = {repair.at("option").text(), repair.at("flaw").text(), verdict(repair.at("verdict")),
+                    balance(repair, all.at("repair"))};
+  }
+  return found;
+}
+
 SheetRock rock(const Node& node) {
   SheetRock found{.name = node.at("name").text(),
+                  .verdict = verdict(node.at("verdict")),
+                  .passed_time = node.at("passed_time").finite(),
+                  .end_energy = node.at("end_energy").finite(),
+                  .end_velocity = numbers<2>(node.at("end_velocity")),
                   .mass = node.at("mass").finite(),
                   .approach_energy = node.at("approach_energy").finite(),
                   .approach_velocity = numbers<2>(node.at("approach_velocity")),
@@ -64,7 +102,7 @@ std::vector<SheetEnergy> energies(const Node& sheet, const json& all) {
     std::replace(words.begin(), words.end(), '_', ' ');
     if (lost != 0.0) lines.push_back({"lost: " + words, lost});
   }
-  lines.push_back({"closure: sum that fails", node.at("closure").finite()});
+  lines.push_back({"energy balance error", node.at("closure").finite()});
   return lines;
 }
 
@@ -124,11 +162,14 @@ SheetRecord read_sheet(const std::filesystem::path& file) {
   const json all = json::parse(read_file(file), nullptr, false);
   if (!all.is_object()) throw RecordError(file.string() + ": is not a JSON object");
   const Node sheet{all, file.string()};
-  if (sheet.at("schema").integer() != 1) sheet.at("schema").complain("must be 1");
+  if (sheet.at("schema").integer() != 2) sheet.at("schema").complain("must be 2");
   const Node run = sheet.at("run"), fence = sheet.at("fence");
   SheetRecord record;
   record.title = sheet.at("title").text();
   record.outcome = run.at("outcome").text();
+  record.verdict = verdict(sheet.at("verdict"));
+  record.quality = quality(sheet.at("quality"), all.at("quality"));
+  record.us_units = fence.at("scene_units").text() == "US";
   record.integrator = run.at("integrator").text();
   record.end = run.at("time").finite();
   record.step = run.at("step").finite();

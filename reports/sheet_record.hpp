@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,9 @@ struct SheetForce {
 };
 
 struct SheetRock {
-  std::string name;
+  std::string name, verdict;
+  double passed_time{}, end_energy{};
+  Pair end_velocity{};
   double mass{}, approach_energy{};
   Pair approach_velocity{};
   bool touched{}, left{}, turned{};
@@ -83,8 +86,32 @@ struct SheetState {
   std::vector<Segment> cables;
 };
 
+/// How far the run can be trusted.
+struct SheetQuality {
+  bool usable{};
+  std::string flaw;  ///< why it is not usable
+  std::string step;
+  std::optional<double> balance;        ///< error of the energy balance over the largest energy
+  std::optional<double> contact_steps;  ///< steps in the shortest contact
+  std::optional<std::string> touching;  ///< contact that still acts at the end
+  struct Repeat {
+    double change{};  ///< relative, of the rocks' speed
+    std::string failure, verdict;
+    double cable_change{};  ///< relative, of the largest tension
+  };
+  std::optional<Repeat> repeat;
+  struct Repair {
+    std::string option, flaw, verdict;
+    std::optional<double> balance;
+  };
+  std::optional<Repair> repair;
+};
+
 struct SheetRecord {
   std::string title, outcome, integrator;
+  std::string verdict;
+  bool us_units{};  ///< of the scene
+  SheetQuality quality;
   double end{}, step{};
   int steps{};
   int layers{}, columns_of_layer{};

@@ -1,4 +1,4 @@
-/// The tables on a fence's sheet, in SI and US units side by side.
+/// The tables on a fence's sheet, in the scene's units with the others in brackets.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace talus::reports {
 
-/// Head of a column: its unit below its group; neighbours of the same group share one head.
+/// Head of a column: its unit or name below its group; neighbours of the same group share one head.
 struct SheetHead {
   std::string group;
   std::string unit{};
@@ -24,8 +24,8 @@ struct SheetTable {
   std::string note{};  ///< below it; may be empty
 };
 
-/// What the rocks did; and, in their order, hangers and cables, anchors, order of yields and breaks, travel and
-/// heights, energy. A long list is cut, and its note says so.
+/// What the rocks did; and, in their order, hangers and cables, heights, anchors, order of yields and breaks,
+/// energy. A long list is cut, and its note says so.
 [[nodiscard]] SheetTable rock_table(const SheetRecord& record);
 [[nodiscard]] std::vector<SheetTable> fence_tables(const SheetRecord& record);
 

@@ -1,6 +1,7 @@
 #include "solver/app/report_tool.hpp"
 
 #include <fmt/format.h>
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -35,7 +36,7 @@ fs::path report_tool() {
   throw IoError{"talus_report draws the plots; it is neither beside talus nor in PATH"};
 }
 
-int run_report_tool(std::vector<std::string> arguments) {
+int run_report_tool(std::vector<std::string> arguments, bool quiet) {
   const std::string tool = report_tool().string();
   arguments.insert(arguments.begin(), tool);
   std::vector<char*> words;
@@ -43,7 +44,12 @@ int run_report_tool(std::vector<std::string> arguments) {
     words.push_back(argument.data());
   words.push_back(nullptr);
   pid_t child = 0;
-  if (const int reason = ::posix_spawn(&child, tool.c_str(), nullptr, nullptr, words.data(), environ)) {
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  if (quiet) ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  const int reason = ::posix_spawn(&child, tool.c_str(), &actions, nullptr, words.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  if (reason != 0) {
     throw IoError{fmt::format("{}: {}", tool, std::strerror(reason))};
   }
   int status = 0;

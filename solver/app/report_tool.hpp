@@ -10,7 +10,7 @@ namespace talus::app {
 [[nodiscard]] std::filesystem::path report_tool();
 
 /// Runs talus_report with these arguments and returns its exit code. Errors: IoError if it cannot be started or ends by
-/// a signal.
-[[nodiscard]] int run_report_tool(std::vector<std::string> arguments);
+/// a signal. `quiet`: it prints no list of its files.
+[[nodiscard]] int run_report_tool(std::vector<std::string> arguments, bool quiet = false);
 
 }  // namespace talus::app

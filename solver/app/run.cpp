@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -13,12 +14,14 @@
 #include "solver/app/run_order.hpp"
 #include "solver/app/run_summary.hpp"
 #include "solver/app/scene_run.hpp"
+#include "solver/app/second_run.hpp"
 #include "solver/base/error.hpp"
 #include "solver/calibrate/step_advice.hpp"
 #include "solver/io/atomic_file.hpp"
 #include "solver/io/checkpoint.hpp"
 #include "solver/io/folder_lock.hpp"
 #include "solver/io/json.hpp"
+#include "solver/io/run_folder.hpp"
 
 namespace talus::app {
 namespace {
@@ -32,10 +35,13 @@ std::unique_ptr<FolderLock> prepare(const RunOrder& order) {
   if (order.folder.empty()) return {};
   make_folder(order.folder);
   auto lock = std::make_unique<FolderLock>(order.folder);
-  // An earlier run's summary would vouch for a mixture if this one cannot finish; its checkpoint is not this run's.
-  std::error_code none;
-  fs::remove(order.folder / "summary.json", none);
-  if (order.from.empty() || !fs::equivalent(order.from, order.folder)) fs::remove(order.checkpoint(), none);
+  // What an earlier run left would vouch for a mixture; its checkpoint is not this run's.
+  if (order.from.empty() || !fs::equivalent(order.from, order.folder)) {
+    remove_run(order.folder);
+  } else {
+    std::error_code none;
+    fs::remove(order.folder / "summary.json", none);
+  }
   return lock;
 }
 
@@ -81,17 +87,36 @@ void write_files(const RunOrder& order, SceneRun& run, const RunRecord& record, 
   if (!leave) fs::remove(order.checkpoint(), none);
 }
 
-/// The command that takes the same run by located events instead of steps that are too long.
+/// The command that takes the same run by steps chosen to a tolerance.
 std::string repair_command(const RunOptions& options) {
   const std::string scene = options.scene.empty() ? "SCENE" : options.scene;
   const std::string out = options.folder.empty() ? "" : fmt::format(" --out {}", options.folder);
   return fmt::format("`talus run {} --integrator auto{}`", scene, out);
 }
 
+/// Takes the run on until `stop`; with a folder it is left there every second, so that a crash loses no more.
+Outcome followed(const RunOrder& order, SceneRun& run, const StopCondition& stop) {
+  using Clock = std::chrono::steady_clock;
+  Progress progress;
+  if (order.folder.empty()) return run.go_on(stop, progress);
+  for (;;) {
+    const Clock::time_point due = Clock::now() + std::chrono::seconds{1};
+    bool stops = false;
+    long asked = 0;
+    const auto pauses = [&](const State& seen) {
+      stops = stop(seen);
+      return stops || (++asked % 64 == 0 && Clock::now() >= due);
+    };
+    Outcome outcome = run.go_on(pauses, progress);
+    if (stops || outcome.kind != Outcome::Kind::stopped) return outcome;
+    write_checkpoint(order, run);
+  }
+}
+
 void print_result(const RunOptions& options, const RunOrder& order, const SceneRun& run, const RunRecord& record,
                   bool left) {
   const std::string resume = left ? fmt::format("talus run --resume {}", order.folder.string()) : "";
-  fmt::print("{}", options.json ? summary_json(record, resume) : run_summary(record, run.parts()));
+  fmt::print("{}", options.json ? summary_json(record, resume) : run_summary(record, run.parts(), options.all));
   if (options.json || order.folder.empty()) return;
   fmt::print("files: {}: {}{}\n", order.folder.string(), fmt::join(run.file_names(), ", "),
              left ? fmt::format(", {}", checkpoint_name) : "");
@@ -104,28 +129,36 @@ int run(const RunOptions& options) {
   const std::unique_ptr<FolderLock> lock = prepare(order);
   const std::unique_ptr<SceneRun> run = standing_run(order, options.frames);
   if (run->watch().step_is_beyond()) {
-    print_failure(fmt::format("warning: {}; the answer may grow without bound; {} repairs it",
+    print_failure(fmt::format("warning: {}; the answer may grow without bound; {} chooses its own steps",
                               run->watch().step_ratio(), repair_command(options)));
   }
 
   // Without a folder there is nowhere to leave the run: a signal then ends the program as usual.
   std::optional<Interruption> interruption;
   if (!order.folder.empty()) interruption.emplace();
-  const double until = run->standing().start + static_cast<double>(last) * order.file.scene.plan.step;
+  const StopCondition interrupted = [&](const State&) { return interruption && interruption->signal() != 0; };
   const Scene& scene = order.file.scene;
+  const double until = run->standing().start + static_cast<double>(last) * scene.plan.step;
   bool there = false;
-  Outcome outcome = run->go_on([&](const State& seen) {
+  Outcome outcome = followed(order, *run, [&](const State& seen) {
     there = scene.early_end && reached(*scene.early_end, scene.model, seen);
-    return there || seen.t >= until || (interruption && interruption->signal() != 0);
+    return there || seen.t >= until || interrupted(seen);
   });
   if (there) outcome.kind = Outcome::Kind::finished;
   if (!outcome && run->watch().breach().empty() && !run->watch().step_ratio().empty())
     outcome.words += fmt::format("; {}", run->watch().step_ratio());
 
   const bool left = !there && (outcome.kind == Outcome::Kind::stopped || (outcome && !options.until.empty()));
-  const RunRecord record = run->record(outcome);
+  RunRecord record = run->record(outcome);
+  if (record.fence && !left) {
+    if (!record.quality.flaw.empty() && !chooses_steps(scene.integrator)) {
+      record.quality.repair = repair_run(order.file, record, interrupted);
+    } else if (order.sheet && outcome) {
+      record.quality.repeat = repeat_run(order.file, record, interrupted);
+    }
+  }
   if (!order.folder.empty()) write_files(order, *run, record, left);
-  if (order.sheet && run_report_tool({"--sheet", order.folder.string()}) != 0)
+  if (order.sheet && run_report_tool({"--sheet", order.folder.string()}, true) != 0)
     throw IoError{fmt::format("{}: the sheet was not made", (order.folder / "sheet.json").string())};
   print_result(options, order, *run, record, left);
   for (const std::string& warning : record.warnings)
@@ -161,6 +194,7 @@ Command add_run(CLI::App& talus) {
   app->add_flag("--sheet", options->sheet,
                 "of a fence: the engineer's sheet, one page as sheet.pdf and sheet.html, its numbers in sheet.json");
   app->add_flag("--json", options->json, "print the summary as JSON");
+  app->add_flag("--all", options->all, "print all tables: extremes of every quantity, all bodies, what a step costs");
   app->add_option("--end", options->end, "time at which the run ends instead of the scene's, e.g. \"5 s\"");
   app->add_option(
       "--step", options->step,

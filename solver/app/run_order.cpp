@@ -62,13 +62,21 @@ RunOrder new_order(const RunOptions& options) {
   return order;
 }
 
+/// Whether the run of a checkpoint writes a sheet.
+bool holds_sheet(const MemoryItems& memory) {
+  const auto item = memory.find("sheet");
+  if (item == memory.end()) return false;
+  const auto* numbers = std::get_if<std::vector<double>>(&item->second);
+  return numbers && *numbers == std::vector{1.0};
+}
+
 /// A run that stands, as its checkpoint says.
 RunOrder resumed_order(const RunOptions& options) {
   const fs::path file = fs::path{options.resume} / checkpoint_name;
   Checkpoint checkpoint = read_checkpoint(file, TALUS_VERSION);
   if (checkpoint.memory.contains("choices.integrator"))
     throw InputError{file.string() + ": it is of a shear cell; `talus cell --resume` takes it on"};
-  const bool sheet = checkpoint.memory.contains("sheet.time");
+  const bool sheet = holds_sheet(checkpoint.memory);
   for (const auto& [name, given] : {std::pair{"--end", !options.end.empty()},
                                     {"--step", !options.step.empty()},
                                     {"--integrator", !options.integrator.empty()},

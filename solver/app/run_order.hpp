@@ -21,6 +21,7 @@ struct RunOptions {
   std::string integrator;
   double tolerance{};
   bool json{false};
+  bool all{false};  ///< all tables of the summary
   bool sheet{false};
   long frames{};  ///< states of the geometry; 0: as the scene says
 };

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
+#include <span>
+
+#include "solver/app/verdict_text.hpp"
 
 namespace talus::app {
 namespace {
@@ -24,6 +28,8 @@ class Page {
 void head(Page& page, const RunRecord& record) {
   const std::string time = symbol(record.units, dimension::time);
   page.line("{}", record.title);
+  for (const std::string& line : verdict_lines(record))
+    page.line("  {}", line);
   if (record.outcome) {
     const bool finished = record.outcome.kind == Outcome::Kind::finished;
     page.line("  outcome      {} at t = {:.10g} {}", finished ? "finished" : "stopped", record.outcome.time, time);
@@ -53,7 +59,8 @@ void step_parts(Page& page, const StepParts::Found& parts) {
       t.step, t.contacts, t.cables, t.bodies, t.integration, t.observers);
 }
 
-void final_state(Page& page, const RunRecord& record) {
+/// Not `all`: of a large scene the first bodies.
+void final_state(Page& page, const RunRecord& record, bool all) {
   const UnitSystem& units = record.units;
   const std::string length = symbol(units, dimension::length);
   const std::string speed = symbol(units, dimension::velocity);
@@ -61,10 +68,13 @@ void final_state(Page& page, const RunRecord& record) {
   page.line("  {:<14}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}", "body", "x", "y", "angle", "vx", "vy", "spin");
   page.line("  {:<14}{:>14}{:>14}{:>14}{:>14}{:>14}{:>14}", "", length, length, "rad", speed, speed,
             symbol(units, dimension::angular_velocity));
-  for (const BodyState& body : record.bodies) {
+  constexpr std::size_t most = 20;
+  const std::size_t shown = all ? record.bodies.size() : std::min(most, record.bodies.size());
+  for (const BodyState& body : std::span{record.bodies}.first(shown)) {
     page.line("  {:<14}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}{:>14.7g}", body.name, body.p.x, body.p.y,
               body.angle, body.v.x, body.v.y, body.spin);
   }
+  if (shown < record.bodies.size()) page.line("  {} more: --all, or final_state.json", record.bodies.size() - shown);
 }
 
 void failures(Page& page, const RunRecord& record) {
@@ -112,13 +122,13 @@ void ledger(Page& page, const RunRecord& record) {
 
 }  // namespace
 
-std::string run_summary(const RunRecord& record, const StepParts::Found& parts) {
+std::string run_summary(const RunRecord& record, const StepParts::Found& parts, bool all) {
   Page page;
   head(page, record);
-  step_parts(page, parts);
-  final_state(page, record);
+  if (all) step_parts(page, parts);
+  final_state(page, record, all);
   failures(page, record);
-  extremes(page, record);
+  if (all) extremes(page, record);
   ledger(page, record);
   if (!record.watched.empty()) page.line("watched");
   for (const std::string& seen : record.watched)

@@ -5,12 +5,12 @@
 #include <chrono>
 #include <ctime>
 
-#include "solver/app/progress.hpp"
 #include "solver/io/atomic_file.hpp"
 #include "solver/io/csv.hpp"
 #include "solver/io/fence_sheet.hpp"
 #include "solver/io/json.hpp"
 #include "solver/io/plot_record.hpp"
+#include "solver/scenes/fence_plausibility.hpp"
 #include "solver/state/state_memory.hpp"
 
 namespace talus::app {
@@ -28,9 +28,10 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       recorder_{dynamics_, standing_.state, file.scene.plan.ledger},
       failures_{dynamics_},
       watch_{file.scene, dynamics_, standing_.state},
+      sheet_{sheet},
       parts_{dynamics_, file.scene.plan.ledger} {
   if (!folder.empty()) files_.emplace(file, dynamics_, folder, scene, frames);
-  if (sheet) sheet_.emplace(file.fence->fence, file.fence->made, dynamics_);
+  if (file.fence) fence_.emplace(file.fence->fence, file.fence->made, dynamics_);
 }
 
 State SceneRun::begun(State state) {
@@ -46,20 +47,20 @@ void SceneRun::remember(Memory& memory) {
   memory.part("failures", [&] { failures_.remember(memory); });
   memory.part("watch", [&] { watch_.remember(memory); });
   if (files_) memory.part("files", [&] { files_->remember(memory); });
-  if (sheet_) memory.part("sheet", [&] { sheet_->remember(memory); });
+  if (fence_) memory.part("fence", [&] { fence_->remember(memory); });
+  memory.flag("sheet", sheet_);
 }
 
 void SceneRun::bring_files(const std::filesystem::path& from) {
   if (files_) files_->bring_files(from);
 }
 
-Outcome SceneRun::go_on(const StopCondition& stop) {
-  Progress progress;
+Outcome SceneRun::go_on(const StopCondition& stop, Progress& progress) {
   const auto observe = [&](const State& seen, const StepInfo& info) {
     recorder_(seen, info);
     failures_(seen, info);
     if (files_) (*files_)(seen, info);
-    if (sheet_) (*sheet_)(seen, info);
+    if (fence_) fence_->look(seen, info, recorder_.work(), recorder_.forces());
     if (info.step % 256 == 0 && progress.due()) {
       const double end = scene_->plan.end;
       progress.show(fmt::format("t = {:.5g} of {:.5g}  ({:3.0f} %)", seen.t, end, 100.0 * seen.t / end));
@@ -103,6 +104,36 @@ Outcome SceneRun::go_on(const StopCondition& stop) {
   return outcome;
 }
 
+RunQuality SceneRun::quality(const Outcome& outcome) const {
+  RunQuality found;
+  if (scene_->plan.ledger) {
+    found.balance = watch_.drift();
+    found.balance_time = watch_.drift_time();
+    if (!(watch_.drift() <= largest_balance_error)) {
+      found.flaw = fmt::format("the energy balance is off by {:.3g} % of the largest energy", 100.0 * watch_.drift());
+    }
+  }
+  if (!outcome) found.flaw = outcome.words;
+  if (located_events(standing_.integrator)) {
+    found.step = fmt::format("steps chosen by {}, events located", name(standing_.integrator));
+    if (tolerance(standing_.integrator) > 0.0)
+      found.step += fmt::format(", tolerance {:g}", tolerance(standing_.integrator));
+  } else if (tolerance(standing_.integrator) > 0.0) {
+    found.step =
+        fmt::format("steps chosen by {}, tolerance {:g}", name(standing_.integrator), tolerance(standing_.integrator));
+  } else if (const Watch::Extreme& acting = watch_.extreme(Watched::frequency); acting.seen) {
+    found.step = fmt::format("step {:.3g} times its linear limit", acting.value);
+    if (watch_.step_is_beyond()) found.step += ", beyond it with all contacts closed";
+  } else {
+    found.step = "step without a known limit";
+  }
+  if (const Watch::Extreme& shortest = watch_.extreme(Watched::contact); shortest.seen)
+    found.contact_steps = shortest.value;
+  if (const auto last = watch_.last_contact())
+    found.last_contact = {scene_->model.contacts[index(last->contact)].name, last->time, last->touching};
+  return found;
+}
+
 RunRecord SceneRun::record(Outcome outcome) const {
   RunRecord record;
   record.outcome = std::move(outcome);
@@ -123,8 +154,17 @@ RunRecord SceneRun::record(Outcome outcome) const {
   record.hangers_left = hanger_states(dynamics_, seen_);
   record.failures = failures_.failures();
   record_history(record, recorder_);
-  record.watched = watch_lines(watch_, *scene_);
+  record.quality = quality(record.outcome);
   record.warnings = watch_.warnings();
+  if (fence_) {
+    record.fence = fence_->summary();
+    const auto warn = [&](const std::vector<std::string>& found) {
+      record.warnings.insert(record.warnings.end(), found.begin(), found.end());
+    };
+    warn(scenes::implausible_geometry(file_->fence->fence, file_->fence->made));
+    warn(scenes::implausible_motion(file_->fence->fence, *record.fence));
+  }
+  record.watched = watch_lines(watch_, *scene_);
   if (files_) record.notes = files_->left_out();
   return record;
 }
@@ -134,7 +174,7 @@ void SceneRun::write(const RunRecord& record) const {
   write_whole(folder_ / "final_state.json", final_state_json(record));
   write_whole(folder_ / "plot.json", plot_json(record, "history.csv", files_->drawn_from()));
   files_->write();
-  if (sheet_) write_whole(folder_ / "sheet.json", sheet_json(record, *file_->fence, dynamics_, *sheet_));
+  if (sheet_) write_whole(folder_ / "sheet.json", sheet_json(record, *file_->fence, dynamics_, *fence_));
 }
 
 std::vector<std::string> SceneRun::file_names() const {

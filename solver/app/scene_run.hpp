@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/app/progress.hpp"
 #include "solver/app/scene_files.hpp"
 #include "solver/app/step_parts.hpp"
 #include "solver/calibrate/watch.hpp"
@@ -18,7 +19,7 @@ namespace talus::app {
 class SceneRun {
  public:
   /// `folder` empty: nothing is written. `scene` names files, `frames` is the number of states of the geometry: see
-  /// SceneFiles. With `sheet` a fence's summary is kept too. The scene must outlive it. Errors: as SceneFiles.
+  /// SceneFiles. With `sheet` a fence's sheet is among its files. The scene must outlive it. Errors: as SceneFiles.
   SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene, long frames,
            bool sheet);
 
@@ -27,8 +28,8 @@ class SceneRun {
   /// After it was put back: brings what was written to the folder in which the run stood. Errors: IoError.
   void bring_files(const std::filesystem::path& from);
 
-  /// Takes the run on to its plan's end or until `stop`. Errors: IoError.
-  Outcome go_on(const StopCondition& stop);
+  /// Takes the run on to its plan's end or until `stop`, and shows how far it is. Errors: IoError.
+  Outcome go_on(const StopCondition& stop, Progress& progress);
   /// What was watched so far.
   const Watch& watch() const { return watch_; }
 
@@ -45,6 +46,7 @@ class SceneRun {
 
  private:
   State begun(State state);
+  RunQuality quality(const Outcome& outcome) const;
 
   const SceneFile* file_;
   const Scene* scene_;
@@ -58,7 +60,8 @@ class SceneRun {
   FailureLog failures_;
   Watch watch_;
   std::optional<SceneFiles> files_;
-  std::optional<scenes::FenceWatch> sheet_;
+  std::optional<scenes::FenceWatch> fence_;  ///< of a fence
+  bool sheet_{};
   StepParts parts_;
 };
 

@@ -80,4 +80,10 @@ struct CountField {
 template <class Enum>
 struct Names;
 
+/// The name of a value in that list.
+template <class Enum>
+[[nodiscard]] constexpr std::string_view name_of(Enum value) {
+  return Names<Enum>::list[static_cast<std::size_t>(value)];
+}
+
 }  // namespace talus

@@ -193,6 +193,20 @@ double automatic_step(const Scene& scene) {
       name(scene.integrator))};
 }
 
+double output_step(const Scene& scene) {
+  constexpr double rows = 1000.0, most_per_row = 1000.0;
+  constexpr double outputs_per_contact = 20.0;   // the peak of half a sine is missed by at most (pi/40)^2/2
+  constexpr std::size_t most_coordinates = 150;  // the springs of a scene cost n^2
+  double shortest = std::numeric_limits<double>::infinity();
+  if (scene.initial.q.size() <= most_coordinates) {
+    const Dynamics dynamics{scene.model};
+    for (const SpringAdvice& spring : advise_step(dynamics, scene.initial).springs)
+      shortest = std::min(shortest, spring.contact_time);
+  }
+  const double wanted = shortest > 0.0 ? std::ceil(outputs_per_contact * scene.plan.end / (rows * shortest)) : 1.0;
+  return scene.plan.end / (rows * std::clamp(wanted, 1.0, most_per_row));
+}
+
 std::optional<double> linear_limit(std::string_view integrator, double damping_ratio) {
   const double xi = damping_ratio;
   if (integrator == CentralDifference::name || integrator == VelocityVerlet::name || integrator == EulerCromer::name) {

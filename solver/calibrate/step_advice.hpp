@@ -68,4 +68,9 @@ inline constexpr std::string_view automatic_step_name = "auto";
 /// Errors: InputError where neither says anything, and where the method grows at any step.
 [[nodiscard]] double automatic_step(const Scene& scene);
 
+/// Time between two outputs of a method that chooses its own steps [T], where the scene gives none: the run's end over
+/// a multiple of 1000. A 20th of the shortest contact time and of the shortest half period of a cable, so that the
+/// largest forces are seen to 0.3 %; but at least end/1e6, and end/1000 for scenes of more than 150 coordinates.
+[[nodiscard]] double output_step(const Scene& scene);
+
 }  // namespace talus

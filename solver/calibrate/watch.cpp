@@ -19,8 +19,6 @@ constexpr double deepest_share = 0.5;
 constexpr double deep_share = 0.25;
 /// A contact of fewer steps errs by more than 5 % of its speed (0.45/N with a dashpot, the worst over all phases).
 constexpr double fewest_steps = 10.0;
-/// Share of the energy scale by which the ledger may fail to close.
-constexpr double largest_drift = 0.01;
 
 constexpr std::size_t most_coordinates = 150;
 constexpr long looks = 64, frequency_looks = 512;
@@ -98,6 +96,8 @@ void Watch::look(const State& seen, long step, const std::optional<Balance>& bal
     look_at_frequency(seen);
   }
   if (changed && fixed_step_ && rules.accuracy != Breach::off) look_at_contacts(seen);
+  if (step == 0 || changed) follow_contacts(seen);
+  if (last_.touching) last_.time = seen.t;
   if (changed) modes_ = seen.mode;
   if ((rules.tunnelling != Breach::off || rules.accuracy != Breach::off) && (step % 8 == 0 || touches(seen))) {
     look_at_pairs(seen);
@@ -111,6 +111,27 @@ bool Watch::touches(const State& seen) const {
   const auto first = seen.mode.begin();
   return std::any_of(first, first + static_cast<std::ptrdiff_t>(dynamics_->contacts().size()),
                      [](Mode mode) { return mode != 0; });
+}
+
+/// Before modes_ are those of the state.
+void Watch::follow_contacts(const State& seen) {
+  const std::size_t count = dynamics_->contacts().size();
+  std::optional<std::size_t> acts, ended;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (seen.mode[i] != 0) {
+      acts = i;
+    } else if (modes_[i] != 0) {
+      ended = i;
+    }
+  }
+  if (!acts && !ended) return;
+  touched_ = true;
+  last_ = {contact_of(*dynamics_, acts ? *acts : *ended), seen.t, acts.has_value()};
+}
+
+std::optional<Watch::LastContact> Watch::last_contact() const {
+  if (!touched_) return std::nullopt;
+  return last_;
 }
 
 void Watch::look_at_frequency(const State& seen) {
@@ -217,18 +238,18 @@ void Watch::look_at_drift(const State& seen, const std::optional<Balance>& balan
   const double error = std::abs(now.error);
   if (!(error <= balance_.error)) balance_.error = error, drift_time_ = seen.t;
   balance_.scale = std::max(balance_.scale, now.scale);
-  if (scene_->plan.watch.accuracy == Breach::error && !(drift() <= largest_drift)) breach_ = drift_words();
+  if (scene_->plan.watch.accuracy == Breach::error && !(drift() <= largest_balance_error)) breach_ = drift_words();
 }
 
 std::string Watch::drift_words() const {
   return fmt::format("at t = {:.6g} the energy balance is off by {:.3g} % of the largest energy, more than {:g} %",
-                     drift_time_, 100.0 * drift(), 100.0 * largest_drift);
+                     drift_time_, 100.0 * drift(), 100.0 * largest_balance_error);
 }
 
 std::vector<std::string> Watch::warnings() const {
   std::vector<std::string> all = warnings_;
   const bool judged = scene_->plan.ledger && scene_->plan.watch.accuracy == Breach::warning;
-  if (judged && !(drift() <= largest_drift)) all.push_back(drift_words());
+  if (judged && !(drift() <= largest_balance_error)) all.push_back(drift_words());
   return all;
 }
 
@@ -239,6 +260,14 @@ void Watch::remember(Memory& memory) {
   memory.number("balance_error", balance_.error);
   memory.number("balance_scale", balance_.scale);
   memory.number("drift_time", drift_time_);
+  memory.flag("touched", touched_);
+  memory.flag("touching", last_.touching);
+  memory.number("last_contact_time", last_.time);
+  long contact = static_cast<long>(index(last_.contact));
+  memory.count("last_contact", contact);
+  if (contact != 0 && contact >= static_cast<long>(dynamics_->model().contacts.size()))
+    throw InputError{fmt::format("last_contact: found {}; there are {}", contact, dynamics_->model().contacts.size())};
+  last_.contact = static_cast<ContactId>(contact);
   std::vector<double> numbers;
   for (std::size_t i = 0; i < watched_count; ++i) {
     const Extreme& e = extremes_[i];

@@ -21,6 +21,9 @@ enum class Watched : std::size_t {
 };
 inline constexpr std::size_t watched_count = 5;
 
+/// Largest error of the energy balance over the largest energy that a run is not warned of.
+inline constexpr double largest_balance_error = 0.01;
+
 /// Watches over a run: how near each number came to its limit, and when. Nothing that it does changes the run.
 /// - frequency is looked at where contacts or cables begin or end to act, at most 512 times a run, and 64 times in any
 ///   case, of scenes of up to 150 coordinates and methods whose limit is known (linear_limit());
@@ -54,6 +57,15 @@ class Watch {
   double drift() const { return balance_.scale > 0.0 ? balance_.error / balance_.scale : 0.0; }
   double drift_time() const { return drift_time_; }
 
+  /// The contact that ended last, and when; while `touching`, one that acts in the state seen last.
+  struct LastContact {
+    ContactId contact{};
+    double time{};  ///< of the first step after it, or of the last step [T]
+    bool touching{};
+  };
+  /// Empty where nothing has touched.
+  std::optional<LastContact> last_contact() const;
+
   /// The step against the method's linear limit with all contacts closed and all cables taut; empty where no limit is
   /// known.
   const std::string& step_ratio() const { return step_ratio_; }
@@ -70,6 +82,7 @@ class Watch {
 
  private:
   bool touches(const State& seen) const;
+  void follow_contacts(const State& seen);
   void look_at_frequency(const State& seen);
   void look_at_pairs(const State& seen);
   void look_at_unseen(const State& seen);
@@ -100,6 +113,8 @@ class Watch {
   std::array<double, watched_count> reported_{};  ///< the limits beyond which each was said to be; 0: none yet
   Balance balance_;                               ///< the largest error so far, and the scale
   double drift_time_{};
+  LastContact last_;
+  bool touched_{};  ///< something has touched
   std::string step_ratio_;
   bool step_is_beyond_{};
   std::string breach_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "solver/io/json.hpp"
 #include "solver/model/outline.hpp"
 
 namespace talus {
@@ -21,11 +22,22 @@ class Sheet {
       : record_{record}, input_{input}, dynamics_{dynamics}, watch_{watch}, summary_{watch.summary()} {}
 
   Json json() const {
-    return {{"schema", 1},          {"title", record_.title}, {"units", "SI"},
-            {"run", run()},         {"fence", fence()},       {"rocks", rocks()},
-            {"layers", layers()},   {"columns", columns()},   {"segments", segments()},
-            {"anchors", anchors()}, {"events", events()},     {"energy", energy()},
-            {"drawing", drawing()}, {"history", history()}};
+    return {{"schema", 2},
+            {"title", record_.title},
+            {"units", "SI"},
+            {"verdict", name_of(summary_.verdict())},
+            {"quality", quality_json(record_.quality, si_size(record_.units, dimension::time))},
+            {"run", run()},
+            {"fence", fence()},
+            {"rocks", rocks()},
+            {"layers", layers()},
+            {"columns", columns()},
+            {"segments", segments()},
+            {"anchors", anchors()},
+            {"events", events()},
+            {"energy", energy()},
+            {"drawing", drawing()},
+            {"history", history()}};
   }
 
  private:
@@ -66,6 +78,7 @@ class Sheet {
             {"sag", length(fence.sag)},
             {"spacing", length(fence.spacing)},
             {"bottom_cable", fence.connections == 2},
+            {"scene_units", record_.units.name},
             {"travel", length(summary_.travel)},
             {"travel_time", time(summary_.at_travel.t)}};
   }
@@ -99,7 +112,11 @@ Json Sheet::rocks() const {
               {"approach_velocity", velocity(rock.approach_velocity)},
               {"approach_spin", rock.approach_spin},
               {"approach_energy", in_si(rock.approach_energy, dimension::energy)},
-              {"touched", rock.touched}};
+              {"touched", rock.touched},
+              {"verdict", name_of(rock.verdict)},
+              {"passed_time", time(rock.passed_time)},
+              {"end_velocity", velocity(rock.end_velocity)},
+              {"end_energy", in_si(rock.end_energy, dimension::energy)}};
     if (rock.touched) {
       json.update({{"touch_time", time(rock.touch_time)},
                    {"left", rock.left},

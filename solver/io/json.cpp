@@ -94,13 +94,65 @@ Json bodies(const RunRecord& record) {
   return json;
 }
 
+Json force(double peak, double time, double margin) {
+  return {{"peak", json_number(peak)}, {"time", json_number(time)}, {"margin", json_number(margin)}};
+}
+
+/// What the fence did, and the largest forces on its parts.
+Json verdict(const scenes::FenceSummary& fence) {
+  Json rocks = Json::array();
+  for (const scenes::RockPassage& rock : fence.rocks) {
+    rocks.push_back({{"name", rock.name},
+                     {"verdict", name_of(rock.verdict)},
+                     {"passed_time", json_number(rock.passed_time)},
+                     {"touched", rock.touched},
+                     {"last_contact_time", json_number(rock.exit_time)},
+                     {"still_touching", rock.touched && !rock.left},
+                     {"approach_energy", json_number(rock.approach_energy)},
+                     {"velocity_after", vector(rock.exit_velocity)},
+                     {"energy_after", json_number(rock.exit_energy)},
+                     {"velocity_at_end", vector(rock.end_velocity)},
+                     {"energy_at_end", json_number(rock.end_energy)}});
+  }
+  Json json{{"fence", name_of(fence.verdict())}, {"rocks", std::move(rocks)}};
+  if (const auto* anchor = fence.largest_anchor())
+    json["largest_anchor_force"] = force(anchor->force.peak, anchor->force.peak_time, 0.0);
+  if (const auto* cable = fence.largest_segment())
+    json["largest_cable_force"] = force(cable->peak, cable->peak_time, cable->margin());
+  if (const auto* hanger = fence.largest_hanger())
+    json["largest_hanger_force"] = force(hanger->hanger.peak, hanger->hanger.peak_time, hanger->margin());
+  return json;
+}
+
 }  // namespace
+
+nlohmann::ordered_json quality_json(const RunQuality& quality, double time_size) {
+  Json json{{"usable", quality.flaw.empty()}, {"flaw", quality.flaw}, {"step", quality.step}};
+  json["energy_balance"] = quality.balance ? Json(json_number(*quality.balance)) : Json("off");
+  if (quality.contact_steps) json["steps_in_shortest_contact"] = json_number(*quality.contact_steps);
+  if (const auto& last = quality.last_contact) {
+    json["last_contact"] = {
+        {"name", last->name}, {"time", json_number(last->time * time_size)}, {"touching", last->touching}};
+  }
+  if (const auto& repeat = quality.repeat) {
+    json["repeat"] = {{"change_of_speed", repeat->change},
+                      {"failure", repeat->failure},
+                      {"verdict", name_of(repeat->verdict)},
+                      {"change_of_largest_cable_force", json_number(repeat->cable_change)}};
+  }
+  if (const auto& repair = quality.repair) {
+    json["repair"] = {{"option", repair->option}, {"flaw", repair->flaw}, {"verdict", name_of(repair->verdict)}};
+    json["repair"]["energy_balance"] = repair->balance ? Json(json_number(*repair->balance)) : Json("off");
+  }
+  return json;
+}
 
 std::string summary_json(const RunRecord& record, const std::string& resume) {
   Json json{{"schema", 1},
             {"title", record.title},
             {"units", units(record.units)},
             {"outcome", outcome(record.outcome)},
+            {"quality", quality_json(record.quality)},
             {"integrator", record.integrator},
             {"step", json_number(record.plan.step)},
             {"end", json_number(record.plan.end)},
@@ -121,6 +173,7 @@ std::string summary_json(const RunRecord& record, const std::string& resume) {
             {"watched", record.watched},
             {"warnings", record.warnings},
             {"notes", record.notes}};
+  if (record.fence) json["verdict"] = verdict(*record.fence);
   if (!record.integrator_why.empty()) json["integrator_why"] = record.integrator_why;
   if (record.events) json["events"] = *record.events;
   if (!resume.empty()) json["resume"] = resume;

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "solver/base/error.hpp"
+#include "solver/io/atomic_file.hpp"
 #include "solver/io/toml_document.hpp"
 
 namespace talus {
@@ -69,6 +71,46 @@ RunFolder read_run_folder(const std::filesystem::path& folder) {
                                  error.what())};
   }
   return run;
+}
+
+namespace {
+
+/// Files of every run.
+constexpr std::array<std::string_view, 8> single{"history.csv", "final_state.json", "summary.json", "plot.json",
+                                                 "sheet.json",  "sheet.pdf",        "sheet.html",   "checkpoint.json"};
+
+bool ends_with_any(std::string_view name, std::initializer_list<std::string_view> ends) {
+  return std::any_of(ends.begin(), ends.end(), [&](std::string_view end) { return name.ends_with(end); });
+}
+
+/// The stem by which the run named its geometry, listing and histories; empty if it left no geometry.
+std::string stem_of(const std::filesystem::path& folder) {
+  try {
+    return std::filesystem::path{read_run_folder(folder).files.geometry}.stem().string();
+  } catch (const std::exception&) {
+    return {};  // no run, or one that was killed before it wrote its records
+  }
+}
+
+}  // namespace
+
+void remove_run(const std::filesystem::path& folder) {
+  const std::string stem = stem_of(folder);
+  if (!stem.empty()) {
+    remove_files(folder / "plots", [](std::string_view name) {
+      return ends_with_any(name, {".svg", ".pdf", ".ps", ".eps", ".png", ".gif", ".html"});
+    });
+    remove_files(folder / (stem + "_geometry"), [](std::string_view name) { return name.ends_with(".vtp"); });
+    std::error_code none;
+    std::filesystem::remove(folder / "plots", none);  // if nothing else is in them
+    std::filesystem::remove(folder / (stem + "_geometry"), none);
+  }
+  remove_files(folder, [&](std::string_view name) {
+    if (std::find(single.begin(), single.end(), name) != single.end()) return true;
+    return !stem.empty() && name.starts_with(stem) &&
+           (name.substr(stem.size()) == ".pvd" || name.substr(stem.size()) == ".OUT" ||
+            name.substr(stem.size()) == ".history.csv" || name.substr(stem.size()) == ".history.json");
+  });
 }
 
 }  // namespace talus

@@ -51,4 +51,8 @@ struct RunFolder {
 /// `talus cell` writes.
 [[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& folder);
 
+/// Removes what an earlier run of a scene left in a folder: its records, sheet, histories, listing, geometry and the
+/// pictures made of it. Files of other names stay, and what cannot be removed.
+void remove_run(const std::filesystem::path& folder);
+
 }  // namespace talus

@@ -130,7 +130,7 @@ void set_run(const SceneRun& run, Scene& scene) {
   } else if (run.step) {
     scene.plan.step = *run.step;
   } else if (chooses_steps(scene.integrator)) {
-    scene.plan.step = run.end / usual_rows;
+    scene.plan.step = output_step(scene);
   } else {
     table.fail("step", fmt::format("it is missing; {} has a fixed step: give it, or \"auto\"", name(scene.integrator)));
   }

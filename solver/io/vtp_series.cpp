@@ -143,6 +143,13 @@ void VtpSeries::bring_files(const std::filesystem::path& from) {
     if (!std::filesystem::equivalent(from, folder_)) write_whole(folder_ / path(file), text);
   }
   remove_stop();
+  // What a run that was killed wrote after its last checkpoint.
+  const std::filesystem::path geometry = folder_ / (name_ + "_geometry");
+  remove_remains(geometry, [](std::string_view) { return true; });
+  remove_files(geometry, [&](std::string_view name) {
+    const std::string whole = fmt::format("{}_geometry/{}", name_, name);
+    return std::none_of(files_.begin(), files_.end(), [&](const File& file) { return path(file) == whole; });
+  });
 }
 
 void VtpSeries::write_index() const {

@@ -51,6 +51,9 @@ class Recorder {
   void remember(Memory& memory);
 
   const History& history() const { return history_; }
+  /// The evaluation of the last step seen, of all bodies, for other observers of the same step.
+  Workspace& work() { return work_; }
+  const LawForces& forces() const { return forces_; }
   /// All columns at the last step seen.
   const std::vector<double>& row() const { return row_; }
   /// Empty when the ledger is off.

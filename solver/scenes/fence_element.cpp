@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "solver/geometry/gap.hpp"
+
 namespace talus::scenes {
 namespace {
 
@@ -62,6 +64,11 @@ Body body(const FenceElement& e, std::string name, FenceContact contact) {
   if (made.mobility != Mobility::fixed) made.force = e.force;
   if (turns(made.mobility)) made.moment = e.moment;
   return made;
+}
+
+double height_over(const Body& ground, const Pose& pose, Vec2 p) {
+  if (const auto* terrain = std::get_if<Terrain>(&ground.shape)) return -depth_below(*terrain, p - pose.p_WB).depth;
+  return dot(p - pose.p_WB, pose.R_WB * Vec2{0.0, 1.0});
 }
 
 }  // namespace talus::scenes

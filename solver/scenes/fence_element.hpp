@@ -3,6 +3,7 @@
 #include <string>
 
 #include "solver/geometry/mass_properties.hpp"
+#include "solver/geometry/pose.hpp"
 #include "solver/model/body.hpp"
 #include "solver/scenes/fence.hpp"
 
@@ -17,5 +18,8 @@ namespace talus::scenes {
 
 /// Its body, named and at its place, at rest.
 [[nodiscard]] Body body(const FenceElement& e, std::string name, FenceContact contact);
+
+/// Height of a point over the surface of the ground, a level or a terrain in its pose; < 0 below it [L].
+[[nodiscard]] double height_over(const Body& ground, const Pose& pose, Vec2 p);
 
 }  // namespace talus::scenes

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <variant>
 
-#include "solver/geometry/gap.hpp"
+#include "solver/scenes/fence_element.hpp"
 
 namespace talus::scenes {
 namespace {
@@ -25,10 +26,38 @@ double limit(const CableLaw& law) {
   return plastic ? std::min(plastic->yield, plastic->strength) : std::numeric_limits<double>::infinity();
 }
 
+/// The item with the largest value, the first of several; nullptr of an empty list.
+template <class Item, class Value>
+const Item* largest(const std::vector<Item>& items, Value&& value) {
+  const auto found = std::ranges::max_element(items, {}, value);
+  return found == items.end() ? nullptr : &*found;
+}
+
 /// The place of a column from the centre outwards, as its name says: 3 for "back_column-3".
 int place(const std::string& name) { return std::stoi(name.substr(name.find_first_of("123456789"))); }
 
 }  // namespace
+
+Verdict FenceSummary::verdict() const {
+  const auto less = [](const RockPassage& a, const RockPassage& b) { return a.verdict < b.verdict; };
+  return rocks.empty() ? Verdict::undecided : std::ranges::max_element(rocks, less)->verdict;
+}
+
+const AnchorRecord* FenceSummary::largest_anchor() const {
+  return largest(anchors, [](const AnchorRecord& anchor) { return anchor.force.peak; });
+}
+const SegmentRecord* FenceSummary::largest_segment() const {
+  return largest(segments, [](const SegmentRecord& segment) { return segment.peak; });
+}
+const SegmentRecord* FenceSummary::closest_segment() const {
+  return largest(segments, [](const SegmentRecord& segment) { return segment.margin(); });
+}
+const ColumnRecord* FenceSummary::largest_hanger() const {
+  return largest(columns, [](const ColumnRecord& column) { return column.hanger.peak; });
+}
+const ColumnRecord* FenceSummary::closest_hanger() const {
+  return largest(columns, [](const ColumnRecord& column) { return column.margin(); });
+}
 
 FenceWatch::FenceWatch(const Fence& fence, const FenceScene& made, const Dynamics& dynamics)
     : fence_{&fence}, made_{&made}, dynamics_{&dynamics}, work_{dynamics.workspace()}, rates_{made.scene.initial} {
@@ -97,9 +126,14 @@ void FenceWatch::list_parts() {
     rocks_.push_back(rock);
     summary_.rocks.push_back({.name = model.bodies[index(rock)].name, .mass = model.bodies[index(rock)].mass});
     auto& modes = touching_.emplace_back();
+    auto& crossings = crossings_.emplace_back();
     for (std::size_t c = 0; c < model.contacts.size(); ++c) {
       const Contact& contact = model.contacts[c];
       if (!(contact.a == rock && is_column(contact.b)) && !(contact.b == rock && is_column(contact.a))) continue;
+      const BodyId column = contact.a == rock ? contact.b : contact.a;
+      const auto& columns = summary_.columns;
+      const auto listed = std::ranges::find(columns, column, &ColumnRecord::body);
+      crossings.push_back({.column = static_cast<std::size_t>(listed - columns.begin())});
       for (std::size_t i = 0; i < dynamics_->layout().contact_instances[c]; ++i)
         modes.push_back(dynamics_->layout().contact_slots[c].mode + i);
     }
@@ -120,11 +154,8 @@ double FenceWatch::kinetic(std::size_t rock, const State& state) const {
 }
 
 double FenceWatch::height(Vec2 p) const {
-  const BodyId body = *made_->members.front().body;
-  const Pose ground = work_.poses[index(body)];
-  if (const auto* terrain = std::get_if<Terrain>(&dynamics_->model().bodies[index(body)].shape))
-    return -depth_below(*terrain, p - ground.p_WB).depth;
-  return dot(p - ground.p_WB, ground.R_WB * Vec2{0.0, 1.0});
+  const BodyId ground = *made_->members.front().body;
+  return height_over(dynamics_->model().bodies[index(ground)], now_->poses[index(ground)], p);
 }
 
 void FenceWatch::approach(std::size_t i, const State& before) {
@@ -138,10 +169,14 @@ void FenceWatch::begin(const State& state) {
   begun_ = true;
   time_ = state.t;
   summary_.start = summary_.at_travel = state;
+  directions_.clear();
   for (std::size_t i = 0; i < rocks_.size(); ++i) {
     State given = state;
     set_velocity(dynamics_->model(), given, rocks_[i], fence_->rocks[i].velocity, fence_->rocks[i].spin);
     approach(i, given);
+    const Vec2 velocity = fence_->rocks[i].velocity;
+    const double towards = fence_->column.position.x - fence_->rocks[i].position.x;
+    directions_.push_back(std::copysign(1.0, velocity.x != 0.0 ? velocity.x : towards));
   }
 }
 
@@ -149,7 +184,12 @@ void FenceWatch::operator()(const State& state, const StepInfo& info) {
   // All of it: of a sleeping column beside an awake one only half the pulls would be summed.
   dynamics_->update_all(state, work_);
   dynamics_->forces(state, work_, forces_);
-  dynamics_->rates(state, work_, rates_, false);
+  look(state, info, work_, forces_);
+}
+
+void FenceWatch::look(const State& state, const StepInfo& info, Workspace& evaluated, const LawForces& forces) {
+  now_ = &evaluated, forces_now_ = &forces;
+  dynamics_->rates(state, evaluated, rates_, false);
   if (!begun_) begin(state);
   watch_rocks(state);
   watch_columns(state);
@@ -162,10 +202,55 @@ void FenceWatch::operator()(const State& state, const StepInfo& info) {
   summary_.end = state;
 }
 
+bool FenceWatch::anything_broken(const State& state) const {
+  const auto& broken = now_->rigging.broken;
+  if (std::find(broken.begin(), broken.end(), true) != broken.end()) return true;
+  const Model& model = dynamics_->model();
+  for (std::size_t c = 0; c < model.cables.size(); ++c) {
+    if (std::holds_alternative<ElasticPlastic>(model.cables[c].law) &&
+        state.mode[dynamics_->layout().cable_slots[c].mode] == ElasticPlastic::broken)
+      return true;
+  }
+  return false;
+}
+
+/// After the step's touch is known.
+void FenceWatch::watch_passing(std::size_t i, const State& state) {
+  RockPassage& rock = summary_.rocks[i];
+  const Pose now = now_->poses[index(rocks_[i])];
+  rock.end_velocity = now.v_WB, rock.end_energy = kinetic(i, state);
+  rock.highest = std::max(rock.highest, height(now.p_WB));
+  rock.distance = std::abs(now.p_WB.x - fence_->column.position.x);
+  const double direction = directions_[i];
+  bool all = !crossings_[i].empty();
+  const Crossing* last = nullptr;
+  for (Crossing& crossing : crossings_[i]) {
+    const BodyId body = summary_.columns[crossing.column].body;
+    const Pose column = now_->poses[index(body)];
+    const double at_rest = dynamics_->model().bodies[index(body)].p_WB.x;
+    const bool beyond = direction * (now.p_WB.x - column.p_WB.x) > 0.0 && direction * (now.p_WB.x - at_rest) > 0.0;
+    // A rock that starts behind the fence has not passed it.
+    if (beyond && !crossing.beyond && state.t > summary_.start.t) {
+      crossing.time = state.t;
+      crossing.how = anything_broken(state)       ? Verdict::broke_through
+                     : now.p_WB.y > column.p_WB.y ? Verdict::passed_over
+                                                  : Verdict::passed_under;
+    }
+    crossing.beyond = beyond;
+    all = all && beyond;
+    if (!last || crossing.time >= last->time) last = &crossing;
+  }
+  rock.passed_time = all ? last->time : 0.0;
+  const double speed = direction * now.v_WB.x;
+  // Slower than a hundredth of its speed of approach it has no more than a ten-thousandth of the energy.
+  const bool still = rock.end_energy <= 1e-4 * rock.approach_energy;
+  rock.verdict = all ? last->how : rock.touched && (speed <= 0.0 || still) ? Verdict::stopped : Verdict::undecided;
+}
+
 void FenceWatch::watch_rocks(const State& state) {
   for (std::size_t i = 0; i < rocks_.size(); ++i) {
     RockPassage& rock = summary_.rocks[i];
-    const Pose now = work_.poses[index(rocks_[i])];
+    const Pose now = now_->poses[index(rocks_[i])];
     const bool touching = touches(i, state);
     if (touching && !rock.touched) {
       rock.touched = true;
@@ -173,6 +258,7 @@ void FenceWatch::watch_rocks(const State& state) {
       touch_x_[i] = now.p_WB.x;
       if (state.t > summary_.start.t) approach(i, summary_.end);
     }
+    watch_passing(i, state);
     if (!rock.touched) continue;
     const double way = rock.approach_velocity.x < 0.0 ? -1.0 : 1.0;
     const bool leaves = !touching && !rock.left;
@@ -191,10 +277,10 @@ void FenceWatch::watch_columns(const State& state) {
   const double h = state.t - time_;
   for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
     ColumnRecord& column = summary_.columns[i];
-    const bool broken = !work_.rigging.broken.empty() && work_.rigging.broken[hangers_[i]];
-    const Vec2 pull = broken ? Vec2{} : work_.joints.force(hangers_[i]);
+    const bool broken = !now_->rigging.broken.empty() && now_->rigging.broken[hangers_[i]];
+    const Vec2 pull = broken ? Vec2{} : now_->joints.force(hangers_[i]);
     add(column.hanger, {pull.x, pull.y, 0.0}, last_hanger_[i], state.t, h);
-    const Pose now = work_.poses[index(column.body)];
+    const Pose now = now_->poses[index(column.body)];
     const double travel = std::abs(now.p_WB.x - dynamics_->model().bodies[index(column.body)].p_WB.x);
     if (travel > column.travel) column.travel = travel, column.travel_time = state.t;
     if (travel > summary_.travel) summary_.travel = travel, summary_.at_travel = state;
@@ -205,7 +291,7 @@ void FenceWatch::watch_cables(const State& state) {
   const double h = state.t - time_;
   for (std::size_t i = 0; i < summary_.segments.size(); ++i) {
     SegmentRecord& segment = summary_.segments[i];
-    const double tension = forces_.tensions[index(segment.cable)];
+    const double tension = forces_now_->tensions[index(segment.cable)];
     if (tension > segment.peak) segment.peak = tension, segment.peak_time = state.t;
     segment.impulse += 0.5 * h * (last_tension_[i] + tension);
     last_tension_[i] = tension;
@@ -221,12 +307,12 @@ void FenceWatch::watch_anchors(const State& state) {
     for (std::size_t c = 0; c < cables.size(); ++c) {
       const auto [a, b] = cables.ends()[c];
       if (a != summary_.anchors[i].joint && b != summary_.anchors[i].joint) continue;
-      const Path path = work_.paths[c];
+      const Path path = now_->paths[c];
       const double way = a == summary_.anchors[i].joint ? 1.0 : -1.0;
       // The rest of the unit vector: through a broken hanger the cable does not run to its own joint.
       const double along = std::copysign(std::sqrt(std::max(0.0, 1.0 - dot(path.pull_A, path.pull_A))),
                                          cables.joints()[b].along - cables.joints()[a].along);
-      force = force + way * forces_.tensions[c] * Vec3{path.pull_A.x, path.pull_A.y, along};
+      force = force + way * forces_now_->tensions[c] * Vec3{path.pull_A.x, path.pull_A.y, along};
     }
     add(summary_.anchors[i].force, force, last_anchor_[i], state.t, h);
   }
@@ -238,7 +324,7 @@ void FenceWatch::watch_heights(const State& state) {
     double top = std::numeric_limits<double>::infinity(), bottom = -top;
     for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
       if (summary_.columns[i].layer != static_cast<int>(layer) + 1) continue;
-      const Pose column = work_.poses[index(summary_.columns[i].body)];
+      const Pose column = now_->poses[index(summary_.columns[i].body)];
       top = std::min(top, height(world_point(column, joints_[i][0])));
       bottom = std::max(bottom, height(world_point(column, joints_[i][1])));
     }
@@ -253,7 +339,7 @@ void FenceWatch::watch_heights(const State& state) {
 std::vector<double> FenceWatch::row(const State& state) const {
   std::vector<double> row{state.t};
   for (const BodyId rock : rocks_) {
-    const Pose now = work_.poses[index(rock)];
+    const Pose now = now_->poses[index(rock)];
     row.insert(row.end(), {now.p_WB.x, now.p_WB.y, now.v_WB.x});
   }
   double hanger = 0.0, top = 0.0, bottom = 0.0;

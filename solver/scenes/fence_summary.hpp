@@ -17,6 +17,16 @@ struct ForceRecord {
   Vec3 impulse{};      ///< its time integral over the run, what it is at rest included [F T]
 };
 
+/// What a fence did with a rock, the more serious the later; of a fence with several rocks the most serious one counts.
+/// A rock has passed a column when it is beyond the column and beyond the column's position at the start.
+enum class Verdict {
+  stopped,        ///< it touched a column, has not passed all, and no longer advances (or only at 1 % of its speed)
+  undecided,      ///< at the end of the run it still advances, or never reached the fence
+  passed_under,   ///< it passed all columns that it can touch, the last one below the column's centroid
+  passed_over,    ///< the same above it
+  broke_through,  ///< it passed with a hanger or a cable broken
+};
+
 /// How a rock passed. It touches the fence while the law of a contact with a column acts.
 struct RockPassage {
   std::string name;
@@ -35,6 +45,12 @@ struct RockPassage {
   double braking_time{};  ///< from the touch until the first step after which it no longer goes on along x; if it never
                           ///< turned, until its exit [T]
   double travel{};        ///< largest advance of its centre along x, from the touch to its exit [L]
+  Verdict verdict{Verdict::undecided};
+  double passed_time{};  ///< of the first step after which it has passed for good; 0 if it has not [T]
+  Vec2 end_velocity{};   ///< at the last step [L/T]
+  double end_energy{};   ///< kinetic, of translation and rotation, at the last step [F L]
+  double highest{};      ///< largest height of its centre over the ground [L]
+  double distance{};     ///< of its centre from the fence's plane at the last step [L]
 
   /// Share of the kinetic energy that it no longer has: (approach - exit)/approach. Work of gravity between the two is
   /// part of it.
@@ -96,6 +112,17 @@ struct FenceSummary {
   State start;      ///< the first state
   State at_travel;  ///< the state of the largest travel
   State end;        ///< the last state
+
+  /// Of the rock with which the fence did worst.
+  Verdict verdict() const;
+  /// The largest force on an anchor; nullptr where there is none.
+  const AnchorRecord* largest_anchor() const;
+  /// The largest tension, and the cable closest to its limit; nullptr where there is none.
+  const SegmentRecord* largest_segment() const;
+  const SegmentRecord* closest_segment() const;
+  /// The same of the hangers.
+  const ColumnRecord* largest_hanger() const;
+  const ColumnRecord* closest_hanger() const;
 };
 
 /// Watches a fence's run and sums it up. Every step counts; integrals are trapezoids between steps.
@@ -105,6 +132,8 @@ class FenceWatch {
   FenceWatch(const Fence& fence, const FenceScene& made, const Dynamics& dynamics);
 
   void operator()(const State& state, const StepInfo& info);
+  /// The same of a state that is evaluated already: by update_all() and forces().
+  void look(const State& state, const StepInfo& info, Workspace& evaluated, const LawForces& forces);
   /// Names what it carries from one step to the next; one of the same run goes on from it.
   void remember(Memory& memory);
 
@@ -119,6 +148,8 @@ class FenceWatch {
   void begin(const State& state);
   void approach(std::size_t rock, const State& before);
   void watch_rocks(const State& state);
+  void watch_passing(std::size_t rock, const State& state);
+  bool anything_broken(const State& state) const;
   void watch_columns(const State& state);
   void watch_cables(const State& state);
   void watch_anchors(const State& state);
@@ -133,6 +164,8 @@ class FenceWatch {
   const Dynamics* dynamics_;
   Workspace work_;
   LawForces forces_;
+  const Workspace* now_{};  ///< of the state that is looked at
+  const LawForces* forces_now_{};
   Rates rates_;
   std::vector<BodyId> rocks_;
   std::vector<std::array<Vec2, 2>> joints_;         ///< top and bottom joint of each column, in its axes [L]
@@ -143,8 +176,25 @@ class FenceWatch {
   double time_{};  ///< of the step before
   bool begun_{false};
   std::vector<double> touch_x_;  ///< of each rock at its touch
+  /// A rock and a column that it can touch.
+  struct Crossing {
+    std::size_t column{};  ///< in FenceSummary::columns
+    bool beyond{};         ///< the rock has passed it
+    Verdict how{Verdict::undecided};
+    double time{};  ///< [T]
+  };
+  std::vector<std::vector<Crossing>> crossings_;  ///< of each rock
+  std::vector<double> directions_;                ///< +-1: along x, in which each rock comes
   std::vector<Vec3> last_hanger_, last_anchor_;
   std::vector<double> last_tension_;
 };
 
 }  // namespace talus::scenes
+
+namespace talus {
+template <>
+struct Names<scenes::Verdict> {
+  static constexpr std::array<std::string_view, 5> list{"stopped", "undecided", "passed_under", "passed_over",
+                                                        "broke_through"};
+};
+}  // namespace talus

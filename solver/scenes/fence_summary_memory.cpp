@@ -2,11 +2,21 @@
 
 #include <algorithm>
 
+#include "solver/base/error.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "solver/state/state_memory.hpp"
 
 namespace talus::scenes {
 namespace {
+
+/// Errors: InputError where the number in the checkpoint is none of a verdict.
+void remember(Memory& memory, std::string_view name, Verdict& verdict) {
+  constexpr long count = Names<Verdict>::list.size();
+  long number = static_cast<long>(verdict);
+  memory.count(name, number);
+  if (number >= count) throw InputError{fmt::format("{}: found {}; it must be below {}", name, number, count)};
+  verdict = static_cast<Verdict>(number);
+}
 
 void remember(Memory& memory, ForceRecord& record) {
   memory.number("peak", record.peak);
@@ -29,6 +39,12 @@ void remember(Memory& memory, RockPassage& rock) {
   memory.flag("turned", rock.turned);
   memory.number("braking_time", rock.braking_time);
   memory.number("travel", rock.travel);
+  remember(memory, "verdict", rock.verdict);
+  memory.number("passed_time", rock.passed_time);
+  memory.vector("end_velocity", rock.end_velocity);
+  memory.number("end_energy", rock.end_energy);
+  memory.number("highest", rock.highest);
+  memory.number("distance", rock.distance);
 }
 
 void remember(Memory& memory, LayerRecord::Height& height) {
@@ -54,6 +70,14 @@ void FenceWatch::remember(Memory& memory) {
   memory.number("time", time_);
   memory.numbers("touch_x", touch_x_);
   memory.numbers("last_tension", last_tension_);
+  memory.list("directions", directions_);
+  for (std::size_t i = 0; i < crossings_.size(); ++i) {
+    each(memory, fmt::format("crossing_{}", i), crossings_[i], [&](Crossing& crossing) {
+      memory.flag("beyond", crossing.beyond);
+      scenes::remember(memory, "how", crossing.how);
+      memory.number("time", crossing.time);
+    });
+  }
   each(memory, "last_hanger", last_hanger_, force);
   each(memory, "last_anchor", last_anchor_, force);
   each(memory, "rock", s.rocks, [&](RockPassage& rock) { scenes::remember(memory, rock); });

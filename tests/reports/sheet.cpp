@@ -1,11 +1,13 @@
 /// A fence's sheet from a record made by hand, whose numbers in feet, pounds and kips can be told at sight.
 #define BOOST_TEST_MODULE reports_sheet
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 
 #include "reports/error.hpp"
 #include "reports/file.hpp"
 #include "reports/process.hpp"
 #include "reports/sheet_tables.hpp"
+#include "reports/sheet_verdict.hpp"
 #include "tests/reports/scratch.hpp"
 
 using namespace talus::reports;
@@ -39,38 +41,87 @@ BOOST_AUTO_TEST_CASE(numbers_in_both_systems) {
   const SheetRecord record = read_sheet(record_file);
   const SheetTable rocks = rock_table(record);
   // 1000 lb; 13 m/s = 42.65 ft/s; 1 kJ = 737.56 ft lbf; exit 5 m/s.
-  BOOST_TEST((rocks.rows.at(0) == Row{"rock", "453.6", "1000", "13", "42.65", "1", "0.7376", "0.1000", "0.3000", "5",
-                                      "16.4", "-3", "-9.843", "0.25", "0.1844", "75.0", "0.2000", "0.3048", "1"}));
-  BOOST_TEST(rocks.rows.at(1).at(7) == "never");
-  BOOST_TEST(contains(rocks.note, "braking until its exit: rock."));
+  BOOST_TEST((rocks.rows.at(0) == Row{"rock", "453.6 (1000)", "13 (42.65)", "1 (0.7376)", "0.1000", "0.3000",
+                                      "5 (16.4)", "0.25 (0.1844)", "75.0", "0.2000", "0.3048 (1)"}));
+  BOOST_TEST(rocks.rows.at(1).at(4) == "never");
   // One kip, straight up, 5 kN s; the segment's 10 kip are 89 % of its limit; the bottom cable never pulled.
-  BOOST_TEST((table(record, "Hangers").rows.at(0) == Row{"column1", "4.448", "1", "0.2000", "50.0", "90", "5", "1.124",
-                                                         "44.48", "10", "0.2100", "89.0", "slack", "", "", ""}));
+  BOOST_TEST((table(record, "Hangers").rows.at(0) == Row{"column1", "4.448 (1)", "0.2000", "50.0", "90", "5 (1.124)",
+                                                         "44.48 (10)", "0.2100", "89.0", "slack", "", ""}));
   BOOST_TEST((table(record, "Anchors").rows.at(0) ==
-              Row{"1, 5 m", "5", "1.124", "0.2200", "0.000", "-0.600", "-0.800", "0.05", "0.01124"}));
+              Row{"1, 5 m", "5 (1.124)", "0.2200", "0.00", "-0.60", "-0.80", "0.05 (0.01124)"}));
   BOOST_TEST(contains(table(record, "Anchors").note, "the same with -z"));
   BOOST_TEST((table(record, "Order").rows.at(0) == Row{"0.21100", "cable 'top1'", "yields"}));
-  const SheetTable heights = table(record, "Travel");
-  BOOST_TEST((heights.rows.at(0) == Row{"largest travel of a column", "1.5", "4.921", "0.2500"}));
-  BOOST_TEST((heights.rows.at(2) == Row{"lowest top joint, least", "1.524", "5", "0.2000"}));
-  BOOST_TEST((heights.rows.at(5) == Row{"gap below, largest", "0.75", "2.461", "0.1000"}));
+  const SheetTable heights = table(record, "Heights");
+  BOOST_TEST(
+      (heights.rows.at(0) == Row{"lowest top joint (minimum)", "3.048 (10)", "1.524 (5)", "0.2000", "2 (6.562)"}));
+  BOOST_TEST((heights.rows.at(1) ==
+              Row{"gap below the columns (maximum)", "0.5 (1.64)", "0.75 (2.461)", "0.1000", "0.25 (0.8202)"}));
+  BOOST_TEST(
+      (heights.rows.at(2) == Row{"displacement of a column along x (maximum)", "", "1.5 (4.921)", "0.2500", ""}));
   const SheetTable energy = table(record, "Energy");
   BOOST_TEST(energy.rows.size() == 7U);  // what did not change and what lost nothing is left out
-  BOOST_TEST((energy.rows.at(2) == Row{"gained in height", "0.05", "0.03688"}));
-  BOOST_TEST((energy.rows.at(3) == Row{"gained in cables", "-0.001", "-0.0007376"}));
+  BOOST_TEST((energy.rows.at(2) == Row{"gained in height", "0.05 (0.03688)"}));
+  BOOST_TEST((energy.rows.at(3) == Row{"gained in cables", "-0.001 (-0.0007376)"}));
   BOOST_TEST(energy.rows.at(4).at(0) == "lost: cable yield");
+  // A scene in US units has these first.
+  SheetRecord us = record;
+  us.us_units = true;
+  BOOST_TEST(rock_table(us).rows.at(0).at(1) == "1000 (453.6)");
+  BOOST_TEST(rock_table(us).heads.at(1).unit == "lb (kg)");
+}
+
+BOOST_AUTO_TEST_CASE(the_verdict_and_its_quality) {
+  SheetRecord record = read_sheet(record_file);
+  const auto fact = [](const std::vector<SheetFact>& facts, const std::string& name) {
+    const auto found = std::ranges::find(facts, name, &SheetFact::name);
+    return found == facts.end() ? std::string{"none"} : found->text;
+  };
+  const SheetVerdict passed = sheet_verdict(record);
+  BOOST_TEST(passed.text == "passed under");
+  BOOST_TEST(passed.colour == "red");
+  BOOST_TEST(fact(passed.facts, "rocks") == "1 passed under, 1 undecided at the end");
+  BOOST_TEST(fact(passed.facts, "rock") ==
+             "passed under at 0.2500 s; after its last contact at 0.3000 s 5 m/s (16.4 ft/s), 0.25 kJ (0.1844 kip ft), "
+             "25 % of its energy");
+  BOOST_TEST(fact(passed.facts, "anchor force") == "5 kN (1.124 kip) at 0.2200 s");
+  BOOST_TEST(fact(passed.facts, "cable force") == "44.48 kN (10 kip) at 0.2100 s, top1: 89 % of its limit");
+  BOOST_TEST(fact(passed.facts, "hanger force") == "4.448 kN (1 kip) at 0.2000 s, column1: 50 % of its limit");
+  BOOST_TEST(passed.quality == "usable");
+  BOOST_TEST(fact(passed.quality_facts, "energy balance") == "within 0.2 %");
+  BOOST_TEST(fact(passed.quality_facts, "steps") == "step 0.1 times its linear limit; 55 in the shortest contact");
+  BOOST_TEST(fact(passed.quality_facts, "at the end") == "rock-ground still touches");
+  BOOST_TEST(fact(passed.quality_facts, "sensitivity") ==
+             "with 1.001 times the speed the verdict stands; largest cable force -1.2 %");
+  record.quality.repeat->verdict = "stopped";
+  BOOST_TEST(contains(fact(sheet_verdict(record).quality_facts, "sensitivity"), "the verdict becomes: stopped"));
+  record.rocks.resize(1);
+  record.verdict = record.rocks.front().verdict = "stopped";
+  BOOST_TEST(sheet_verdict(record).colour == "green");
+  BOOST_TEST(fact(sheet_verdict(record).facts, "rocks") == "none");
+  record.quality.usable = false;
+  record.quality.flaw = "the energy balance is off by 18 %";
+  record.quality.repair = SheetQuality::Repair{"--integrator auto", "", "stopped", 1e-5};
+  const SheetVerdict flawed = sheet_verdict(record);
+  BOOST_TEST(flawed.colour == "red");
+  BOOST_TEST(flawed.quality == "NOT USABLE");
+  BOOST_TEST(fact(flawed.quality_facts, "reason") == "the energy balance is off by 18 %");
+  BOOST_TEST(fact(flawed.quality_facts, "repair") ==
+             "--integrator auto was tried and repairs it: stopped, energy balance within 0.001 %");
+  record.quality.repair->flaw = "it diverged";
+  BOOST_TEST(fact(sheet_verdict(record).quality_facts, "repair") ==
+             "--integrator auto was tried and does not help: it diverged");
 }
 
 BOOST_AUTO_TEST_CASE(long_lists_are_cut_and_say_so) {
   SheetRecord record = read_sheet(record_file);
   record.columns.resize(40, record.columns.front());
   record.events.resize(25, record.events.front());
-  BOOST_TEST(table(record, "Hangers").rows.size() == 14U);
-  BOOST_TEST(contains(table(record, "Hangers").note, "26 more are in sheet.json."));
-  BOOST_TEST(contains(table(record, "Order").note, "15 more are in sheet.json."));
+  BOOST_TEST(table(record, "Hangers").rows.size() == 10U);  // with two rocks
+  BOOST_TEST(contains(table(record, "Hangers").note, "30 more are in sheet.json."));
+  BOOST_TEST(contains(table(record, "Order").note, "21 more are in sheet.json."));
   record.events.clear();
   BOOST_TEST(table(record, "Order").rows.at(0).at(1) == "none");
-  BOOST_TEST(table(record, "Order").note == "Nearest to its limit: top1, 89.0 %.");
+  BOOST_TEST(table(record, "Order").note == "Closest to its limit: top1, 89.0 %.");
 }
 
 BOOST_AUTO_TEST_CASE(the_same_record_gives_the_same_pages) {
@@ -88,6 +139,17 @@ BOOST_AUTO_TEST_CASE(the_same_record_gives_the_same_pages) {
   BOOST_TEST(contains(html, "<h1>A &amp; B: 50 % of {x_1} #2 &lt;\\&gt; ~ ^ µ ★</h1>"));
   BOOST_TEST(contains(html, "<svg"));
   BOOST_TEST(!contains(html, "src="));  // all in one file
+  BOOST_TEST(contains(html, "Verdict: passed under"));
+  BOOST_TEST(contains(html, "name=\"viewport\""));
+  BOOST_TEST(!contains(html, "class=\"unusable\""));
+  // A run that is not usable is crossed out.
+  std::string flawed = replaced(read_file(record_file), "\"usable\": true", "\"usable\": false");
+  write_file(scratch.folder / "sheet.json", replaced(flawed, "\"flaw\": \"\"", "\"flaw\": \"it diverged\""));
+  BOOST_TEST(run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}}).status == 0);
+  BOOST_TEST(contains(read_file(scratch.folder / "sheet.html"), "class=\"unusable\""));
+  BOOST_TEST(contains(read_file(scratch.folder / "sheet.html"), "it diverged"));
+  BOOST_TEST(read_file(scratch.folder / "sheet.pdf") !=
+             before[0].substr(0, read_file(scratch.folder / "sheet.pdf").size()));
 }
 
 BOOST_AUTO_TEST_CASE(records_that_are_wrong) {
@@ -95,7 +157,8 @@ BOOST_AUTO_TEST_CASE(records_that_are_wrong) {
   const std::string good = read_file(record_file);
   const fs::path file = scratch.folder / "sheet.json";
   for (const auto& [text, words] :
-       {std::pair{replaced(good, "\"schema\": 1", "\"schema\": 2"), ".schema: must be 1"},
+       {std::pair{replaced(good, "\"schema\": 2", "\"schema\": 1"), ".schema: must be 2"},
+        {replaced(good, "\"verdict\": \"passed_under\"", "\"verdict\": \"won\""), ".verdict: 'won' is not known"},
         {replaced(good, "\"travel\": 0.3048", "\"far\": 1"), ".rocks[0].travel: is missing"},
         {replaced(good, "\"margin\": 0.0", "\"margin\": \"inf\""), ".margin: must be a finite"},
         {std::string{"{"}, ": is not a JSON object"}}) {

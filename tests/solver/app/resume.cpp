@@ -237,3 +237,34 @@ BOOST_AUTO_TEST_CASE(a_signal_leaves_the_run_to_be_taken_on) {
     fs::remove_all(straight);
   }
 }
+
+// Killed without a word, a run goes on from the checkpoint of the last second.
+BOOST_AUTO_TEST_CASE(a_run_that_is_killed_loses_a_second) {
+  for (const auto& [file, end] : {std::pair{"two_cable.toml", "2000 s"}, {"fence/table_2.toml", "100 s"}}) {
+    const Folder folder;
+    const std::string out = (folder.path / "out").string(), straight = (folder.path / "straight").string();
+    const std::string path = scene(file);
+    const pid_t child = ::fork();
+    BOOST_REQUIRE(child >= 0);
+    if (child == 0) {
+      const int nowhere = ::open((folder.path / "err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+      ::dup2(nowhere, STDOUT_FILENO);
+      ::dup2(nowhere, STDERR_FILENO);
+      ::execl(TALUS_EXECUTABLE, "talus", "run", path.c_str(), "--end", end, "--out", out.c_str(), nullptr);
+      ::_exit(127);
+    }
+    while (!fs::exists(out + "/checkpoint.json"))
+      std::this_thread::sleep_for(std::chrono::milliseconds{10});
+    std::this_thread::sleep_for(std::chrono::milliseconds{300});
+    BOOST_REQUIRE(::kill(child, SIGKILL) == 0);
+    int status = 0;
+    BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
+    BOOST_REQUIRE(WIFSIGNALED(status));
+    const auto kept = nlohmann::json::parse(talus::read_text(out + "/checkpoint.json"));
+    const double later = (kept.at("steps").get<double>() + 1000.5) * kept.at("step").get<double>();
+    const std::string until = std::to_string(later) + " s";
+    runs({"run", "--resume", out, "--until", until});
+    runs({"run", path, "--end", end, "--until", until, "--out", straight});
+    same_files(out, straight);
+  }
+}

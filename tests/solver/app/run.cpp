@@ -37,8 +37,12 @@ BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
 // Files of a run are JSON, XML and HTML, which are UTF-8: so is a deck's title once it is read, and names must be.
 // The counts are the scene's own; the times are this machine's, and in no file.
 BOOST_AUTO_TEST_CASE(a_run_says_what_its_steps_carried_and_cost) {
-  const Ended ended = talus_ran({"run", scene("fence/table_2.DAT"), "--end", "8 ms"});
+  const Ended ended = talus_ran({"run", scene("fence/table_2.DAT"), "--end", "8 ms", "--all"});
   BOOST_REQUIRE(ended.code == 0);
+  BOOST_TEST(holds(ended.out, "extremes over all steps"));
+  const Ended brief = talus_ran({"run", scene("fence/table_2.DAT"), "--end", "8 ms"});
+  BOOST_TEST(!holds(brief.out, "extremes"));
+  BOOST_TEST(!holds(brief.out, "a step "));
   BOOST_TEST(holds(ended.out, "2 pairs: "));
   BOOST_TEST(holds(ended.out, "cables: 13.0 awake, "));
   BOOST_TEST(holds(ended.out, "13 values kept by laws (mean of 6 looks)"));
@@ -202,4 +206,103 @@ BOOST_AUTO_TEST_CASE(a_full_disk_leaves_nothing_behind) {
   BOOST_TEST(ended.err == "talus: " + out + "/two_cable_geometry/two_cable_00000000.vtp: File too large\n");
   for (const auto& entry : fs::recursive_directory_iterator(out))
     BOOST_TEST(entry.is_directory(), "left behind: " << entry.path());
+}
+
+// The first lines say what a run came to; of a fence in the order of what an engineer asks.
+BOOST_AUTO_TEST_CASE(a_summary_begins_with_the_verdict) {
+  const Ended fence = talus_ran({"run", scene("fence/table_2.toml")});
+  const std::vector<std::string> subjects{"\n  verdict      undecided at the end\n",
+                                          "\n  rock         undecided",
+                                          "\n  anchor       4.788e+04 lbf at t = 0.1986 s\n",
+                                          "\n  cable        2.978e+05 lbf at t = 0.03025 s, top1: 0.3 % of its limit\n",
+                                          "\n  hanger       9.711e+04 lbf at t = 0.03025 s, column1: no limit\n",
+                                          "\n  quality      usable; energy balance within 0.072 %\n",
+                                          "\n  outcome      finished",
+                                          "\nfinal state\n"};
+  std::size_t from = 0;
+  for (const std::string& subject : subjects) {
+    const std::size_t place = fence.out.find(subject, from);
+    BOOST_TEST_REQUIRE(place != std::string::npos, subject << fence.out.substr(0, 1500));
+    from = place;
+  }
+  BOOST_TEST(holds(fence.out, "it still advances at 5.476 ft/s: a longer run decides"));
+  const Ended cables = talus_ran({"run", scene("two_cable.toml")});
+  BOOST_TEST(holds(cables.out, "  last contact impact, ended at t = 0.02628 s\n"));
+  BOOST_TEST(holds(cables.out, "  quality      usable; energy balance within 0.018 %\n"));
+  const Ended apart = talus_ran({"run", scene("two_cable.toml"), "--end", "1 ms"});
+  BOOST_TEST(holds(apart.out, "  last contact impact, still touching at t = 0.001 s\n"));
+  BOOST_TEST(holds(talus_ran({"run", scene("damped_disc.toml"), "--end", "100 us"}).out,
+                   "  last contact none: nothing touched; closest was bounce with a gap of 0.5 m\n"));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_whose_balance_fails_is_not_usable_and_a_repair_is_tried) {
+  const Folder folder;
+  const std::string out = (folder.path / "run").string();
+  const Ended ended = talus_ran({"run", scene("fence/appendix_two_layers.toml"), "--out", out});
+  BOOST_TEST(ended.code == 0);
+  BOOST_TEST(holds(ended.out, "  quality      NOT USABLE: the energy balance is off by 2.54 % of the largest energy"));
+  BOOST_TEST(holds(ended.out, "  repair       --integrator auto was tried and repairs it: "));
+  const auto summary = nlohmann::json::parse(talus::read_text(out + "/summary.json"));
+  BOOST_TEST(!summary.at("quality").at("usable").get<bool>());
+  BOOST_TEST(summary.at("quality").at("repair").at("flaw").get<std::string>().empty());
+  // What the repair promised is what its command gives.
+  const auto repaired = nlohmann::json::parse(
+      talus_ran({"run", scene("fence/appendix_two_layers.toml"), "--integrator", "auto", "--json"}).out);
+  BOOST_TEST(repaired.at("quality").at("usable").get<bool>());
+  BOOST_TEST(repaired.at("quality").at("energy_balance").get<double>() ==
+             summary.at("quality").at("repair").at("energy_balance").get<double>());
+  BOOST_TEST(repaired.at("verdict").at("fence").get<std::string>() ==
+             summary.at("quality").at("repair").at("verdict").get<std::string>());
+  // The warning of the step comes first, and once.
+  BOOST_TEST(ended.err.rfind("talus: warning: h omega = ", 0) == 0U);
+  BOOST_TEST(holds(ended.err, "`talus run " + scene("fence/appendix_two_layers.toml") + " --integrator auto --out " +
+                                  out + "` chooses its own steps\n"));
+  BOOST_TEST(ended.err.find("h omega") == ended.err.rfind("h omega"));
+}
+
+// A sheet's verdict is tried against a start changed by a thousandth: by hand the same.
+BOOST_AUTO_TEST_CASE(a_sheet_says_how_sensitive_its_verdict_is) {
+  const Folder folder;
+  const std::string text = talus::read_text(scene("fence/table_2.toml"));
+  const auto json = [&](const std::string& file, std::vector<std::string> more) {
+    std::vector<std::string> command{"run", file, "--json", "--end", "0.05 s"};
+    command.insert(command.end(), more.begin(), more.end());
+    return nlohmann::json::parse(talus_ran(command).out);
+  };
+  const auto plain = json(scene("fence/table_2.toml"), {"--sheet", "--out", (folder.path / "run").string()});
+  const auto& repeat = plain.at("quality").at("repeat");
+  BOOST_TEST(repeat.at("change_of_speed").get<double>() == 1e-3);
+  const std::size_t place = text.find("velocity = [\"-65 ft/s\"");
+  BOOST_TEST_REQUIRE(place != std::string::npos);
+  std::string faster = text;
+  faster.replace(place, std::string{"velocity = [\"-65 ft/s\""}.size(), "velocity = [\"-65.065 ft/s\"");
+  std::ofstream{folder.path / "faster.toml"} << faster;
+  const auto other = json((folder.path / "faster.toml").string(), {});
+  const double change = other.at("verdict").at("largest_cable_force").at("peak").get<double>() /
+                            plain.at("verdict").at("largest_cable_force").at("peak").get<double>() -
+                        1.0;
+  // The deck's stiffness follows from the speed too, and the step from it: to first order in the change.
+  BOOST_TEST(std::abs(repeat.at("change_of_largest_cable_force").get<double>() - change) < 2e-3);
+  BOOST_TEST(repeat.at("change_of_largest_cable_force").get<double>() != 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_into_the_folder_of_another_leaves_nothing_of_that) {
+  const Folder folder;
+  const fs::path out = folder.path / "run";
+  BOOST_TEST(talus_ran({"run", scene("fence/sample2.DAT"), "--end", "5 ms", "--sheet", "--out", out.string()}).code ==
+             0);
+  fs::create_directories(out / "plots");
+  std::ofstream{out / "plots" / "rock.x.svg"} << "old";
+  std::ofstream{out / "notes.txt"} << "mine";
+  std::ofstream{out / "plots" / "notes.txt"} << "mine";
+  for (const char* name : {"sheet.pdf", "sheet.html", "sheet.json", "sample2.pvd", "sample2.OUT"})
+    BOOST_TEST(fs::exists(out / name), name);
+  BOOST_TEST(talus_ran({"run", scene("two_cable.toml"), "--end", "5 ms", "--out", out.string()}).code == 0);
+  const Folder fresh;
+  BOOST_TEST(
+      talus_ran({"run", scene("two_cable.toml"), "--end", "5 ms", "--out", (fresh.path / "run").string()}).code == 0);
+  auto left = files(out);
+  BOOST_TEST(left.erase("notes.txt") == 1U);
+  BOOST_TEST(left.erase("plots/notes.txt") == 1U);
+  BOOST_TEST((left == files(fresh.path / "run")));
 }

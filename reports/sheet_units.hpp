@@ -1,0 +1,30 @@
+/// Units on a fence's sheet: each quantity in SI and in US units.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace talus::reports {
+
+/// SI size of what the US columns count in; exact by definition (1959; CGPM 1901 for g_n).
+inline constexpr double foot = 0.3048;
+inline constexpr double pound = 0.45359237;
+inline constexpr double pound_force = pound * 9.80665;
+inline constexpr double kip = 1000.0 * pound_force;
+
+/// SI sizes and names of a quantity's two units.
+struct SheetUnits {
+  double si{}, us{};
+  std::string_view si_name, us_name;
+};
+inline constexpr SheetUnits length_units{1.0, foot, "m", "ft"};
+inline constexpr SheetUnits speed_units{1.0, foot, "m/s", "ft/s"};
+inline constexpr SheetUnits mass_units{1.0, pound, "kg", "lb"};
+inline constexpr SheetUnits force_units{1e3, kip, "kN", "kip"};
+inline constexpr SheetUnits impulse_units{1e3, kip, "kN s", "kip s"};
+inline constexpr SheetUnits energy_units{1e3, foot* kip, "kJ", "kip ft"};
+
+/// Four digits, without an exponent where that is shorter.
+[[nodiscard]] std::string digits(double value);
+
+}  // namespace talus::reports
