@@ -87,6 +87,8 @@ std::vector<Reference> all_references() {
                           "Engineering Computations 21 (2004) 265-277.")},
       {"galilei1638",
        unseen("G. Galilei: Discorsi e dimostrazioni matematiche intorno a due nuove scienze. Leiden, 1638.")},
+      {"goldsmith1960", unseen("W. Goldsmith: Impact: The Theory and Physical Behaviour of Colliding Solids. Edward "
+                               "Arnold, London 1960.")},
       {"haff1983",
        unseen("P. K. Haff: Grain flow as a fluid-mechanical phenomenon. Journal of Fluid Mechanics 134 (1983) "
               "401-430.")},
