@@ -23,6 +23,7 @@ void describe(CLI::App& talus) {
       "Bodies, tension-only cables and contacts, described in a scene file (TOML, quantities with units).");
   talus.footer(
       "Examples:\n"
+      "  talus new fence > my.toml                    a commented scene file that runs as it is\n"
       "  talus check cases/two_cable.toml             what the scene carries, and what its step is worth\n"
       "  talus advise cases/two_cable.toml --accuracy 1e-3 --of particle.x.max --out advised.toml\n"
       "                                               the method and step that give this at least cost\n"
@@ -167,7 +168,8 @@ int run_command_line(int count, const char* const* arguments) {
   describe(talus);
   const std::vector<Command> commands{add_run(talus),      add_check(talus),   add_advise(talus), add_calibrate(talus),
                                       add_cell(talus),     add_convert(talus), add_export(talus), add_plot(talus),
-                                      add_snapshot(talus), add_animate(talus), add_study(talus),  add_list(talus)};
+                                      add_snapshot(talus), add_animate(talus), add_study(talus),  add_list(talus),
+                                      add_new(talus)};
   for (const Command& command : commands)
     refuse_empty_values(*command.app);
   try {

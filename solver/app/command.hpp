@@ -35,6 +35,7 @@ struct Command {
 [[nodiscard]] Command add_animate(CLI::App& talus);
 [[nodiscard]] Command add_study(CLI::App& talus);
 [[nodiscard]] Command add_list(CLI::App& talus);
+[[nodiscard]] Command add_new(CLI::App& talus);
 
 /// The quantity given to an option. Errors: InputError with the option's name in front; if not in the range, what is
 /// allowed.

@@ -13,8 +13,8 @@
 // The built program from end to end: exit codes, messages, files.
 
 BOOST_AUTO_TEST_CASE(help_and_version) {
-  for (const std::string command :
-       {"run", "check", "advise", "calibrate", "cell", "convert", "plot", "snapshot", "animate", "study", "list"}) {
+  for (const std::string command : {"run", "check", "advise", "calibrate", "cell", "convert", "plot", "snapshot",
+                                    "animate", "study", "list", "new"}) {
     const Ended help = talus_ran({command, "--help"});
     BOOST_TEST(help.code == 0);
     BOOST_TEST(holds(help.out, "Example"));
@@ -28,12 +28,12 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
       {{},
        "talus: a command is missing; known: run, check, advise, calibrate, cell, convert, export, plot, snapshot, "
        "animate, "
-       "study, list\nhelp: talus "
+       "study, list, new\nhelp: talus "
        "--help\n"},
       {{"rnu"},
        "talus: command 'rnu' is not known; nearest: run; known: run, check, advise, calibrate, cell, convert, export, "
        "plot, "
-       "snapshot, animate, study, list\n"
+       "snapshot, animate, study, list, new\n"
        "help: talus --help\n"},
       {{"run"}, "talus: SCENE is required, or --resume DIR\nhelp: talus run --help\n"},
       {{"run", scene("pendulum.toml"), "--uot", "d"},
@@ -77,6 +77,9 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
       {{"calibrate", scene("two_cable.toml"), "--contact", "impact", "--restitution", "0.5", "--law",
         "latching_spring"},
        "talus: --law: a scene has its own; leave it out\n"},
+      {{"new"}, "talus: KIND is required\nhelp: talus new --help\n"},
+      {{"new", "fens"}, "talus: kind of scene 'fens' is not known; nearest: fence; known: fence, scene, cell\n"},
+      {{"new", "cell", "--units", "si"}, "talus: unit system 'si' is not known; nearest: SI; known: SI, US\n"},
       {{"list", "law"},
        "talus: topic 'law' is not known; nearest: laws; known: integrators, laws, shapes, units, fields\n"}};
   for (const auto& [arguments, message] : wrong) {
