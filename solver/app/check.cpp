@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <ranges>
 
 #include "solver/app/cell_summary.hpp"
 #include "solver/app/command.hpp"
@@ -15,21 +16,32 @@
 namespace talus::app {
 namespace {
 
+/// Coordinates of a scene whose frequencies are evaluated: it takes 2 s for this many, and grows with their cube.
+constexpr std::size_t most_coordinates = 1000;
+
 std::string_view mobility_name(const Body& body) {
   return Names<Mobility>::list[static_cast<std::size_t>(body.mobility)];
+}
+
+/// Lines of a table that are printed; a table of more is cut.
+constexpr std::size_t most_lines = 100;
+
+void print_rest(std::size_t count) {
+  if (count > most_lines) fmt::print("  ... and {} more\n", count - most_lines);
 }
 
 void print_bodies(const Scene& scene, const Dynamics& dynamics) {
   const UnitSystem& units = scene.model.units;
   const Layout& layout = dynamics.layout();
   fmt::print("bodies {}, degrees of freedom {}\n", scene.model.bodies.size(), layout.coordinates.size());
-  for (const Body& body : scene.model.bodies) {
+  for (const Body& body : scene.model.bodies | std::views::take(most_lines)) {
     const std::string_view shape = std::visit([](const auto& s) { return s.name; }, body.shape);
     const std::string mass = body.mobility == Mobility::fixed
                                  ? ""
                                  : fmt::format(", mass {:.6g} {}", body.mass, symbol(units, dimension::mass));
     fmt::print("  {:<14} {}, shape {}{}\n", body.name, mobility_name(body), shape, mass);
   }
+  print_rest(scene.model.bodies.size());
   std::size_t contact_instances = 0;
   for (const std::size_t count : layout.contact_instances)
     contact_instances += count;
@@ -48,12 +60,13 @@ void print_springs(const Scene& scene, const StepAdvice& advice) {
   fmt::print("  {:<14}{:>12}{:>12}{:>12}{:>12}{:>10}{:>14}{:>12}\n", "", symbol(units, dimension::stiffness),
              symbol(units, dimension::damping), symbol(units, dimension::mass),
              symbol(units, dimension::angular_velocity), "1", symbol(units, dimension::time), "1");
-  for (const SpringAdvice& item : advice.springs) {
+  for (const SpringAdvice& item : advice.springs | std::views::take(most_lines)) {
     fmt::print("  {:<14}{:>12.5g}{:>12.5g}{:>12}{:>12.5g}{:>10.4g}{:>14}{:>12}\n", item.name, item.spring.stiffness,
                item.spring.damping, number_or_dash(item.spring.effective_mass), item.frequency, item.damping_ratio,
                item.contact ? number_or_dash(item.contact_time) : "-",
                item.contact ? number_or_dash(item.contact_time / scene.plan.step) : "-");
   }
+  print_rest(advice.springs.size());
 }
 
 void print_step(const Scene& scene, const StepAdvice& advice) {
@@ -115,11 +128,16 @@ int check(const std::string& file) {
   }
   const Scene scene = read_scene(std::filesystem::path{file});
   const Dynamics dynamics{scene.model};
-  const StepAdvice advice = advise_step(dynamics, scene.initial);
   fmt::print("{}\n", scene.title);
   print_bodies(scene, dynamics);
-  print_springs(scene, advice);
-  print_step(scene, advice);
+  if (scene.initial.q.size() <= most_coordinates) {
+    const StepAdvice advice = advise_step(dynamics, scene.initial);
+    print_springs(scene, advice);
+    print_step(scene, advice);
+  } else {
+    fmt::print("step {:.6g} {} with {}; frequencies are evaluated up to {} degrees of freedom\n", scene.plan.step,
+               symbol(scene.model.units, dimension::time), name(scene.integrator), most_coordinates);
+  }
   print_cost(scene, dynamics);
   return ok;
 }

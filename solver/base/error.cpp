@@ -43,8 +43,12 @@ std::string nearest_name(std::string_view found, const std::vector<std::string>&
 }
 
 InputError unknown_name(std::string_view kind, std::string_view found, const std::vector<std::string>& known) {
-  return InputError{fmt::format("{} '{}' is not known; nearest: {}; known: {}", kind, found, nearest_name(found, known),
-                                fmt::join(known, ", "))};
+  constexpr std::size_t most_named = 60;
+  const std::size_t named = std::min(known.size(), most_named);
+  const std::string more = known.size() > named ? fmt::format(" and {} more", known.size() - named) : "";
+  return InputError{
+      fmt::format("{} '{}' is not known; nearest: {}; known: {}{}", kind, found, nearest_name(found, known),
+                  fmt::join(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(named), ", "), more)};
 }
 
 void demand_failed(const char* condition, const char* file, int line) {

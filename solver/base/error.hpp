@@ -23,7 +23,8 @@ class IoError : public std::runtime_error {
 /// The known name nearest to `found` by edit distance; empty if `known` is empty.
 [[nodiscard]] std::string nearest_name(std::string_view found, const std::vector<std::string>& known);
 
-/// "integrator 'verlett' is not known; nearest: velocity_verlet; known: ..." — `kind` is the noun in front.
+/// "integrator 'verlett' is not known; nearest: velocity_verlet; known: ..." — `kind` is the noun in front; of the
+/// known names the first 60.
 [[nodiscard]] InputError unknown_name(std::string_view kind, std::string_view found,
                                       const std::vector<std::string>& known);
 

@@ -61,6 +61,10 @@ namespace {
 /// 2's step takes .151, .153, .156 and .157 us with .02, .05, .1 and .2, that of two layers .403, .384, .404 and .405.
 constexpr double skin_share = 0.05;
 
+/// Beyond so many bodies a table of every two of them takes more memory than a machine has to spare (128 MB here), and
+/// a list of pairs is made by looking at all pairs of the model.
+constexpr std::size_t most_swept = 4000;
+
 /// Range along x, by the skin and a little more wider than the box.
 Stretch stretch(const Bounds& bounds, const Pose& pose, double skin) {
   const double reach = skin + extent(bounds, pose.R_WB).x * (1.0 + 1e-12) + 1e-12 * std::abs(pose.p_WB.x);
@@ -110,6 +114,11 @@ void ContactSearch::prepare(std::size_t bodies) {
     }
     swept(pair.a, pair.bounds_a), swept(pair.b, pair.bounds_b);
     sweepable.push_back(p);
+  }
+  if (swept_.size() > most_swept) {
+    swept_.clear();
+    single_.insert(single_.end(), sweepable.begin(), sweepable.end());
+    return;
   }
   swept_pairs_.assign(swept_.size() * swept_.size(), pairs_.size());
   for (const std::size_t p : sweepable) {

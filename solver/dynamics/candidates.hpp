@@ -120,7 +120,8 @@ class ContactSearch {
   void list_close(const Poses& poses, Sweep& sweep) const;
 
   std::vector<Candidate> pairs_;
-  std::vector<std::size_t> single_;  ///< pairs that are not swept: with ground, or once more of the same two
+  std::vector<std::size_t> single_;  ///< pairs that are not swept: with ground, once more of the same two, or
+                                     ///< of too many bodies
   std::vector<Swept> swept_;
   std::vector<std::size_t> swept_pairs_;  ///< of each two swept bodies, row by row; the number of pairs for none
   Leeways leeways_;

@@ -10,11 +10,12 @@
 namespace talus {
 
 std::vector<BodyState> body_states(const Model& model, const State& state) {
+  const Layout layout{model};
   std::vector<BodyState> states;
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     const auto body = static_cast<BodyId>(i);
-    const Pose at = pose(model, state, body);
-    states.push_back({model.bodies[i].name, at.p_WB, angle(model, state, body), at.v_WB, at.w_WB});
+    const Pose at = pose(model, layout, state, body);
+    states.push_back({model.bodies[i].name, at.p_WB, angle(model, layout, state, body), at.v_WB, at.w_WB});
   }
   return states;
 }

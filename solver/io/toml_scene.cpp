@@ -140,9 +140,10 @@ void set_run(const SceneRun& run, Scene& scene) {
 
 State start_state(const Parts& parts, const Model& model) {
   State state = rest_state(model);
+  const Layout layout{model};
   for (std::size_t i = 0; i < parts.bodies.size(); ++i) {
     const SceneBody& read = parts.bodies[i];
-    read.table.placed([&] { set_velocity(model, state, static_cast<BodyId>(i), read.velocity, read.spin); });
+    read.table.placed([&] { set_velocity(model, layout, state, static_cast<BodyId>(i), read.velocity, read.spin); });
   }
   return state;
 }

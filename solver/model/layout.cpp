@@ -39,6 +39,43 @@ std::size_t first_coordinate(const Model& model, BodyId body) {
   return first;
 }
 
+/// Angle of a body whose coordinates begin at `first` [rad].
+double angle_at(const Body& turned, const State& state, std::size_t first) {
+  if (!turns(turned.mobility)) return turned.angle;
+  return state.q[first + (has_x(turned.mobility) ? 1U : 0U) + (has_y(turned.mobility) ? 1U : 0U)];
+}
+
+Pose pose_at(const Body& placed, const State& state, std::size_t first) {
+  const Rotation R_WB = rotation(angle_at(placed, state, first));
+  switch (placed.mobility) {
+    case Mobility::free:
+      return {{state.q[first], state.q[first + 1]}, R_WB, {state.v[first], state.v[first + 1]}, state.v[first + 2]};
+    case Mobility::particle:
+      return {{state.q[first], state.q[first + 1]}, R_WB, {state.v[first], state.v[first + 1]}, 0.0};
+    case Mobility::pinned: {
+      const Vec2 from_pin = R_WB * (-placed.p_BPin);
+      return {pin(placed) + from_pin, R_WB, cross(state.v[first], from_pin), state.v[first]};
+    }
+    case Mobility::sliding_x:
+      return {{state.q[first], placed.p_WB.y}, R_WB, {state.v[first], 0.0}, 0.0};
+    case Mobility::sliding_y:
+      return {{placed.p_WB.x, state.q[first]}, R_WB, {0.0, state.v[first]}, 0.0};
+    case Mobility::guided_x: {
+      const Vec2 r = R_WB * (-placed.p_BPin);
+      return {
+          {state.q[first], pin(placed).y + r.y}, R_WB, {state.v[first], state.v[first + 1] * r.x}, state.v[first + 1]};
+    }
+    case Mobility::guided_y: {
+      const Vec2 r = R_WB * (-placed.p_BPin);
+      return {
+          {pin(placed).x + r.x, state.q[first]}, R_WB, {-state.v[first + 1] * r.y, state.v[first]}, state.v[first + 1]};
+    }
+    case Mobility::fixed:
+      break;
+  }
+  return {placed.p_WB, R_WB, {}, 0.0};
+}
+
 }  // namespace
 
 Layout::Layout(const Model& model) {
@@ -91,8 +128,12 @@ State rest_state(const Model& model) {
 }
 
 void set_velocity(const Model& model, State& state, BodyId body, Vec2 v_WB, double w_WB) {
+  set_velocity(model, Layout{model}, state, body, v_WB, w_WB);
+}
+
+void set_velocity(const Model& model, const Layout& layout, State& state, BodyId body, Vec2 v_WB, double w_WB) {
   const Body& moved = model.bodies[index(body)];
-  std::size_t next = first_coordinate(model, body);
+  std::size_t next = layout.first[index(body)];
   const bool along_x = has_x(moved.mobility), along_y = has_y(moved.mobility);
   if ((!along_x && v_WB.x != 0.0) || (!along_y && v_WB.y != 0.0)) {
     throw InputError{fmt::format("body '{}' is {} and has no velocity of its own{}; give {}", moved.name,
@@ -109,51 +150,26 @@ void set_velocity(const Model& model, State& state, BodyId body, Vec2 v_WB, doub
   if (along_x) state.v[next++] = v_WB.x;
   if (along_y) state.v[next++] = v_WB.y;
   if (turns(moved.mobility)) state.v[next] = w_WB;
-  const Layout layout{model};
-  const auto sleeper = std::find(layout.sleepers.begin(), layout.sleepers.end(), body);
-  if (sleeper != layout.sleepers.end()) {
+  const auto sleeper = std::lower_bound(layout.sleepers.begin(), layout.sleepers.end(), body);
+  if (sleeper != layout.sleepers.end() && *sleeper == body) {
     state.mode[layout.first_sleeper + static_cast<std::size_t>(sleeper - layout.sleepers.begin())] = Mode{1};
   }
 }
 
 double angle(const Model& model, const State& state, BodyId body) {
-  const Body& turned = model.bodies[index(body)];
-  if (!turns(turned.mobility)) return turned.angle;
-  const std::size_t before = (has_x(turned.mobility) ? 1U : 0U) + (has_y(turned.mobility) ? 1U : 0U);
-  return state.q[first_coordinate(model, body) + before];
+  return angle_at(model.bodies[index(body)], state, first_coordinate(model, body));
 }
 
 Pose pose(const Model& model, const State& state, BodyId body) {
-  const Body& placed = model.bodies[index(body)];
-  const std::size_t first = first_coordinate(model, body);
-  const Rotation R_WB = rotation(angle(model, state, body));
-  switch (placed.mobility) {
-    case Mobility::free:
-      return {{state.q[first], state.q[first + 1]}, R_WB, {state.v[first], state.v[first + 1]}, state.v[first + 2]};
-    case Mobility::particle:
-      return {{state.q[first], state.q[first + 1]}, R_WB, {state.v[first], state.v[first + 1]}, 0.0};
-    case Mobility::pinned: {
-      const Vec2 from_pin = R_WB * (-placed.p_BPin);
-      return {pin(placed) + from_pin, R_WB, cross(state.v[first], from_pin), state.v[first]};
-    }
-    case Mobility::sliding_x:
-      return {{state.q[first], placed.p_WB.y}, R_WB, {state.v[first], 0.0}, 0.0};
-    case Mobility::sliding_y:
-      return {{placed.p_WB.x, state.q[first]}, R_WB, {0.0, state.v[first]}, 0.0};
-    case Mobility::guided_x: {
-      const Vec2 r = R_WB * (-placed.p_BPin);
-      return {
-          {state.q[first], pin(placed).y + r.y}, R_WB, {state.v[first], state.v[first + 1] * r.x}, state.v[first + 1]};
-    }
-    case Mobility::guided_y: {
-      const Vec2 r = R_WB * (-placed.p_BPin);
-      return {
-          {pin(placed).x + r.x, state.q[first]}, R_WB, {-state.v[first + 1] * r.y, state.v[first]}, state.v[first + 1]};
-    }
-    case Mobility::fixed:
-      break;
-  }
-  return {placed.p_WB, R_WB, {}, 0.0};
+  return pose_at(model.bodies[index(body)], state, first_coordinate(model, body));
+}
+
+double angle(const Model& model, const Layout& layout, const State& state, BodyId body) {
+  return angle_at(model.bodies[index(body)], state, layout.first[index(body)]);
+}
+
+Pose pose(const Model& model, const Layout& layout, const State& state, BodyId body) {
+  return pose_at(model.bodies[index(body)], state, layout.first[index(body)]);
 }
 
 std::string name(const Model& model, const Coordinate& coordinate) {

@@ -50,12 +50,18 @@ struct Layout {
 /// Sets the velocity of a body's centre of mass [L/T] and its angular velocity [rad/T]; wakes it if it sleeps.
 /// Errors: InputError if the body cannot move that way.
 void set_velocity(const Model& model, State& state, BodyId body, Vec2 v_WB, double w_WB);
+/// The same by the layout of the model, for many bodies: the time of each does not grow with their number.
+void set_velocity(const Model& model, const Layout& layout, State& state, BodyId body, Vec2 v_WB, double w_WB);
 
 /// Pose of one body in a state.
 [[nodiscard]] Pose pose(const Model& model, const State& state, BodyId body);
 
 /// Angle of a body [rad], counter-clockwise > 0, not reduced to one turn.
 [[nodiscard]] double angle(const Model& model, const State& state, BodyId body);
+
+/// Both by the layout of the model, for many bodies: the time of each does not grow with their number.
+[[nodiscard]] Pose pose(const Model& model, const Layout& layout, const State& state, BodyId body);
+[[nodiscard]] double angle(const Model& model, const Layout& layout, const State& state, BodyId body);
 
 /// "rock.x", "column.angle", ...: the name of a coordinate.
 [[nodiscard]] std::string name(const Model& model, const Coordinate& coordinate);

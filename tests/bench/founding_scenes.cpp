@@ -15,6 +15,7 @@
 #include "tests/bench/contact_search.hpp"
 #include "tests/bench/fences.hpp"
 #include "tests/bench/located_events.hpp"
+#include "tests/bench/reading.hpp"
 #include "tests/bench/structure.hpp"
 #include "tests/bench/timing.hpp"
 #include "verification/reference/pendulum.hpp"
@@ -150,6 +151,7 @@ int main() {
   bench::print_search_costs();
   bench::print_structure_savings();
   bench::print_event_costs();
+  bench::print_reading_costs();
 
   // Not 90 degrees: there the leapfrog's error of second order vanishes by a coincidence of the elliptic integrals.
   const scenes::Pendulum parameters{.amplitude = 2.0};

@@ -243,3 +243,28 @@ BOOST_AUTO_TEST_CASE(bodies_that_come_from_beyond_their_skins_are_found_as_they_
   BOOST_TEST(search.find(poses, found, fresh));
   BOOST_TEST(fresh.places.x[0] == 0.0);
 }
+
+// Of so many bodies the search keeps no table of every two: it finds the same pairs, after a move too.
+BOOST_AUTO_TEST_CASE(a_chain_of_many_discs) {
+  constexpr std::size_t discs = 6000;
+  Poses poses{discs};
+  ContactSearch search;
+  const Bounds disc = bounds(Shape{Circle{1.0}});
+  for (std::size_t i = 0; i + 1 < discs; ++i)
+    search.add({static_cast<BodyId>(i), static_cast<BodyId>(i + 1), disc, disc, 0, 0});
+  search.prepare(discs);
+  Sweep sweep;
+  for (const double shift : {0.0, 0.7}) {
+    // Every third gap is closed; the shift opens these and closes those after them.
+    for (std::size_t i = 0; i < discs; ++i)
+      poses.set(i, {{2.2 * static_cast<double>(i) + (i % 3 == 1 ? shift - 0.35 : 0.0), 0.0}, {}, {}, 0.0});
+    std::vector<char> found(search.pairs().size());
+    BOOST_TEST(search.find(poses, found, sweep));
+    std::size_t wrong = 0;
+    for (std::size_t p = 0; p < found.size(); ++p) {
+      const bool touches = norm(poses[p + 1].p_WB - poses[p].p_WB) <= 2.0;
+      wrong += touches != (found[p] != 0) ? 1 : 0;
+    }
+    BOOST_TEST(wrong == 0U);
+  }
+}

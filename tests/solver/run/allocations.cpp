@@ -1,34 +1,14 @@
 /// A step takes no memory from the heap, once it has what it keeps from one to the next.
 #define BOOST_TEST_MODULE allocations
 #include <boost/test/unit_test.hpp>
-#include <cstdlib>
 #include <filesystem>
-#include <new>
 #include <string>
 
 #include "solver/io/dat_deck.hpp"
 #include "solver/io/scene_file.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
-
-namespace {
-
-long taken = 0;
-
-void* take(std::size_t size) {
-  ++taken;
-  if (void* const memory = std::malloc(size)) return memory;
-  throw std::bad_alloc{};
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return take(size); }
-void* operator new[](std::size_t size) { return take(size); }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+#include "tests/solver/run/counted_memory.hpp"
 
 using namespace talus;
 
