@@ -252,7 +252,10 @@ int cell(const CellOptions& options) {
   fmt::print("{}",
              options.json ? cell_summary_json(order.scene, *run, outcome) : cell_summary(order.scene, *run, outcome));
   if (!options.json) fmt::print("{}\n", cost(*run, run->steps() - first, seconds));
-  if (files && !options.json) fmt::print("files: {}: {}\n", files->folder().string(), fmt::join(files->names(), ", "));
+  if (!options.json) {
+    fmt::print("files: {}\n", files ? fmt::format("{}: {}", files->folder().string(), fmt::join(files->names(), ", "))
+                                    : "none; --out DIR writes histories, profiles, states and summary");
+  }
   for (std::size_t k = order.warnings.size(); k < warnings.size(); ++k)
     print_failure("warning: " + warnings[k]);
   if (!run->failure().empty()) {

@@ -117,7 +117,11 @@ void print_result(const RunOptions& options, const RunOrder& order, const SceneR
                   bool left) {
   const std::string resume = left ? fmt::format("talus run --resume {}", order.folder.string()) : "";
   fmt::print("{}", options.json ? summary_json(record, resume) : run_summary(record, run.parts(), options.all));
-  if (options.json || order.folder.empty()) return;
+  if (options.json) return;
+  if (order.folder.empty()) {
+    const std::string_view sheet = order.file.fence ? "; with --sheet also the engineer's sheet" : "";
+    return fmt::print("files: none; --out DIR writes histories, geometry and summary{}\n", sheet);
+  }
   fmt::print("files: {}: {}{}\n", order.folder.string(), fmt::join(run.file_names(), ", "),
              left ? fmt::format(", {}", checkpoint_name) : "");
   if (left) fmt::print("go on: {}\n", resume);

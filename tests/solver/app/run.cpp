@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "solver/io/toml_document.hpp"
 #include "tests/solver/app/program.hpp"
@@ -32,6 +34,28 @@ BOOST_AUTO_TEST_CASE(a_run_leaves_its_files) {
   const auto summary = nlohmann::json::parse(json.out);
   BOOST_TEST(summary.at("steps").get<long>() == 150000);
   BOOST_TEST(summary.at("outcome").at("kind").get<std::string>() == "finished");
+}
+
+// The last line says what was written, or how to have it written; JSON is the summary alone.
+BOOST_AUTO_TEST_CASE(a_run_without_a_folder_says_where_results_could_go) {
+  const std::string none = "files: none; --out DIR writes ";
+  for (const auto& [command, file, words] :
+       {std::tuple{"run", "pendulum.toml", "histories, geometry and summary\n"},
+        {"run", "fence/table_2.toml", "histories, geometry and summary; with --sheet also the engineer's sheet\n"},
+        {"cell", "cell/ice.toml", "histories, profiles, states and summary\n"}}) {
+    std::vector<std::string> arguments{command, scene(file)};
+    if (std::string_view{command} == "run") arguments.insert(arguments.end(), {"--end", "100 ms"});
+    const Ended bare = talus_ran(arguments);
+    BOOST_TEST(bare.code == 0);
+    BOOST_TEST(bare.out.ends_with('\n' + none + words), bare.out);
+    const Folder folder;
+    arguments.insert(arguments.end(), {"--out", (folder.path / "out").string()});
+    BOOST_TEST(!holds(talus_ran(arguments).out, none));
+    BOOST_TEST(folder.files() == 1);
+    arguments.resize(arguments.size() - 2);
+    arguments.emplace_back("--json");
+    BOOST_TEST(!holds(talus_ran(arguments).out, "files: "));
+  }
 }
 
 // Files of a run are JSON, XML and HTML, which are UTF-8: so is a deck's title once it is read, and names must be.
