@@ -115,6 +115,9 @@ std::vector<Reference> all_references() {
        unseen("J. T. Jenkins, M. W. Richman: Plane simple shear of smooth inelastic circular disks: the "
               "anisotropy of the second moment in the dilute and dense limits. Journal of Fluid Mechanics "
               "192 (1988) 313-328.")},
+      {"kennedy2003",
+       unseen("C. A. Kennedy, M. H. Carpenter: Additive Runge-Kutta schemes for convection-diffusion-reaction "
+              "equations. Applied Numerical Mathematics 44 (2003) 139-181.")},
       {"kharaz2001", unseen("A. H. Kharaz, D. A. Gorham, A. D. Salman: An experimental study of the elastic rebound of "
                             "spheres. Powder Technology 120 (2001) 281-291.")},
       {"krogh1974",
