@@ -47,8 +47,8 @@ void StepParts::look(const State& state, const StepInfo& info) {
   count(copy);
   contacts_ += time([&] {
     if (dynamics_->contacts().find(copy, work_)) dynamics_->contacts().update(copy, work_);
-    dynamics_->contacts().settle(copy, work_);
-    dynamics_->contacts().add(copy, work_, accounts);
+    dynamics_->contacts().settle(copy, work_, nullptr);
+    dynamics_->contacts().add(copy, work_, accounts, false);
   });
   cables_ += time([&] {
     dynamics_->cables().update(copy, work_);

@@ -239,7 +239,7 @@ void ContactForces::begin(State& state, const Workspace& work) const {
 }
 
 // All laws' visits in line: a call for each array would cost more than most arrays do.
-[[gnu::flatten]] void ContactForces::settle(State& state, const Workspace& work) const {
+[[gnu::flatten]] void ContactForces::settle(State& state, const Workspace& work, const State* before) const {
   if (starts_by_mass_) start_contacts(state, work);
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup& group) {
     // The gap declares onset: what does not act and does not touch stays so.
@@ -249,7 +249,12 @@ void ContactForces::begin(State& state, const Workspace& work) const {
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     if (state.mode[slider.slot.mode] == CoulombFriction::open && slider.normal > 0.0) start_spring(state, work, slider);
     double& stretch = state.z[slider.slot.memory];
-    const auto settled = slider.law.settle(stretch, slider.normal, viscous_stretch(work, slider));
+    auto settled = slider.law.settle(stretch, slider.normal, viscous_stretch(work, slider));
+    // The step has the work of the force as a power: what the spring gave back was not lost.
+    if (before && CoulombFriction::slips(before->mode[slider.slot.mode])) {
+      settled.dissipated =
+          slider.law.stored_energy(before->z[slider.slot.memory]) - slider.law.stored_energy(settled.stretch);
+    }
     stretch = settled.stretch;
     state.mode[slider.slot.mode] = settled.mode;
     state.work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.copies * settled.dissipated;
@@ -277,7 +282,7 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
   }
 }
 
-[[gnu::flatten]] void ContactForces::add(const State& state, Workspace& work, Rates* out) const {
+[[gnu::flatten]] void ContactForces::add(const State& state, Workspace& work, Rates* out, bool slip_power) const {
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup& group) {
     const Mode mode = state.mode[slot.mode];
     if (mode == 0) return;
@@ -294,8 +299,10 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
     const double viscous = sticks ? viscous_stretch(work, slider) : 0.0;
     const double force = slider.law(stretch, slider.normal, viscous);
     add_pair(work, slider.group, gap, -force * tangent(gap));
-    if (out && viscous != 0.0) {
-      const double power = (force - slider.law(stretch, slider.normal)) * slip_rate(work, slider);
+    const bool slips = slip_power && CoulombFriction::slips(state.mode[slider.slot.mode]);
+    if (out && (viscous != 0.0 || slips)) {
+      const double lost = slips ? force : force - slider.law.stiffness * stretch;
+      const double power = lost * slip_rate(work, slider);
       out->work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.copies * power;
     }
   });

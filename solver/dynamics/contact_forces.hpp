@@ -86,11 +86,13 @@ class ContactForces {
   bool has(std::size_t mode) const { return mode < pair_of_.size() && pair_of_[mode] < candidates(); }
   /// Before the first settle() of a run: friction within reach sticks, so that what pushes keeps the stretch it has.
   void begin(State& state, const Workspace& work) const;
-  void settle(State& state, const Workspace& work) const;
+  /// `before`: see Dynamics::settle().
+  void settle(State& state, const Workspace& work, const State* before) const;
   /// Lists the sleeping bodies that another touches.
   void list_woken(const Workspace& work, std::vector<BodyId>& woken) const;
-  /// Adds the forces to the wrenches of both bodies; with out, the dissipated power as well.
-  void add(const State& state, Workspace& work, Rates* out) const;
+  /// Adds the forces to the wrenches of both bodies; with out, the dissipated power as well, with `slip_power` also
+  /// that of friction that slips.
+  void add(const State& state, Workspace& work, Rates* out, bool slip_power) const;
   /// Whether some memory is taken along by settle() alone: of latching springs that load, of friction that slips.
   bool follows(const State& state) const;
   /// The longest step [T] in which no body passes half the least width of another, under this pull [L/T^2], and the

@@ -136,9 +136,9 @@ void Dynamics::begin(State& state, Workspace& work) const {
   settle(state, work);
 }
 
-void Dynamics::settle(State& state, Workspace& work) const {
+void Dynamics::settle(State& state, Workspace& work, const State* before) const {
   // Calls of what has nothing to do would be a thirtieth of a small fence's step.
-  if (work.any_near) contacts_.settle(state, work);
+  if (work.any_near) contacts_.settle(state, work, before);
   if (!work.waking.quiet) cables_.settle(state, work);
   if (!model_.hangers.empty() && (part_chains(state, work) || break_hangers(state, work))) return settle(state, work);
   if (!work.waking.any_asleep) return;
@@ -200,7 +200,7 @@ void Dynamics::memory_rates(const State& state, const Workspace& work, Rates& ou
   contacts_.memory_rates(state, work, out);
 }
 
-void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledger) const {
+void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledger, bool slip_power) const {
   if (ledger || out.accounts) {
     out.work.fill(0.0);
     out.impulse.fill(0.0);
@@ -211,7 +211,7 @@ void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledge
   // Cables first: a half model's doubled pull and a full model's two pulls are then the same sum to the last bit.
   cables_.load(state, work, accounts);
   work.waking.summed = true;
-  if (work.any_near) contacts_.add(state, work, accounts);
+  if (work.any_near) contacts_.add(state, work, accounts, slip_power);
   bodies_.rates(work, out, ledger);
 }
 

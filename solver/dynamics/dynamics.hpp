@@ -58,10 +58,13 @@ class Dynamics {
   /// overlap, whose springs have the stretch that the state says, and have not slipped since some touch before it.
   void begin(State& state, Workspace& work) const;
   /// Brings each law's mode up to date, breaks hangers, books the energy released by those changes, and wakes bodies on
-  /// which something acts otherwise than at rest.
-  void settle(State& state, Workspace& work) const;
-  /// Rates of change in the state's modes; with `ledger` off the powers and impulses are left at zero.
-  void rates(const State& state, Workspace& work, Rates& out, bool ledger = true) const;
+  /// which something acts otherwise than at rest. `before`: the state at the beginning of the step that led here, if
+  /// its rates were taken with `slip_power`.
+  void settle(State& state, Workspace& work, const State* before = nullptr) const;
+  /// Rates of change in the state's modes; with `ledger` off the powers and impulses are left at zero. `slip_power`:
+  /// the work of friction that slips is a power, too, which a method integrates to its order. Without it settle()
+  /// accumulates that work with the limit at the end of the step.
+  void rates(const State& state, Workspace& work, Rates& out, bool ledger = true, bool slip_power = false) const;
   /// Whether all guards() are infinite, as far as that is quickly said.
   [[nodiscard]] bool none_ends(const Workspace& work, double ahead) const {
     return !work.any_near && cables_.none_ends(work, ahead);

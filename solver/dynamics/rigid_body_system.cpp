@@ -37,6 +37,11 @@ void RigidBodySystem::settle(State& state) {
   dynamics_->settle(state, work_);
 }
 
+void RigidBodySystem::settle(State& state, const State& before) {
+  dynamics_->update(state, work_);
+  dynamics_->settle(state, work_, &before);
+}
+
 Prospect RigidBodySystem::guards(const State& state, bool same, double ahead, std::vector<double>& out) {
   if (!same) dynamics_->update(state, work_);
   const double longest_step = dynamics_->update_far(state, ahead, work_);
@@ -62,7 +67,7 @@ void RigidBodySystem::count() {
 void RigidBodySystem::derivative(const State& state, Rates& out) {
   count();
   dynamics_->update(state, work_);
-  dynamics_->rates(state, work_, out, ledger_);
+  dynamics_->rates(state, work_, out, ledger_, true);
 }
 
 void RigidBodySystem::evaluate(State& state, Rates& out) {

@@ -26,6 +26,8 @@ class RigidBodySystem {
   /// Modes of a run's first state; after it settle() alone.
   void begin(State& state);
   void settle(State& state);
+  /// At the end of a step of derivative(), from the state at its beginning: see Dynamics.
+  void settle(State& state, const State& before);
   void derivative(const State& state, Rates& out);
   void evaluate(State& state, Rates& out);
 

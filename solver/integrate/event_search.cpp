@@ -199,9 +199,9 @@ double EventSearch::least_share() const {
   return least;
 }
 
-void EventSearch::settle(EventfulSystem& system, State& at) {
+void EventSearch::settle(EventfulSystem& system, State& at, const State& before) {
   modes_ = at.mode;
-  system.settle(at);
+  system.settle_step(at, before);
   // What slid is at first brought to its limit, and only then seen to stick. What is out of reach lasts: nothing ahead.
   if (!system.guards(at, true, 0.0, looked_).finite) return;
   bool lasts = true;

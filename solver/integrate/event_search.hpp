@@ -45,8 +45,8 @@ class EventSearch {
   /// From the beginning of the piece, or from near the end of the last step, in which no body can pass another unseen:
   /// how long the next may be at most; infinite of a system that was never asked.
   double longest_step() const { return longest_step_; }
-  /// Brings the modes up to date at an event.
-  void settle(EventfulSystem& system, State& at);
+  /// Brings the modes up to date at an event, from the state at the beginning of the step.
+  void settle(EventfulSystem& system, State& at, const State& before);
 
   /// Names its parts, for a state of so many modes. Errors when putting back: InputError if they do not fit.
   void remember(Memory& memory, std::size_t modes);

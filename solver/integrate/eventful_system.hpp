@@ -28,6 +28,8 @@ struct EventfulSystem {
   std::function<void(const State&, std::span<const std::size_t> modes, std::span<double>)> guards_of;
   /// Brings modes and memory up to date.
   std::function<void(State&)> settle;
+  /// The same at the end of a step, from the state at its beginning.
+  std::function<void(State&, const State& before)> settle_step;
   /// Whether some memory must be settled as the motion goes on, in the state's modes.
   std::function<bool(const State&)> follows;
   /// Of each coordinate of a state, the length [L] that one unit of it moves its body by: the same at all times.
@@ -49,6 +51,11 @@ EventfulSystem eventful(System& system) {
   EventfulSystem asked;
   asked.derivative = [&system](const State& at, Rates& out) { system.derivative(at, out); };
   asked.settle = [&system](State& at) { system.settle(at); };
+  if constexpr (requires(State & at) { system.settle(at, State{}); }) {
+    asked.settle_step = [&system](State& at, const State& before) { system.settle(at, before); };
+  } else {
+    asked.settle_step = [&system](State& at, const State&) { system.settle(at); };
+  }
   if constexpr (requires(std::vector<double> & out) { system.guards(State{}, true, 0.0, out); }) {
     asked.guards = [&system](const State& at, bool same, double ahead, std::vector<double>& out) {
       return system.guards(at, same, ahead, out);

@@ -60,7 +60,10 @@ class LocatedSteps {
       if (fresh_) begin_piece(asked, h);
       take_step(asked, t);
     }
-    if (failure_.empty()) state_at(t, state);
+    if (failure_.empty()) {
+      state_at(t, state);
+      if (follows_ && t < end_.t) asked.settle_step(state, begin_);
+    }
     state.t = t;
   }
 
@@ -132,7 +135,7 @@ class LocatedSteps {
     if (std::isfinite(event)) return settle_event(system);
     if (!follows_) return;
     modes_ = end_.mode;
-    system.settle(end_);
+    system.settle_step(end_, begin_);
     if (end_.mode != modes_) ++events_, fresh_ = true;
   }
 
@@ -144,7 +147,7 @@ class LocatedSteps {
 
   void settle_event(EventfulSystem& system) {
     modes_ = end_.mode;
-    search_.settle(system, end_);
+    search_.settle(system, end_, begin_);
     if (end_.mode != modes_) ++events_;
     crowd_ = end_.t - event_time_ <= 1e-3 * motion_.usual_step() ? crowd_ + 1 : 0;
     event_time_ = end_.t;

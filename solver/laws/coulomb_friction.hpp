@@ -30,6 +30,9 @@ struct CoulombFriction {
   static constexpr std::array<std::string_view, 4> modes{"open", "sticking", "slipping_forward", "slipping_backward"};
   enum : Mode { open, sticking, slipping_forward, slipping_backward };
 
+  /// Whether the slider moves in this mode.
+  static constexpr bool slips(Mode mode) { return mode == slipping_forward || mode == slipping_backward; }
+
   double coefficient{};  ///< mu >= 0
   double stiffness{};    ///< k_s [F/L] > 0
   double damping{};      ///< c_s [F T/L] >= 0; not used if follows_normal

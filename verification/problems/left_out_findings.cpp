@@ -41,9 +41,13 @@ class EveryPair {
     dynamics_->update_all(state, work_);
     dynamics_->settle(state, work_);
   }
+  void settle(State& state, const State& before) {
+    dynamics_->update_all(state, work_);
+    dynamics_->settle(state, work_, &before);
+  }
   void derivative(const State& state, Rates& out) {
     dynamics_->update_all(state, work_);
-    dynamics_->rates(state, work_, out, true);
+    dynamics_->rates(state, work_, out, true, true);
   }
   void evaluate(State& state, Rates& out) {
     settle(state);
