@@ -228,6 +228,10 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   }
   if (table.has("options"))
     source.guard(table.line(), [&] { fence.options = read_options(table.table("options"), fence.options); });
+  // n = 2/power: a rectangle, as a cylinder is from the side. By the nodes of 1993 power 0 stands for n = 20.
+  if (fence.options.contact == scenes::FenceContact::resultant && fence.column.power == 0.0 &&
+      fence.column.outline == scenes::ElementOutline::by_power)
+    fence.column.outline = scenes::ElementOutline::rectangle;
   if (!table.has("duration")) read_steps(table, fence);
   source.check();
   source.collect();

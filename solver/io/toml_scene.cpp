@@ -10,6 +10,7 @@
 #include "solver/io/scene_parts.hpp"
 #include "solver/io/toml_fence.hpp"
 #include "solver/laws/restitution.hpp"
+#include "solver/model/resultant.hpp"
 #include "solver/scenes/fence_scene.hpp"
 
 namespace talus {
@@ -77,9 +78,18 @@ double particle_mass(const Model& model, const Contact& contact) {
   return effective_mass(ContactSide{a.mass, {}, 0.0, false}, ContactSide{b.mass, {}, 0.0, false});
 }
 
-/// Damping by Eq. 21, where a contact requires it.
-Contact damped(const SceneContact& read, const Model& bodies) {
+/// Errors: InputError if one resultant cannot follow the contact (objection_to_resultant).
+void check_resultant(const Contact& contact, const Model& model) {
+  if (contact.method != ContactMethod::resultant) return;
+  const auto& bodies = model.bodies;
+  const std::string objection = objection_to_resultant(bodies[index(contact.a)].shape, bodies[index(contact.b)].shape);
+  if (!objection.empty()) throw InputError{fmt::format("contact '{}': {}", contact.name, objection)};
+}
+
+/// The contact of these bodies, with damping by Eq. 21 where it requires that.
+Contact between(const SceneContact& read, const Model& bodies) {
   Contact contact = read.contact;
+  check_resultant(contact, bodies);
   if (!read.restitution) return contact;
   auto& law = std::get<LinearSpringDashpot>(contact.law);
   law.damping =
@@ -106,7 +116,7 @@ Model built(const Parts& parts, const SceneTable& file) {
   // What refers to bodies needs all of them.
   if (builder.model().bodies.size() != parts.bodies.size()) file.source().check();
   for (const SceneContact& read : parts.contacts)
-    add(read.table, [&] { return damped(read, builder.model()); });
+    add(read.table, [&] { return between(read, builder.model()); });
   for (const SceneCable& read : parts.cables)
     add(read.table, [&] { return with_length(read, builder.model()); });
   file.source().check();
@@ -169,7 +179,10 @@ namespace {
 
 SceneFile read_fence_scene(SceneTable& file, SceneSource& source) {
   const scenes::Fence fence = read_fence(file, source);
-  const scenes::FenceScene made = file.table("fence").placed([&] { return scenes::fence_scene(fence); });
+  SceneTable table = file.table("fence");
+  const scenes::FenceScene made = table.placed([&] { return scenes::fence_scene(fence); });
+  for (const Contact& contact : made.scene.model.contacts)
+    table.placed([&] { check_resultant(contact, made.scene.model); });
   return {made.scene, FenceInput{fence, made}};
 }
 

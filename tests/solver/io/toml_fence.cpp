@@ -68,6 +68,45 @@ BOOST_AUTO_TEST_CASE(other_ways_to_write_it) {
   BOOST_TEST((read(fence_toml(modern)) == modern));
 }
 
+// Power 0 of a column is a rectangle where contacts are resultants, and stays that of 1993 where they are nodes.
+BOOST_AUTO_TEST_CASE(outlines_are_what_the_file_says) {
+  using scenes::ElementOutline;
+  const auto column = [](const std::string& lines, const std::string& options) {
+    std::string text = changed("rules = \"1993\"\n", "");
+    const std::size_t power = text.find("power = ", text.find("[fence.column]"));
+    text.replace(power, text.find('\n', power) - power + 1, lines);
+    return read(text + options);
+  };
+  const auto shape = [](const Fence& fence) {
+    return scenes::fence_scene(fence).scene.model.bodies.back().shape.index();
+  };
+  const std::size_t rectangle = Shape{Rectangle{}}.index(), superquadric = Shape{Superquadric{}}.index();
+  BOOST_TEST((column("power = 0.0\n", "").column.outline == ElementOutline::rectangle));
+  BOOST_TEST((column("", "").column.outline == ElementOutline::rectangle));
+  BOOST_TEST(shape(column("", "")) == rectangle);
+  BOOST_TEST((column("power = 0.5\n", "").column.outline == ElementOutline::by_power));
+  BOOST_TEST(shape(column("power = 0.5\n", "")) == superquadric);
+  BOOST_TEST((column("shape = \"ellipse\"\n", "").column.outline == ElementOutline::ellipse));
+  const std::string nodes = "[fence.options]\ncontact = \"nodes\"\n";
+  BOOST_TEST((column("power = 0.0\n", nodes).column.outline == ElementOutline::by_power));
+  BOOST_TEST(shape(column("power = 0.0\n", nodes)) == superquadric);
+  const Fence made = column("", "");
+  BOOST_TEST((read(fence_toml(made)) == made));
+}
+
+// A round rock stays round: power 1 is n = 2.
+BOOST_AUTO_TEST_CASE(a_round_rock_is_no_square) {
+  std::string text = changed("rules = \"1993\"\n", "");
+  const std::size_t rock = text.find("[[fence.rock]]"), power = text.find("power = ", rock);
+  text.replace(power, text.find('\n', power) - power, "power = 1.0");
+  for (const char* of : {"a = ", "b = "}) {
+    const std::size_t axis = text.find(of, rock);
+    text.replace(axis, text.find('\n', axis) - axis, std::string{of} + "\"1.5 ft\"");
+  }
+  const auto made = scenes::fence_scene(read(text));
+  BOOST_TEST(made.scene.model.bodies[1].shape.index() == Shape{Circle{}}.index());
+}
+
 /// sample2 with all that no deck has.
 Fence beyond_the_deck() {
   Fence fence = read_deck(folder() / "sample2.DAT");
