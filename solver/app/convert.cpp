@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "solver/app/command.hpp"
@@ -13,6 +14,8 @@
 
 namespace talus::app {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct ConvertOptions {
   std::string in;
@@ -36,6 +39,11 @@ void stretch(scenes::Fence& fence, const std::string& folder) {
 
 int convert(const ConvertOptions& options) {
   const FenceFormat format = fence_format(options.out);
+  std::error_code missing;
+  if (fs::equivalent(options.in, options.out, missing)) {
+    throw InputError{fmt::format(
+        "OUT: found {}, which is IN; it must be another file: comments and units of IN would be lost", options.out)};
+  }
   scenes::Fence fence = read_fence(options.in);
   std::string text;
   try {

@@ -113,6 +113,20 @@ BOOST_AUTO_TEST_CASE(convert_between_decks_and_scenes) {
   BOOST_TEST(talus_ran({"convert", deck, (folder.path / "no/folder.toml").string()}).code == 4);
 }
 
+// What a user wrote, comments and units, is not written over.
+BOOST_AUTO_TEST_CASE(a_file_is_not_converted_into_itself) {
+  const Folder folder;
+  const std::string text = "# mine\n" + talus::read_text(scene("fence/sample2.toml"));
+  const fs::path file = folder.file("my.toml", text);
+  fs::create_directory(folder.path / "below");
+  for (const fs::path& same : {file, folder.path / "below" / ".." / "my.toml"}) {
+    const Ended ended = talus_ran({"convert", file.string(), same.string()});
+    BOOST_TEST(ended.code == 2);
+    BOOST_TEST(holds(ended.err, "which is IN; it must be another file"), ended.err);
+    BOOST_TEST(talus::read_text(file) == text);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(decks_and_their_scenes_run_alike) {
   const std::string deck = scene("fence/sample2.DAT");
   const std::string converted = scene("fence/sample2.toml");
