@@ -44,6 +44,7 @@ RunOrder new_order(const RunOptions& options) {
   Scene& scene = order.file.scene;
   const UnitSystem& units = scene.model.units;
   if (!options.end.empty()) scene.plan.end = option_quantity("--end", options.end, dimension::time, units);
+  bool needs_step = false;
   if (!options.integrator.empty() || options.tolerance != 0.0) {
     const std::string_view method = options.integrator.empty() ? name(scene.integrator) : options.integrator;
     // The scene's tolerance stays with it, under any method that takes one.
@@ -51,11 +52,14 @@ RunOrder new_order(const RunOptions& options) {
     const double given = options.tolerance != 0.0 ? options.tolerance : talus::tolerance(scene.integrator);
     const double tolerance = takes_one || options.tolerance != 0.0 ? given : 0.0;
     const IntegratorChoice chosen = choose_integrator(scene.model, method, tolerance);
+    // The step of a method that chooses its own is the time between two outputs, and no step for another.
+    needs_step = chooses_steps(scene.integrator) && !chooses_steps(chosen.integrator);
     scene.integrator = chosen.integrator;
     scene.integrator_why = chosen.why;
   }
-  if (options.step == automatic_step_name) {
+  if (options.step == automatic_step_name || (needs_step && options.step.empty())) {
     scene.plan.step = automatic_step(scene);
+    scene.plan.interval = std::max(scene.plan.interval, scene.plan.step);
   } else if (!options.step.empty()) {
     scene.plan.step = option_quantity("--step", options.step, dimension::time, units);
   }

@@ -124,6 +124,8 @@ RunQuality SceneRun::quality(const Outcome& outcome) const {
   } else if (const Watch::Extreme& acting = watch_.extreme(Watched::frequency); acting.seen) {
     found.step = fmt::format("step {:.3g} times its linear limit", acting.value);
     if (watch_.step_is_beyond()) found.step += ", beyond it with all contacts closed";
+  } else if (!watch_.step_ratio().empty()) {
+    found.step = watch_.step_ratio();
   } else {
     found.step = "step without a known limit";
   }

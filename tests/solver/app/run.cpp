@@ -114,6 +114,36 @@ BOOST_AUTO_TEST_CASE(the_command_line_changes_the_plan) {
   BOOST_TEST(summary.at("steps").get<long>() == 100);
 }
 
+// A scene without integrator and step has located events; its outputs are no steps for a method of fixed step.
+BOOST_AUTO_TEST_CASE(another_integrator_keeps_the_tolerance_and_takes_a_step_of_its_own) {
+  const Folder folder;
+  const std::string text = talus::read_text(scene("rolling_disc.toml"));
+  const std::string loose =
+      folder.file("loose.toml", text + "integrator = \"stormer_cowell\"\ntolerance = 1e-5\n").string();
+  const auto summary = [](const std::string& file, std::vector<std::string> more) {
+    more.insert(more.begin(), {"run", file, "--json", "--end", "20 ms"});
+    return nlohmann::json::parse(talus_ran(more).out);
+  };
+  const auto kept = summary(loose, {"--integrator", "odeint_dopri5"});
+  BOOST_TEST(holds(kept.at("quality").at("step").get<std::string>(), "odeint_dopri5, tolerance 1e-05"));
+  const auto own = summary(loose, {});
+  const auto fixed = summary(loose, {"--integrator", "velocity_verlet"});
+  const auto automatic = summary(loose, {"--integrator", "velocity_verlet", "--step", "auto"});
+  BOOST_TEST(fixed.at("step") == automatic.at("step"));
+  BOOST_TEST(fixed.at("step").get<double>() < 0.5 * own.at("step").get<double>());
+}
+
+// A deck whose step of 1993 is too long says so before all else, once, with what repairs it.
+BOOST_AUTO_TEST_CASE(a_step_that_is_too_long_is_said_first_and_once) {
+  const Ended ended = talus_ran({"run", scene("fence/sample2.DAT")});
+  const std::string words = "the linear limit of lagged_central_difference";
+  BOOST_TEST(ended.err.starts_with("talus: warning: h omega = "), ended.err);
+  const std::size_t first = ended.err.find(words);
+  BOOST_REQUIRE(first != std::string::npos);
+  BOOST_TEST(ended.err.find(words, first + 1) == std::string::npos, ended.err);
+  BOOST_TEST(holds(ended.err, "`talus run " + scene("fence/sample2.DAT") + " --integrator auto`"));
+}
+
 // A particle between two pretensioned cables, stepped far beyond the linear limit, grows until it is no longer finite.
 BOOST_AUTO_TEST_CASE(a_diverged_run_is_recorded) {
   const Folder folder;
