@@ -1,0 +1,82 @@
+#define BOOST_TEST_MODULE calibrate
+#include <fmt/format.h>
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "tests/solver/app/program.hpp"
+
+// `talus calibrate`: what it prints gives the restitution when it is pasted into a scene, and it judges an impact as
+// `talus run` does.
+
+namespace {
+
+/// A ball of 2 kg that hits a wall at 5 m/s, with the lines of its contact.
+std::string wall_scene(const std::string& contact) {
+  return fmt::format(
+      "title = \"Ball against a wall\"\nunits = \"SI\"\n"
+      "[[body]]\nname = \"ball\"\nmobility = \"particle\"\nmass = \"2 kg\"\nposition = [\"-1 m\", \"0 m\"]\n"
+      "velocity = [\"5 m/s\", \"0 m/s\"]\nshape = {{ kind = \"circle\", radius = \"0.1 m\" }}\n"
+      "[[body]]\nname = \"wall\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\nangle = \"90 deg\"\n"
+      "shape = {{ kind = \"half_plane\" }}\n"
+      "[[contact]]\nname = \"hit\"\nbetween = [\"ball\", \"wall\"]\nlaw = \"linear_spring_dashpot\"\n{}"
+      "[run]\nend = \"0.5 s\"\n",
+      contact);
+}
+
+/// The lines that are to be pasted: of the form `  name = value`.
+std::string pasted(const std::string& printed) {
+  std::istringstream lines{printed};
+  std::string contact;
+  for (std::string line; std::getline(lines, line);) {
+    for (const char* key : {"  stiffness = ", "  damping = ", "  end_rule = "})
+      if (line.starts_with(key)) contact += line.substr(2) + '\n';
+  }
+  return contact;
+}
+
+double restitution_of_run(const std::string& file) {
+  const Ended ended = talus_ran({"run", file, "--json"});
+  BOOST_REQUIRE(ended.code == 0);
+  BOOST_TEST(ended.err.empty(), ended.err);
+  const auto summary = nlohmann::json::parse(ended.out);
+  return -summary.at("bodies").at(0).at("velocity").at(0).get<double>() / 5.0;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_printed_lines_give_the_restitution) {
+  for (const char* rule : {"", "clamped", "attractive"}) {
+    std::vector<std::string> arguments{"calibrate",   "--restitution", "0.6",     "--masses", "2 kg",
+                                       "--stiffness", "1e6 N/m",       "--speed", "5 m/s"};
+    if (*rule != '\0') arguments.insert(arguments.end(), {"--end-rule", rule});
+    const Ended ended = talus_ran(arguments);
+    BOOST_REQUIRE(ended.code == 0);
+    const std::string contact = pasted(ended.out);
+    BOOST_TEST(holds(contact, fmt::format("end_rule = \"{}\"", *rule == '\0' ? "clamped" : rule)));
+    const Folder folder;
+    BOOST_TEST(restitution_of_run(folder.file("wall.toml", wall_scene(contact)).string()) == 0.6,
+               boost::test_tools::tolerance(1e-6));
+    // The rule belongs to the damping: with the other one it is another restitution.
+    const std::string other = holds(contact, "clamped") ? "attractive" : "clamped";
+    const std::string changed = contact.substr(0, contact.find("end_rule")) + fmt::format("end_rule = \"{}\"\n", other);
+    BOOST_TEST(std::abs(restitution_of_run(folder.file("other.toml", wall_scene(changed)).string()) - 0.6) > 0.02);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_impact_that_a_run_refuses_is_not_calibrated) {
+  const Folder folder;
+  const std::string soft = "stiffness = \"200 N/m\"\nrestitution = 0.6\n";
+  const std::string file = folder.file("soft.toml", wall_scene(soft)).string();
+  const Ended run = talus_ran({"run", file});
+  const Ended calibrated = talus_ran({"calibrate", file, "--contact", "hit", "--restitution", "0.6"});
+  BOOST_TEST(run.code == 3);
+  BOOST_TEST(calibrated.code == 3);
+  BOOST_TEST(calibrated.out.empty());
+  const std::size_t words = run.err.find("overlap");
+  BOOST_REQUIRE(words != std::string::npos);
+  BOOST_TEST(holds(calibrated.err, "overlap"), calibrated.err);
+}
