@@ -8,7 +8,9 @@
 
 #include "solver/app/cell_summary.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/output_size.hpp"
 #include "solver/app/start_warnings.hpp"
+#include "solver/base/error.hpp"
 #include "solver/calibrate/start_overlaps.hpp"
 #include "solver/calibrate/step_advice.hpp"
 #include "solver/io/cell_file.hpp"
@@ -132,6 +134,17 @@ void print_overlaps(const Scene& scene, const Dynamics& dynamics) {
   print_rest(overlaps.size());
 }
 
+/// Errors of the files of --out are warnings here.
+void print_output(const SceneFile& file, const Dynamics& dynamics, const std::filesystem::path& name,
+                  std::vector<std::string>& warnings) {
+  try {
+    const std::string early = file.scene.early_end ? ", less if it ends early" : "";
+    fmt::print("expected output of --out: {}{}\n", output_size_text(expected_output(file, dynamics, name)), early);
+  } catch (const InputError& error) {
+    warnings.push_back(fmt::format("talus run --out refuses this file: {}", error.what()));
+  }
+}
+
 /// The verdict of a run on the step, in its words.
 void warn_of_step(const Scene& scene, const StepAdvice& advice, const std::string& file,
                   std::vector<std::string>& warnings) {
@@ -169,6 +182,7 @@ int check(const std::string& file) {
                symbol(scene.model.units, dimension::time), name(scene.integrator), most_coordinates);
   }
   print_cost(scene, dynamics);
+  print_output(read, dynamics, path, warnings);
   for (const auto& found : {start_warnings(read, dynamics), geometry_warnings(read)})
     warnings.insert(warnings.end(), found.begin(), found.end());
   for (const std::string& warning : warnings)
@@ -179,8 +193,8 @@ int check(const std::string& file) {
 }  // namespace
 
 Command add_check(CLI::App& talus) {
-  CLI::App* app =
-      talus.add_subcommand("check", "Read a scene; print its parts, overlaps, step limits and the expected cost");
+  CLI::App* app = talus.add_subcommand(
+      "check", "Read a scene; print its parts, overlaps, step limits and the expected cost and output");
   const auto scene = std::make_shared<std::string>();
   app->add_option("SCENE", *scene, "scene file (.toml), deck of 1993 or CNTRL.DAT of 1989 (.DAT)")->required();
   app->footer("Example:\n  talus check cases/pivoted_cylinder.toml");

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <set>
 #include <sstream>
 
 #include "tests/solver/app/program.hpp"
 
-// `talus check` against the runs that it speaks of: their warnings.
+// `talus check` against the runs that it speaks of: the size of their output, and their warnings.
 
 namespace {
 
@@ -48,7 +49,89 @@ std::set<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+/// What `talus check` expects a run to write.
+struct Expected {
+  long rows{}, columns{}, states{};
+  double bytes{};
+};
+Expected expected_of(const std::string& checked) {
+  const std::string words = "expected output of --out";
+  const std::size_t at = checked.find(words);
+  BOOST_REQUIRE(at != std::string::npos);
+  Expected found;
+  std::string unit, word;
+  std::istringstream in{checked.substr(at + words.size() + (checked[at + words.size()] == ':' ? 1 : 0))};
+  in >> found.rows >> word >> word >> word >> found.columns;
+  const std::string line = checked.substr(at, checked.find('\n', at) - at);
+  if (const std::size_t states = line.find("columns, "); line.find("states") != std::string::npos)
+    found.states = std::stol(line.substr(states + 9));
+  std::istringstream size{line.substr(line.find("about ") + 6)};
+  size >> found.bytes >> unit;
+  found.bytes *= unit.starts_with("kB") ? 1e3 : unit.starts_with("MB") ? 1e6 : 1e9;
+  return found;
+}
+
+/// Runs a scene into a folder and compares what is there with what was expected.
+void check_output(const std::string& file, const std::string& command, const std::string& states) {
+  const Folder folder;
+  const Ended checked = talus_ran({"check", file});
+  BOOST_REQUIRE(checked.code == 0);
+  const Expected expected = expected_of(checked.out);
+  BOOST_REQUIRE(talus_ran({command, file, "--out", folder.path.string()}).code == 0);
+  double bytes = 0.0;
+  long found_states = 0;
+  for (const auto& [name, text] : files(folder.path)) {
+    bytes += static_cast<double>(text.size());
+    found_states += name.find(states) != std::string::npos ? 1 : 0;
+  }
+  const std::string history = talus::read_text(folder.path / "history.csv");
+  const std::string head = history.substr(0, history.find('\n'));
+  BOOST_TEST_CONTEXT(file) {
+    BOOST_TEST(expected.rows == std::count(history.begin(), history.end(), '\n') - 1);
+    BOOST_TEST(expected.columns == std::count(head.begin(), head.end(), ',') + 1);
+    BOOST_TEST(expected.states == found_states);
+    BOOST_TEST(std::abs(expected.bytes / bytes - 1.0) <= 0.2, expected.bytes << " bytes expected, " << bytes);
+  }
+}
+
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(expected_output_of_scenes) {
+  for (const char* const name : {"two_cable.toml", "pendulum.toml", "pivoted_cylinder.toml", "damped_disc.toml"})
+    check_output(scene(name), "run", "_geometry/");
+  const Folder folder;
+  const std::string run = "integrator = \"velocity_verlet\"\nstep = \"0.3 ms\"\nend = \"0.4 s\"\ninterval = \"1 ms\"\n";
+  check_output(folder.file("uneven.toml", disc(1.0, run)).string(), "run", "_geometry/");
+  check_output(folder.file("off.toml", disc(1.0, run + "ledger = \"off\"")).string(), "run", "_geometry/");
+}
+
+BOOST_AUTO_TEST_CASE(expected_output_of_fences) {
+  for (const char* const name : {"fence/sample2.DAT", "fence/table_2.toml", "fence/appendix_two_layers.toml"})
+    check_output(scene(name), "run", "_geometry/");
+  const Folder folder;
+  check_output(folder.file("new.toml", talus_ran({"new", "fence"}).out).string(), "run", "_geometry/");
+}
+
+BOOST_AUTO_TEST_CASE(expected_output_of_cells) {
+  for (const char* const name : {"cell/ice.toml", "cell/rough.toml", "cell/CNTRL.DAT"})
+    check_output(scene(name), "cell", "cell_states/");
+  const Folder folder;
+  check_output(folder.file("new.toml", talus_ran({"new", "cell"}).out).string(), "cell", "cell_states/");
+}
+
+BOOST_AUTO_TEST_CASE(histories_that_a_run_refuses) {
+  const Folder folder;
+  std::string text = talus::read_text(scene("fence/sample2.toml"));
+  const std::size_t at = text.find("35, 36]");
+  BOOST_REQUIRE(at != std::string::npos);
+  const std::string file = folder.file("s.toml", text.replace(at, 7, "35, 39]")).string();
+  const Ended checked = talus_ran({"check", file});
+  BOOST_TEST(checked.code == 0);
+  BOOST_TEST(holds(checked.err, "warning: talus run --out refuses this file: history_codes (variab): found 39"));
+  const Ended ran = talus_ran({"run", file, "--out", (folder.path / "out").string()});
+  BOOST_TEST(ran.code == 2);
+  BOOST_TEST(holds(ran.err, "history_codes (variab): found 39"));
+}
 
 // A contact that is closed vibrates at 100 rad/s; the limit of velocity_verlet is 2/100 s.
 BOOST_AUTO_TEST_CASE(the_verdict_on_the_step_is_that_of_the_run) {
