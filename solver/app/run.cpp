@@ -205,8 +205,8 @@ Command add_run(CLI::App& talus) {
   app->add_option("--end", options->end, "time at which the run ends instead of the scene's, e.g. \"5 s\"");
   app->add_option(
       "--step", options->step,
-      "step instead of the scene's, e.g. \"10 us\"; \"auto\": a tenth of the method's linear limit, a fiftieth of "
-      "the shortest contact at most");
+      "step instead of the scene's, e.g. \"10 us\"; \"auto\": 1/20 of the method's linear limit, 1/200 of the "
+      "shortest contact at most");
   app->add_option("--integrator", options->integrator, "integrator instead of the scene's (talus list integrators)");
   app->add_option("--tolerance", options->tolerance, "step control of that integrator, a pure number, e.g. 1e-9");
   app->add_option("--frames", options->frames,

@@ -152,6 +152,24 @@ BOOST_AUTO_TEST_CASE(the_verdict_on_the_step_is_that_of_the_run) {
   BOOST_TEST((beyond == warnings(1.01 * 0.02, "run")));
 }
 
+// 1/20 of the limit is 1 ms; 1/200 of the contact, pi/100 s, is shorter.
+BOOST_AUTO_TEST_CASE(the_automatic_step_is_what_the_help_says) {
+  const Folder folder;
+  BOOST_TEST(holds(talus_ran({"run", "--help"}).out, "1/20"));
+  BOOST_TEST(holds(talus_ran({"run", "--help"}).out, "1/200"));
+  const std::string run = "integrator = \"velocity_verlet\"\nstep = \"1 ms\"\nend = \"0.01 s\"\n";
+  const std::string file = folder.file("s.toml", disc(5.0, run)).string();
+  BOOST_TEST(holds(talus_ran({"run", file, "--step", "auto"}).out, ", step 0.00015708 s"));
+  // Without contacts the limit alone counts.
+  const std::string hung = scene("cable_pendulum.toml");
+  const Ended checked = talus_ran({"check", hung}), ended = talus_ran({"run", hung, "--step", "auto"});
+  const auto number_after = [](const std::string& text, const std::string& words) {
+    return std::stod(text.substr(text.find(words) + words.size()));
+  };
+  BOOST_TEST(number_after(ended.out, ", step ") == number_after(checked.out, ", a step of ") / 20.0,
+             boost::test_tools::tolerance(1e-5));
+}
+
 BOOST_AUTO_TEST_CASE(overlaps_at_the_start) {
   const Folder folder;
   const std::string run = "integrator = \"stormer_cowell\"\nend = \"0.01 s\"\n";
