@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/app/output_size.hpp"
+
 namespace talus::app {
 namespace {
 
@@ -90,8 +92,11 @@ std::string cell_check(const CellScene& scene) {
   add("expected cost", fmt::format("{} steps and force evaluations to {}; {} outputs", run.last_step(),
                                    with_unit(scene, scene.plan.end, dimension::time), scene.plan.outputs()));
   if (scene.restart) add("start", "RESTART.DAT beside the file, which is not looked at here");
+  // At the start: the expected output takes steps.
+  const std::vector<CellNumber> groups = cell_groups(scene, run);
+  add("expected output of --out", output_size_text(expected_output(scene, run)));
   text += "groups\n";
-  for (const CellNumber& group : cell_groups(scene, run))
+  for (const CellNumber& group : groups)
     text += line(scene, group);
   return text;
 }

@@ -8,6 +8,10 @@
 
 #include "solver/app/cell_summary.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/output_size.hpp"
+#include "solver/app/start_warnings.hpp"
+#include "solver/base/error.hpp"
+#include "solver/calibrate/start_overlaps.hpp"
 #include "solver/calibrate/step_advice.hpp"
 #include "solver/io/cell_file.hpp"
 #include "solver/io/scene_file.hpp"
@@ -121,31 +125,76 @@ void print_cost(const Scene& scene, const Dynamics& dynamics) {
       dynamics.layout().coordinates.size(), dynamics.layout().mode_count);
 }
 
+void print_overlaps(const Scene& scene, const Dynamics& dynamics) {
+  const std::vector<StartOverlap> overlaps = start_overlaps(dynamics, scene.initial);
+  if (overlaps.empty()) return;
+  fmt::print("overlaps at the start {}\n", overlaps.size());
+  for (const StartOverlap& overlap : overlaps | std::views::take(most_lines))
+    fmt::print("  {}\n", overlap_text(overlap, scene.model));
+  print_rest(overlaps.size());
+}
+
+/// Errors of the files of --out are warnings here.
+void print_output(const SceneFile& file, const Dynamics& dynamics, const std::filesystem::path& name,
+                  std::vector<std::string>& warnings) {
+  try {
+    const std::string early = file.scene.early_end ? ", less if it ends early" : "";
+    fmt::print("expected output of --out: {}{}\n", output_size_text(expected_output(file, dynamics, name)), early);
+  } catch (const InputError& error) {
+    warnings.push_back(fmt::format("talus run --out refuses this file: {}", error.what()));
+  }
+}
+
+/// The verdict of a run on the step, in its words.
+void warn_of_step(const Scene& scene, const StepAdvice& advice, const std::string& file,
+                  std::vector<std::string>& warnings) {
+  const auto verdict = step_verdict(scene, advice);
+  if (!verdict || !verdict->is_beyond) return;
+  warnings.push_back(step_warning(verdict->text, fmt::format("talus run {} --integrator auto", file)));
+  if (scene.initial.q.size() > most_watched_coordinates) {
+    warnings.push_back(
+        fmt::format("talus run does not give that warning: it computes frequencies up to {} degrees of "
+                    "freedom, here are {}",
+                    most_watched_coordinates, scene.initial.q.size()));
+  }
+}
+
 int check(const std::string& file) {
-  if (describes_cell(file)) {
-    fmt::print("{}", cell_check(read_cell(std::filesystem::path{file}, {})));
+  const std::filesystem::path path{file};
+  if (describes_cell(path)) {
+    fmt::print("{}", cell_check(read_cell(path, {})));
     return ok;
   }
-  const Scene scene = read_scene(std::filesystem::path{file});
+  const SceneFile read = read_scene_file(path);
+  const Scene& scene = read.scene;
   const Dynamics dynamics{scene.model};
+  std::vector<std::string> warnings;
   fmt::print("{}\n", scene.title);
   print_bodies(scene, dynamics);
+  print_overlaps(scene, dynamics);
   if (scene.initial.q.size() <= most_coordinates) {
     const StepAdvice advice = advise_step(dynamics, scene.initial);
     print_springs(scene, advice);
     print_step(scene, advice);
+    warn_of_step(scene, advice, file, warnings);
   } else {
     fmt::print("step {:.6g} {} with {}; frequencies are evaluated up to {} degrees of freedom\n", scene.plan.step,
                symbol(scene.model.units, dimension::time), name(scene.integrator), most_coordinates);
   }
   print_cost(scene, dynamics);
+  print_output(read, dynamics, path, warnings);
+  for (const auto& found : {start_warnings(read, dynamics), geometry_warnings(read)})
+    warnings.insert(warnings.end(), found.begin(), found.end());
+  for (const std::string& warning : warnings)
+    print_failure(fmt::format("warning: {}", warning));
   return ok;
 }
 
 }  // namespace
 
 Command add_check(CLI::App& talus) {
-  CLI::App* app = talus.add_subcommand("check", "Read a scene and say what it carries and what its step is worth");
+  CLI::App* app = talus.add_subcommand(
+      "check", "Read a scene; print its parts, overlaps, step limits and the expected cost and output");
   const auto scene = std::make_shared<std::string>();
   app->add_option("SCENE", *scene, "scene file (.toml), deck of 1993 or CNTRL.DAT of 1989 (.DAT)")->required();
   app->footer("Example:\n  talus check cases/pivoted_cylinder.toml");

@@ -15,6 +15,7 @@
 #include "solver/app/run_summary.hpp"
 #include "solver/app/scene_run.hpp"
 #include "solver/app/second_run.hpp"
+#include "solver/app/start_warnings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/calibrate/step_advice.hpp"
 #include "solver/io/atomic_file.hpp"
@@ -91,7 +92,7 @@ void write_files(const RunOrder& order, SceneRun& run, const RunRecord& record, 
 std::string repair_command(const RunOptions& options) {
   const std::string scene = options.scene.empty() ? "SCENE" : options.scene;
   const std::string out = options.folder.empty() ? "" : fmt::format(" --out {}", options.folder);
-  return fmt::format("`talus run {} --integrator auto{}`", scene, out);
+  return fmt::format("talus run {} --integrator auto{}", scene, out);
 }
 
 /// Takes the run on until `stop`; with a folder it is left there every second, so that a crash loses no more.
@@ -133,9 +134,10 @@ int run(const RunOptions& options) {
   const std::unique_ptr<FolderLock> lock = prepare(order);
   const std::unique_ptr<SceneRun> run = standing_run(order, options.frames);
   if (run->watch().step_is_beyond()) {
-    print_failure(fmt::format("warning: {}; the answer may grow without bound; {} chooses its own steps",
-                              run->watch().step_ratio(), repair_command(options)));
+    print_failure(fmt::format("warning: {}", step_warning(run->watch().step_ratio(), repair_command(options))));
   }
+  for (const std::string& warning : run->start_warnings())
+    print_failure(fmt::format("warning: {}", warning));
 
   // Without a folder there is nowhere to leave the run: a signal then ends the program as usual.
   std::optional<Interruption> interruption;
@@ -165,8 +167,9 @@ int run(const RunOptions& options) {
   if (order.sheet && run_report_tool({"--sheet", order.folder.string()}, true) != 0)
     throw IoError{fmt::format("{}: the sheet was not made", (order.folder / "sheet.json").string())};
   print_result(options, order, *run, record, left);
-  for (const std::string& warning : record.warnings)
-    print_failure(fmt::format("warning: {}", warning));
+  // The first of them have been printed at the start.
+  for (std::size_t i = run->start_warnings().size(); i < record.warnings.size(); ++i)
+    print_failure(fmt::format("warning: {}", record.warnings[i]));
   if (!outcome) {
     print_failure(outcome.words);
     return diverged;
@@ -202,8 +205,8 @@ Command add_run(CLI::App& talus) {
   app->add_option("--end", options->end, "time at which the run ends instead of the scene's, e.g. \"5 s\"");
   app->add_option(
       "--step", options->step,
-      "step instead of the scene's, e.g. \"10 us\"; \"auto\": a tenth of the method's linear limit, a fiftieth of "
-      "the shortest contact at most");
+      "step instead of the scene's, e.g. \"10 us\"; \"auto\": 1/20 of the method's linear limit, 1/200 of the "
+      "shortest contact at most");
   app->add_option(
       "--integrator", options->integrator,
       "integrator instead of the scene's (talus list integrators); one of fixed step takes --step auto in place of the "

@@ -7,13 +7,6 @@
 namespace talus::app {
 namespace {
 
-/// Steps from one state of the geometry to the next.
-long every(const SceneFile& file, long frames) {
-  constexpr long usual_frames = 100;
-  if (frames == 0 && file.fence) return file.fence->fence.print_every;
-  return std::max(1L, step_count(file.scene.plan) / (frames == 0 ? usual_frames : frames));
-}
-
 std::optional<FenceFiles> fence_files(const SceneFile& file, const Dynamics& dynamics,
                                       const std::filesystem::path& folder, const std::filesystem::path& scene) {
   if (!file.fence) return {};
@@ -27,12 +20,18 @@ std::optional<FenceFiles> fence_files(const SceneFile& file, const Dynamics& dyn
 
 }  // namespace
 
+long steps_between_states(const SceneFile& file, long frames) {
+  constexpr long usual_frames = 100;
+  if (frames == 0 && file.fence) return file.fence->fence.print_every;
+  return std::max(1L, step_count(file.scene.plan) / (frames == 0 ? usual_frames : frames));
+}
+
 SceneFiles::SceneFiles(const SceneFile& file, const Dynamics& dynamics, const std::filesystem::path& folder,
                        const std::filesystem::path& scene, long frames)
     : file_{&file},
       name_{scene.stem().string()},
       of_fence_{fence_files(file, dynamics, folder, scene)},
-      geometry_{dynamics, folder, name_, every(file, frames)} {}
+      geometry_{dynamics, folder, name_, steps_between_states(file, frames)} {}
 
 void SceneFiles::operator()(const State& state, const StepInfo& info) {
   if (of_fence_) (*of_fence_)(state, info);

@@ -12,6 +12,9 @@
 
 namespace talus::app {
 
+/// Steps from one state of the geometry to the next; see SceneFiles for `frames`.
+[[nodiscard]] long steps_between_states(const SceneFile& file, long frames);
+
 /// The files that a run leaves beside its records while it goes on, named after the scene's file: the geometry NAME.pvd
 /// with NAME_geometry/, and of a fence the files of 1993 too.
 class SceneFiles {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "solver/app/start_warnings.hpp"
 #include "solver/io/atomic_file.hpp"
 #include "solver/io/csv.hpp"
 #include "solver/io/fence_sheet.hpp"
@@ -28,6 +29,7 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       recorder_{dynamics_, standing_.state, file.scene.plan.ledger},
       failures_{dynamics_},
       watch_{file.scene, dynamics_, standing_.state},
+      start_warnings_{app::start_warnings(file, dynamics_)},
       sheet_{sheet},
       parts_{dynamics_, file.scene.plan.ledger} {
   if (!folder.empty()) files_.emplace(file, dynamics_, folder, scene, frames);
@@ -157,13 +159,14 @@ RunRecord SceneRun::record(Outcome outcome) const {
   record.failures = failures_.failures();
   record_history(record, recorder_);
   record.quality = quality(record.outcome);
-  record.warnings = watch_.warnings();
+  const auto warn = [&](const std::vector<std::string>& found) {
+    record.warnings.insert(record.warnings.end(), found.begin(), found.end());
+  };
+  warn(start_warnings_);
+  warn(watch_.warnings());
   if (fence_) {
     record.fence = fence_->summary();
-    const auto warn = [&](const std::vector<std::string>& found) {
-      record.warnings.insert(record.warnings.end(), found.begin(), found.end());
-    };
-    warn(scenes::implausible_geometry(file_->fence->fence, file_->fence->made));
+    warn(geometry_warnings(*file_));
     warn(scenes::implausible_motion(file_->fence->fence, *record.fence));
   }
   record.watched = watch_lines(watch_, *scene_);

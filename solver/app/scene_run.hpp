@@ -32,6 +32,8 @@ class SceneRun {
   Outcome go_on(const StopCondition& stop, Progress& progress);
   /// What was watched so far.
   const Watch& watch() const { return watch_; }
+  /// What is unlikely to be meant at the start: the first warnings of the record.
+  const std::vector<std::string>& start_warnings() const { return start_warnings_; }
 
   const Standing& standing() const { return standing_; }
   const Dynamics& dynamics() const { return dynamics_; }
@@ -59,6 +61,7 @@ class SceneRun {
   Recorder recorder_;
   FailureLog failures_;
   Watch watch_;
+  std::vector<std::string> start_warnings_;
   std::optional<SceneFiles> files_;
   std::optional<scenes::FenceWatch> fence_;  ///< of a fence
   bool sheet_{};

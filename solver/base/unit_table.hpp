@@ -97,6 +97,7 @@ inline constexpr std::array named_dimensions{
     NamedDimension{dimension::density, "a density", "M/L^3"},
     NamedDimension{dimension::pressure, "a pressure", "F/L^2"},
     NamedDimension{dimension::frequency, "a frequency", "1/T"},
+    NamedDimension{dimension::number / dimension::length, "an inverse length", "1/L"},
 };
 
 }  // namespace talus::unit_table

@@ -176,6 +176,20 @@ std::optional<StepLimit> step_limit(const StepAdvice& advice, std::string_view i
   return first;
 }
 
+std::optional<StepVerdict> step_verdict(const Scene& scene, const StepAdvice& advice) {
+  if (chooses_steps(scene.integrator)) return std::nullopt;
+  const auto limit = step_limit(advice, name(scene.integrator));
+  if (!limit) return std::nullopt;
+  const double product = scene.plan.step * limit->mode.frequency;
+  const bool is_beyond = product > limit->product;
+  return StepVerdict{
+      is_beyond,
+      fmt::format("h omega = {:.4g} {} {:.4g}, the linear limit of {} for the mode of {:.4g} rad a unit of time, xi "
+                  "{:.3g}",
+                  product, is_beyond ? ">" : "<", limit->product, name(scene.integrator), limit->mode.frequency,
+                  limit->mode.damping_ratio)};
+}
+
 double automatic_step(const Scene& scene) {
   const Dynamics dynamics{scene.model};
   const StepAdvice advice = advise_step(dynamics, scene.initial);

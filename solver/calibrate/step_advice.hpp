@@ -60,6 +60,19 @@ struct StepLimit {
 };
 [[nodiscard]] std::optional<StepLimit> step_limit(const StepAdvice& advice, std::string_view integrator);
 
+/// The step of a scene against the linear limit of its method.
+struct StepVerdict {
+  bool is_beyond{};  ///< the step is longer than the limit
+  std::string text;  ///< "h omega = 2.1 > 2, the linear limit of velocity_verlet for the mode of ..."
+};
+/// The verdict on the scene's step by the advice for all its springs; none for methods that choose their steps, whose
+/// limit is not known, or where nothing vibrates.
+[[nodiscard]] std::optional<StepVerdict> step_verdict(const Scene& scene, const StepAdvice& advice);
+
+/// Coordinates of a scene up to which a run computes its frequencies, at the start and while it is watched: the cost
+/// grows with their cube.
+inline constexpr std::size_t most_watched_coordinates = 150;
+
 /// The name by which a scene leaves its fixed step to automatic_step().
 inline constexpr std::string_view automatic_step_name = "auto";
 

@@ -20,7 +20,6 @@ constexpr double deep_share = 0.25;
 /// A contact of fewer steps errs by more than 5 % of its speed (0.45/N with a dashpot, the worst over all phases).
 constexpr double fewest_steps = 10.0;
 
-constexpr std::size_t most_coordinates = 150;
 constexpr long looks = 64, frequency_looks = 512;
 
 std::vector<double> times_of_contacts(const Dynamics& dynamics, const StepAdvice& advice) {
@@ -53,17 +52,11 @@ Watch::Watch(const Scene& scene, const Dynamics& dynamics, const State& start)
   const long steps = step_count(scene.plan);
   every_ = std::max(1L, steps / looks);
   apart_ = std::max(1L, steps / frequency_looks);
-  if (start.q.size() > most_coordinates) return;
+  if (start.q.size() > most_watched_coordinates) return;
   const StepAdvice closed = advise_step(dynamics, start);
   contact_times_ = times_of_contacts(dynamics, closed);
-  const auto limit = step_limit(closed, name(scene.integrator));
-  if (!fixed_step_ || !limit) return;
-  const double product = scene.plan.step * limit->mode.frequency;
-  step_is_beyond_ = product > limit->product;
-  step_ratio_ = fmt::format(
-      "h omega = {:.4g} {} {:.4g}, the linear limit of {} for the mode of {:.4g} rad a unit of time, xi {:.3g}",
-      product, step_is_beyond_ ? ">" : "<", limit->product, name(scene.integrator), limit->mode.frequency,
-      limit->mode.damping_ratio);
+  if (const auto verdict = step_verdict(scene, closed))
+    step_is_beyond_ = verdict->is_beyond, step_ratio_ = verdict->text;
 }
 
 template <class Words>
@@ -90,7 +83,7 @@ void Watch::look(const State& seen, long step, const std::optional<Balance>& bal
   const WatchRules& rules = scene_->plan.watch;
   const bool turn = step % every_ == 0;
   const bool changed = seen.mode != modes_;
-  if (fixed_step_ && rules.instability != Breach::off && seen.q.size() <= most_coordinates &&
+  if (fixed_step_ && rules.instability != Breach::off && seen.q.size() <= most_watched_coordinates &&
       (turn || (changed && step - looked_ >= apart_))) {
     looked_ = step;
     look_at_frequency(seen);

@@ -178,14 +178,19 @@ CellScene read_control(std::string_view text, std::string_view name, const CellC
   return scene;
 }
 
-/// Exactly one of two keys.
+/// Whether the first of two keys is there; it is an error if both are, or neither.
 bool has_first(SceneTable& table, std::string_view first, std::string_view second) {
   if (table.has(first) == table.has(second)) {
     const bool both = table.has(first);
-    table.fail(both ? second : first, both ? fmt::format("found beside {}; only one of them may stand", first)
-                                           : fmt::format("it is missing; it, or else {}, must stand", second));
+    table.complain(both ? second : first, both ? fmt::format("found beside {}; only one of them may stand", first)
+                                               : fmt::format("it is missing; it, or else {}, must stand", second));
   }
   return table.has(first);
+}
+
+/// A pure number in (0, 1]; one where it is missing, which is an error already.
+double read_restitution(SceneTable& table) {
+  return table.has("restitution") ? table.number("restitution", Range::positive_fraction) : 1.0;
 }
 
 /// The law's fields; `restitution`, of two discs of the cell, may stand for the one that loses energy.
@@ -195,7 +200,7 @@ void read_law(SceneTable& table, double, LatchingSpring& law) {
   if (has_first(table, "unloading_stiffness", "restitution")) {
     table.read_field(law, fields[1]);
   } else {
-    const double kept = table.number("restitution", Range::positive_fraction);
+    const double kept = read_restitution(table);
     law.unloading_stiffness = law.stiffness / (kept * kept);
   }
   table.read_field(law, fields[2]);
@@ -207,18 +212,24 @@ void read_law(SceneTable& table, double mass, LinearSpringDashpot& law) {
   if (has_first(table, "damping", "restitution")) {
     table.read_field(law, fields[1]);
   } else {
-    const double kept = table.number("restitution", Range::positive_fraction);
-    law.damping = damping(damping_ratio(kept, law.end_rule), law.stiffness, 0.5 * mass);
+    law.damping = damping(damping_ratio(read_restitution(table), law.end_rule), law.stiffness, 0.5 * mass);
   }
 }
 
-/// Fails for an objection; where it found what the file says in other units, that stands before it.
-[[noreturn]] void object(const SceneTable& table, const CellObjection& objection) {
+/// Reports an objection; where it found what the file has in other units, that stands before it.
+void object(const SceneTable& table, const CellObjection& objection) {
   constexpr std::string_view found = "found ";
   const std::string written = table.written(objection.field);
   const std::string_view rest = std::string_view{objection.words}.substr(found.size());
-  if (written.empty() || rest.starts_with(written)) table.fail(objection.field, objection.words);
-  table.fail(objection.field, fmt::format("found \"{}\", in {}: {}", written, table.units().name, rest));
+  if (written.empty() || rest.starts_with(written)) return table.complain(objection.field, objection.words);
+  table.complain(objection.field, fmt::format("found \"{}\", in {}: {}", written, table.units().name, rest));
+}
+
+const Field<ShearCell>& mass_field() {
+  static constexpr auto fields = ShearCell::fields();
+  const auto found = std::ranges::find(fields, "mass", &Field<ShearCell>::name);
+  TALUS_DEMAND(found != fields.end());
+  return *found;
 }
 
 /// All keys of [cell] with this law.
@@ -234,62 +245,90 @@ std::vector<std::string> cell_keys() {
   return keys;
 }
 
-void read_cell_table(SceneTable table, ShearCell& cell) {
-  const std::string law = table.has("law") ? table.choice("law", DiscLaws::names()) : std::string{LatchingSpring::name};
-  visit_named<DiscLaw>(law, [&](auto wanted) {
-    table.allow(cell_keys<decltype(wanted)>());
-    for (const auto& field : ShearCell::fields())
-      if (field.name != "block_mass") table.read_field(cell, field);
-    read_law(table, cell.mass, wanted);
-    cell.friction = read_friction(table, wanted.stiffness);
-    cell.law = wanted;
+void read_cell_table(SceneTable& table, ShearCell& cell) {
+  table.guard([&] {
+    const std::string law =
+        table.has("law") ? table.choice("law", DiscLaws::names()) : std::string{LatchingSpring::name};
+    visit_named<DiscLaw>(law, [&](auto wanted) {
+      table.allow(cell_keys<decltype(wanted)>());
+      table.read_field(cell, mass_field());
+      read_law(table, cell.mass, wanted);
+      cell.friction = read_friction(table, wanted.stiffness);
+      cell.law = wanted;
+    });
   });
+  for (const auto& field : ShearCell::fields()) {
+    const bool read = field.name == "block_mass" || (field.name == "mass" && cell.mass != 0.0);
+    if (!read) table.read_field(cell, field);
+  }
   for (const auto& field : ShearCell::counts())
     table.read_count(cell, field);
   if (has_first(table, "block_mass", "overburden")) {
     cell.block_mass = table.quantity("block_mass", dimension::mass, Range::positive);
-  } else {
+  } else if (table.has("overburden")) {
     const double pressure = table.quantity("overburden", dimension::pressure, Range::positive);
-    if (cell.gravity == 0.0) table.fail("overburden", "found with gravity = 0; without it a mass presses nothing");
+    if (cell.gravity == 0.0) table.complain("overburden", "found with gravity = 0; without it a mass presses nothing");
     cell.block_mass = pressure * cell.wall_discs * cell.diameter * cell.diameter / cell.gravity;
   }
   if (table.has("seed")) {
     cell.seed = static_cast<std::uint64_t>(table.whole_between("seed", 0, most_seed));
   }
-  // What cannot be filled is told with this table's place; fields' ranges are told already.
-  if (const auto found = objections(cell); !found.empty()) object(table, found.front());
 }
 
 bool is_deck(std::string_view name) { return name.ends_with(".DAT") || name.ends_with(".dat"); }
 
-bool on(SceneTable& table, std::string_view key) { return table.has(key) && table.choice(key, {"on", "off"}) == "on"; }
+bool on(SceneTable& table, std::string_view key) {
+  bool is_on = false;
+  if (table.has(key)) table.guard([&] { is_on = table.choice(key, {"on", "off"}) == "on"; });
+  return is_on;
+}
 
-CellScene read_toml(std::string_view text, std::string_view name, const CellChoices& choices) {
-  const TomlValue document = parse_toml(text, name);
-  SceneSource source{std::string{name}, si};
-  SceneTable file{source, document, ""};
-  file.allow({"title", "units", "cell", "run"});
-  source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
-  if (choices.units) throw InputError{fmt::format("{}: a unit system is named in the file already", name)};
-  CellScene scene{.title = file.text("title"), .units = source.units, .cell = {}, .plan = {}};
-  SceneTable cell = file.table("cell");
-  read_cell_table(cell, scene.cell);
-  SceneTable run = file.table("run");
+/// Keys of [run] of a cell.
+std::vector<std::string> run_keys() {
   std::vector<std::string> keys = field_names<CellPlan>();
   keys.insert(keys.end(), {"integrator", "jump", "images", "historical", "pictures"});
-  run.allow(keys);
-  if (run.has("integrator")) scene.plan.integrator = run.choice("integrator", disc_method_names());
+  return keys;
+}
+
+void read_run_table(SceneTable& run, CellScene& scene) {
+  run.allow(run_keys());
+  if (run.has("integrator")) run.guard([&] { scene.plan.integrator = run.choice("integrator", disc_method_names()); });
   run.read_fields(scene.plan);
   scene.plan.jump = on(run, "jump");
   scene.plan.images = run.choice_or("images", scene.plan.images);
   scene.plan.historical = on(run, "historical");
   scene.pictures = on(run, "pictures");
-  choose(scene, choices);
-  if (const auto found = all_objections(scene); !found.empty()) {
-    blame_option(choices, found.front());
-    const bool of_run = std::find(keys.begin(), keys.end(), found.front().field) != keys.end();
-    object(of_run ? run : cell, found.front());
+}
+
+/// Reports all objections to a cell and its run that the fields' own ranges leave.
+void check_whole(const CellScene& scene, const CellChoices& choices, const SceneTable& cell, const SceneTable& run) {
+  const std::vector<CellObjection> found = all_objections(scene);
+  if (!found.empty()) blame_option(choices, found.front());
+  const std::vector<std::string> keys = run_keys();
+  for (const CellObjection& objection : found) {
+    if (!option_of(choices, objection.field).empty()) continue;
+    object(std::ranges::find(keys, objection.field) != keys.end() ? run : cell, objection);
   }
+}
+
+CellScene read_toml(std::string_view text, std::string_view name, const CellChoices& choices) {
+  const TomlValue document = parse_toml(text, name);
+  SceneSource source{std::string{name}, si};
+  SceneTable file{source, document, ""};
+  if (choices.units) throw InputError{fmt::format("{}: a unit system is named in the file already", name)};
+  source.collect();
+  file.allow({"title", "units", "cell", "run"});
+  file.guard([&] { source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}})); });
+  CellScene scene{.title = {}, .units = source.units, .cell = {}, .plan = {}};
+  file.guard([&] { scene.title = file.text("title"); });
+  std::optional<SceneTable> cell, run;
+  file.guard([&] { read_cell_table(cell.emplace(file.table("cell")), scene.cell); });
+  file.guard([&] { read_run_table(run.emplace(file.table("run")), scene); });
+  source.check();
+  choose(scene, choices);
+  source.collect();
+  check_whole(scene, choices, *cell, *run);
+  source.check();
   return scene;
 }
 

@@ -186,7 +186,7 @@ Fence read_deck(std::string_view text, std::string_view name) {
   fence.units = us;
   fence.title = reader.title();
   deck_records::pass(reader, fence);
-  if (const auto found = fault(fence)) reader.fail(*found);
+  if (const auto found = faults(fence); !found.empty()) reader.fail(found.front());
   return fence;
 }
 

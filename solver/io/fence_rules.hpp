@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "solver/scenes/fence.hpp"
 
@@ -16,9 +16,9 @@ struct FenceFault {
   std::string words;      ///< what was found and what is allowed
 };
 
-/// The first breach of the rules that hold between records, whatever file they come from; none if the fence can be
-/// built. Rules for one number alone are its field's.
-[[nodiscard]] std::optional<FenceFault> fault(const scenes::Fence& fence);
+/// All breaches of the rules that hold between records, whatever file they come from; none if the fence can be built.
+/// Rules for one number alone are its field's.
+[[nodiscard]] std::vector<FenceFault> faults(const scenes::Fence& fence);
 
 /// Why a text in UTF-8 cannot be a title; empty if it can.
 [[nodiscard]] std::string objection_to_title(std::string_view title);

@@ -14,8 +14,10 @@ Shape read_shape(SceneTable table) {
     table.allow(keys);
     table.read_fields(wanted);
     if constexpr (requires { wanted.points; }) {
-      for (const auto& [x, y] : table.pairs("points", dimension::length, dimension::length))
-        wanted.points.push_back({x, y});
+      table.guard([&] {
+        for (const auto& [x, y] : table.pairs("points", dimension::length, dimension::length))
+          wanted.points.push_back({x, y});
+      });
     }
     shape = wanted;
   });
@@ -48,7 +50,7 @@ SceneBody read_body(SceneTable table) {
   for (const auto& field : Body::fields()) {
     if (objection(field.name, body.mobility).empty()) table.read_field(body, field);
   }
-  if (table.has("shape")) body.shape = read_shape(table.table("shape"));
+  if (table.has("shape")) table.guard([&] { body.shape = read_shape(table.table("shape")); });
   body.p_WB = table.vector("position", dimension::length);
   if (has_pin(body.mobility)) body.p_BPin = table.vector("pin", dimension::length);
   body.force = table.vector_or("force", dimension::force, {});
@@ -74,6 +76,7 @@ BodyNames::BodyNames(const std::vector<SceneBody>& bodies) {
   for (const SceneBody& read : bodies) {
     const std::string& name = read.body.name;
     if (!ids_.emplace(name, static_cast<BodyId>(names_.size())).second && !name.empty()) {
+      differ_ = false;
       read.table.source().guard(read.table.line(), [&] {
         read.table.placed([&] { throw InputError{fmt::format("body '{}' exists already; names must differ", name)}; });
       });
@@ -85,7 +88,7 @@ BodyNames::BodyNames(const std::vector<SceneBody>& bodies) {
 BodyId BodyNames::find(const SceneTable& table, std::string_view key, const std::string& name) const {
   if (const auto found = ids_.find(name); found != ids_.end()) return found->second;
   const std::string message = unknown_name("body", name, names_).what();
-  if (table.source().has_errors_of("body")) throw SceneSource::Collected{message};
+  if (!differ_ || table.source().has_nameless("body")) throw SceneSource::Collected{message};
   table.fail(key, message);
 }
 

@@ -66,16 +66,21 @@ SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
   SceneContact read{table, {}, {}};
   Contact& contact = read.contact;
   contact.name = table.text("name");
-  const std::string law = table.choice("law", ContactLaws::names());
-  visit_named<ContactLaw>(law, [&](auto wanted) { read_law<decltype(wanted)>(table, read); });
-  const std::vector<std::string> between = table.texts("between", 2);
-  contact.a = bodies.find(table, "between", between[0]);
-  contact.b = bodies.find(table, "between", between[1]);
+  bool has_law = false;
+  table.guard([&] {
+    const std::string law = table.choice("law", ContactLaws::names());
+    has_law = visit_named<ContactLaw>(law, [&](auto wanted) { read_law<decltype(wanted)>(table, read); });
+  });
+  table.guard([&] {
+    const std::vector<std::string> between = table.texts("between", 2);
+    table.guard([&] { contact.a = bodies.find(table, "between", between[0]); });
+    table.guard([&] { contact.b = bodies.find(table, "between", between[1]); });
+  });
   contact.method = table.choice_or("method", contact.method);
   if (contact.method == ContactMethod::nodes) {
-    if (table.has("nodes")) contact.nodes = read_nodes(table);
+    if (table.has("nodes")) table.guard([&] { contact.nodes = read_nodes(table); });
     contact.node_depth = table.choice_or("node_depth", contact.node_depth);
-    if (table.has("restitution") && !read.restitution) {
+    if (has_law && table.has("restitution") && !read.restitution) {
       table.complain("restitution_rule", "contact by nodes has no single effective mass; it must be \"eq_21\"");
     }
   } else {

@@ -58,13 +58,14 @@ class BodyNames {
   /// Errors: two bodies of one name.
   explicit BodyNames(const std::vector<SceneBody>& bodies);
 
-  /// The body of that name, which `key` of a table names. Errors: an unknown name, with the nearest known; left out
-  /// where bodies have errors, from which it may follow.
+  /// The body of that name, which `key` of a table names. Errors: an unknown name, with the nearest known; not
+  /// reported where it may be meant by a body whose name is missing or wrong, which is an error already.
   [[nodiscard]] BodyId find(const SceneTable& table, std::string_view key, const std::string& name) const;
 
  private:
   std::map<std::string, BodyId, std::less<>> ids_;
   std::vector<std::string> names_;
+  bool differ_{true};  ///< no two are the same
 };
 
 /// The readers of a scene's parts. Errors are added to the source's, with file, line, name and field.

@@ -33,9 +33,13 @@ void SceneSource::add(int line, std::string message) const {
   if (errors_.size() >= most_errors) check();
 }
 
-bool SceneSource::has_errors_of(std::string_view kind) const {
+bool SceneSource::has_nameless(std::string_view kind) const {
+  const std::string all = fmt::format(": {}: ", kind), one = fmt::format(": {} ", kind);
   return std::any_of(errors_.begin(), errors_.end(), [&](const Error& error) {
-    return error.message.find(fmt::format(": {} ", kind)) != std::string::npos;
+    const std::string_view message = error.message;
+    const std::size_t at = message.find(one);
+    return message.find(all) != std::string_view::npos ||
+           (at != std::string_view::npos && message.substr(at + one.size(), 1) != "'");
   });
 }
 
@@ -330,8 +334,9 @@ std::vector<SceneTable> SceneTable::numbered_tables(std::string_view key) {
   const auto* elements = std::get_if<TomlArray>(&value.data);
   const auto is_table = [](const TomlValue& element) { return std::holds_alternative<TomlTable>(element.data); };
   if (elements == nullptr || !std::all_of(elements->begin(), elements->end(), is_table)) {
-    fail_at(value.line, key,
-            fmt::format("found {}; each {} is a table of its own, headed [[{}]]", found(value), key, key));
+    complain_at(value.line, key,
+                fmt::format("found {}; each {} is a table of its own, headed [[{}]]", found(value), key, key));
+    return result;
   }
   const std::string of = noun_.empty() ? "" : noun_ + ": ";
   for (const TomlValue& element : *elements)
@@ -359,7 +364,9 @@ void SceneTable::refuse(std::string_view key, std::string_view why) {
 }
 
 void SceneTable::allow(std::vector<std::string> keys) {
-  known_.insert(known_.end(), keys.begin(), keys.end());
+  for (std::string& key : keys) {
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(std::move(key));
+  }
   for (const auto& [name, value] : *table_) {
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
     misspelt_.push_back(nearest_name(name, known_));

@@ -30,8 +30,8 @@ class SceneSource {
   /// placeholder, a table that cannot be read is left out.
   void collect() const { collects_ = true; }
   bool collects() const { return collects_; }
-  /// Whether an error collected so far is of tables of this kind: "body".
-  bool has_errors_of(std::string_view kind) const;
+  /// Whether a table of this kind, "body", has an error that leaves its name unknown.
+  bool has_nameless(std::string_view kind) const;
   /// Throws all errors collected so far, by lines, in one InputError with one line for each.
   void check() const;
 
@@ -46,6 +46,7 @@ class SceneSource {
     } catch (const Collected&) {
       // It is in the list.
     } catch (const InputError& error) {
+      if (!collects_) throw;  // there were too many: it holds all of them
       add(line, error.what());
     }
   }
@@ -108,19 +109,25 @@ class SceneTable {
   [[nodiscard]] std::vector<std::string> choices(std::string_view key, const std::vector<std::string>& known);
   /// One of a closed list of names.
   [[nodiscard]] std::string choice(std::string_view key, const std::vector<std::string>& known);
-  /// One of the names of an enum; `absent` where the key is not given.
+  /// One of the names of an enum; `absent` where the key is not given, or wrong.
   template <class Enum>
   [[nodiscard]] Enum choice_or(std::string_view key, Enum absent) {
     if (!has(key)) return absent;
-    const std::string name = choice(key, {Names<Enum>::list.begin(), Names<Enum>::list.end()});
+    std::string name;
+    source_->guard(line_, [&] { name = choice(key, {Names<Enum>::list.begin(), Names<Enum>::list.end()}); });
     for (std::size_t i = 0; i < Names<Enum>::list.size(); ++i) {
       if (Names<Enum>::list[i] == name) return static_cast<Enum>(i);
     }
     return absent;
   }
+  /// Calls `read`, for a part of the table without which the rest can be read; see SceneSource::guard().
+  template <class Read>
+  void guard(Read&& read) const {
+    source_->guard(line_, std::forward<Read>(read));
+  }
   /// A table inside this one.
   [[nodiscard]] SceneTable table(std::string_view key);
-  /// The tables of an array of tables, [[key]]; none if the key is absent. Each is called by its own `name`.
+  /// The tables of an array of tables, [[key]]; none if the key is absent, or wrong. Each is called by its own `name`.
   [[nodiscard]] std::vector<SceneTable> tables(std::string_view key);
   /// The same for tables without names, called by their numbers from 1.
   [[nodiscard]] std::vector<SceneTable> numbered_tables(std::string_view key);

@@ -127,7 +127,7 @@ interval = "10 ms" # time between rows of the history (default: a thousandth of 
 # integrator = "auto" # exact or error-controlled steps that locate events (default)
 # tolerance = 1e-10 # of that integrator (default)
 # integrator = "velocity_verlet" # one of fixed step (talus list integrators) needs a step
-# step = "auto" # a time, or "auto": a tenth of the limit of stability
+# step = "auto" # a time, or "auto": 1/20 of the linear limit, 1/200 of the shortest contact at most
 # ledger = "off" # on: keep the energy balance (default)
 )";
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "solver/base/unit_table.hpp"
 #include "solver/integrate/integrator_list.hpp"
@@ -40,8 +41,12 @@ void read_outline(SceneTable& table, FenceElement& element) {
   const auto names = Names<scenes::ElementOutline>::list;
   if (table.has("shape")) {
     table.refuse("power", "found beside shape; leave one of them out");
-    const std::string shape = table.choice("shape", {names.begin() + 1, names.end()});
-    element.outline = static_cast<scenes::ElementOutline>(std::ranges::find(names, shape) - names.begin());
+    // With an exponent it is most likely a misspelt superquadric.
+    if (table.has("exponent")) element.outline = scenes::ElementOutline::superquadric;
+    table.guard([&] {
+      const std::string shape = table.choice("shape", {names.begin() + 1, names.end()});
+      element.outline = static_cast<scenes::ElementOutline>(std::ranges::find(names, shape) - names.begin());
+    });
   } else if (table.has("exponent")) {
     table.refuse("power", "found beside exponent (n = 2/power); leave one of them out");
     element.outline = scenes::ElementOutline::superquadric;
@@ -93,8 +98,10 @@ FenceElement read_element(SceneTable table, Part part) {
   for (const auto& field : FenceElement::vectors())
     element.*field.member = table.vector_or(field.name, field.dimension, {});
   if (table.has("held")) {
-    for (const std::string& axis : table.choices("held", {held_axes.begin(), held_axes.end()}))
-      element.held[static_cast<std::size_t>(std::ranges::find(held_axes, axis) - held_axes.begin())] = true;
+    table.guard([&] {
+      for (const std::string& axis : table.choices("held", {held_axes.begin(), held_axes.end()}))
+        element.held[static_cast<std::size_t>(std::ranges::find(held_axes, axis) - held_axes.begin())] = true;
+    });
   } else if (part == Part::ground) {
     element.held = {true, true, true};
   }
@@ -107,9 +114,9 @@ scenes::FenceOptions read_options(SceneTable table, scenes::FenceOptions options
   known.insert(known.end(), {"watch", "integrator", "table"});
   table.allow(known);
   for_each_choice(options, [&](std::string_view name, auto& choice) { choice = table.choice_or(name, choice); });
-  if (table.has("watch")) options.watch = read_watch(table, "watch");
+  if (table.has("watch")) table.guard([&] { options.watch = read_watch(table, "watch"); });
   if (table.has("integrator")) {
-    options.integrator = table.choice("integrator", integrator_choices());
+    table.guard([&] { options.integrator = table.choice("integrator", integrator_choices()); });
     // Another method has its own step control.
     if (!table.has("tolerance") && options.integrator != automatic_integrator && !has_step_control(options.integrator))
       options.tolerance = 0.0;
@@ -118,43 +125,52 @@ scenes::FenceOptions read_options(SceneTable table, scenes::FenceOptions options
   if (options.end == scenes::FenceEnd::exit && !table.has("exit_x"))
     table.complain("exit_x", "it is missing; a run that ends by exit needs the x that the rocks pass");
   if (table.has("table")) {
-    for (const auto& [strain, multiple] : table.pairs("table", dimension::number, dimension::number))
-      options.table.push_back({strain, multiple});
+    table.guard([&] {
+      for (const auto& [strain, multiple] : table.pairs("table", dimension::number, dimension::number))
+        options.table.push_back({strain, multiple});
+    });
   }
   return options;
 }
 
-/// Steps of a fence's run: `steps`, or as many as `duration` takes; and how often its files get a state and a row.
-void read_steps(SceneTable& table, Fence& fence) {
-  const auto field = [](std::string_view name) {
-    for (const auto& count : Fence::counts())
-      if (count.name == name) return count;
-    TALUS_DEMAND(false);
-    return Fence::counts()[0];
-  };
+const CountField<Fence>& count_field(std::string_view name) {
+  static constexpr auto counts = Fence::counts();
+  const auto found = std::ranges::find(counts, name, &CountField<Fence>::name);
+  TALUS_DEMAND(found != counts.end());
+  return *found;
+}
+
+/// Steps of a fence's run: `steps`, or none yet with the `duration` that is returned [T]; and how often its files get a
+/// state and a row.
+std::optional<double> read_steps(SceneTable& table, Fence& fence) {
+  std::optional<double> duration;
+  fence.steps = fence.print_every = fence.history_every = 1;
   if (table.has("duration")) {
     table.refuse("steps", "found beside duration; leave one of them out");
-    const double duration = table.quantity("duration", dimension::time, Range::positive);
-    fence.steps = fence.print_every = fence.history_every = 1;
-    table.source().check();
-    table.source().collect();
-    if (fault(fence)) return;  // it is reported with all others
+    duration = table.quantity("duration", dimension::time, Range::positive);
+  } else if (table.has("steps")) {
+    table.read_count(fence, count_field("steps"));
+  } else {
+    table.complain("duration", "it is missing; give the time that the run lasts, e.g. \"0.5 s\" (or steps)");
+  }
+  for (const std::string_view name : {"print_every", "history_every"}) {
+    if (table.has(name)) table.read_count(fence, count_field(name));
+  }
+  return duration;
+}
+
+/// As many steps as the duration takes, of a fence that can be built.
+void set_steps(SceneTable& table, Fence& fence, std::optional<double> duration) {
+  if (duration) {
     const double step = table.placed([&] { return scenes::fence_scene(fence).scene.plan.step; });
-    const double steps = std::ceil(duration / step - 1e-9);
+    const double steps = std::ceil(*duration / step - 1e-9);
     if (!(steps <= 1e9))
       table.fail("duration", fmt::format("it takes {:.3g} steps of {:.3g}; there can be 1e9", steps, step));
     fence.steps = static_cast<long>(steps);
-  } else if (!table.has("steps")) {
-    return table.complain("duration", "it is missing; give the time that the run lasts, e.g. \"0.5 s\" (or steps)");
-  } else {
-    table.read_count(fence, field("steps"));
   }
   constexpr long usual_states = 100, usual_rows = 1000;
-  fence.print_every = std::max(1L, fence.steps / usual_states);
-  fence.history_every = std::max(1L, fence.steps / usual_rows);
-  for (const std::string_view name : {"print_every", "history_every"}) {
-    if (table.has(name)) table.read_count(fence, field(name));
-  }
+  if (!table.has("print_every")) fence.print_every = std::max(1L, fence.steps / usual_states);
+  if (!table.has("history_every")) fence.history_every = std::max(1L, fence.steps / usual_rows);
 }
 
 /// A changed column: what its table leaves out is as with the others.
@@ -165,15 +181,28 @@ scenes::ChangedColumn read_changed(SceneTable& table, const Fence& fence) {
   table.read_fields(column);
   for (const auto& field : scenes::ChangedColumn::counts())
     table.read_count(column, field);
-  if (const int most = columns_of_half(fence); column.place > most) {
-    table.fail("place", fmt::format("found {}; it must be in 1 .. {}", column.place, most));
-  }
-  if (!(column.y_top > column.y_bottom)) table.fail("y_top", "it must be above the bottom joint");
   return column;
 }
 
+/// What is wrong with changed columns of a fence that was read; `tables` are theirs.
+void check_changed(const std::vector<SceneTable>& tables, const Fence& fence) {
+  const std::vector<scenes::ChangedColumn>& columns = fence.changed_columns;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const int place = columns[i].place;
+    if (const int most = columns_of_half(fence); place > most) {
+      tables[i].complain("place", fmt::format("found {}; it must be in 1 .. {}", place, most));
+    }
+    if (!(columns[i].y_top > columns[i].y_bottom)) tables[i].complain("y_top", "it must be above the bottom joint");
+    const auto before = columns.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::ranges::find(columns.begin(), before, place, &scenes::ChangedColumn::place) != before)
+      tables[i].complain("place", fmt::format("found {} again; each place can be changed once", place));
+  }
+}
+
 std::vector<int> wholes_or_none(SceneTable& table, std::string_view key) {
-  return table.has(key) ? table.wholes(key) : std::vector<int>{};
+  std::vector<int> found;
+  if (table.has(key)) table.guard([&] { found = table.wholes(key); });
+  return found;
 }
 
 }  // namespace
@@ -196,7 +225,9 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   known.insert(known.end(), {"rules", "duration", "history_elements", "history_codes", "ground", "ground_profile",
                              "rock", "column", "changed_column", "stretched_cable", "options"});
   table.allow(known);
-  const bool historical = table.has("rules") && table.choice("rules", {std::string{fence_rules_1993}}) == "1993";
+  bool historical = false;
+  if (table.has("rules"))
+    table.guard([&] { historical = table.choice("rules", {std::string{fence_rules_1993}}) == fence_rules_1993; });
   fence.options = historical ? scenes::FenceOptions{} : scenes::current_options();
   fence.gravity = exact::standard_gravity / si_size(source.units, dimension::acceleration);
   fence.gravity_sign = -1, fence.connections = 2, fence.layers = 1;
@@ -219,12 +250,14 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   source.guard(table.line(), [&] { fence.ground = read(table.table("ground"), Part::ground); });
   for (const SceneTable& rock : table.numbered_tables("rock"))
     fence.rocks.push_back(read(rock, Part::rock));
-  if (fence.rocks.empty())
+  if (!table.has("rock") || (fence.rocks.empty() && !source.has_nameless("rock")))
     table.complain("rock", "it is missing; a fence has at least one rock, headed [[fence.rock]]");
   source.guard(table.line(), [&] { fence.column = read(table.table("column"), Part::column); });
   if (table.has("ground_profile")) {
-    for (const auto& [x, y] : table.pairs("ground_profile", dimension::length, dimension::length))
-      fence.ground_profile.push_back({x, y});
+    table.guard([&] {
+      for (const auto& [x, y] : table.pairs("ground_profile", dimension::length, dimension::length))
+        fence.ground_profile.push_back({x, y});
+    });
   }
   if (table.has("options"))
     source.guard(table.line(), [&] { fence.options = read_options(table.table("options"), fence.options); });
@@ -232,28 +265,26 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   if (fence.options.contact == scenes::FenceContact::resultant && fence.column.power == 0.0 &&
       fence.column.outline == scenes::ElementOutline::by_power)
     fence.column.outline = scenes::ElementOutline::rectangle;
-  if (!table.has("duration")) read_steps(table, fence);
+  std::vector<SceneTable> changed = table.numbered_tables("changed_column");
+  for (SceneTable& column : changed)
+    fence.changed_columns.push_back(read_changed(column, fence));
+  for (SceneTable& stretched : table.numbered_tables("stretched_cable")) {
+    stretched.guard([&] {
+      scenes::StretchedCable cable{.cable = stretched.text("cable")};
+      stretched.allow({"stretch"});
+      stretched.read_fields(cable);
+      fence.stretched_cables.push_back(cable);
+    });
+  }
+  const std::optional<double> duration = read_steps(table, fence);
+  // What follows takes all numbers together.
   source.check();
   source.collect();
-  for (SceneTable& changed : table.numbered_tables("changed_column")) {
-    const scenes::ChangedColumn column = read_changed(changed, fence);
-    if (std::ranges::find(fence.changed_columns, column.place, &scenes::ChangedColumn::place) !=
-        fence.changed_columns.end()) {
-      changed.fail("place", fmt::format("found {} again; each place can be changed once", column.place));
-    }
-    fence.changed_columns.push_back(column);
-  }
-  for (SceneTable& stretched : table.numbered_tables("stretched_cable")) {
-    scenes::StretchedCable cable{.cable = stretched.text("cable")};
-    stretched.allow({"stretch"});
-    stretched.read_fields(cable);
-    fence.stretched_cables.push_back(cable);
-  }
-  if (table.has("duration")) read_steps(table, fence);
+  check_changed(changed, fence);
+  for (const FenceFault& fault : faults(fence))
+    (fault.element == 0 ? table : elements[fault.element - 1]).complain(fault.field, fault.words);
   source.check();
-  if (const auto found = fault(fence)) {
-    (found->element == 0 ? table : elements[found->element - 1]).fail(found->field, found->words);
-  }
+  set_steps(table, fence, duration);
   return fence;
 }
 

@@ -54,18 +54,38 @@ Parts read_parts(SceneTable& file) {
   return parts;
 }
 
+[[noreturn]] void fail_without_step(const SceneTable& table, const Integrator& method) {
+  table.fail("step", fmt::format("it is missing; {} has a fixed step: give it, or \"auto\"", name(method)));
+}
+
 SceneRun read_run(SceneTable table) {
   SceneRun run{std::move(table)};
   run.table.allow({"integrator", "tolerance", "step", "end", "interval", "ledger", "watch"});
-  if (run.table.has("integrator")) run.integrator = run.table.choice("integrator", integrator_choices());
+  bool has_method = true;
+  if (run.table.has("integrator")) {
+    has_method = false;
+    run.table.guard([&] {
+      run.integrator = run.table.choice("integrator", integrator_choices());
+      has_method = true;
+    });
+  }
   if (run.table.has("tolerance")) run.tolerance = run.table.number("tolerance", Range::positive);
   run.end = run.table.quantity("end", dimension::time, Range::positive);
   run.automatic_step = run.table.written("step") == automatic_step_name;
   if (!run.automatic_step && run.table.has("step"))
     run.step = run.table.quantity("step", dimension::time, Range::positive);
   if (run.table.has("interval")) run.interval = run.table.quantity("interval", dimension::time, Range::positive);
-  if (run.table.has("ledger")) run.ledger = run.table.choice("ledger", {"on", "off"}) == "on";
-  if (run.table.has("watch")) run.watch = read_watch(run.table, "watch");
+  if (run.table.has("ledger")) run.table.guard([&] { run.ledger = run.table.choice("ledger", {"on", "off"}) == "on"; });
+  if (run.table.has("watch")) run.table.guard([&] { run.watch = read_watch(run.table, "watch"); });
+  // A method that is named is known without the model; an automatic one is chosen for it (set_run).
+  if (has_method && run.integrator != automatic_integrator) {
+    run.table.guard([&] {
+      const bool usual = run.tolerance == 0.0 && needs_tolerance(run.integrator);
+      const Integrator method =
+          run.table.placed([&] { return make_integrator(run.integrator, usual ? usual_tolerance : run.tolerance); });
+      if (!chooses_steps(method) && !run.automatic_step && !run.step) fail_without_step(run.table, method);
+    });
+  }
   return run;
 }
 
@@ -120,8 +140,10 @@ Model built(const Parts& parts, const SceneTable& file) {
   for (const SceneCable& read : parts.cables)
     add(read.table, [&] { return with_length(read, builder.model()); });
   file.source().check();
+  file.source().collect();
   for (const SceneHanger& read : parts.hangers)
-    read.table.placed([&] { return builder.add(read.hanger); });
+    add(read.table, [&] { return read.hanger; });
+  file.source().check();
   return file.placed([&] { return builder.build(); });
 }
 
@@ -142,7 +164,7 @@ void set_run(const SceneRun& run, Scene& scene) {
   } else if (chooses_steps(scene.integrator)) {
     scene.plan.step = output_step(scene);
   } else {
-    table.fail("step", fmt::format("it is missing; {} has a fixed step: give it, or \"auto\"", name(scene.integrator)));
+    fail_without_step(table, scene.integrator);
   }
   scene.plan.interval = run.interval.value_or(std::max(run.end / usual_rows, scene.plan.step));
   table.placed([&] { check_step_count(scene.plan); });

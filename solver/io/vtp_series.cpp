@@ -59,16 +59,8 @@ class PolyLines {
 
 }  // namespace
 
-VtpSeries::VtpSeries(const Dynamics& dynamics, std::filesystem::path folder, std::string name, long every)
-    : dynamics_{&dynamics},
-      folder_{std::move(folder)},
-      name_{std::move(name)},
-      every_{every},
-      work_{dynamics.workspace()},
-      along_(dynamics.model().bodies.size(), 0.0) {
-  std::error_code none;
-  std::filesystem::remove(folder_ / (name_ + ".pvd"), none);
-  make_folder(folder_ / (name_ + "_geometry"));
+GeometryText::GeometryText(const Dynamics& dynamics)
+    : dynamics_{&dynamics}, work_{dynamics.workspace()}, along_(dynamics.model().bodies.size(), 0.0) {
   const Model& model = dynamics.model();
   for (const Joint& joint : dynamics.cables().joints()) {
     if (joint.on_body) along_[index(joint.body)] = joint.along;
@@ -80,10 +72,7 @@ VtpSeries::VtpSeries(const Dynamics& dynamics, std::filesystem::path folder, std
     outlines_.push_back(outline(body, 2.0 * reach));
 }
 
-void VtpSeries::operator()(const State& state, const StepInfo& info) {
-  remove_stop();
-  const bool due = info.step % every_ == 0;
-  if (!due && !info.last) return;
+std::optional<std::string> GeometryText::text(const State& state) {
   dynamics_->update(state, work_);
   dynamics_->forces(state, work_, forces_);
   PolyLines lines;
@@ -102,9 +91,25 @@ void VtpSeries::operator()(const State& state, const StepInfo& info) {
     }
     lines.end(-1, static_cast<long>(c), forces_.tensions[c], forces_.tensions[c] == 0.0);
   }
-  if (!lines.finite()) return;
+  if (!lines.finite()) return {};
+  return lines.xml();
+}
+
+VtpSeries::VtpSeries(const Dynamics& dynamics, std::filesystem::path folder, std::string name, long every)
+    : folder_{std::move(folder)}, name_{std::move(name)}, every_{every}, geometry_{dynamics} {
+  std::error_code none;
+  std::filesystem::remove(folder_ / (name_ + ".pvd"), none);
+  make_folder(folder_ / (name_ + "_geometry"));
+}
+
+void VtpSeries::operator()(const State& state, const StepInfo& info) {
+  remove_stop();
+  const bool due = info.step % every_ == 0;
+  if (!due && !info.last) return;
+  const std::optional<std::string> text = geometry_.text(state);
+  if (!text) return;
   const File file{state.t, info.step};
-  write_whole(folder_ / path(file), lines.xml());
+  write_whole(folder_ / path(file), *text);
   if (due || !info.stop) return files_.push_back(file);
   of_stop_ = file;
 }

@@ -10,6 +10,23 @@
 
 namespace talus {
 
+/// Writes the outlines and cables of a model in a state as one file of the series below.
+class GeometryText {
+ public:
+  /// The Dynamics must outlive it.
+  explicit GeometryText(const Dynamics& dynamics);
+
+  /// The text of the file; none if a number in it is not finite.
+  [[nodiscard]] std::optional<std::string> text(const State& state);
+
+ private:
+  const Dynamics* dynamics_;
+  Workspace work_;
+  LawForces forces_;
+  std::vector<double> along_;                ///< place of each body along the fence [L]
+  std::vector<std::vector<Vec2>> outlines_;  ///< of each body, in its own axes; closed but for a half-plane's
+};
+
 /// The geometry of a run as a series of VTK XML poly data, FOLDER/NAME_geometry/NAME_00000060.vtp, and its index
 /// FOLDER/NAME.pvd, which ParaView opens. Each file holds poly lines in the scene's units: first the outlines of the
 /// bodies, then the cables. Bodies and cables stand at their place z along the fence. A half-plane is drawn as far as
@@ -44,14 +61,10 @@ class VtpSeries {
   std::string path(const File& file) const;
   void remove_stop();
 
-  const Dynamics* dynamics_;
   std::filesystem::path folder_;
   std::string name_;
   long every_;
-  Workspace work_;
-  LawForces forces_;
-  std::vector<double> along_;                ///< place of each body along the fence [L]
-  std::vector<std::vector<Vec2>> outlines_;  ///< of each body, in its own axes; closed but for a half-plane's
+  GeometryText geometry_;
   std::vector<File> files_;
   std::optional<File> of_stop_;  ///< of the step with which the run stopped, if none was due
 };

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -294,4 +295,17 @@ BOOST_AUTO_TEST_CASE(lists_hold_the_closed_lists) {
     BOOST_TEST(holds(all.out, name));
   for (const char* topic : {"integrators", "laws", "shapes", "units", "fields"})
     BOOST_TEST(talus_ran({"list", topic}).code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(fields_are_listed_with_mark_form_range_and_default) {
+  const Ended fields = talus_ran({"list", "fields"});
+  for (const char* const text :
+       {"\n[[hanger]]: ", "\n  * stiffness           normal stiffness k_n",
+        "a stiffness, e.g. \"1 N/m\" or \"1 lbf/ft\"; > 0\n", "\n    shear_stiffness     tangential stiffness",
+        "only with friction; default: the normal", "required with layers = 2", "\n  * duration ", "this or steps",
+        "nearest, side_face, smoother, centroid_ray", "an inverse length"})
+    BOOST_TEST(holds(fields.out, text), text);
+  std::istringstream lines{fields.out};
+  for (std::string line; std::getline(lines, line);)
+    BOOST_TEST(line.size() <= 110U, line);
 }

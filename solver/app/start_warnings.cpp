@@ -1,0 +1,25 @@
+#include "solver/app/start_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include "solver/calibrate/start_overlaps.hpp"
+#include "solver/scenes/fence_plausibility.hpp"
+
+namespace talus::app {
+
+std::string step_warning(std::string_view verdict, std::string_view command) {
+  return fmt::format("{}; the answer may grow without bound; `{}` chooses its own steps", verdict, command);
+}
+
+std::vector<std::string> start_warnings(const SceneFile& file, const Dynamics& dynamics) {
+  const std::string overlaps = overlap_warning(start_overlaps(dynamics, file.scene.initial), file.scene.model);
+  if (overlaps.empty()) return {};
+  return {overlaps};
+}
+
+std::vector<std::string> geometry_warnings(const SceneFile& file) {
+  if (!file.fence) return {};
+  return scenes::implausible_geometry(file.fence->fence, file.fence->made);
+}
+
+}  // namespace talus::app

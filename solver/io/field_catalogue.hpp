@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/base/dimension.hpp"
+
+namespace talus {
+
+/// How the value of a field is written in a file.
+enum class FieldForm {
+  quantity,      ///< a quantity in quotes; without dimension a bare number
+  vector,        ///< [x, y] of quantities
+  point,         ///< [x, y] or [x, y, z] of quantities
+  pairs,         ///< [[first, second], ..] of quantities
+  whole,         ///< a whole number
+  wholes,        ///< an array of whole numbers
+  one_or_two,    ///< a whole number, or two in an array: one for each body
+  text,          ///< a text in quotes
+  two_texts,     ///< an array of two texts
+  name,          ///< one of a closed list of names, in quotes
+  names,         ///< an array of such names
+  table,         ///< a table
+  table_or_off,  ///< a table, or "off"
+  tables,        ///< an array of tables
+  time_or_auto,  ///< a quantity in quotes, or "auto"
+};
+
+/// One field of a scene, fence or cell file.
+struct CatalogueField {
+  std::string name{};
+  std::string meaning{};  ///< one line
+  FieldForm form{FieldForm::quantity};
+  Dimension dimension{};             ///< of a quantity, of the components of a vector or point, of the first of a pair
+  Dimension second{};                ///< of the second of a pair
+  std::string range{};               ///< values allowed: "> 0", "1 .. 1000"; empty: all
+  std::vector<std::string> names{};  ///< the closed list
+  std::string absent{};              ///< value where the field is left out; empty: none
+  bool required{};                   ///< always, or where the conditions below hold
+  std::string condition{};           ///< "if it can turn": where it is required, or else where it is allowed
+  std::string alternative{};         ///< field that may stand in its place; one of the two is required
+  std::string with{};        ///< field with which it is required, or else without which it is not allowed; empty: none
+  std::string with_value{};  ///< value which that field must have; empty: any
+};
+
+/// The fields of one kind of table.
+struct FieldGroup {
+  std::string id{};    ///< unique: "contact hertz"
+  std::string head{};  ///< as written in a file: `[[contact]] law = "hertz"`
+  std::string about{};
+  std::string base{};  ///< id of a group whose fields it has too; empty: none
+  std::vector<CatalogueField> fields{};
+};
+
+/// All fields that a scene, fence or cell file can have, in groups, in the order in which they are explained. Numeric
+/// fields, shapes, laws and choices come from the lists that the readers use: Field, CountField, VectorField, Names.
+[[nodiscard]] const std::vector<FieldGroup>& field_catalogue();
+
+/// The group of that id. Errors: InputError for an unknown id.
+[[nodiscard]] const FieldGroup& field_group(std::string_view id);
+
+/// The fields of a group, those of its base first.
+[[nodiscard]] std::vector<CatalogueField> all_fields(const FieldGroup& group);
+
+}  // namespace talus

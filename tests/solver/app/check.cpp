@@ -1,0 +1,230 @@
+#define BOOST_TEST_MODULE check
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "tests/solver/app/program.hpp"
+
+// `talus check` against the runs that it speaks of: the size of their output, and their warnings.
+
+namespace {
+
+/// A disc of 1 kg and radius 0.5 m over a floor: with all contacts closed its frequency is 100 rad/s.
+std::string disc(double height, std::string_view run, std::string_view contact = "") {
+  return fmt::format(R"(units = "SI"
+[[body]]
+name = "disc"
+mobility = "free"
+mass = "1 kg"
+inertia = "0.125 kg m^2"
+shape = {{ kind = "circle", radius = "0.5 m" }}
+position = ["0 m", "{} m"]
+[[body]]
+name = "floor"
+mobility = "fixed"
+shape = {{ kind = "half_plane" }}
+position = ["0 m", "0 m"]
+[[contact]]
+name = "landing"
+between = ["disc", "floor"]
+law = "linear_spring_dashpot"
+stiffness = "1e4 N/m"
+damping = "0 N s/m"
+{}
+[run]
+{}
+)",
+                     height, contact, run);
+}
+
+std::set<std::string> lines_of(const std::string& text) {
+  std::set<std::string> lines;
+  std::istringstream in{text};
+  for (std::string line; std::getline(in, line);)
+    lines.insert(line);
+  return lines;
+}
+
+/// What `talus check` expects a run to write.
+struct Expected {
+  long rows{}, columns{}, states{};
+  double bytes{};
+};
+Expected expected_of(const std::string& checked) {
+  const std::string words = "expected output of --out";
+  const std::size_t at = checked.find(words);
+  BOOST_REQUIRE(at != std::string::npos);
+  Expected found;
+  std::string unit, word;
+  std::istringstream in{checked.substr(at + words.size() + (checked[at + words.size()] == ':' ? 1 : 0))};
+  in >> found.rows >> word >> word >> word >> found.columns;
+  const std::string line = checked.substr(at, checked.find('\n', at) - at);
+  if (const std::size_t states = line.find("columns, "); line.find("states") != std::string::npos)
+    found.states = std::stol(line.substr(states + 9));
+  std::istringstream size{line.substr(line.find("about ") + 6)};
+  size >> found.bytes >> unit;
+  found.bytes *= unit.starts_with("kB") ? 1e3 : unit.starts_with("MB") ? 1e6 : 1e9;
+  return found;
+}
+
+/// Runs a scene into a folder and compares what is there with what was expected.
+void check_output(const std::string& file, const std::string& command, const std::string& states) {
+  const Folder folder;
+  const Ended checked = talus_ran({"check", file});
+  BOOST_REQUIRE(checked.code == 0);
+  const Expected expected = expected_of(checked.out);
+  BOOST_REQUIRE(talus_ran({command, file, "--out", folder.path.string()}).code == 0);
+  double bytes = 0.0;
+  long found_states = 0;
+  for (const auto& [name, text] : files(folder.path)) {
+    bytes += static_cast<double>(text.size());
+    found_states += name.find(states) != std::string::npos ? 1 : 0;
+  }
+  const std::string history = talus::read_text(folder.path / "history.csv");
+  const std::string head = history.substr(0, history.find('\n'));
+  BOOST_TEST_CONTEXT(file) {
+    BOOST_TEST(expected.rows == std::count(history.begin(), history.end(), '\n') - 1);
+    BOOST_TEST(expected.columns == std::count(head.begin(), head.end(), ',') + 1);
+    BOOST_TEST(expected.states == found_states);
+    BOOST_TEST(std::abs(expected.bytes / bytes - 1.0) <= 0.2, expected.bytes << " bytes expected, " << bytes);
+  }
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(expected_output_of_scenes) {
+  for (const char* const name : {"two_cable.toml", "pendulum.toml", "pivoted_cylinder.toml", "damped_disc.toml"})
+    check_output(scene(name), "run", "_geometry/");
+  const Folder folder;
+  const std::string run = "integrator = \"velocity_verlet\"\nstep = \"0.3 ms\"\nend = \"0.4 s\"\ninterval = \"1 ms\"\n";
+  check_output(folder.file("uneven.toml", disc(1.0, run)).string(), "run", "_geometry/");
+  check_output(folder.file("off.toml", disc(1.0, run + "ledger = \"off\"")).string(), "run", "_geometry/");
+}
+
+BOOST_AUTO_TEST_CASE(expected_output_of_fences) {
+  for (const char* const name : {"fence/sample2.DAT", "fence/table_2.toml", "fence/appendix_two_layers.toml"})
+    check_output(scene(name), "run", "_geometry/");
+  const Folder folder;
+  check_output(folder.file("new.toml", talus_ran({"new", "fence"}).out).string(), "run", "_geometry/");
+}
+
+BOOST_AUTO_TEST_CASE(expected_output_of_cells) {
+  for (const char* const name : {"cell/ice.toml", "cell/rough.toml", "cell/CNTRL.DAT"})
+    check_output(scene(name), "cell", "cell_states/");
+  const Folder folder;
+  check_output(folder.file("new.toml", talus_ran({"new", "cell"}).out).string(), "cell", "cell_states/");
+}
+
+BOOST_AUTO_TEST_CASE(histories_that_a_run_refuses) {
+  const Folder folder;
+  std::string text = talus::read_text(scene("fence/sample2.toml"));
+  const std::size_t at = text.find("35, 36]");
+  BOOST_REQUIRE(at != std::string::npos);
+  const std::string file = folder.file("s.toml", text.replace(at, 7, "35, 39]")).string();
+  const Ended checked = talus_ran({"check", file});
+  BOOST_TEST(checked.code == 0);
+  BOOST_TEST(holds(checked.err, "warning: talus run --out refuses this file: history_codes (variab): found 39"));
+  const Ended ran = talus_ran({"run", file, "--out", (folder.path / "out").string()});
+  BOOST_TEST(ran.code == 2);
+  BOOST_TEST(holds(ran.err, "history_codes (variab): found 39"));
+}
+
+// A contact that is closed vibrates at 100 rad/s; the limit of velocity_verlet is 2/100 s.
+BOOST_AUTO_TEST_CASE(the_verdict_on_the_step_is_that_of_the_run) {
+  const Folder folder;
+  const auto warnings = [&](double step, std::string_view command) {
+    const std::string run = fmt::format("integrator = \"velocity_verlet\"\nstep = \"{} s\"\nend = \"0.2 s\"\n", step);
+    const std::string file = folder.file("s.toml", disc(5.0, run)).string();
+    const Ended ended = talus_ran({std::string{command}, file});
+    BOOST_TEST(ended.code == 0);
+    if (command == "check") BOOST_TEST(holds(ended.out, "TOO LONG") == (step > 0.02));
+    return lines_of(ended.err);
+  };
+  const auto below = warnings(0.99 * 0.02, "check"), beyond = warnings(1.01 * 0.02, "check");
+  BOOST_TEST(below.empty());
+  BOOST_REQUIRE(beyond.size() == 1U);
+  BOOST_TEST(holds(*beyond.begin(), "warning: h omega = 2.02 > 2, the linear limit of velocity_verlet"));
+  BOOST_TEST((below == warnings(0.99 * 0.02, "run")));
+  BOOST_TEST((beyond == warnings(1.01 * 0.02, "run")));
+}
+
+// 1/20 of the limit is 1 ms; 1/200 of the contact, pi/100 s, is shorter.
+BOOST_AUTO_TEST_CASE(the_automatic_step_is_what_the_help_says) {
+  const Folder folder;
+  BOOST_TEST(holds(talus_ran({"run", "--help"}).out, "1/20"));
+  BOOST_TEST(holds(talus_ran({"run", "--help"}).out, "1/200"));
+  const std::string run = "integrator = \"velocity_verlet\"\nstep = \"1 ms\"\nend = \"0.01 s\"\n";
+  const std::string file = folder.file("s.toml", disc(5.0, run)).string();
+  BOOST_TEST(holds(talus_ran({"run", file, "--step", "auto"}).out, ", step 0.00015708 s"));
+  // Without contacts the limit alone counts.
+  const std::string hung = scene("cable_pendulum.toml");
+  const Ended checked = talus_ran({"check", hung}), ended = talus_ran({"run", hung, "--step", "auto"});
+  const auto number_after = [](const std::string& text, const std::string& words) {
+    return std::stod(text.substr(text.find(words) + words.size()));
+  };
+  BOOST_TEST(number_after(ended.out, ", step ") == number_after(checked.out, ", a step of ") / 20.0,
+             boost::test_tools::tolerance(1e-5));
+}
+
+BOOST_AUTO_TEST_CASE(overlaps_at_the_start) {
+  const Folder folder;
+  const std::string run = "integrator = \"stormer_cowell\"\nend = \"0.01 s\"\n";
+  const auto ended = [&](std::string_view command, double height, std::string_view contact) {
+    return talus_ran({std::string{command}, folder.file("s.toml", disc(height, run, contact)).string()});
+  };
+  for (const std::string contact : {"", "method = \"nodes\"\nnodes = 12"}) {
+    // 4 % of the radius; 0.2 %; none.
+    const Ended large = ended("check", 0.48, contact), small = ended("check", 0.499, contact);
+    const std::string words = "contact 'landing' overlaps by 0.02 m at the start, 4 % of half the width of its smaller";
+    BOOST_TEST(holds(large.out, "overlaps at the start 1\n  " + words));
+    BOOST_TEST(holds(large.err, "warning: " + words));
+    BOOST_TEST(large.err == ended("run", 0.48, contact).err);
+    BOOST_TEST(holds(small.out, "overlaps by 0.001 m at the start, 0.2 %"));
+    BOOST_TEST(small.err == "");
+    BOOST_TEST(ended("run", 0.499, contact).err == "");
+    for (const double height : {0.5, 0.6, 5.0}) {
+      const Ended none = ended("check", height, contact);
+      BOOST_TEST(!holds(none.out, "overlap"));
+      BOOST_TEST(none.err == "");
+    }
+  }
+}
+
+// The warning is in the record too, once.
+BOOST_AUTO_TEST_CASE(a_run_warns_of_overlaps_at_its_start) {
+  const Folder folder;
+  const std::string run = "integrator = \"stormer_cowell\"\nend = \"0.01 s\"\n";
+  const std::string file = folder.file("s.toml", disc(0.45, run)).string(), out = (folder.path / "out").string();
+  const Ended ended = talus_ran({"run", file, "--out", out});
+  BOOST_TEST(ended.code == 0);
+  BOOST_TEST(lines_of(ended.err).size() == 1U);
+  BOOST_TEST(std::count(ended.err.begin(), ended.err.end(), '\n') == 1);
+  BOOST_TEST(holds(talus::read_text(out + "/summary.json"), "overlaps by 0.05 m at the start, 10 %"));
+}
+
+// Sound cases have nothing to warn of but steps; an unlikely fence is warned of by both commands in the same words.
+BOOST_AUTO_TEST_CASE(unlikely_fences) {
+  const Folder folder;
+  for (const char* const name : {"fence/table_2.toml", "fence/table_3.toml"})
+    BOOST_TEST(talus_ran({"check", scene(name)}).err == "");
+  std::string text = talus_ran({"new", "fence"}).out;
+  const auto change = [&](std::string_view from, std::string_view to) {
+    const std::size_t at = text.find(from);
+    BOOST_REQUIRE_MESSAGE(at != std::string::npos, from);
+    text.replace(at, from.size(), to);
+  };
+  change("spacing = \"0.8 m\"", "spacing = \"0.6 m\"");
+  change("position = [\"0 m\", \"-2 m\"]", "position = [\"0 m\", \"-1.4 m\"]");
+  change("duration = \"0.8 s\"", "duration = \"5 ms\"");
+  const std::string file = folder.file("f.toml", text).string();
+  const Ended checked = talus_ran({"check", file}), ran = talus_ran({"run", file});
+  BOOST_TEST(checked.code == 0);
+  BOOST_TEST(holds(checked.err, "warning: spacing: columns of a width of 0.8 m stand 0.6 m apart"));
+  BOOST_TEST(holds(checked.err, "warning: ground: it reaches 0.3 m into the columns"));
+  const auto of_check = lines_of(checked.err), of_run = lines_of(ran.err);
+  BOOST_TEST(std::ranges::includes(of_run, of_check), checked.err << "against\n" << ran.err);
+}

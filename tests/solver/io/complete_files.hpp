@@ -1,0 +1,509 @@
+#pragma once
+
+#include <boost/test/unit_test.hpp>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/base/error.hpp"
+#include "solver/io/cell_file.hpp"
+#include "solver/io/toml_scene.hpp"
+
+// Files that together have every field, each on a line, and each table under a header whose comment names its group in
+// the catalogue of fields.
+
+inline constexpr std::string_view complete_files[] = {
+    R"(# scene
+title = "All parts"
+units = "SI"
+gravity = ["0 m/s^2", "-9.81 m/s^2"]
+[[body]] # body
+name = "rock"
+mobility = "free"
+mass = "3 kg"
+inertia = "0.5 kg m^2"
+angle = "10 deg"
+moment = "1 N m"
+position = ["0 m", "1 m"]
+velocity = ["1 m/s", "0 m/s"]
+spin = "1 rad/s"
+force = ["1 N", "0 N"]
+[body.shape] # shape circle
+kind = "circle"
+radius = "0.5 m"
+[[body]] # body
+name = "door"
+mobility = "pinned"
+mass = "3 kg"
+inertia = "0.5 kg m^2"
+position = ["4 m", "1 m"]
+pin = ["0 m", "1 m"]
+spin = "1 rad/s"
+[body.shape] # shape rectangle
+kind = "rectangle"
+half_width = "0.5 m"
+half_height = "1 m"
+[[body]] # body
+name = "egg"
+mobility = "guided_x"
+mass = "3 kg"
+inertia = "0.5 kg m^2"
+position = ["7 m", "1 m"]
+pin = ["0 m", "0.5 m"]
+velocity = ["1 m/s", "0 m/s"]
+[body.shape] # shape superquadric
+kind = "superquadric"
+half_width = "0.5 m"
+half_height = "0.4 m"
+exponent = 4.0
+[[body]] # body
+name = "bead"
+mobility = "particle"
+mass = "1 kg"
+position = ["9 m", "3 m"]
+[body.shape] # shape none
+kind = "none"
+[[body]] # body
+name = "ground"
+mobility = "fixed"
+position = ["0 m", "0 m"]
+angle = "5 deg"
+[body.shape] # shape half_plane
+kind = "half_plane"
+[[body]] # body
+name = "hills"
+mobility = "fixed"
+position = ["0 m", "-9 m"]
+[body.shape] # shape terrain
+kind = "terrain"
+points = [["0 m", "0 m"], ["5 m", "1 m"]]
+[[contact]] # contact linear_spring_dashpot
+name = "bounce"
+between = ["rock", "ground"]
+law = "linear_spring_dashpot"
+stiffness = "1e4 N/m"
+restitution = 0.5
+restitution_rule = "effective_mass"
+end_rule = "clamped"
+friction = 0.4
+shear_stiffness = "1e4 N/m"
+shear_damping = "2 N s/m"
+[[contact]] # contact linear_spring_dashpot
+name = "knock"
+between = ["rock", "door"]
+law = "linear_spring_dashpot"
+stiffness = "1e4 N/m"
+damping = "2 N s/m"
+method = "nodes"
+nodes = [12, 4]
+node_depth = "nearest"
+[[contact]] # contact latching_spring
+name = "dent"
+between = ["rock", "egg"]
+law = "latching_spring"
+method = "nodes"
+nodes = 12
+node_depth = "smoother"
+stiffness = "1e4 N/m"
+unloading_stiffness = "2e4 N/m"
+growth = "3 1/m"
+friction = 0.4
+shear_stiffness = "1e4 N/m"
+shear_damping = "2 N s/m"
+[[contact]] # contact hertz
+name = "touch"
+between = ["rock", "hills"]
+law = "hertz"
+method = "nodes"
+nodes = 12
+node_depth = "nearest"
+modulus = "1e6 Pa"
+radius = "0.5 m"
+damping = "2 N s/m"
+end_rule = "attractive"
+friction = 0.4
+shear_stiffness = "1e4 N/m"
+shear_damping = "2 N s/m"
+[[cable]] # cable tension_only
+name = "rope"
+law = "tension_only"
+stiffness = "100 N/m"
+damping = "1 N s/m"
+rest_length = "2 m"
+slack = "0.1 m"
+[cable.from] # cable end
+body = "rock"
+point = ["0 m", "0.5 m"]
+[cable.to] # cable end
+body = "bead"
+point = ["0 m", "0 m", "1 m"]
+[[cable]] # cable elastic_plastic
+name = "wire"
+law = "elastic_plastic"
+stiffness = "100 N/m"
+yield = "10 N"
+hardening = "1 N/m"
+strength = "30 N"
+rupture = "1 m"
+table = [["0.1 m", "12 N"], ["0.2 m", "13 N"]]
+rest_length = "2 m"
+slack = "0.1 m"
+[cable.from] # cable end
+body = "bead"
+point = ["0 m", "0 m"]
+[cable.to] # cable end
+body = "door"
+point = ["0 m", "1 m"]
+[[cable]] # cable tension_only
+name = "line"
+law = "tension_only"
+stiffness = "100 N/m"
+from = { body = "egg", point = ["0 m", "0.4 m"] }
+to = { point = ["7 m", "9 m"] }
+[[hanger]] # hanger
+name = "hook"
+body = "egg"
+point = ["0 m", "0.4 m"]
+strength = "50 N"
+[run] # run
+integrator = "rk4"
+step = "1 ms"
+end = "1 s"
+interval = "10 ms"
+ledger = "off"
+[run.watch] # watch
+instability = "warning"
+tunnelling = "warning"
+accuracy = "off"
+)",
+    R"(# scene
+units = "US"
+[[body]] # body
+name = "bead"
+mobility = "sliding_x"
+mass = "1 lb"
+position = ["0 ft", "0 ft"]
+[run] # run
+integrator = "stormer_cowell"
+tolerance = 1e-8
+end = "1 s"
+)",
+    R"(# fence file
+title = "All of a fence"
+units = "SI"
+[fence] # fence
+columns = 15
+spacing = "0.9 m"
+span = "16 m"
+sag = "1.5 m"
+y_top = "1.5 m"
+y_bottom = "-1 m"
+young = "100 GPa"
+area_top = "400 mm^2"
+area_bottom = "200 mm^2"
+limit_top = "400 kN"
+limit_bottom = "300 kN"
+restitution = 0.4
+penetration = 0.05
+duration = "0.1 s"
+friction = 0.3
+slack = "0.1 m"
+connections = 2
+gravity_sign = -1
+gravity = "9.8 m/s^2"
+print_every = 10
+history_every = 1
+history_elements = [2, 3]
+history_codes = [3, 4]
+ground_profile = [["-9 m", "-2 m"], ["9 m", "-1.9 m"]]
+[[fence.rock]] # fence rock
+a = "0.4 m"
+b = "0.4 m"
+density = "2000 kg/m^3"
+power = 1.0
+points = 4
+solid = "ellipsoid"
+position = ["0.9 m", "0 m"]
+velocity = ["-10 m/s", "0 m/s"]
+spin = "-5 rad/s"
+angle = "1 deg"
+force = ["1 N", "0 N"]
+moment = "1 N m"
+along = "0 m"
+fixed_point = ["0 m", "0 m"]
+bar_length = "0 m"
+held = []
+[[fence.rock]] # fence rock
+a = "0.4 m"
+b = "0.4 m"
+mass = "700 kg"
+shape = "ellipse"
+position = ["2.9 m", "0 m"]
+velocity = ["-10 m/s", "0 m/s"]
+[fence.column] # fence column
+a = "0.4 m"
+b = "1.2 m"
+density = "200 kg/m^3"
+power = 0.0
+points = 2
+solid = "cylinder"
+position = ["0 m", "0 m"]
+velocity = ["0 m/s", "0 m/s"]
+spin = "0 rad/s"
+angle = "0 deg"
+force = ["0 N", "0 N"]
+moment = "0 N m"
+along = "0 m"
+fixed_point = ["0 m", "0 m"]
+bar_length = "0 m"
+held = []
+[fence.ground] # fence ground
+a = "10 m"
+b = "0.5 m"
+density = "200 kg/m^3"
+power = 0.0
+points = 2
+solid = "block"
+position = ["0 m", "-2.5 m"]
+velocity = ["0 m/s", "0 m/s"]
+spin = "0 rad/s"
+angle = "0 deg"
+force = ["0 N", "0 N"]
+moment = "0 N m"
+along = "0 m"
+fixed_point = ["0 m", "0 m"]
+bar_length = "0 m"
+held = ["x", "y", "rotation"]
+[[fence.changed_column]] # fence changed_column
+place = 3
+a = "0.3 m"
+b = "1.1 m"
+density = "150 kg/m^3"
+y_top = "1.4 m"
+y_bottom = "-0.9 m"
+[[fence.stretched_cable]] # fence stretched_cable
+cable = "top1"
+stretch = "10 mm"
+[fence.options] # fence options
+symmetry = "full"
+even_centre = "pair"
+contact = "resultant"
+calibration = "effective_mass"
+end_rule = "clamped"
+start = "plain"
+bottom_end = "anchored"
+column_ground = "none"
+end = "exit"
+exit_x = "-3 m"
+sleep = "exact"
+integrator = "stormer_cowell"
+tolerance = 1e-8
+shear_ratio = 0.8
+hanger_strength = "100 kN"
+strength_top = "600 kN"
+strength_bottom = "450 kN"
+hardening = 0.1
+rupture = 0.3
+[fence.options.watch] # fence watch
+instability = "warning"
+tunnelling = "warning"
+accuracy = "off"
+)",
+    R"(# fence file
+units = "SI"
+[fence] # fence
+rules = "1993"
+columns = 5
+spacing = "0.9 m"
+span = "16 m"
+sag = "1.5 m"
+y_top = "1.5 m"
+y_bottom = "-1 m"
+young = "100 GPa"
+area_top = "400 mm^2"
+area_bottom = "200 mm^2"
+limit_top = "400 kN"
+limit_bottom = "300 kN"
+restitution = 0.4
+penetration = 0.05
+steps = 100
+step_factor = 0.5
+layers = 2
+layer_spacing = "1.9 m"
+rock_overlap = "10 mm"
+layer_overlap = "10 mm"
+[[fence.rock]] # fence rock
+a = "0.4 m"
+b = "0.3 m"
+density = "2000 kg/m^3"
+shape = "superquadric"
+exponent = 3.0
+position = ["2.9 m", "0 m"]
+velocity = ["-10 m/s", "0 m/s"]
+[[fence.rock]] # fence rock
+a = "0.4 m"
+b = "0.3 m"
+density = "2000 kg/m^3"
+shape = "rectangle"
+position = ["4.9 m", "0 m"]
+velocity = ["-10 m/s", "0 m/s"]
+[fence.column] # fence column
+a = "0.4 m"
+b = "1.2 m"
+mass = "100 kg"
+shape = "superquadric"
+exponent = 8.0
+[fence.ground] # fence ground
+a = "10 m"
+b = "0.5 m"
+position = ["0 m", "-2.5 m"]
+mass = "1000 kg"
+shape = "superquadric"
+exponent = 8.0
+[fence.options] # fence options
+table = [[0.01, 1.2]]
+)",
+    R"(# cell file
+title = "All of a cell"
+units = "SI"
+[cell] # cell latching_spring
+law = "latching_spring"
+stiffness = "1.7e4 N/m"
+unloading_stiffness = "3e4 N/m"
+growth = "1 1/m"
+diameter = "1 mm"
+mass = "7.2e-7 kg"
+gravity = "9.81 m/s^2"
+block_mass = "9e-3 kg"
+block_speed = "5 m/s"
+rows = 8
+columns = 10
+wall_discs = 11
+friction = 0.5
+shear_stiffness = "1e4 N/m"
+seed = 3
+[run] # cell run
+integrator = "central_difference"
+step = "0.2 us"
+every = "5 ms"
+end = "100 ms"
+jump = "on"
+images = "nearest"
+historical = "off"
+pictures = "on"
+)",
+    R"(# cell file
+title = "All of a cell"
+units = "SI"
+[cell] # cell latching_spring
+stiffness = "1.7e4 N/m"
+restitution = 0.7
+diameter = "1 mm"
+mass = "7.2e-7 kg"
+gravity = "9.81 m/s^2"
+overburden = "8 kPa"
+rows = 8
+columns = 10
+wall_discs = 11
+[run] # cell run
+step = "0.2 us"
+every = "5 ms"
+end = "100 ms"
+)",
+    R"(# cell file
+title = "All of a cell"
+units = "SI"
+[cell] # cell linear_spring_dashpot
+law = "linear_spring_dashpot"
+stiffness = "2e4 N/m"
+damping = "0.02 N s/m"
+end_rule = "clamped"
+diameter = "1 mm"
+mass = "7.2e-7 kg"
+gravity = "9.81 m/s^2"
+block_mass = "9e-3 kg"
+block_speed = "5 m/s"
+rows = 8
+columns = 10
+wall_discs = 11
+friction = 0.5
+shear_stiffness = "1e4 N/m"
+seed = 3
+[run] # cell run
+step = "0.2 us"
+every = "5 ms"
+end = "100 ms"
+)",
+    R"(# cell file
+title = "All of a cell"
+units = "SI"
+[cell] # cell linear_spring_dashpot
+law = "linear_spring_dashpot"
+stiffness = "2e4 N/m"
+restitution = 0.7
+diameter = "1 mm"
+mass = "7.2e-7 kg"
+gravity = "9.81 m/s^2"
+overburden = "8 kPa"
+rows = 8
+columns = 10
+wall_discs = 11
+[run] # cell run
+step = "0.2 us"
+every = "5 ms"
+end = "100 ms"
+)"};
+
+/// One table of a complete file.
+struct FileTable {
+  std::string header;              ///< its line; empty for the file itself
+  std::string path;                ///< "body.shape"; empty for the file itself
+  std::string group;               ///< id in the catalogue
+  std::vector<std::string> lines;  ///< `key = value`
+};
+
+inline std::string key_of(const std::string& line) { return line.substr(0, line.find(" = ")); }
+inline std::string value_of(const std::string& line) { return line.substr(line.find(" = ") + 3); }
+
+/// The tables of a complete file, in their order.
+inline std::vector<FileTable> tables_of(std::string_view file) {
+  std::vector<FileTable> tables;
+  std::istringstream in{std::string{file}};
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t comment = line.find("# ");
+    if (comment == std::string::npos) {
+      tables.back().lines.push_back(line);
+      continue;
+    }
+    const std::string header = line.substr(0, comment);
+    const std::size_t from = header.find_first_not_of('['), to = header.find(']');
+    tables.push_back({header, header.empty() ? "" : header.substr(from, to - from), line.substr(comment + 2), {}});
+  }
+  return tables;
+}
+
+/// The text of the tables.
+inline std::string file_of(const std::vector<FileTable>& tables) {
+  std::string text;
+  for (const FileTable& table : tables) {
+    text += table.header + "\n";
+    for (const std::string& line : table.lines)
+      text += line + "\n";
+  }
+  return text;
+}
+
+/// What its reader says of a file; empty if nothing.
+inline std::string errors_of(const std::vector<FileTable>& tables) {
+  try {
+    if (tables.front().group == "cell file") {
+      static_cast<void>(talus::read_cell(file_of(tables), "f.toml", {}));
+    } else {
+      static_cast<void>(talus::read_scene_file(file_of(tables), "f.toml"));
+    }
+  } catch (const talus::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
