@@ -9,6 +9,7 @@
 #include "tests/verification/driver/synthetic_cases.hpp"
 #include "verification/driver/case_run.hpp"
 #include "verification/driver/junit.hpp"
+#include "verification/driver/terminal.hpp"
 
 using namespace talus::verification;
 
@@ -95,6 +96,12 @@ BOOST_AUTO_TEST_CASE(families_orders_and_peers_are_told) {
   for (const auto& peer : shown.at("peers"))
     found += peer.at("cases").size();
   BOOST_TEST(found == 2u);  // MFiX's DEM04 and LAMMPS's sphere that slides until it rolls
+}
+
+BOOST_AUTO_TEST_CASE(the_line_of_a_failed_check_shows_an_error_above_its_bound) {
+  const Check check = compare("value", 1.0 + 1.0004 * 0.25, 1.0, Tolerance::model(0.25, "chosen"), "m");
+  BOOST_TEST(!check.pass);
+  BOOST_TEST(sentence("a", check).find("error/bound 1.001 (chosen)") != std::string::npos, sentence("a", check));
 }
 
 BOOST_AUTO_TEST_CASE(xml_is_escaped) {
