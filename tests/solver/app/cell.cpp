@@ -126,8 +126,13 @@ BOOST_AUTO_TEST_CASE(a_run_that_was_stopped_says_so_and_goes_on) {
   BOOST_TEST(talus_ran({"cell", "--resume", left}).code == 0);
   same_files(left, whole);
   // The command line is the run's; its file must be what it was.
-  BOOST_TEST(talus_ran({"cell", "--resume", left}).code == 4);
   BOOST_TEST(talus_ran({"cell", "--resume", left, "--seed", "6"}).code == 2);
+  const Ended again = talus_ran({"cell", "--resume", left});
+  BOOST_TEST(again.code == 0);
+  BOOST_TEST(again.out == left + ": the run is finished; there is nothing to resume\n");
+  BOOST_TEST(again.err == "");
+  BOOST_TEST(talus_ran({"cell", "--resume", left, "--json"}).out == talus::read_text(fs::path{left} / "summary.json"));
+  same_files(left, whole);
 }
 
 BOOST_AUTO_TEST_CASE(a_run_whose_last_files_cannot_be_written_can_be_taken_on) {
