@@ -113,6 +113,56 @@ BOOST_AUTO_TEST_CASE(panels_and_abscissas) {
   BOOST_TEST(path.page().at("panels").at(0).at("x").at("unit") == "ft");
 }
 
+// Two layers of the half fence have 26 segments, 14 columns and a rock 30 coordinates: of more than 8 curves those
+// whose values differ most are drawn.
+BOOST_AUTO_TEST_CASE(a_panel_has_eight_curves_unless_more_are_requested) {
+  const auto labels = [](const nlohmann::json& figure) {
+    std::vector<std::string> found;
+    for (const auto& series : figure.at("series"))
+      found.push_back(series.at("label").get<std::string>());
+    return found;
+  };
+  const auto figure = [](const Asked& asked, const std::string& name) {
+    for (const auto& each : asked.plot.at("figures"))
+      if (each.at("name") == name) return each;
+    return nlohmann::json{};
+  };
+  const Asked usual{{"plot", sample().string()}}, all{{"plot", sample().string(), "--all"}};
+  BOOST_REQUIRE(usual.ended.code == 0);
+  for (const auto& each : usual.plot.at("figures"))
+    BOOST_TEST(each.at("series").size() <= 8U, each.at("name"));
+  const auto drawn = labels(figure(usual, "positions")), kept = labels(figure(all, "positions"));
+  BOOST_TEST(drawn.size() == 8U);
+  BOOST_TEST(kept.size() == 30U);
+  BOOST_TEST(holds(usual.ended.out, "positions: 8 of 30 curves drawn, those with the largest range; --all draws all"),
+             usual.ended.out);
+  BOOST_TEST(!holds(all.ended.out, "drawn"));
+  const talus::KeptHistory history = talus::read_history(sample() / "history.csv");
+  const auto range = [&](const std::string& name) {
+    const auto& values = history.find(name)->values;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return *high - *low;
+  };
+  for (const std::string& one : kept) {
+    if (std::find(drawn.begin(), drawn.end(), one) != drawn.end()) continue;
+    for (const std::string& other : drawn)
+      BOOST_TEST(range(one) <= range(other), one + " is left out for " + other);
+  }
+  // Elements by name and number, of which each figure has what there is.
+  const Asked named{{"plot", sample().string(), "--element", "2,top1"}};
+  BOOST_TEST((labels(figure(named, "velocities")) == std::vector<std::string>{"rock.vx", "rock.vy"}));
+  BOOST_TEST((labels(figure(named, "tensions")) == std::vector<std::string>{"top1.tension"}));
+  const Ended unknown = talus_ran({"plot", sample().string(), "--element", "top99"});
+  BOOST_TEST(unknown.code == 2);
+  BOOST_TEST(holds(unknown.err, "--element: element 'top99' is not known; nearest: top"), unknown.err);
+  // Chosen histories alike.
+  const Asked tension{{"plot", sample().string(), "--history", "tension"}};
+  BOOST_TEST(tension.page().at("panels").at(0).at("series").size() == 8U);
+  BOOST_TEST(holds(tension.ended.out, "panel [lbf]: 8 of 26 curves drawn"), tension.ended.out);
+  const Asked tensions{{"plot", sample().string(), "--history", "tension", "--all"}};
+  BOOST_TEST(tensions.page().at("panels").at(0).at("series").size() == 26U);
+}
+
 BOOST_AUTO_TEST_CASE(several_runs_over_each_other) {
   const Folder folder;
   std::vector<std::string> arguments{"plot"};
