@@ -12,6 +12,7 @@
 #include "solver/io/fortran.hpp"
 #include "solver/io/list_directed.hpp"
 #include "solver/io/scene_parts.hpp"
+#include "solver/io/shown_title.hpp"
 #include "solver/io/toml_document.hpp"
 #include "solver/laws/restitution.hpp"
 
@@ -271,7 +272,7 @@ CellScene read_toml(std::string_view text, std::string_view name, const CellChoi
   file.allow({"title", "units", "cell", "run"});
   source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
   if (choices.units) throw InputError{fmt::format("{}: a unit system is named in the file already", name)};
-  CellScene scene{.title = file.text("title"), .units = source.units, .cell = {}, .plan = {}};
+  CellScene scene{.title = shown_title(file.title(), name), .units = source.units, .cell = {}, .plan = {}};
   SceneTable cell = file.table("cell");
   read_cell_table(cell, scene.cell);
   SceneTable run = file.table("run");

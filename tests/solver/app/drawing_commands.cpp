@@ -410,3 +410,34 @@ BOOST_AUTO_TEST_CASE(the_player_is_one_file_that_needs_no_other) {
   BOOST_TEST(late.code == 2);
   BOOST_TEST(holds(late.err, "--until: found \"1 us\"; the run left fewer than two states up to then"));
 }
+
+// No title, an empty one and blanks: the scene's file names the run, in every command.
+BOOST_AUTO_TEST_CASE(a_blank_title_is_replaced_by_the_name_of_the_file) {
+  for (const char* name : {"two_cable.toml", "fence/table_2.toml", "cell/ice.toml"}) {
+    const std::string text = talus::read_text(scene(name));
+    const std::size_t begin = text.find("title = "), end = text.find('\n', begin) + 1;
+    for (const char* title : {"", "title = \"\"\n", "title = \"  \"\n"}) {
+      BOOST_TEST_CONTEXT(name << ", " << title) {
+        const Folder folder;
+        const std::string file = folder.file("untitled.toml", std::string{text}.replace(begin, end - begin, title));
+        const std::string run = (folder.path / "run").string();
+        const bool cell = std::string{name} == "cell/ice.toml", fence = holds(name, "fence");
+        std::vector<std::string> command{cell ? "cell" : "run", file, "--out", run};
+        if (!cell) command.insert(command.end(), {"--end", "4 ms", "--frames", "4"});
+        if (fence) command.push_back("--sheet");
+        const Ended ended = talus_ran(command);
+        BOOST_TEST_REQUIRE(ended.code == 0, ended.err);
+        if (!fence) BOOST_TEST(ended.out.rfind("untitled\n", 0) == 0U, ended.out.substr(0, 80));
+        BOOST_TEST(nlohmann::json::parse(talus::read_text(run + "/summary.json")).at("title") == "untitled");
+        if (fence) BOOST_TEST(holds(talus::read_text(run + "/sheet.html"), "<h1>untitled</h1>"));
+        const std::string quantity = cell ? "depth" : "energy.kinetic";
+        BOOST_TEST(Asked({"plot", run, "--history", quantity}).page().at("title") == "untitled");
+        BOOST_TEST(Asked({"snapshot", run, "--count", "2"}).page().at("title") == "untitled");
+        BOOST_TEST(talus_ran({"plot", run, "--format", "svg"}).code == 0);
+        const Ended animated = talus_ran({"animate", run});
+        BOOST_TEST_REQUIRE(animated.code == 0, animated.err);
+        BOOST_TEST(holds(talus::read_text(run + "/plots/animation.html"), "<h1>untitled</h1>"));
+      }
+    }
+  }
+}
