@@ -177,9 +177,9 @@ class CellProgress {
     if (!line_.due()) return;
     const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
     const double rate = static_cast<double>(run.steps() - first_) / seconds;
-    line_.show(fmt::format("t {:.4g} of {:.4g}, {:.3g} steps/s, {:.0f} s left",
+    line_.show(fmt::format("t {:.4g} of {:.4g}, {:.3g} steps/s, {} left",
                            static_cast<double>(run.steps()) * run.plan().step, run.plan().end, rate,
-                           static_cast<double>(run.last_step() - run.steps()) / rate));
+                           duration_text(static_cast<double>(run.last_step() - run.steps()) / rate)));
   }
 
  private:

@@ -8,6 +8,7 @@
 
 #include "solver/app/cell_summary.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/progress.hpp"
 #include "solver/calibrate/step_advice.hpp"
 #include "solver/io/cell_file.hpp"
 #include "solver/io/scene_file.hpp"
@@ -108,6 +109,7 @@ double pilot_evaluations(const Scene& scene, const Dynamics& dynamics, long step
 
 /// Force evaluations of a step once a method has started.
 double evaluations_per_step(const Scene& scene, const Dynamics& dynamics) {
+  const ElapsedTime elapsed{"taking the first steps"};
   return (pilot_evaluations(scene, dynamics, 24) - pilot_evaluations(scene, dynamics, 16)) / 8.0;
 }
 
@@ -131,7 +133,10 @@ int check(const std::string& file) {
   fmt::print("{}\n", scene.title);
   print_bodies(scene, dynamics);
   if (scene.initial.q.size() <= most_coordinates) {
-    const StepAdvice advice = advise_step(dynamics, scene.initial);
+    const StepAdvice advice = [&] {
+      const ElapsedTime elapsed{"evaluating the frequencies"};
+      return advise_step(dynamics, scene.initial);
+    }();
     print_springs(scene, advice);
     print_step(scene, advice);
   } else {
