@@ -65,7 +65,7 @@ std::string check_table(const CaseRecord& record) {
 
 std::string control_margin(const Control& control) {
   if (control.bound == 0.0 && control.error == 0.0) return "0";
-  return markdown::number(control.error / control.bound, 2);
+  return markdown::margin(control.error / control.bound, control.observed == "green", 2);
 }
 
 /// The planted faults, and what the check that each must turn red said to it.

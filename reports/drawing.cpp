@@ -9,6 +9,7 @@
 #include "reports/file.hpp"
 #include "reports/parallel.hpp"
 #include "reports/process.hpp"
+#include "reports/progress.hpp"
 
 namespace talus::reports {
 namespace {
@@ -39,6 +40,7 @@ bool counts_frames(const std::string& said) {
 
 std::string draw(const std::vector<Drawing>& drawings, const std::filesystem::path& folder, unsigned jobs) {
   std::vector<std::string> warnings(drawings.size());
+  Progress progress("drawing", drawings.size());
   std::vector<std::function<void()>> tasks;
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     tasks.emplace_back([&, i] {
@@ -46,7 +48,9 @@ std::string draw(const std::vector<Drawing>& drawings, const std::filesystem::pa
       write_file(script, drawings[i].script);
       const Command gnuplot{"gnuplot", {script.string()}, folder, {{"LC_ALL", "C.UTF-8"}, {"GNUTERM", "svg"}}};
       const std::string said = run_or_throw(gnuplot, drawings[i].name).messages;
-      if (!said.empty() && !counts_frames(said)) warnings[i] = fmt::format("gnuplot on {}: {}", drawings[i].name, said);
+      if (!said.empty() && !counts_frames(said))
+        warnings[i] = fmt::format("gnuplot on {}: {}{}", drawings[i].name, said, said.back() == '\n' ? "" : "\n");
+      progress.add();
     });
   }
   in_parallel(tasks, jobs);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -78,7 +79,12 @@ std::string line_command(const Curve& curve, const std::string& block, std::size
   const std::string columns = curve.style == "errorbars" ? "1:2:3:4" : "1:2";
   const std::string crosses = curve.style == "crosses" ? " pt 2 ps 0.7" : "";
   const std::string colour = curve.look.colour.empty() ? "" : fmt::format(" lc rgb '{}'", curve.look.colour);
-  return fmt::format("{} using {} with {} linetype {}{}{} {}", block, columns, with, index + 1, colour, crosses, title);
+  // The preamble has seven colours; lines without points are told apart by dashes from the eighth on.
+  constexpr std::size_t colours = 7;
+  constexpr std::array dashes{"", " dt (8,4)", " dt (2,3)", " dt (10,3,2,3)"};
+  const std::string dash = curve.style == "lines" ? dashes[index / colours % dashes.size()] : "";
+  return fmt::format("{} using {} with {} linetype {}{}{}{} {}", block, columns, with, index + 1, colour, dash, crosses,
+                     title);
 }
 
 /// Corners enough that none is seen: a circle a hundredth of the picture wide has 18, a tenth 40.

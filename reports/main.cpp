@@ -37,6 +37,12 @@ void describe(CLI::App& app, Options& options) {
       ->check(CLI::Range(1U, 1024U));
 }
 
+/// Writes to stderr, behind all that was printed: both streams may go to one file.
+void complain(const std::string& words) {
+  std::fflush(stdout);
+  fmt::print(stderr, "{}", words);
+}
+
 void work(const Options& options) {
   const talus::reports::Workplace workplace{talus::reports::find_resources(), options.jobs};
   if (!options.plot.empty()) {
@@ -53,7 +59,7 @@ void work(const Options& options) {
     return;
   }
   const std::string warnings = talus::reports::make_report(options.verify, options.report, workplace);
-  if (!warnings.empty()) fmt::print(stderr, "{}", warnings);
+  complain(warnings);
   fmt::print("{0}/verification.md\n{0}/verification.html\n{0}/verification.pdf\n", options.report);
 }
 
@@ -77,10 +83,10 @@ int main(int argc, char** argv) {
     work(options);
     return 0;
   } catch (const talus::reports::RecordError& wrong) {
-    fmt::print(stderr, "talus_report: {}\n", wrong.what());
+    complain(fmt::format("talus_report: {}\n", wrong.what()));
     return 2;
   } catch (const std::exception& wrong) {
-    fmt::print(stderr, "talus_report: {}\n", wrong.what());
+    complain(fmt::format("talus_report: {}\n", wrong.what()));
     return 4;
   }
 }

@@ -49,8 +49,8 @@ std::string status_word(const CaseRecord& record) {
 }
 
 std::string margin_text(const Check& check) {
-  if (!check.pass) return "**" + markdown::number(check.margin, 3) + "**";
-  return markdown::number(check.margin, 2) + (check.slack ? " (slack)" : "");
+  if (!check.pass) return "**" + markdown::margin(check.margin, false, 3) + "**";
+  return markdown::margin(check.margin, true, 2) + (check.slack ? " (slack)" : "");
 }
 
 std::string measured_text(const Check& check, int most_digits) {

@@ -13,6 +13,7 @@
 #include "reports/pages.hpp"
 #include "reports/parallel.hpp"
 #include "reports/process.hpp"
+#include "reports/progress.hpp"
 
 namespace talus::reports {
 namespace fs = std::filesystem;
@@ -106,6 +107,7 @@ std::string make_report(const fs::path& verify, const fs::path& report, const Wo
                  date_pictures(figures, document.epoch);
                }},
               workplace.jobs);
+  const Progress progress("writing HTML and PDF", 0);
   in_parallel({[&] { make_pdf(document); }, [&] { html_warnings = make_html(document); }}, workplace.jobs);
   for (const char* name : {"figures", "verification.md", "verification.html", "verification.pdf"})
     workshop.publish(name);

@@ -88,9 +88,11 @@ std::string latex_table(const SheetTable& table) {
   const bool any_group =
       std::any_of(table.heads.begin(), table.heads.end(), [](const SheetHead& head) { return !head.group.empty(); });
   std::string text = fmt::format("\\SheetTitle{{{}}}\n", latex_text(table.title));
-  text += fmt::format(
-      "\\begin{{tabular*}}{{\\linewidth}}{{@{{}}l@{{\\extracolsep{{\\fill}}}}*{{{}}}{{r}}@{{}}}}\\toprule\n",
-      table.heads.size() - 1);
+  std::string columns;
+  for (std::size_t i = 1; i < table.heads.size(); ++i)
+    columns += table.heads[i].text ? 'l' : 'r';
+  text += fmt::format("\\begin{{tabular*}}{{\\linewidth}}{{@{{}}l@{{\\extracolsep{{\\fill}}}}{}@{{}}}}\\toprule\n",
+                      columns);
   if (any_group) {
     text += latex_row(tops);
     int column = 1;
@@ -114,29 +116,34 @@ std::string latex_table(const SheetTable& table) {
 }
 
 std::string html_table(const SheetTable& table) {
-  std::string text = fmt::format("<div class=\"wide\"><table><caption>{}</caption><thead><tr>", html_text(table.title));
-  for (const auto& [group, count] : groups(table))
-    text += fmt::format("<th colspan=\"{}\">{}</th>", count, html_text(group));
+  // Names and other text to the left, numbers to the right, each head as its column.
+  const auto side = [&](std::size_t column) {
+    return column == 0 || table.heads.at(column).text ? " class=\"text\"" : "";
+  };
+  std::string text =
+      fmt::format("<h3>{0}</h3>\n<div class=\"wide\"><table aria-label=\"{0}\"><thead><tr>", html_text(table.title));
+  std::size_t column = 0;
+  for (const auto& [group, count] : groups(table)) {
+    text += fmt::format("<th colspan=\"{}\"{}>{}</th>", count, count == 1 ? side(column) : "", html_text(group));
+    column += static_cast<std::size_t>(count);
+  }
   text += "</tr>";
   if (has_units(table)) {
     text += "<tr>";
-    for (const SheetHead& head : table.heads)
-      text += fmt::format("<th>{}</th>", html_text(head.unit));
+    for (std::size_t i = 0; i < table.heads.size(); ++i)
+      text += fmt::format("<th{}>{}</th>", side(i), html_text(table.heads[i].unit));
     text += "</tr>";
   }
   text += "</thead><tbody>\n";
   for (const std::vector<std::string>& row : table.rows) {
     text += "<tr>";
-    for (const std::string& cell : row)
-      text += fmt::format("<td>{}</td>", html_text(cell));
+    for (std::size_t i = 0; i < row.size(); ++i)
+      text += fmt::format("<td{}>{}</td>", side(i), html_text(row[i]));
     text += "</tr>\n";
   }
-  text += "</tbody>";
-  if (!table.note.empty()) {
-    text +=
-        fmt::format("<tfoot><tr><td colspan=\"{}\">{}</td></tr></tfoot>", table.heads.size(), html_text(table.note));
-  }
-  return text + "</table></div>\n";
+  text += "</tbody></table></div>\n";
+  if (!table.note.empty()) text += fmt::format("<p class=\"note\">{}</p>\n", html_text(table.note));
+  return text;
 }
 
 /// The tables of one place, each written by `write`.
@@ -149,10 +156,10 @@ std::string tables_at(SheetTable::Place place, const std::vector<SheetTable>& ta
   return text;
 }
 
-/// The page of a template; `write` makes a table of its format.
+/// The page of a template; `write` makes a table of its format. `phone_picture` is for narrow screens.
 template <class Write>
 std::string rendered(const fs::path& page, const SheetRecord& record, const Escape& escape, Write&& write,
-                     const std::string& picture) {
+                     const std::string& picture, const std::string& phone_picture = "") {
   mustache::mustache frame{read_file(page)};
   frame.set_custom_escape(escape);
   mustache::data data;
@@ -188,6 +195,7 @@ std::string rendered(const fs::path& page, const SheetRecord& record, const Esca
   data["left"] = tables_at(SheetTable::Place::left, tables, write);
   data["right"] = tables_at(SheetTable::Place::right, tables, write);
   data["picture"] = picture;
+  data["phone_picture"] = phone_picture;
   return frame.render(data);
 }
 
@@ -197,15 +205,21 @@ std::vector<fs::path> make_sheet(const fs::path& run, const Workplace& workplace
   const SheetRecord record = read_sheet(run / "sheet.json");
   const Workshop workshop(run);
   const fs::path& folder = workshop.folder();
-  const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", folder, {"pdf", "svg"}};
-  const std::string warnings = draw({{"the sheet", sheet_script(record, canvas, "drawing")}}, folder, workplace.jobs);
+  const auto drawing = [&](SheetMedium medium, const char* format, const char* stem) {
+    const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", folder, {format}};
+    return Drawing{"the sheet", sheet_script(record, canvas, stem, medium)};
+  };
+  const std::string warnings =
+      draw({drawing(SheetMedium::paper, "pdf", "drawing"), drawing(SheetMedium::screen, "svg", "drawing"),
+            drawing(SheetMedium::phone, "svg", "phone")},
+           folder, workplace.jobs);
   if (!warnings.empty()) fmt::print(stderr, "{}", warnings);
   // A run has no date of its own; the same numbers give the same bytes.
   date_picture(folder / "drawing.pdf", 0);
 
   const fs::path templates = workplace.resources / "templates";
   write_file(folder / "sheet.html", rendered(templates / "sheet.html.mustache", record, html_text, html_table,
-                                             read_file(folder / "drawing.svg")));
+                                             read_file(folder / "drawing.svg"), read_file(folder / "phone.svg")));
   const std::string latex = rendered(templates / "sheet.tex.mustache", record, latex_text, latex_table, "drawing.pdf");
   write_file(folder / "sheet.tex", printable(latex, read_file(workplace.resources / "pandoc" / "header.tex")));
   make_pdf({.folder = folder, .stem = "sheet", .title = record.title, .resources = workplace.resources, .epoch = 0});

@@ -165,9 +165,60 @@ std::string range(char axis, const std::vector<double>& values) {
   return fmt::format("set {}range [{:.6g}:{:.6g}]\n", axis, *low - room, *high + room);
 }
 
+/// Where the parts of the drawing stand, and how large their letters are.
+struct Layout {
+  struct Frame {
+    double left, right, bottom, top;  ///< shares of the drawing
+    std::string margins() const {
+      return fmt::format(
+          "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin at screen {}\n",
+          left, right, bottom, top);
+    }
+  };
+  double tics, titles;  ///< sizes of letters
+  Frame side, front, forces;
+  std::string states_key;  ///< options of gnuplot's key
+  std::string forces_key;
+  double forces_title;   ///< its height, a share of the drawing
+  const char* mirrored;  ///< title of the view along the fence of a half model
+  double width, height;  ///< [cm]
+};
+
+Layout layout_of(const SheetRecord& record, SheetMedium medium) {
+  if (medium == SheetMedium::phone) {
+    // 364 pixels: a phone's 390 less the page's margins.
+    return {.tics = 11.5,
+            .titles = 12.0,
+            .side = {0.13, 0.53, 0.68, 0.955},
+            .front = {0.13, 0.97, 0.43, 0.57},
+            .forces = {0.13, 0.97, 0.065, 0.265},
+            .states_key = "at screen 0.98, screen 0.955 right top vertical maxrows 3",
+            .forces_key = "at screen 0.98, screen 0.298 right center horizontal maxrows 2",
+            .forces_title = 0.335,
+            .mirrored = "\"along the fence, first layer;\\nbelow z = 0 the half model mirrored\"",
+            .width = 364.0 / 760.0 * centimetres_wide,
+            .height = 14.6};
+  }
+  const bool paper = medium == SheetMedium::paper;
+  // Long tables leave it less of the page.
+  const bool long_tables = record.rocks.size() + record.columns.size() > 9;
+  return {.tics = paper ? 10.0 : 11.5,
+          .titles = paper ? 11.0 : 12.0,
+          .side = {0.075, 0.30, 0.52, 0.89},
+          .front = {0.37, 0.98, 0.52, 0.89},
+          .forces = {0.075, 0.98, 0.12, 0.35},
+          .states_key = "at screen 0.98, screen 0.995 right top horizontal maxrows 1",
+          .forces_key = "at screen 0.98, screen 0.385 right center horizontal maxrows 1",
+          .forces_title = 0.385,
+          .mirrored = "'along the fence, first layer; below z = 0 the half model mirrored'",
+          .width = centimetres_wide,
+          .height = paper && long_tables ? 7.0 : 8.4};
+}
+
 }  // namespace
 
-std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const std::string& stem) {
+std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const std::string& stem, SheetMedium medium) {
+  const Layout layout = layout_of(record, medium);
   View side = side_view(record), front = front_view(record);
   const View forces = force_chart(record);
   Block ground{"ground"};
@@ -176,34 +227,31 @@ std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const 
   // Along the fence it is level: as high as below the place where the columns hang.
   const double level = ground_below(record, 0.0);
   side.y.push_back(level), front.y.push_back(level);
-  std::string body =
-      "set multiplot\nset size ratio -1\nset tics font ',9'\nset title font ',10' offset 0,-0.7\n"
-      "set xlabel font ',9' offset 0,0.8\nset ylabel font ',9' offset 1,0\nset key font ',9'\n"
-      "set lmargin at screen 0.075\nset rmargin at screen 0.30\nset bmargin at screen 0.52\nset tmargin at screen "
-      "0.89\n"
-      "set key off\nset xtics 1\nset title 'from the side'\nset xlabel 'x, m'\nset ylabel 'y, m'\n" +
-      range('x', side.x) + range('y', side.y);
+  std::string body = fmt::format(
+      "set multiplot\nset size ratio -1\nset tics font ',{0}'\nset title font ',{1}' offset 0,-0.7\n"
+      "set xlabel font ',{0}' offset 0,0.8\nset ylabel font ',{0}' offset 1,0\nset key font ',{0}'\n",
+      layout.tics, layout.titles);
+  body += layout.side.margins() +
+          "set key off\nset xtics 1\nset title 'from the side'\nset xlabel 'x, m'\nset ylabel 'y, m'\n" +
+          range('x', side.x) + range('y', side.y);
   body += fmt::format("plot {}, {}\n", ground.curve("lc rgb '#666666' lw 1.4"), side.curves);
   body +=
-      "set lmargin at screen 0.37\nset rmargin at screen 0.98\nset xtics autofreq\n"
-      "set title '" +
-      std::string{record.half_model ? "along the fence, first layer; below z = 0 the half model mirrored"
-                                    : "along the fence, first layer"} +
-      "'\nset xlabel 'z, m'\n"
-      "set key on at screen 0.98, screen 0.995 right top horizontal maxrows 1 Right noreverse samplen 1.5\n" +
+      layout.front.margins() +
+      fmt::format("set xtics autofreq\nset title {}\nset xlabel 'z, m'\nset key on {} Right noreverse samplen 1.5\n",
+                  record.half_model ? layout.mirrored : "'along the fence, first layer'", layout.states_key) +
       range('x', front.x) + range('y', front.y);
   body += fmt::format("plot {:.6g} with lines lc rgb '#666666' lw 1.4 notitle, {}\n", level, front.curves);
-  body +=
-      "set size noratio\nset lmargin at screen 0.075\nset rmargin at screen 0.98\nset bmargin at screen 0.12\n"
-      "set tmargin at screen 0.35\nunset title\nset xlabel 'time, s'\nunset ylabel\n"
-      "set label 1 'largest forces in kN, at the times of the histories' at screen 0.075, screen 0.385 font ',10'\n"
-      "set key at screen 0.98, screen 0.385 right center horizontal maxrows 1 Right noreverse\nset autoscale\n"
-      "set yrange [0:*]\n";
+  body += layout.forces.margins() +
+          fmt::format(
+              "set size noratio\nunset title\nset xlabel 'time, s'\nunset ylabel\n"
+              "set label 1 'largest forces in kN, at the times of the histories' at screen {}, screen {} font ',{}'\n"
+              "set key {} Right noreverse\nset autoscale\nset yrange [0:*]\n",
+              layout.forces.left, layout.forces_title, layout.titles, layout.forces_key);
   body += fmt::format("plot {}\nunset label 1\nunset multiplot", forces.curves);
-  // Long tables leave it less of the page [cm].
-  const double height = record.rocks.size() + record.columns.size() > 9 ? 7.0 : 8.4;
+  Canvas wide = canvas;
+  wide.width = layout.width;
   return fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string())) + ground.data() + side.data + front.data +
-         forces.data + drawn_in_each_format(canvas, stem, body, height);
+         forces.data + drawn_in_each_format(wide, stem, body, layout.height);
 }
 
 }  // namespace talus::reports

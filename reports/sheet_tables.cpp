@@ -147,8 +147,10 @@ std::string nearest_to_limit(const SheetRecord& record) {
 }
 
 SheetTable event_table(const SheetRecord& record) {
-  SheetTable table{
-      "Order of yields and breaks", SheetTable::Place::left, {{"", "at s"}, {"", "part"}, {"", "what"}}, {}};
+  SheetTable table{"Order of yields and breaks",
+                   SheetTable::Place::left,
+                   {{"", "at s"}, {"", "part", true}, {"", "what", true}},
+                   {}};
   for (const SheetEvent& event : record.events)
     table.rows.push_back({fmt::format("{:.5f}", event.time), event.part, event.what});
   if (record.events.empty()) {

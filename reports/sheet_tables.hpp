@@ -12,6 +12,7 @@ namespace talus::reports {
 struct SheetHead {
   std::string group;
   std::string unit{};
+  bool text{};  ///< set to the left, as the first column is; numbers are set to the right
 };
 
 struct SheetTable {

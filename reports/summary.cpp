@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "reports/markdown.hpp"
 #include "reports/page_cells.hpp"
@@ -29,12 +31,14 @@ struct Share {
   }
 };
 
-double worst_margin(const CaseRecord& record) {
-  double worst = 0.0;
-  for (const Check& check : record.checks) {
-    if (!(check.margin <= worst)) worst = check.margin;
-  }
-  return worst;
+/// The largest error/bound of a case's checks. One that failed counts as larger than all that passed, NaN as infinite.
+std::string worst_margin(const CaseRecord& record) {
+  const auto badness = [](const Check& check) {
+    return std::pair{!check.pass, std::isnan(check.margin) ? HUGE_VAL : check.margin};
+  };
+  const auto worst = std::max_element(record.checks.begin(), record.checks.end(),
+                                      [&](const Check& a, const Check& b) { return badness(a) < badness(b); });
+  return worst == record.checks.end() ? "" : markdown::margin(worst->margin, worst->pass, 2);
 }
 
 std::vector<std::string> row_of(const CaseRecord& record) {
@@ -46,7 +50,7 @@ std::vector<std::string> row_of(const CaseRecord& record) {
           status_word(record),
           checks.text(),
           controls.text(),
-          record.checks.empty() ? "" : markdown::number(worst_margin(record), 2),
+          worst_margin(record),
           fmt::format("{:.2f}", record.seconds)};
 }
 

@@ -6,10 +6,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 
 #include "solver/app/calibrate_options.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/latching_calibration.hpp"
+#include "solver/app/progress.hpp"
 #include "solver/base/error.hpp"
 #include "solver/calibrate/impact.hpp"
 #include "solver/calibrate/step_advice.hpp"
@@ -36,6 +38,7 @@ EndRule end_rule_named(const std::string& name) {
 }
 
 ImpactCalibration calibrated(const CalibrateOptions& options) {
+  const ElapsedTime elapsed{"calibrating"};
   if (options.masses.empty())
     throw InputError{"--masses: it is missing; give one or two, e.g. --masses \"2 kg\" \"1 kg\""};
   if (options.stiffness.empty()) throw InputError{"--stiffness: it is missing; give e.g. --stiffness \"1e5 N/m\""};
@@ -178,9 +181,11 @@ int calibrate_scene(const CalibrateOptions& options) {
   if (options.contact.empty()) throw InputError{"--contact: it is missing; name a contact of the scene"};
   const ContactId contact = contact_named(scene.model, options.contact);
   SceneCalibration result;
+  std::optional<ElapsedTime> elapsed{std::in_place, "calibrating"};
   result.found = calibrate(scene, contact, options.restitution);
   const Scene damped = with_damping(scene, contact, result.found.damping);
   result.impact = simulate_impact(damped, contact);
+  elapsed.reset();
   result.damping_ratio = damping_ratio_of(damped, contact);
   result.end_rule = end_rule_of(scene.model.contacts[index(contact)].law);
   if (options.json) {

@@ -12,6 +12,7 @@
 #include "solver/app/cell_files.hpp"
 #include "solver/app/cell_summary.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/ended_run.hpp"
 #include "solver/app/interruption.hpp"
 #include "solver/app/progress.hpp"
 #include "solver/base/error.hpp"
@@ -91,13 +92,17 @@ CellOrder new_order(const CellOptions& options) {
   return order;
 }
 
-CellOrder left_order(const CellOptions& options) {
+/// A resumed run keeps its options. Errors: InputError if any is given.
+void refuse_options_of_resumed(const CellOptions& options) {
   if (!options.scene.empty() || !options.integrator.empty() || !options.units.empty() || options.seed ||
       options.historical || options.jump || options.virtual_discs || !options.folder.empty()) {
     throw InputError{
         "--resume: a run is taken on as it was begun and where it was left; no file and no other option "
         "but --json goes with it"};
   }
+}
+
+CellOrder left_order(const CellOptions& options) {
   CellOrder order{
       .file = {}, .text = {}, .scene = {}, .choices = {}, .folder = options.resume, .left = {}, .warnings = {}};
   const fs::path checkpoint = order.folder / "checkpoint.json";
@@ -172,9 +177,9 @@ class CellProgress {
     if (!line_.due()) return;
     const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
     const double rate = static_cast<double>(run.steps() - first_) / seconds;
-    line_.show(fmt::format("t {:.4g} of {:.4g}, {:.3g} steps/s, {:.0f} s left",
+    line_.show(fmt::format("t {:.4g} of {:.4g}, {:.3g} steps/s, {} left",
                            static_cast<double>(run.steps()) * run.plan().step, run.plan().end, rate,
-                           static_cast<double>(run.last_step() - run.steps()) / rate));
+                           duration_text(static_cast<double>(run.last_step() - run.steps()) / rate)));
   }
 
  private:
@@ -192,6 +197,10 @@ std::string cost(const CellRun& run, long steps, double seconds) {
 }
 
 int cell(const CellOptions& options) {
+  if (!options.resume.empty()) {
+    refuse_options_of_resumed(options);
+    if (const auto ended = ended_run(options.resume)) return report_ended_run(options.resume, *ended, options.json);
+  }
   CellOrder order = options.resume.empty() ? new_order(options) : left_order(options);
   std::optional<CellFiles> files;
   if (!order.folder.empty()) files.emplace(order.folder, order.scene);
@@ -280,7 +289,9 @@ Command add_cell(CLI::App& talus) {
       "folder for RESTART.DAT at each LOOP, with GRAPH = 1 PIC.DAT and the states of cell.pvd, for a checkpoint "
       "at the start and about every second, at the end history.csv, profile.csv, plot.json and summary.json; "
       "without it nothing is written");
-  app->add_option("--resume", options->resume, "folder in which a run was left: take it on as if it had never stopped");
+  app->add_option("--resume", options->resume,
+                  "folder in which a run was left: take it on as if it had never stopped; of a run that has ended it "
+                  "says so and returns its exit code");
   app->add_option("--integrator", options->integrator,
                   fmt::format("{}; default {}", fmt::join(disc_method_names(), ", "), CellPlan{}.integrator));
   app->add_option("--units", options->units, "unit system of CNTRL.DAT, which names none: SI or US");

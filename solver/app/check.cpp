@@ -9,6 +9,7 @@
 #include "solver/app/cell_summary.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/output_size.hpp"
+#include "solver/app/progress.hpp"
 #include "solver/app/start_warnings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/calibrate/start_overlaps.hpp"
@@ -112,6 +113,7 @@ double pilot_evaluations(const Scene& scene, const Dynamics& dynamics, long step
 
 /// Force evaluations of a step once a method has started.
 double evaluations_per_step(const Scene& scene, const Dynamics& dynamics) {
+  const ElapsedTime elapsed{"taking the first steps"};
   return (pilot_evaluations(scene, dynamics, 24) - pilot_evaluations(scene, dynamics, 16)) / 8.0;
 }
 
@@ -173,7 +175,10 @@ int check(const std::string& file) {
   print_bodies(scene, dynamics);
   print_overlaps(scene, dynamics);
   if (scene.initial.q.size() <= most_coordinates) {
-    const StepAdvice advice = advise_step(dynamics, scene.initial);
+    const StepAdvice advice = [&] {
+      const ElapsedTime elapsed{"evaluating the frequencies"};
+      return advise_step(dynamics, scene.initial);
+    }();
     print_springs(scene, advice);
     print_step(scene, advice);
     warn_of_step(scene, advice, file, warnings);

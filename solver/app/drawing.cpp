@@ -68,6 +68,12 @@ DrawingRecord::~DrawingRecord() {
 
 void DrawingRecord::add(const std::string& name, std::string_view text) const { write_whole(folder_ / name, text); }
 
+void DrawingRecord::link(const std::string& name, const fs::path& file) const {
+  std::error_code error;
+  fs::create_symlink(fs::absolute(file), folder_ / name, error);
+  if (error) throw IoError{fmt::format("{}: {}", (folder_ / name).string(), error.message())};
+}
+
 int DrawingRecord::draw(const std::vector<std::string>& formats) const { return app::draw(folder_, target_, formats); }
 
 }  // namespace talus::app

@@ -51,6 +51,8 @@ class DrawingRecord {
 
   /// Adds a file. Errors: IoError.
   void add(const std::string& name, std::string_view text) const;
+  /// Adds a file that stands elsewhere. Errors: IoError.
+  void link(const std::string& name, const std::filesystem::path& file) const;
   /// Draws into the target; the exit code of talus_report.
   [[nodiscard]] int draw(const std::vector<std::string>& formats) const;
 

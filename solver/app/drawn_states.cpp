@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "solver/app/progress.hpp"
 #include "solver/base/error.hpp"
 
 namespace talus::app {
@@ -16,6 +17,7 @@ std::vector<GeometryFile> state_files(const RunFolder& run) {
 }
 
 DrawnStates read_states(const RunFolder& run, const std::vector<GeometryFile>& files, const std::string& colour) {
+  const ElapsedTime elapsed{"reading the states"};
   if (run.files.period) return read_disc_frames(run, files, colour == "force" ? DiscColour::force : DiscColour::speed);
   if (!colour.empty()) {
     throw InputError{fmt::format("--colour: found \"{}\"; {} holds bodies and cables, and only discs are coloured so",

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
@@ -16,7 +19,7 @@ struct ExportOptions {
   std::string program;
   std::string scene;
   std::string folder;
-  long steps{1000};
+  std::optional<long> steps;  ///< default: those of the scene
   bool dashpot{false};
 };
 
@@ -35,6 +38,19 @@ LinearSpringDashpot linear_law(const ShearCell& cell, const ExportOptions& optio
   return law;
 }
 
+/// Steps of the cell's run, of which the first quarter has no part in its means (CellRun does the same).
+LammpsRun lammps_run(const CellScene& scene, const ExportOptions& options) {
+  const CellPlan& plan = scene.plan;
+  const long steps = options.steps.value_or(std::lround(plan.end / plan.step));
+  LammpsRun run{.step = plan.step, .steps = steps, .skin = 0.3 * scene.cell.diameter};
+  constexpr long fewest = 100;  // for means of anything
+  if (steps < fewest) return run;
+  const ShearCell& cell = scene.cell;
+  const long every = std::clamp(std::lround(plan.every / plan.step), 1L, std::max(steps / 10, 1L));
+  run.means = LammpsMeans{.area = cell.wall_discs * cell.diameter * cell.diameter, .every = every, .from = steps / 4};
+  return run;
+}
+
 int export_scene(const ExportOptions& options) {
   const CellScene scene = read_cell(options.scene, {});
   if (scene.restart) {
@@ -42,10 +58,16 @@ int export_scene(const ExportOptions& options) {
         fmt::format("{}: RESTRT: found 1; the cell is written as it is filled: it must be 0", options.scene)};
   }
   const FilledCell filled = fill(scene.cell);
+  const LammpsRun run = lammps_run(scene, options);
   export_lammps(options.folder,
-                {filled.shapes, filled.discs, filled.box, linear_law(scene.cell, options), scene.cell.friction},
-                {.step = scene.plan.step, .steps = options.steps, .skin = 0.3 * scene.cell.diameter});
-  fmt::print("files: {}: discs.data, in.discs\nrun: cd {} && lmp -in in.discs\n", options.folder, options.folder);
+                {filled.shapes, filled.discs, filled.box, linear_law(scene.cell, options), scene.cell.friction}, run);
+  fmt::print("files: {0}: discs.data, in.discs\nrun: cd {0} && lmp -in in.discs   # {1} steps to t = {2:g}\n",
+             options.folder, run.steps, static_cast<double>(run.steps) * run.step);
+  if (run.means)
+    fmt::print(
+        "compare: the means at its end with those of talus cell {}; the flow is chaotic: runs of several "
+        "seeds agree in their mean\n",
+        options.scene);
   return ok;
 }
 
@@ -60,7 +82,7 @@ Command add_export(CLI::App& talus) {
   app->add_option("CELL", options->scene, "CNTRL.DAT of 1989 or a scene file with [cell]: the cell at its start")
       ->required();
   app->add_option("--out", options->folder, "folder for discs.data and in.discs")->required();
-  app->add_option("--steps", options->steps, "that it is to take, of the scene's length; default 1000")
+  app->add_option("--steps", options->steps, "that it is to take, of the scene's length; default: to the scene's end")
       ->check(CLI::Range(0L, 1'000'000'000L));
   app->add_flag("--dashpot", options->dashpot,
                 "a spring and dashpot of the same restitution for a spring that latches");

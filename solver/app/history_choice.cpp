@@ -56,17 +56,6 @@ bool holds(const KeptColumn& column, const std::string& quantity) {
   return own == quantity || (own == "angle" && quantity == "theta") || (own == "spin" && quantity == "omega");
 }
 
-/// Names of what an element's histories are kept of.
-std::vector<std::string> subjects_of(const KeptRun& run, const std::string& element) {
-  const std::optional<int> number = whole_number(element);
-  if (!number) return {element};
-  std::vector<std::string> names{fmt::format("{}{}", element_prefix, *number)};
-  for (const DrawnBody& body : run.run.files.bodies) {
-    if (body.number == *number) names.push_back(body.name);
-  }
-  return names;
-}
-
 std::string shown_subject(const std::string& subject) {
   const bool numbered = subject.rfind(element_prefix, 0) == 0 && whole_number(subject.substr(element_prefix.size()));
   return numbered ? fmt::format("{} {}", element_prefix, subject.substr(element_prefix.size())) : subject;
@@ -187,6 +176,16 @@ KeptRun read_kept_run(const std::string& folder) {
   for (const std::string& file : run.run.files.histories)
     run.histories.push_back(read_history(run.run.folder / file));
   return run;
+}
+
+std::vector<std::string> subjects_of(const KeptRun& run, const std::string& element) {
+  const std::optional<int> number = whole_number(element);
+  if (!number) return {element};
+  std::vector<std::string> names{fmt::format("{}{}", element_prefix, *number)};
+  for (const DrawnBody& body : run.run.files.bodies) {
+    if (body.number == *number) names.push_back(body.name);
+  }
+  return names;
 }
 
 std::vector<ChosenCurve> chosen_curves(const KeptRun& run, const HistoryWish& wish) {

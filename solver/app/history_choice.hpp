@@ -39,6 +39,9 @@ struct HistoryWish {
   std::string abscissa{"time"};       ///< of the same element if it has such a quantity, else a whole column
 };
 
+/// Names of what an element's histories are kept of: "element3" and the body of that number, or the name itself.
+[[nodiscard]] std::vector<std::string> subjects_of(const KeptRun& run, const std::string& element);
+
 /// The curves of a run that fit, in the order of elements. Errors: InputError naming the run's folder, what it kept and
 /// the nearest name.
 [[nodiscard]] std::vector<ChosenCurve> chosen_curves(const KeptRun& run, const HistoryWish& wish);

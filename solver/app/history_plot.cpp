@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/app/command.hpp"
+#include "solver/app/curve_choice.hpp"
 #include "solver/app/history_choice.hpp"
 #include "solver/base/error.hpp"
 
@@ -75,6 +76,34 @@ std::vector<CurvePanel> panels_of(const HistoryPlotOptions& options) {
     }
   }
   return panels;
+}
+
+/// Leaves the curves with the largest ranges: of several runs all of a quantity, or none.
+void limit(CurvePanel& panel) {
+  if (panel.curves.size() <= most_curves) return;
+  using Quantity = std::pair<std::string, std::string>;
+  const auto quantity_of = [](const RunCurve& each) { return Quantity{each.curve.y.subject, each.curve.y.words}; };
+  std::vector<Quantity> quantities;
+  std::vector<double> ranges;
+  std::vector<std::size_t> counts;
+  for (const RunCurve& each : panel.curves) {
+    const auto known = std::find(quantities.begin(), quantities.end(), quantity_of(each));
+    const auto place = static_cast<std::size_t>(known - quantities.begin());
+    if (known == quantities.end()) quantities.push_back(quantity_of(each)), ranges.push_back(0.0), counts.push_back(0);
+    ranges[place] = std::max(ranges[place], range_of(each.curve.y.values));
+    ++counts[place];
+  }
+  const std::size_t runs = *std::max_element(counts.begin(), counts.end());
+  const auto kept = places_of_largest(ranges, std::max<std::size_t>(most_curves / runs, 1));
+  std::vector<RunCurve> curves;
+  for (RunCurve& each : panel.curves) {
+    const auto known = std::find(quantities.begin(), quantities.end(), quantity_of(each));
+    if (std::binary_search(kept.begin(), kept.end(), static_cast<std::size_t>(known - quantities.begin())))
+      curves.push_back(std::move(each));
+  }
+  print_left_out(panel.key.empty() ? "panel" : fmt::format("panel [{}]", panel.key), curves.size(),
+                 panel.curves.size());
+  panel.curves = std::move(curves);
 }
 
 /// The word that all curves share; empty if they differ.
@@ -170,7 +199,8 @@ std::string file_stem(const HistoryPlotOptions& options) {
 }  // namespace
 
 int plot_histories(const HistoryPlotOptions& options) {
-  const std::vector<CurvePanel> panels = panels_of(options);
+  std::vector<CurvePanel> panels = panels_of(options);
+  if (!options.all && options.elements.empty()) std::for_each(panels.begin(), panels.end(), limit);
   const PictureOptions& picture = options.picture;
   const fs::path target =
       picture.folder.empty() ? fs::path{options.folders.front()} / "plots" : fs::path{picture.folder};

@@ -17,6 +17,7 @@ struct HistoryPlotOptions {
   std::vector<std::string> folders;
   std::vector<std::string> histories;
   std::vector<std::string> elements;
+  bool all{false};  ///< all curves of a panel, else at most `most_curves` if no elements are named
   std::string abscissa{"time"};
   std::string until;  ///< last time that is drawn
   bool apart{false};  ///< a panel for each history; else for each unit

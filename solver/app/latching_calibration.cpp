@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/app/command.hpp"
+#include "solver/app/progress.hpp"
 #include "solver/base/error.hpp"
 #include "solver/calibrate/latching_calibration.hpp"
 
@@ -54,6 +55,7 @@ void refuse_what_means_nothing(const CalibrateOptions& options) {
 }
 
 LatchingRatio calibrated(CalibrateOptions options) {
+  const ElapsedTime elapsed{"calibrating"};
   refuse_what_means_nothing(options);
   LatchingRatio found;
   found.default_discs = options.masses.empty();

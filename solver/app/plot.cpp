@@ -5,9 +5,10 @@
 #include <memory>
 
 #include "solver/app/command.hpp"
+#include "solver/app/curve_choice.hpp"
 #include "solver/app/history_plot.hpp"
+#include "solver/app/run_figures.hpp"
 #include "solver/base/error.hpp"
-#include "solver/io/toml_document.hpp"
 
 namespace talus::app {
 namespace {
@@ -39,10 +40,11 @@ int plot(PlotOptions& options) {
   }
   const fs::path folder = wish.folders.front();
   if (wish.folders.size() > 1) throw InputError{"several runs are drawn over each other by --history only; name one"};
-  // Read here only so that a folder without a run is named before another program starts.
-  static_cast<void>(read_text(folder / "plot.json"));
-  const fs::path target = wish.picture.folder.empty() ? folder / "plots" : fs::path{wish.picture.folder};
-  return draw(folder, target, wish.picture.formats);
+  return draw_run_figures({.folder = folder,
+                           .target = wish.picture.folder.empty() ? folder / "plots" : fs::path{wish.picture.folder},
+                           .elements = wish.elements,
+                           .all = wish.all,
+                           .formats = wish.picture.formats});
 }
 
 }  // namespace
@@ -58,8 +60,13 @@ Command add_plot(CLI::App& talus) {
                   "histories to draw: a number or title of 1993 (48), a quantity (top_tension, vx) or a whole column "
                   "(rock.vx)")
       ->delimiter(',');
-  app->add_option("--element", wish.elements, "elements by number, bodies and cables by name; default all")
+  app->add_option(
+         "--element", wish.elements,
+         fmt::format("elements by number, bodies and cables by name; default: all, of more than {} curves in a "
+                     "panel those with the largest range (maximum less minimum)",
+                     most_curves))
       ->delimiter(',');
+  app->add_flag("--all", wish.all, "all curves, however many a panel has");
   app->add_option("--x", wish.abscissa, "abscissa, named as a history is; default time");
   app->add_option("--until", wish.until, "last time drawn, e.g. \"0.1 s\"");
   app->add_flag("--apart", wish.apart, "a panel for each history; else for each unit");

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
@@ -43,6 +44,8 @@ int run_report_tool(std::vector<std::string> arguments, bool quiet) {
   for (std::string& argument : arguments)
     words.push_back(argument.data());
   words.push_back(nullptr);
+  // What was printed before must stand before what the tool prints, in whole lines.
+  std::fflush(stdout);
   pid_t child = 0;
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "solver/app/command.hpp"
+#include "solver/app/ended_run.hpp"
 #include "solver/app/interruption.hpp"
 #include "solver/app/report_tool.hpp"
 #include "solver/app/run_order.hpp"
@@ -128,7 +129,26 @@ void print_result(const RunOptions& options, const RunOrder& order, const SceneR
   if (left) fmt::print("go on: {}\n", resume);
 }
 
+/// Of a run that has ended only the outcome is left to report. Errors: InputError for options that ask for more.
+int report_ended(const RunOptions& options, const EndedRun& ended) {
+  for (const auto& [name, given] : {std::pair{"--until", !options.until.empty()},
+                                    {"--out", !options.folder.empty()},
+                                    {"--end", !options.end.empty()},
+                                    {"--step", !options.step.empty()},
+                                    {"--integrator", !options.integrator.empty()},
+                                    {"--tolerance", options.tolerance != 0.0},
+                                    {"--frames", options.frames != 0},
+                                    {"--sheet", options.sheet}}) {
+    if (given)
+      throw InputError{
+          fmt::format("{}: the run in {} has ended; only an interrupted run can be resumed", name, options.resume)};
+  }
+  return report_ended_run(options.resume, ended, options.json);
+}
+
 int run(const RunOptions& options) {
+  if (!options.resume.empty())
+    if (const auto ended = ended_run(options.resume)) return report_ended(options, *ended);
   const RunOrder order = run_order(options);
   const long last = last_step(options, order);
   const std::unique_ptr<FolderLock> lock = prepare(order);
@@ -197,7 +217,8 @@ Command add_run(CLI::App& talus) {
                   "stop there and leave the run in the folder of --out, to be taken on, e.g. \"20 ms\"");
   app->add_option("--resume", options->resume,
                   "folder in which a run was left: take it on, to its end or to --until, as if it had never stopped; "
-                  "the files go to --out, or else the same folder");
+                  "the files go to --out, or else the same folder; of a run that has ended it says so and returns its "
+                  "exit code");
   app->add_flag("--sheet", options->sheet,
                 "of a fence: the engineer's sheet, one page as sheet.pdf and sheet.html, its numbers in sheet.json");
   app->add_flag("--json", options->json, "print the summary as JSON");

@@ -63,7 +63,7 @@ Outcome SceneRun::go_on(const StopCondition& stop, Progress& progress) {
     failures_(seen, info);
     if (files_) (*files_)(seen, info);
     if (fence_) fence_->look(seen, info, recorder_.work(), recorder_.forces());
-    if (info.step % 256 == 0 && progress.due()) {
+    if (progress.due()) {
       const double end = scene_->plan.end;
       progress.show(fmt::format("t = {:.5g} of {:.5g}  ({:3.0f} %)", seen.t, end, 100.0 * seen.t / end));
     }

@@ -30,16 +30,20 @@ CellPlan plan_of(const ShearCell& cell, double time) {
   return plan;
 }
 
-/// A run of the study; none if it failed.
-std::optional<StudyMean::Run> run_of(const StudyPoint& point, std::uint64_t seed, double time) {
+/// A run of the study; none if it failed. `stepped` is given the steps since the last output.
+template <class Stepped>
+std::optional<StudyMean::Run> run_of(const StudyPoint& point, std::uint64_t seed, double time, Stepped&& stepped) {
   const ShearCell cell = study_cell(point, seed);
   CellRun run{cell, plan_of(cell, time)};
   double order = 0.0;
   int seen = 0;
+  long reported = 0;
   while (!run.finished() && run.failure().empty()) {
     run.advance();
-    if (!run.due() ||
-        run.steps() * static_cast<long>(CellRun::blocks) < run.last_step() * static_cast<long>(CellRun::start_up))
+    if (!run.due()) continue;
+    stepped(run.steps() - reported);
+    reported = run.steps();
+    if (run.steps() * static_cast<long>(CellRun::blocks) < run.last_step() * static_cast<long>(CellRun::start_up))
       continue;
     order += sixfold_order(cell, run.start(), run.discs());
     ++seen;
@@ -203,15 +207,23 @@ std::vector<StudyMean> shear_study(const std::vector<StudyPoint>& points, const 
       throw InputError{fmt::format("{}: {}", found.front().field, found.front().words)};
   }
   std::vector<std::optional<StudyMean::Run>> runs(cells.size() * seeds);
+  double all_steps = 0.0;
+  for (const StudyPoint* point : cells) {
+    const CellPlan cell_plan = plan_of(study_cell(*point, 1), plan.time);
+    all_steps += cell_plan.end / cell_plan.step * static_cast<double>(seeds);
+  }
   std::atomic<std::size_t> next{0}, done{0};
+  std::atomic<long> steps{0};
   std::mutex one_at_a_time;
   std::exception_ptr thrown;  // by any of the threads
   const auto work = [&] {
     try {
       for (std::size_t k = next++; k < runs.size(); k = next++) {
-        runs[k] = run_of(*cells[k / seeds], k % seeds + 1, plan.time);
-        const std::size_t count = ++done;
-        if (plan.progress) plan.progress(count, runs.size());
+        runs[k] = run_of(*cells[k / seeds], k % seeds + 1, plan.time, [&](long more) {
+          const long taken = steps += more;
+          if (plan.progress) plan.progress({done, runs.size(), std::min(static_cast<double>(taken) / all_steps, 1.0)});
+        });
+        ++done;
       }
     } catch (...) {
       const std::lock_guard lock{one_at_a_time};

@@ -61,11 +61,17 @@ struct StudyMean {
   Estimate of(StudyQuantity quantity) const { return mean[static_cast<std::size_t>(quantity)]; }
 };
 
+/// How far a study has come.
+struct StudyProgress {
+  std::size_t runs{}, all_runs{};  ///< that have ended, of how many
+  double fraction{};               ///< of the steps of all runs, in (0, 1]
+};
+
 struct StudyPlan {
   double time{0.8};  ///< of each run [s]
   int seeds{5};      ///< from 1
   unsigned threads{1};
-  std::function<void(std::size_t done, std::size_t all)> progress{};  ///< called from any of the threads
+  std::function<void(const StudyProgress&)> progress{};  ///< at each output of a run, from any of the threads
 };
 
 /// The cell of a point: ice_cell(), softer or stiffer.

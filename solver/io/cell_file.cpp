@@ -12,6 +12,7 @@
 #include "solver/io/fortran.hpp"
 #include "solver/io/list_directed.hpp"
 #include "solver/io/scene_parts.hpp"
+#include "solver/io/shown_title.hpp"
 #include "solver/io/toml_document.hpp"
 #include "solver/laws/restitution.hpp"
 
@@ -320,7 +321,7 @@ CellScene read_toml(std::string_view text, std::string_view name, const CellChoi
   file.allow({"title", "units", "cell", "run"});
   file.guard([&] { source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}})); });
   CellScene scene{.title = {}, .units = source.units, .cell = {}, .plan = {}};
-  file.guard([&] { scene.title = file.text("title"); });
+  file.guard([&] { scene.title = shown_title(file.title(), name); });
   std::optional<SceneTable> cell, run;
   file.guard([&] { read_cell_table(cell.emplace(file.table("cell")), scene.cell); });
   file.guard([&] { read_run_table(run.emplace(file.table("run")), scene); });

@@ -551,7 +551,7 @@ Group cell_file() {
   return {.id = "cell file",
           .head = "file of a shear cell",
           .about = "discs between a base and a driven block, run by `talus cell`",
-          .fields = {required(text("title", "title of the cell, printed with its results")), units_field(),
+          .fields = {text("title", "title of the cell, printed with its results"), units_field(),
                      required(table("cell", "discs, walls and their law")),
                      required(table("run", "method, step and end of the run"))}};
 }

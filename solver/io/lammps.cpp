@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -80,6 +81,60 @@ std::string motion(const LammpsScene& scene) {
   return "group walls subtract all free\nfix move free nve/sphere disc\nfix shift walls nve\n";
 }
 
+/// Steps from one sample of the contacts to the next: as each costs a pass over the neighbours, some hundred, and a
+/// divisor of all lengths of time that are averaged over.
+long sample_stride(const LammpsRun& run) {
+  const long common = std::gcd(run.means->every, run.steps);
+  for (long stride = std::min(100L, common); stride > 1; --stride)
+    if (common % stride == 0) return stride;
+  return 1;
+}
+
+/// Computes and averages of LammpsMeans. The force that `guide` takes from a wall is that of its contacts: gravity
+/// comes after it.
+std::string averages(const LammpsScene& scene, const LammpsRun& run) {
+  const LammpsMeans& means = *run.means;
+  const std::vector<DiscWall>& shapes = scene.shapes.walls;
+  const auto heavy = std::find_if(shapes.begin(), shapes.end(), [](const DiscWall& wall) { return wall.mass > 0.0; });
+  if (heavy == shapes.end()) throw InputError{"walls: found none with a mass; means are of the stresses on one"};
+  const auto wall = heavy - shapes.begin() + 1;
+  const long stride = sample_stride(run);
+  return fmt::format(
+      "compute touching all contact/atom\ncompute contacts free reduce ave c_touching\n"
+      "variable shear equal -f_guide{0}[1]/{1:.17g}\nvariable normal equal f_guide{0}[2]/{1:.17g}\n"
+      "fix stress all ave/time 1 {2} {2} v_shear v_normal\n"
+      "fix contact all ave/time {3} {4} {2} c_contacts\n"
+      "fix mean_stress all ave/time 1 1 1 v_shear v_normal ave running start {5}\n"
+      "fix mean_contact all ave/time {3} 1 {3} c_contacts ave running start {5}\n",
+      wall, means.area, means.every, stride, means.every / stride, (means.from / stride + 1) * stride);
+}
+
+/// The means as `talus cell` names them.
+std::string printed_means(const LammpsMeans& means) {
+  return fmt::format(
+      "variable ratio equal f_mean_stress[1]/f_mean_stress[2]\n"
+      "print \"means after step {}, to be compared with those of talus cell:\"\n"
+      "print \"stress_ratio_top $(v_ratio:%.4g)\"\n"
+      "print \"top_shear        $(f_mean_stress[1]:%.4g)\"\n"
+      "print \"top_normal       $(f_mean_stress[2]:%.4g)\"\n"
+      "print \"coordination     $(f_mean_contact:%.4g)\"\n",
+      means.from);
+}
+
+std::string output(const LammpsScene& scene, const LammpsRun& run) {
+  if (!run.means) {
+    return fmt::format("thermo_style custom step c_energy\nthermo_modify norm no format float %.17g\nthermo {}\n",
+                       std::max(run.steps / 10, 1L));
+  }
+  return averages(scene, run) +
+         fmt::format(
+             "# kinetic energy of the free discs; mean stresses on the block and contacts of a free disc since the "
+             "last line\n"
+             "thermo_style custom step time c_energy f_stress[1] f_stress[2] f_contact\n"
+             "thermo_modify norm no format float %12.6g\nthermo {}\n",
+             run.means->every);
+}
+
 }  // namespace
 
 std::string lammps_data(const LammpsScene& scene) {
@@ -124,11 +179,8 @@ std::string lammps_input(const LammpsScene& scene, const LammpsRun& run, const s
          pair_style(scene, run.style) +
          fmt::format("neighbor {:.17g} bin\nneigh_modify every 1 delay 0 check yes\ngroup free type 1\n", run.skin) +
          walls(scene) + motion(scene) +
-         fmt::format(
-             "timestep {:.17g}\ncompute energy free ke\n"
-             "thermo_style custom step c_energy\nthermo_modify norm no format float %.17g\nthermo {}\n"
-             "{}run {}\n",
-             run.step, std::max(run.steps / 10, 1L), run.forces ? forces : "", run.steps);
+         fmt::format("timestep {:.17g}\ncompute energy free ke\n{}{}run {}\n{}", run.step, output(scene, run),
+                     run.forces ? forces : "", run.steps, run.means ? printed_means(*run.means) : "");
 }
 
 void export_lammps(const std::filesystem::path& folder, const LammpsScene& scene, const LammpsRun& run) {

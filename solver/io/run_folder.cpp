@@ -8,6 +8,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/io/atomic_file.hpp"
+#include "solver/io/shown_title.hpp"
 #include "solver/io/toml_document.hpp"
 
 namespace talus {
@@ -52,7 +53,7 @@ RunFolder read_run_folder(const std::filesystem::path& folder) {
   RunFolder run{folder, {}, si, {}};
   try {
     const auto json = nlohmann::json::parse(text);
-    run.title = json.at("title").get<std::string>();
+    run.title = shown_title(json.at("title").get<std::string>(), folder);
     const auto& units = json.at("units");
     run.units = units.is_null() ? std::optional<UnitSystem>{} : unit_system(units.get<std::string>());
     run.files.histories = json.at("histories").get<std::vector<std::string>>();

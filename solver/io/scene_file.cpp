@@ -4,6 +4,7 @@
 #include "solver/io/cell_file.hpp"
 #include "solver/io/dat_deck.hpp"
 #include "solver/io/fence_file.hpp"
+#include "solver/io/shown_title.hpp"
 #include "solver/io/toml_document.hpp"
 #include "solver/io/toml_scene.hpp"
 
@@ -15,7 +16,9 @@ SceneFile read_scene_file(const std::filesystem::path& file) {
   const scenes::Fence fence = read_deck(file);
   try {
     const scenes::FenceScene made = scenes::fence_scene(fence);
-    return {made.scene, FenceInput{fence, made}};
+    SceneFile read{made.scene, FenceInput{fence, made}};
+    read.scene.title = shown_title(fence.title, file);
+    return read;
   } catch (const InputError& error) {
     throw InputError{file.string() + ": " + error.what()};
   }

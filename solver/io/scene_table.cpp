@@ -283,6 +283,14 @@ std::string SceneTable::text(std::string_view key) {
   fail_at(value.line, key, fmt::format("found {}; it must be a text in quotes", found(value)));
 }
 
+std::string SceneTable::title() {
+  constexpr std::string_view key = "title";
+  if (!has(key)) return {};
+  const TomlValue* const value = find(key);
+  const auto* const given = value != nullptr ? std::get_if<std::string>(&value->data) : nullptr;
+  return given != nullptr && given->empty() ? std::string{} : text(key);
+}
+
 std::vector<std::string> SceneTable::texts(std::string_view key, std::size_t count) {
   const TomlValue& value = demand_at_once(key);
   std::vector<std::string> result;

@@ -104,6 +104,8 @@ class SceneTable {
   /// An array of whole numbers.
   [[nodiscard]] std::vector<int> wholes(std::string_view key);
   [[nodiscard]] std::string text(std::string_view key);
+  /// The text under `title`; empty if there is none.
+  [[nodiscard]] std::string title();
   [[nodiscard]] std::vector<std::string> texts(std::string_view key, std::size_t count);
   /// Any of a closed list of names, in an array.
   [[nodiscard]] std::vector<std::string> choices(std::string_view key, const std::vector<std::string>& known);

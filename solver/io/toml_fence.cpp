@@ -214,12 +214,10 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   });
   Fence fence;
   fence.units = source.units;
-  if (file.has("title")) {
-    source.guard(file.line(), [&] {
-      fence.title = file.text("title");
-      if (const std::string why = objection_to_title(fence.title); !why.empty()) file.fail("title", why);
-    });
-  }
+  source.guard(file.line(), [&] {
+    fence.title = file.title();
+    if (const std::string why = objection_to_title(fence.title); !why.empty()) file.fail("title", why);
+  });
   SceneTable table = file.table("fence");
   std::vector<std::string> known = keys<Fence>();
   known.insert(known.end(), {"rules", "duration", "history_elements", "history_codes", "ground", "ground_profile",

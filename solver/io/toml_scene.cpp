@@ -8,6 +8,7 @@
 
 #include "solver/calibrate/step_advice.hpp"
 #include "solver/io/scene_parts.hpp"
+#include "solver/io/shown_title.hpp"
 #include "solver/io/toml_fence.hpp"
 #include "solver/laws/restitution.hpp"
 #include "solver/model/resultant.hpp"
@@ -215,7 +216,7 @@ SceneFile read_bodies_scene(SceneTable& file, SceneSource& source) {
     source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
   });
   Scene scene;
-  if (file.has("title")) source.guard(file.line(), [&] { scene.title = file.text("title"); });
+  source.guard(file.line(), [&] { scene.title = file.title(); });
   const Parts parts = read_parts(file);
   std::optional<SceneRun> run;
   source.guard(file.line(), [&] { run.emplace(read_run(file.table("run"))); });
@@ -235,7 +236,9 @@ SceneFile read_scene_file(std::string_view text, std::string_view name) {
   SceneTable file{source, document, ""};
   source.collect();
   try {
-    return file.has("fence") ? read_fence_scene(file, source) : read_bodies_scene(file, source);
+    SceneFile read = file.has("fence") ? read_fence_scene(file, source) : read_bodies_scene(file, source);
+    read.scene.title = shown_title(read.scene.title, name);
+    return read;
   } catch (const SceneSource::Collected&) {
     source.check();
     throw;

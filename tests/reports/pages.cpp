@@ -95,6 +95,20 @@ BOOST_AUTO_TEST_CASE(a_case_without_a_family_is_not_lost) {
   BOOST_TEST(contains(summary_by_family(all), "| **others** | *1 case* |"));
 }
 
+BOOST_AUTO_TEST_CASE(the_worst_margin_shows_the_verdict) {
+  Results all = results();
+  const auto worst_of = [&](std::vector<Check> checks) {
+    all.cases = {record("near", "A: motion", std::move(checks))};
+    return summary_by_family(all);
+  };
+  Check passes = check("passes"), fails = check("fails", false);
+  passes.margin = 0.9996;
+  fails.margin = 1.0;  // error > bound; the quotient was rounded
+  BOOST_TEST(contains(worst_of({check("value"), passes}), "| 0.999 | 0.25 |"), worst_of({check("value"), passes}));
+  BOOST_TEST(contains(worst_of({passes, fails, check("value")}), "| 1.001 | 0.25 |"));
+  BOOST_TEST(contains(failures(all), "| **1.001** |"), failures(all));
+}
+
 BOOST_AUTO_TEST_CASE(coverage_counts_checks_and_names_empty_cells) {
   const std::string text = coverage(results());
   BOOST_TEST(contains(text, "| spring | touching 2, released **none** |"), text);

@@ -1,5 +1,7 @@
 #include "verification/check/check.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -43,6 +45,18 @@ Check judged(Check check) {
 }
 
 }  // namespace
+
+std::string margin_text(double margin, bool pass, int digits) {
+  const auto shows_verdict = [&](const std::string& text) {
+    const double shown = std::stod(text);
+    return pass ? shown < 1.0 : !(shown <= 1.0);
+  };
+  const std::string rounded = fmt::format("{:.{}g}", margin, digits);
+  if (shows_verdict(rounded)) return rounded;
+  const std::string decimals = fmt::format("{:.3f}", margin);
+  if (shows_verdict(decimals)) return decimals;
+  return pass ? "0.999" : "1.001";
+}
 
 Check compare(std::string name, double measured, double reference, const Tolerance& tolerance, std::string unit) {
   Check check;

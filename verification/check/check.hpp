@@ -28,6 +28,11 @@ struct Check {
 /// A margin below this marks a bound as slack: it is so wide that it would hide a fault fifty times the error.
 inline constexpr double slack_margin = 1.0 / 50.0;
 
+/// error/bound of a check in `digits` significant digits, on the right side of 1: below it for a check that passes,
+/// above it for one that fails. Where rounding would hide the verdict there are three decimals, 0.999 and 1.001 nearest
+/// to 1. "nan" and "inf" as words. (reports/markdown.hpp has the same for the report.)
+[[nodiscard]] std::string margin_text(double margin, bool pass, int digits);
+
 /// Compares `measured` with `reference`. A number that is not finite fails, and so does a relative error from zero.
 [[nodiscard]] Check compare(std::string name, double measured, double reference, const Tolerance& tolerance,
                             std::string unit);

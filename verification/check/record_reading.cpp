@@ -2,8 +2,9 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <new>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <system_error>
 
 #include "verification/check/figure_data.hpp"
 #include "verification/check/record.hpp"
@@ -101,10 +102,14 @@ Axis axis_from(const Json& json) {
 std::string contents(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw RecordError(file.string() + ": is missing");
-  std::stringstream text;
-  text << in.rdbuf();
-  if (text.str().empty()) throw RecordError(file.string() + ": is empty");
-  return text.str();
+  // Not through a stream buffer, which takes the end of memory for the end of the file.
+  std::error_code none;
+  const auto size = std::filesystem::file_size(file, none);
+  std::string text(none ? 0 : static_cast<std::size_t>(size), '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.empty()) throw RecordError(file.string() + ": is empty");
+  return text;
 }
 
 Figure figure_from(const Json& json, const std::filesystem::path& folder) {
@@ -203,6 +208,8 @@ Record read_record(const std::filesystem::path& folder) {
     return record_from(Json::parse(text), folder);
   } catch (const nlohmann::json::parse_error& fault) {
     throw RecordError(file.string() + ": truncated or not JSON: " + fault.what());
+  } catch (const std::bad_alloc&) {
+    throw;  // The record is not at fault.
   } catch (const std::exception& fault) {
     throw RecordError(file.string() + ": " + fault.what());
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <new>
 #include <string>
 
 #include "verification/driver/provenance.hpp"
@@ -20,6 +21,8 @@ std::string thrown_by(const Case& verification_case, Findings& findings, const S
   try {
     verification_case.run(findings, setup);
     return "";
+  } catch (const std::bad_alloc&) {
+    return "out of memory (std::bad_alloc)";
   } catch (const std::exception& fault) {
     return std::string("exception: ") + fault.what();
   } catch (...) {

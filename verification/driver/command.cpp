@@ -4,9 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "verification/driver/case_run.hpp"
 #include "verification/driver/catalogue.hpp"
@@ -121,6 +125,41 @@ std::vector<Record> records_of(const std::vector<Case>& selection, const std::ve
   return records;
 }
 
+/// Memory that is given back when there is no more, so that what was found can still be written. Never touched, it
+/// costs address space only.
+constexpr std::size_t reserve_size = std::size_t{16} << 20U;
+
+void write_results(const Results& results, const fs::path& out) {
+  write_whole(out / "results.json", text_of(results));
+  write_whole(out / "junit.xml", junit_of(results.records));
+}
+
+/// What remains of a record when there is no memory for all of it: head, checks and controls.
+void shorten(Record& record) {
+  record.figures = {};
+  record.tables = {};
+  record.data = {};
+  record.notes = {};
+  if (record.status == Status::pass || record.status == Status::fail) {
+    record.status = Status::error;
+    record.message = "the driver ran out of memory: figures, tables and notes of this case are not in the results";
+  }
+}
+
+/// Writes both files, without the largest parts of the records if memory runs out.
+void write_results_within_memory(Results& results, const fs::path& out, std::unique_ptr<char[]> reserve) {
+  try {
+    write_results(results, out);
+    return;
+  } catch (const std::bad_alloc&) {
+    reserve.reset();
+  }
+  std::fputs("talus_verify: out of memory; the results are written without figures, tables and notes\n", stderr);
+  for (Record& record : results.records)
+    shorten(record);
+  write_results(results, out);
+}
+
 int run(const std::vector<Case>& cases, const Options& options) {
   const Tier tier = options.full ? Tier::full : Tier::quick;
   const auto selection = chosen(cases, options.only, tier);
@@ -137,9 +176,9 @@ int run(const std::vector<Case>& cases, const Options& options) {
   fs::remove(out / "junit.xml");
   Terminal terminal(selection.size());
   const unsigned jobs = options.jobs == 0 ? std::max(1u, results.provenance.cores) : options.jobs;
+  auto reserve = std::make_unique_for_overwrite<char[]>(reserve_size);
   results.records = records_of(selection, cases, {out, jobs, tier}, terminal);
-  write_whole(out / "results.json", text_of(results));
-  write_whole(out / "junit.xml", junit_of(results.records));
+  write_results_within_memory(results, out, std::move(reserve));
   terminal.summarise(results, (out / "results.json").string());
   return holds(results) ? exit_pass : exit_fail;
 }
@@ -164,6 +203,9 @@ int verify(const std::vector<Case>& cases, int argc, const char* const* argv) {
   } catch (const std::invalid_argument& fault) {
     fmt::print(stderr, "talus_verify: {}\n", fault.what());
     return exit_usage;
+  } catch (const std::bad_alloc&) {
+    std::fputs("talus_verify: out of memory; no results were written\n", stderr);
+    return exit_io;
   } catch (const std::exception& fault) {
     fmt::print(stderr, "talus_verify: {}\n", fault.what());
     return exit_io;

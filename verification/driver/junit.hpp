@@ -11,7 +11,9 @@ namespace talus::verification {
 /// by '?'.
 [[nodiscard]] std::string escaped(const std::string& text);
 
-/// JUnit XML: one test suite for each case, one test case for each check and control, and one for the run itself.
+/// JUnit XML: one test suite for each case, one test case for each check and control, and one named `run` for the case
+/// itself, which has the case's time [s]. Checks and controls have a time of 0, so that the times of a suite sum to
+/// that of its case, and as properties measured, reference, error, bound, unit, relative and kind.
 [[nodiscard]] std::string junit_of(const std::vector<Record>& records);
 
 }  // namespace talus::verification

@@ -13,6 +13,8 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <new>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 
@@ -49,9 +51,14 @@ struct Child {
     ::dup2(log, STDOUT_FILENO);
     ::dup2(log, STDERR_FILENO);
   }
+  // Where the kernel must end a process for want of memory, it takes a case and not the driver.
+  std::ofstream("/proc/self/oom_score_adj") << 1000;
   int status = 0;
   try {
     write_record(run_case(verification_case, tier), folder);
+  } catch (const std::bad_alloc&) {
+    std::fputs("out of memory (std::bad_alloc)\n", stderr);
+    status = exit_io;
   } catch (const std::exception& fault) {
     std::fprintf(stderr, "%s\n", fault.what());
     status = exit_io;
@@ -60,16 +67,17 @@ struct Child {
   ::_exit(status);
 }
 
-Child start(const Case& verification_case, std::size_t index, const RunPlan& plan) {
+/// Starts a case; nothing if the system refuses another process (`errno` says why).
+std::optional<Child> start(const Case& verification_case, std::size_t index, const RunPlan& plan) {
   const fs::path folder = plan.out / verification_case.id;
   fs::remove_all(folder);
   fs::create_directories(folder);
   std::fflush(nullptr);
   const pid_t pid = ::fork();
-  if (pid < 0) throw std::runtime_error(std::string("no process for a case: ") + std::strerror(errno));
+  if (pid < 0) return std::nullopt;
   if (pid == 0) run_in_child(verification_case, folder, plan.tier);
   ::setpgid(pid, pid);  // By both sides: whichever comes first.
-  return {index, pid, Clock::now()};
+  return Child{index, pid, Clock::now()};
 }
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -120,8 +128,10 @@ Record outcome_of(const Child& child, int status, const Case& verification_case,
                   fmt::format("stopped at its memory limit of {:g} GiB", verification_case.memory_limit));
   }
   if (WIFSIGNALED(status)) {
+    const bool by_kernel = WTERMSIG(status) == SIGKILL;
     return failed(Status::error,
-                  fmt::format("ended by signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status))));
+                  fmt::format("ended by signal {} ({}{})", WTERMSIG(status), ::strsignal(WTERMSIG(status)),
+                              by_kernel ? ", which the kernel sends when memory runs out" : ""));
   }
   if (WEXITSTATUS(status) != 0) {
     return failed(Status::error, fmt::format("ended with exit status {}", WEXITSTATUS(status)));
@@ -162,30 +172,102 @@ std::vector<std::string> ids_of(const std::vector<Child>& children, const std::v
   return ids;
 }
 
-}  // namespace
+/// The record of a case as long as nothing else is known of it. It is made before the case is run: when memory has run
+/// out there may be none to say so.
+Record not_recorded(const Case& verification_case) {
+  return unfinished(verification_case, Status::error, "the driver ran out of memory before it had the case's record");
+}
 
-std::vector<Record> run_all(const std::vector<Case>& cases, const RunPlan& plan, const Progress& progress) {
-  std::vector<Record> records(cases.size());
-  std::vector<Child> running;
-  std::size_t next = 0;
-  while (next < cases.size() || !running.empty()) {
-    while (next < cases.size() && running.size() < std::max(1u, plan.jobs)) {
-      running.push_back(start(cases[next], next, plan));
-      ++next;
+/// The record of a child that has ended; the one made before if there is no memory for it.
+void take(Record& record, const Child& child, int status, const Case& verification_case, const RunPlan& plan) {
+  try {
+    record = outcome_of(child, status, verification_case, plan);
+    return;
+  } catch (const std::bad_alloc&) {
+    record.seconds = seconds_since(child.start);
+  }
+  try {
+    write_record(record, plan.out / verification_case.id);  // The folder says the same as results.json.
+  } catch (const std::exception&) {
+    // results.json says it; nothing that was read is lost by this.
+  }
+}
+
+/// The cases on their way: at most `plan.jobs` at once, the next in order when one ends.
+class Queue {
+ public:
+  Queue(const std::vector<Case>& cases, const RunPlan& plan, std::vector<Record>& records)
+      : cases_(cases), plan_(plan), records_(records) {
+    running_.reserve(std::max(1u, plan.jobs));
+  }
+  Queue(const Queue&) = delete;
+  Queue& operator=(const Queue&) = delete;
+  /// Leaves no case running, also where an exception ends the driver's work.
+  ~Queue() {
+    for (const Child& child : running_) {
+      ::kill(-child.pid, SIGKILL);
+      ::waitpid(child.pid, nullptr, 0);
     }
-    std::this_thread::sleep_for(poll_interval);
-    for (std::size_t i = 0; i < running.size();) {
-      Child& child = running[i];
+  }
+
+  [[nodiscard]] bool done() const { return next_ == cases_.size() && running_.empty(); }
+
+  void start_cases(const Progress& progress) {
+    while (!refused_ && next_ < cases_.size() && running_.size() < std::max(1u, plan_.jobs)) {
+      if (const auto child = start(cases_[next_], next_, plan_)) {
+        running_.push_back(*child);
+        ++next_;
+        continue;
+      }
+      const int reason = errno;
+      // Another process may be had when a case ends.
+      refused_ = !running_.empty();
+      if (refused_) return;
+      records_[next_] =
+          unfinished(cases_[next_], Status::error, fmt::format("no process for the case: {}", std::strerror(reason)));
+      progress(records_[next_++], {});
+    }
+  }
+
+  void collect(const Progress& progress) {
+    for (std::size_t i = 0; i < running_.size();) {
       int status = 0;
-      if (!has_ended(child, cases[child.index], status)) {
+      if (!has_ended(running_[i], cases_[running_[i].index], status)) {
         ++i;
         continue;
       }
-      Record& record = records[child.index];
-      record = outcome_of(child, status, cases[child.index], plan);
-      running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
-      progress(record, ids_of(running, cases));
+      const Child child = running_[i];
+      running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
+      refused_ = false;
+      take(records_[child.index], child, status, cases_[child.index], plan_);
+      progress(records_[child.index], ids_of(running_, cases_));
     }
+  }
+
+ private:
+  const std::vector<Case>& cases_;
+  const RunPlan& plan_;
+  std::vector<Record>& records_;
+  std::vector<Child> running_;
+  std::size_t next_ = 0;
+  bool refused_ = false;  ///< The system had no process for the next case; nothing has ended since.
+};
+
+}  // namespace
+
+std::vector<Record> run_all(const std::vector<Case>& cases, const RunPlan& plan, const Progress& progress) {
+  std::vector<Record> records;
+  for (const Case& verification_case : cases)
+    records.push_back(not_recorded(verification_case));
+  try {
+    Queue queue(cases, plan, records);
+    while (!queue.done()) {
+      queue.start_cases(progress);
+      std::this_thread::sleep_for(poll_interval);
+      queue.collect(progress);
+    }
+  } catch (const std::bad_alloc&) {
+    // What is not recorded by now says so.
   }
   return records;
 }

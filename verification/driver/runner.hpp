@@ -21,8 +21,8 @@ using Progress = std::function<void(const Record& ended, const std::vector<std::
 
 /// Runs each case in a child process and reads back what it left, strictly. A crash, an exit status other than zero,
 /// more time or memory than the case may take, and a record that is missing, empty, truncated or inconsistent become
-/// failed records; the others go on. Returns one record for each case, in the order of `cases`. std::runtime_error if a
-/// folder cannot be made.
+/// failed records; the others go on. So do a process that the system refuses and a record for which this process has no
+/// memory. Returns one record for each case, in the order of `cases`. std::runtime_error if a folder cannot be made.
 [[nodiscard]] std::vector<Record> run_all(const std::vector<Case>& cases, const RunPlan& plan,
                                           const Progress& progress);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace talus::verification {
 
@@ -27,7 +28,10 @@ std::string with_unit(double value, const std::string& unit) {
 
 /// The check nearest to its bound or farthest over it; a NaN is farther than all.
 const Check* worst(const std::vector<Check>& checks) {
-  const auto badness = [](const Check& check) { return std::isnan(check.margin) ? HUGE_VAL : check.margin; };
+  // A failed check is worse than one that passes at the same ratio, where rounding makes both 1.
+  const auto badness = [](const Check& check) {
+    return std::pair{!check.pass, std::isnan(check.margin) ? HUGE_VAL : check.margin};
+  };
   const auto found = std::max_element(checks.begin(), checks.end(),
                                       [&](const Check& a, const Check& b) { return badness(a) < badness(b); });
   return found == checks.end() ? nullptr : &*found;
@@ -37,9 +41,9 @@ const Check* worst(const std::vector<Check>& checks) {
 
 std::string sentence(const std::string& id, const Check& check) {
   std::string words =
-      fmt::format("{}.{}: {}, reference {}, error/bound {:.3g}", id, check.name,
+      fmt::format("{}.{}: {}, reference {}, error/bound {}", id, check.name,
                   check.text_measured.empty() ? with_unit(check.measured, check.unit) : check.text_measured,
-                  with_unit(check.reference, check.unit), check.margin);
+                  with_unit(check.reference, check.unit), margin_text(check.margin, check.pass, 3));
   if (!check.message.empty()) words += "; " + check.message;
   return words + " (" + check.why + ")";
 }
@@ -64,7 +68,9 @@ void Terminal::report(const Record& record, const std::vector<std::string>& runn
   const bool pass = record.status == Status::pass;
   const Check* const farthest = worst(record.checks);
   const std::string margin =
-      farthest == nullptr ? "-" : fmt::format("worst error/bound {:.2g} ({})", farthest->margin, farthest->name);
+      farthest == nullptr
+          ? "-"
+          : fmt::format("worst error/bound {} ({})", margin_text(farthest->margin, farthest->pass, 2), farthest->name);
   fmt::print("{}  {:<18} {:>3} checks  {:>2} controls  {:>6.2f} s  {}\n",
              painted(fmt::format("{:<7}", name_of(record.status)), pass ? green : red), record.id, record.checks.size(),
              record.controls.size(), record.seconds, margin);

@@ -4,7 +4,11 @@
 
 #include <boost/test/unit_test.hpp>
 #include <chrono>
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 #include <thread>
 
 #include "solver/io/folder_lock.hpp"
@@ -122,8 +126,13 @@ BOOST_AUTO_TEST_CASE(a_run_that_was_stopped_says_so_and_goes_on) {
   BOOST_TEST(talus_ran({"cell", "--resume", left}).code == 0);
   same_files(left, whole);
   // The command line is the run's; its file must be what it was.
-  BOOST_TEST(talus_ran({"cell", "--resume", left}).code == 4);
   BOOST_TEST(talus_ran({"cell", "--resume", left, "--seed", "6"}).code == 2);
+  const Ended again = talus_ran({"cell", "--resume", left});
+  BOOST_TEST(again.code == 0);
+  BOOST_TEST(again.out == left + ": the run is finished; there is nothing to resume\n");
+  BOOST_TEST(again.err == "");
+  BOOST_TEST(talus_ran({"cell", "--resume", left, "--json"}).out == talus::read_text(fs::path{left} / "summary.json"));
+  same_files(left, whole);
 }
 
 BOOST_AUTO_TEST_CASE(a_run_whose_last_files_cannot_be_written_can_be_taken_on) {
@@ -323,4 +332,45 @@ BOOST_AUTO_TEST_CASE(a_cell_is_exported_for_lammps_with_dashpots_if_they_may_sta
   // What LAMMPS knows goes as it stands.
   BOOST_TEST(talus_ran({"export", "lammps", scene("cell/rough.toml"), "--out", out}).code == 0);
   BOOST_TEST(holds(talus::read_text(fs::path{out} / "in.discs"), "linear_history"));
+}
+
+// Discs that meet: energies change, stresses and contacts are measured, and their means are those of the same cell
+// here.
+BOOST_AUTO_TEST_CASE(lammps_prints_what_a_cell_prints) {
+  const Folder folder;
+  const std::string text = talus::read_text(scene("cell/ice.toml"));
+  const std::string latching = "restitution = 0.7 ";
+  const std::size_t place = text.find(latching);
+  BOOST_REQUIRE(place != std::string::npos);
+  const std::string cell = folder.file(
+      "cell.toml",
+      std::string{text}.replace(place, latching.size(), "law = \"linear_spring_dashpot\"\nrestitution = 0.7 "));
+  const std::string out = folder.path / "lammps";
+  const Ended ended = talus_ran({"export", "lammps", cell, "--out", out});
+  BOOST_TEST(ended.code == 0, ended.err);
+  BOOST_TEST(holds(ended.out, "lmp -in in.discs   # 500000 steps to t = 0.1\n"), ended.out);
+  if (std::system("command -v lmp > /dev/null 2>&1") != 0) return;  // Debian: apt-get install lammps
+  BOOST_REQUIRE(std::system(("cd '" + out + "' && lmp -in in.discs > screen.txt 2>&1").c_str()) == 0);
+  std::istringstream screen{talus::read_text(fs::path{out} / "screen.txt")};
+  std::set<double> energies;
+  std::map<std::string, double> means;
+  for (std::string line; std::getline(screen, line);) {
+    std::istringstream numbers{line};
+    double step{}, time{}, energy{}, shear{}, normal{}, contacts{}, value{};
+    if (numbers >> step >> time >> energy >> shear >> normal >> contacts && step > 0.0) {
+      energies.insert(energy);
+      BOOST_TEST(normal > 0.0);
+      BOOST_TEST(contacts > 0.0);
+    }
+    std::string name;
+    if (std::istringstream words{line}; words >> name >> value) means[name] = value;
+  }
+  BOOST_TEST(energies.size() == 20U);
+  const Json results = Json::parse(talus_ran({"cell", cell, "--json"}).out).at("results");
+  for (const char* name : {"stress_ratio_top", "coordination"}) {
+    const Json& here = results.at(name);
+    BOOST_TEST(std::abs(means.at(name) - here.at("value").get<double>()) < 5.0 * here.at("error").get<double>(), name);
+  }
+  BOOST_TEST(means.at("top_shear") / means.at("top_normal") == means.at("stress_ratio_top"),
+             boost::test_tools::tolerance(1e-3));
 }

@@ -113,6 +113,56 @@ BOOST_AUTO_TEST_CASE(panels_and_abscissas) {
   BOOST_TEST(path.page().at("panels").at(0).at("x").at("unit") == "ft");
 }
 
+// Two layers of the half fence have 26 segments, 14 columns and a rock 30 coordinates: of more than 8 curves those
+// whose values differ most are drawn.
+BOOST_AUTO_TEST_CASE(a_panel_has_eight_curves_unless_more_are_requested) {
+  const auto labels = [](const nlohmann::json& figure) {
+    std::vector<std::string> found;
+    for (const auto& series : figure.at("series"))
+      found.push_back(series.at("label").get<std::string>());
+    return found;
+  };
+  const auto figure = [](const Asked& asked, const std::string& name) {
+    for (const auto& each : asked.plot.at("figures"))
+      if (each.at("name") == name) return each;
+    return nlohmann::json{};
+  };
+  const Asked usual{{"plot", sample().string()}}, all{{"plot", sample().string(), "--all"}};
+  BOOST_REQUIRE(usual.ended.code == 0);
+  for (const auto& each : usual.plot.at("figures"))
+    BOOST_TEST(each.at("series").size() <= 8U, each.at("name"));
+  const auto drawn = labels(figure(usual, "positions")), kept = labels(figure(all, "positions"));
+  BOOST_TEST(drawn.size() == 8U);
+  BOOST_TEST(kept.size() == 30U);
+  BOOST_TEST(holds(usual.ended.out, "positions: 8 of 30 curves drawn, those with the largest range; --all draws all"),
+             usual.ended.out);
+  BOOST_TEST(!holds(all.ended.out, "drawn"));
+  const talus::KeptHistory history = talus::read_history(sample() / "history.csv");
+  const auto range = [&](const std::string& name) {
+    const auto& values = history.find(name)->values;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return *high - *low;
+  };
+  for (const std::string& one : kept) {
+    if (std::find(drawn.begin(), drawn.end(), one) != drawn.end()) continue;
+    for (const std::string& other : drawn)
+      BOOST_TEST(range(one) <= range(other), one + " is left out for " + other);
+  }
+  // Elements by name and number, of which each figure has what there is.
+  const Asked named{{"plot", sample().string(), "--element", "2,top1"}};
+  BOOST_TEST((labels(figure(named, "velocities")) == std::vector<std::string>{"rock.vx", "rock.vy"}));
+  BOOST_TEST((labels(figure(named, "tensions")) == std::vector<std::string>{"top1.tension"}));
+  const Ended unknown = talus_ran({"plot", sample().string(), "--element", "top99"});
+  BOOST_TEST(unknown.code == 2);
+  BOOST_TEST(holds(unknown.err, "--element: element 'top99' is not known; nearest: top"), unknown.err);
+  // Chosen histories alike.
+  const Asked tension{{"plot", sample().string(), "--history", "tension"}};
+  BOOST_TEST(tension.page().at("panels").at(0).at("series").size() == 8U);
+  BOOST_TEST(holds(tension.ended.out, "panel [lbf]: 8 of 26 curves drawn"), tension.ended.out);
+  const Asked tensions{{"plot", sample().string(), "--history", "tension", "--all"}};
+  BOOST_TEST(tensions.page().at("panels").at(0).at("series").size() == 26U);
+}
+
 BOOST_AUTO_TEST_CASE(several_runs_over_each_other) {
   const Folder folder;
   std::vector<std::string> arguments{"plot"};
@@ -359,4 +409,35 @@ BOOST_AUTO_TEST_CASE(the_player_is_one_file_that_needs_no_other) {
   const Ended late = talus_ran({"animate", sample().string(), "--until", "1 us"});
   BOOST_TEST(late.code == 2);
   BOOST_TEST(holds(late.err, "--until: found \"1 us\"; the run left fewer than two states up to then"));
+}
+
+// No title, an empty one and blanks: the scene's file names the run, in every command.
+BOOST_AUTO_TEST_CASE(a_blank_title_is_replaced_by_the_name_of_the_file) {
+  for (const char* name : {"two_cable.toml", "fence/table_2.toml", "cell/ice.toml"}) {
+    const std::string text = talus::read_text(scene(name));
+    const std::size_t begin = text.find("title = "), end = text.find('\n', begin) + 1;
+    for (const char* title : {"", "title = \"\"\n", "title = \"  \"\n"}) {
+      BOOST_TEST_CONTEXT(name << ", " << title) {
+        const Folder folder;
+        const std::string file = folder.file("untitled.toml", std::string{text}.replace(begin, end - begin, title));
+        const std::string run = (folder.path / "run").string();
+        const bool cell = std::string{name} == "cell/ice.toml", fence = holds(name, "fence");
+        std::vector<std::string> command{cell ? "cell" : "run", file, "--out", run};
+        if (!cell) command.insert(command.end(), {"--end", "4 ms", "--frames", "4"});
+        if (fence) command.push_back("--sheet");
+        const Ended ended = talus_ran(command);
+        BOOST_TEST_REQUIRE(ended.code == 0, ended.err);
+        if (!fence) BOOST_TEST(ended.out.rfind("untitled\n", 0) == 0U, ended.out.substr(0, 80));
+        BOOST_TEST(nlohmann::json::parse(talus::read_text(run + "/summary.json")).at("title") == "untitled");
+        if (fence) BOOST_TEST(holds(talus::read_text(run + "/sheet.html"), "<h1>untitled</h1>"));
+        const std::string quantity = cell ? "depth" : "energy.kinetic";
+        BOOST_TEST(Asked({"plot", run, "--history", quantity}).page().at("title") == "untitled");
+        BOOST_TEST(Asked({"snapshot", run, "--count", "2"}).page().at("title") == "untitled");
+        BOOST_TEST(talus_ran({"plot", run, "--format", "svg"}).code == 0);
+        const Ended animated = talus_ran({"animate", run});
+        BOOST_TEST_REQUIRE(animated.code == 0, animated.err);
+        BOOST_TEST(holds(talus::read_text(run + "/plots/animation.html"), "<h1>untitled</h1>"));
+      }
+    }
+  }
 }

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "tests/solver/app/program.hpp"
 
@@ -45,10 +46,10 @@ const fs::path& player() {
 /// The page as it stands after some time of its own clock.
 std::string document(const fs::path& page, const std::string& hash, int milliseconds = 500) {
   const Folder profile;
-  const Ended ended = ran(
-      browser(), {"--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-                  "--user-data-dir=" + profile.path.string(), "--virtual-time-budget=" + std::to_string(milliseconds),
-                  "--dump-dom", "file://" + page.string() + "#" + hash});
+  const Ended ended = ran(browser(), {"--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+                                      "--allow-file-access-from-files", "--user-data-dir=" + profile.path.string(),
+                                      "--virtual-time-budget=" + std::to_string(milliseconds), "--dump-dom",
+                                      "file://" + page.string() + "#" + hash});
   BOOST_REQUIRE(ended.code == 0);
   BOOST_TEST(holds(ended.out, "data-ready=\"yes\""));
   BOOST_TEST(!holds(ended.out, "data-error="), ended.out.substr(0, 300));
@@ -142,6 +143,48 @@ BOOST_AUTO_TEST_CASE(discs_are_played_with_their_images) {
   BOOST_TEST(!holds(speed, "NaN"));
 }
 
+/// What a screen of a given width shows of a page: width of all that it holds, smallest letters [px], and names of what
+/// is not within the screen, of those that a reader operates. A browser's window cannot be that narrow, a frame can.
+struct Screen {
+  double width{}, letters{};
+  std::string hidden;
+};
+Screen screen(const fs::path& page, int width, const std::string& operated = "") {
+  const Folder folder;
+  const fs::path frame = folder.path / "frame.html";
+  std::ofstream{frame} << "<!DOCTYPE html><body><iframe id=\"screen\" style=\"width:" << width
+                       << "px;height:844px;border:0\" src=\"file://" << page.string() << R"("></iframe><script>
+    const screen_ = document.getElementById("screen");
+    screen_.onload = () => setTimeout(() => {
+      const seen = screen_.contentDocument, view = screen_.contentWindow;
+      let letters = 1e9;
+      const texts = seen.createTreeWalker(seen.body, NodeFilter.SHOW_TEXT);
+      while (texts.nextNode()) {
+        const parent = texts.currentNode.parentElement, box = parent.getBoundingClientRect();
+        if (!texts.currentNode.data.trim() || box.width === 0 || parent.closest("script, select")) continue;
+        const matrix = parent.ownerSVGElement ? parent.getScreenCTM() : {a: 1, b: 0};
+        const scale = Math.hypot(matrix.a, matrix.b);
+        letters = Math.min(letters, scale * parseFloat(view.getComputedStyle(parent).fontSize));
+      }
+      const hidden = ")"
+                       << operated << R"(".split(" ").filter(id => {
+        if (!id) return false;
+        const box = seen.getElementById(id).getBoundingClientRect();
+        return box.width < 10 || box.left < 0 || box.right > view.innerWidth || box.top < 0 || box.bottom > 844;
+      });
+      const width = Math.max(seen.documentElement.scrollWidth, seen.body.scrollWidth);
+      document.body.dataset.seen = [width, letters, ...hidden].join(" ");
+      document.documentElement.dataset.ready = "yes";
+    }, 500);</script>)";
+  std::istringstream seen{after(document(frame, "", 5000), "data-seen=\"")};
+  Screen made;
+  seen >> made.width >> made.letters;
+  std::getline(seen, made.hidden);
+  return made;
+}
+
+constexpr double eight_points = 8.0 * 96.0 / 72.0;  // [px]
+
 // A script at the page's end presses keys, moves the slider and points into a chart, and notes the state shown.
 BOOST_AUTO_TEST_CASE(keys_slider_and_charts_lead_through_time) {
   std::string text = talus::read_text(player());
@@ -166,4 +209,25 @@ BOOST_AUTO_TEST_CASE(keys_slider_and_charts_lead_through_time) {
   std::ofstream{folder.path / "pressed.html"} << text;
   const std::string seen = document(folder.path / "pressed.html", "theme=light");
   BOOST_TEST(after(seen, "data-noted=\"") == "1 11 10 26 0 7 26 Pause 2 dark");
+}
+
+BOOST_AUTO_TEST_CASE(a_phone_shows_the_player_with_its_controls) {
+  const Screen phone = screen(player(), 390, "play scrub speed loop theme time");
+  BOOST_TEST(phone.width <= 390.0);
+  BOOST_TEST(phone.letters >= eight_points);
+  BOOST_TEST(phone.hidden == "");
+}
+
+BOOST_AUTO_TEST_CASE(the_sheet_is_read_on_a_phone_and_on_a_screen) {
+  const Folder folder;
+  const std::string run = (folder.path / "run").string();
+  const Ended made = talus_ran({"run", scene("fence/table_2.toml"), "--end", "50 ms", "--sheet", "--out", run});
+  BOOST_REQUIRE(made.code == 0);
+  for (const int width : {390, 700, 801, 1100}) {
+    const Screen seen = screen(folder.path / "run/sheet.html", width);
+    BOOST_TEST_CONTEXT(width) {
+      BOOST_TEST(seen.width <= width);
+      BOOST_TEST(seen.letters >= eight_points);
+    }
+  }
 }

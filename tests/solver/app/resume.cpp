@@ -105,6 +105,30 @@ BOOST_AUTO_TEST_CASE(json_says_how_to_go_on) {
   BOOST_TEST(!nlohmann::json::parse(talus_ran(command).out).contains("resume"));
 }
 
+BOOST_AUTO_TEST_CASE(a_run_that_has_ended_is_not_resumed) {
+  const Folder folder;
+  const std::string out = (folder.path / "out").string();
+  const Ended run = talus_ran({"run", scene("two_cable.toml"), "--end", "20 ms", "--out", out, "--json"});
+  const auto before = files(out);
+  const Ended again = talus_ran({"run", "--resume", out});
+  BOOST_TEST(again.code == 0);
+  BOOST_TEST(again.out == out + ": the run is finished; there is nothing to resume\n");
+  BOOST_TEST(again.err == "");
+  BOOST_TEST(talus_ran({"run", "--resume", out, "--json"}).out == run.out);
+  const Ended longer = talus_ran({"run", "--resume", out, "--until", "30 ms"});
+  BOOST_TEST(longer.code == 2);
+  BOOST_TEST(longer.err ==
+             "talus: --until: the run in " + out + " has ended; only an interrupted run can be resumed\n");
+  BOOST_TEST((files(out) == before));
+
+  const std::string lost = (folder.path / "lost").string();
+  BOOST_TEST(talus_ran({"run", (fs::path{TALUS_TEST_SCENES} / "unstable.toml").string(), "--out", lost}).code == 3);
+  const Ended diverged = talus_ran({"run", "--resume", lost});
+  BOOST_TEST(diverged.code == 3);
+  BOOST_TEST(diverged.err.rfind("talus: " + lost + ": the run diverged and cannot be resumed: ", 0) == 0U,
+             diverged.err);
+}
+
 BOOST_AUTO_TEST_CASE(a_scene_that_was_moved_is_named_again) {
   const Folder folder;
   const fs::path here = folder.path / "here.toml", there = folder.path / "there.toml";

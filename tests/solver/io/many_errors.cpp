@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(fence_whose_numbers_do_not_go_together) {
 
 BOOST_AUTO_TEST_CASE(cell) {
   check_all(complete_files[4],
-            {{"title = \"All of a cell\"", "", ": title: it is missing"},
+            {{"title = \"All of a cell\"", "title = 3", ": title: "},
              {"stiffness = \"1.7e4 N/m\"", "", ": cell: stiffness: it is missing"},
              {"diameter = \"1 mm\"", "diameter = 1", ": cell: diameter: found 1; the unit is missing"},
              {"rows = 8", "rows = 0", ": cell: rows: found 0"},

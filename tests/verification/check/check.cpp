@@ -56,6 +56,28 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_fail) {
   }
 }
 
+// Rounded to two or three digits, .9996 and 1.0004 are both 1.
+BOOST_AUTO_TEST_CASE(a_printed_margin_shows_the_verdict) {
+  using talus::verification::margin_text;
+  const double below = std::nextafter(1.0, 0.0), above = std::nextafter(1.0, 2.0);
+  for (const int digits : {2, 3}) {
+    BOOST_TEST(margin_text(0.9996, true, digits) == "0.999");
+    BOOST_TEST(margin_text(below, true, digits) == "0.999");
+    BOOST_TEST(margin_text(1.0, true, digits) == "0.999");  // error = bound passes
+    BOOST_TEST(margin_text(1.0004, false, digits) == "1.001");
+    BOOST_TEST(margin_text(above, false, digits) == "1.001");
+    BOOST_TEST(margin_text(1.0, false, digits) == "1.001");  // error > bound, the quotient rounded to 1
+    BOOST_TEST(margin_text(0.0, true, digits) == "0");
+    BOOST_TEST(margin_text(infinity, false, digits) == "inf");
+    BOOST_TEST(margin_text(not_a_number, false, digits) == "nan");
+  }
+  BOOST_TEST(margin_text(0.996, true, 2) == "0.996");
+  BOOST_TEST(margin_text(0.987, true, 2) == "0.99");
+  BOOST_TEST(margin_text(1.004, false, 3) == "1.004");
+  BOOST_TEST(margin_text(1.04, false, 2) == "1.040");
+  BOOST_TEST(margin_text(34.56, false, 3) == "34.6");
+}
+
 BOOST_AUTO_TEST_CASE(exact_is_equality_of_doubles) {
   const Tolerance exact = Tolerance::exact("same bits");
   BOOST_TEST(of(0.1, 0.1, exact).pass);

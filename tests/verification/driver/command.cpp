@@ -2,11 +2,14 @@
 #define BOOST_TEST_MODULE command
 #include "verification/driver/command.hpp"
 
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -145,7 +148,130 @@ BOOST_AUTO_TEST_CASE(memory_that_is_refused_fails) {
                              const std::vector<char> all(std::numeric_limits<std::ptrdiff_t>::max());
                              static_cast<void>(all);
                            }),
-                 "error", "exception: std::bad_alloc");
+                 "error", "out of memory (std::bad_alloc)");
+}
+
+namespace {
+
+/// What a case leaves that a driver under a limit cannot read back: a figure of 16 MB. The case lifts the limit for
+/// itself.
+void large_record(Findings& findings, const Setup& setup) {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(RLIMIT_AS, &limit);
+  sound(findings, setup);
+  if (setup.coarse) return;
+  std::vector<double> x(1'000'000);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] = static_cast<double>(i);
+  findings.figure({.name = "curve",
+                   .title = "Curve",
+                   .caption = "Long.",
+                   .x = {.label = "x"},
+                   .y = {.label = "y"},
+                   .series = {{"a", x, x}}});
+}
+
+/// Notes of 8 MB, which the driver can read back in less memory than it takes to write its results.
+void long_notes(Findings& findings, const Setup& setup) {
+  sound(findings, setup);
+  if (!setup.coarse) findings.note(std::string(std::size_t{8} << 20U, 'n'));
+}
+
+/// Runs the driver in a child process under `limited`; its exit status, or the negative number of a signal.
+template <class Limit>
+int verified_under(const std::vector<Case>& cases, const fs::path& out, Limit&& limited) {
+  std::fflush(nullptr);
+  const pid_t pid = ::fork();
+  BOOST_REQUIRE(pid >= 0);
+  if (pid == 0) {
+    for (const int signal : {SIGABRT, SIGSEGV})
+      ::signal(signal, SIG_DFL);
+    const std::string folder = out.string();
+    const char* argv[] = {"talus_verify", "--jobs", "1", "--out", folder.c_str()};
+    limited();
+    ::_exit(verify(cases, 5, argv));
+  }
+  int status = 0;
+  BOOST_REQUIRE(::waitpid(pid, &status, 0) == pid);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+/// This process may take `bytes` more address space than it has.
+void limit_memory(std::size_t bytes) {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  rlimit limit{};
+  ::getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + bytes;
+  ::setrlimit(RLIMIT_AS, &limit);
+}
+
+}  // namespace
+
+// From hardly more than the driver's reserve, where it cannot even start a case, to enough for all.
+BOOST_AUTO_TEST_CASE(a_driver_that_runs_out_of_memory_writes_its_results) {
+  const std::vector<Case> cases{synthetic("large", large_record), synthetic("sound", sound)};
+  const fs::path out = fs::temp_directory_path() / ("talus_memory_" + std::to_string(::getpid()));
+  bool failed = false, passed = false;
+  for (const std::size_t megabytes : {17, 24, 48, 512}) {
+    fs::remove_all(out);
+    const int status = verified_under(cases, out, [&] { limit_memory(megabytes << 20U); });
+    BOOST_TEST_CONTEXT(megabytes << " MB: exit status " << status) {
+      BOOST_REQUIRE((status == 0 || status == 1));
+      BOOST_REQUIRE(fs::exists(out / "results.json"));
+      BOOST_REQUIRE(fs::exists(out / "junit.xml"));
+      const json results = json::parse(std::ifstream(out / "results.json"));
+      BOOST_TEST(results.at("verdict") == (status == 0 ? "pass" : "fail"));
+      BOOST_REQUIRE(results.at("cases").size() == 2u);
+      const json& large = results.at("cases").at(0);
+      BOOST_TEST(large.at("status") == (status == 0 ? "pass" : "error"));
+      if (status == 1)
+        BOOST_TEST(large.at("message").get<std::string>().find("ran out of memory") != std::string::npos);
+      (status == 0 ? passed : failed) = true;
+    }
+  }
+  BOOST_TEST(failed);
+  BOOST_TEST(passed);
+  fs::remove_all(out);
+}
+
+// Where a record fits into memory and the results do not, they are written without its largest parts.
+BOOST_AUTO_TEST_CASE(results_that_do_not_fit_into_memory_are_written_without_notes) {
+  const fs::path out = fs::temp_directory_path() / ("talus_notes_" + std::to_string(::getpid()));
+  bool shortened = false;
+  for (std::size_t megabytes = 40; megabytes <= 120 && !shortened; megabytes += 4) {
+    fs::remove_all(out);
+    const int status = verified_under({synthetic("noted", long_notes)}, out, [&] { limit_memory(megabytes << 20U); });
+    BOOST_TEST_CONTEXT(megabytes << " MB: exit status " << status) {
+      BOOST_REQUIRE((status == 0 || status == 1));
+      const json record = json::parse(std::ifstream(out / "results.json")).at("cases").at(0);
+      BOOST_TEST(record.at("status") == (status == 0 ? "pass" : "error"));
+      shortened = record.at("message").get<std::string>().find("are not in the results") != std::string::npos;
+      if (shortened) BOOST_TEST(record.at("checks").size() == 1u);
+      BOOST_TEST(fs::file_size(out / "junit.xml") > 0u);
+    }
+  }
+  BOOST_TEST(shortened);
+  fs::remove_all(out);
+}
+
+// RLIMIT_NPROC does not bind root: the driver then runs as nobody.
+BOOST_AUTO_TEST_CASE(a_case_without_a_process_fails) {
+  const fs::path out = fs::temp_directory_path() / ("talus_processes_" + std::to_string(::getpid()));
+  const int status = verified_under({synthetic("sound", sound)}, out, [] {
+    constexpr uid_t nobody = 65534;
+    if (::geteuid() == 0 && ::setresuid(nobody, nobody, nobody) != 0) ::_exit(77);
+    const rlimit none{0, 0};
+    ::setrlimit(RLIMIT_NPROC, &none);
+  });
+  BOOST_TEST(status == 1);
+  BOOST_REQUIRE(fs::exists(out / "results.json"));
+  const json record = json::parse(std::ifstream(out / "results.json")).at("cases").at(0);
+  BOOST_TEST(record.at("status") == "error");
+  BOOST_TEST(record.at("message").get<std::string>().find("no process for the case") == 0u, record.at("message"));
+  fs::remove_all(out);
 }
 
 BOOST_AUTO_TEST_CASE(an_exit_without_record_fails) {

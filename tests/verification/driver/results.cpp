@@ -2,13 +2,19 @@
 #include "verification/driver/results.hpp"
 
 #include <algorithm>
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/verification/driver/synthetic_cases.hpp"
 #include "verification/driver/case_run.hpp"
 #include "verification/driver/junit.hpp"
+#include "verification/driver/terminal.hpp"
 
 using namespace talus::verification;
 
@@ -97,8 +103,61 @@ BOOST_AUTO_TEST_CASE(families_orders_and_peers_are_told) {
   BOOST_TEST(found == 2u);  // MFiX's DEM04 and LAMMPS's sphere that slides until it rolls
 }
 
+BOOST_AUTO_TEST_CASE(the_line_of_a_failed_check_shows_an_error_above_its_bound) {
+  const Check check = compare("value", 1.0 + 1.0004 * 0.25, 1.0, Tolerance::model(0.25, "chosen"), "m");
+  BOOST_TEST(!check.pass);
+  BOOST_TEST(sentence("a", check).find("error/bound 1.001 (chosen)") != std::string::npos, sentence("a", check));
+}
+
 BOOST_AUTO_TEST_CASE(xml_is_escaped) {
   BOOST_TEST(escaped("a<b & \"c\">\x01\n") == "a&lt;b &amp; &quot;c&quot;&gt;?&#10;");
+}
+
+// Read by an XML parser, which demands that it is well-formed.
+BOOST_AUTO_TEST_CASE(junit_holds_times_that_add_up_and_the_numbers_of_each_check) {
+  Record record = run_case(synthetic("a", sound), Tier::quick);
+  record.seconds = 1.25;
+  record.checks.push_back(compare("speed < \"c\" & finite", std::nan(""), 3.0, Tolerance::model(0.5, "chosen"), "m/s"));
+  Record other = unfinished(synthetic("b", sound), Status::timeout, "stopped");
+  other.seconds = 0.5;
+  std::istringstream text(junit_of({record, other}));
+  boost::property_tree::ptree tree;
+  boost::property_tree::read_xml(text, tree);
+  const auto& suites = tree.get_child("testsuites");
+  BOOST_TEST(suites.get<double>("<xmlattr>.time") == 1.75);
+  BOOST_TEST(suites.get<int>("<xmlattr>.tests") == 6);
+  BOOST_TEST(suites.get<int>("<xmlattr>.failures") == 2);  // the check, and the control of b, which was not run
+  BOOST_TEST(suites.get<int>("<xmlattr>.errors") == 1);
+  std::map<std::string, std::map<std::string, std::string>> numbers;
+  for (const auto& [tag, suite] : suites) {
+    if (tag != "testsuite") continue;
+    double sum = 0.0;
+    for (const auto& [name, test] : suite) {
+      if (name != "testcase") continue;
+      const auto id = test.get<std::string>("<xmlattr>.classname") + "." + test.get<std::string>("<xmlattr>.name");
+      const auto time = test.get<double>("<xmlattr>.time");
+      sum += time;
+      BOOST_TEST((time > 0.0) == (test.get<std::string>("<xmlattr>.name") == "run"), id);
+      if (!test.get_child_optional("properties")) continue;
+      for (const auto& [is, property] : test.get_child("properties"))
+        numbers[id][property.get<std::string>("<xmlattr>.name")] = property.get<std::string>("<xmlattr>.value");
+    }
+    BOOST_TEST(sum == suite.get<double>("<xmlattr>.time"));
+  }
+  using Numbers = std::map<std::string, std::string>;
+  const auto& value = numbers.at("a.value");  // it passes
+  BOOST_TEST(value.at("measured") == "1.05");
+  BOOST_TEST(value.at("reference") == "1");
+  BOOST_TEST(std::stod(value.at("error")) == 0.05, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(value.at("bound") == "0.1");
+  BOOST_TEST(value.at("unit") == "1");
+  BOOST_TEST(value.at("kind") == "model");
+  const Numbers lost{{"measured", "nan"}, {"reference", "3"},    {"error", "nan"}, {"bound", "0.5"},
+                     {"unit", "m/s"},     {"relative", "false"}, {"kind", "model"}};
+  BOOST_TEST((numbers.at("a.speed < \"c\" & finite") == lost));
+  BOOST_TEST(numbers.at("a.control: shifted").at("measured") == "2");
+  BOOST_TEST(numbers.at("a.control: shifted").at("observed") == "red");
+  BOOST_TEST((numbers.at("b.control: shifted") == Numbers{{"observed", "missing"}, {"check", "value"}}));
 }
 
 BOOST_AUTO_TEST_CASE(junit_holds_each_check_and_control_and_their_failures) {
