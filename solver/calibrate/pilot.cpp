@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "solver/base/error.hpp"
 #include "solver/calibrate/watch.hpp"
@@ -92,13 +93,15 @@ Pilot PilotRuns::run(const RunMethod& method, long most, const Nudge& nudge) {
 
 void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, Pilot& pilot) const {
   system.begin(start);
-  Recorder recorder{dynamics_, start, quantity_->ledger};
+  Recorder recorder{dynamics_, start, scene.plan.ledger || quantity_->ledger};
   Watch watch{scene, dynamics_, start};
   LargestBetween largest, least;
   const std::vector<double> lengths = dynamics_.lengths();
   const Observer observer = [&](const State& seen, const StepInfo& info) {
-    watch.look(seen, info.step);
     recorder(seen, info);
+    std::optional<Watch::Balance> balance;
+    if (recorder.ledger()) balance = {recorder.accounts().energy_closure, recorder.ledger()->energy_scale()};
+    watch.look(seen, info.step, balance);
     const double value = recorder.row()[quantity_->column];
     pilot.values.push_back(value);
     largest(value);

@@ -77,8 +77,10 @@ void put(std::string& text, std::string_view key, const std::string& value) {
     text.replace(place->begin, place->end - place->begin, value);
     return;
   }
-  // Beside the integrator, which is always there; in a line like its own, "run." and blanks in front included.
-  const Place beside = *place_of(text, run, "integrator");
+  // Beside the integrator, or else the end, which is always there; in a line like its own, "run." and blanks in front
+  // included.
+  const auto integrator = place_of(text, run, "integrator");
+  const Place beside = integrator ? *integrator : place_of(text, run, "end").value();
   const std::size_t start = line_start(text, beside.key);
   const std::string front =
       run.is_inline() ? ", " : fmt::format("\n{}", std::string_view{text}.substr(start, beside.key - start));
