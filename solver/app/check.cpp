@@ -117,8 +117,35 @@ double evaluations_per_step(const Scene& scene, const Dynamics& dynamics) {
   return (pilot_evaluations(scene, dynamics, 24) - pilot_evaluations(scene, dynamics, 16)) / 8.0;
 }
 
+/// Of a method that chooses its steps the first steps say nothing: the whole run is tried, as far as some evaluations
+/// reach.
+std::string chosen_cost(const Scene& scene, const Dynamics& dynamics) {
+  constexpr long most = 20'000;
+  RigidBodySystem system{dynamics, scene.plan.ledger};
+  system.allow(most);
+  Integrator integrator = scene.integrator;
+  State state = scene.initial;
+  double reached = state.t;
+  const Observer observer = [&reached](const State& seen, const StepInfo&) { reached = seen.t; };
+  try {
+    const ElapsedTime elapsed{"trying the run"};
+    const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1});
+    if (!outcome) return fmt::format("{} force evaluations, then {}", system.evaluations(), outcome.words);
+    return fmt::format("{} force evaluations", system.evaluations());
+  } catch (const TooManyEvaluations&) {
+    const double part = (reached - scene.initial.t) / (scene.plan.end - scene.initial.t);
+    return fmt::format("more than {} force evaluations: these reach {:.2g} % of the run", most, 100.0 * part);
+  }
+}
+
 void print_cost(const Scene& scene, const Dynamics& dynamics) {
   const long steps = step_count(scene.plan);
+  if (chooses_steps(scene.integrator)) {
+    return fmt::print(
+        "expected cost: {} outputs to {:.6g} {}, {}; each over {} degrees of freedom and {} law instances\n", steps,
+        scene.plan.end, symbol(scene.model.units, dimension::time), chosen_cost(scene, dynamics),
+        dynamics.layout().coordinates.size(), dynamics.layout().mode_count);
+  }
   const double each = evaluations_per_step(scene, dynamics);
   fmt::print(
       "expected cost: {} steps to {:.6g} {}, about {:.3g} force evaluations a step, {:.3g} in all; each over {} "

@@ -114,6 +114,15 @@ BOOST_AUTO_TEST_CASE(convert_between_decks_and_scenes) {
   BOOST_TEST(talus_ran({"convert", deck, (folder.path / "no/folder.toml").string()}).code == 4);
 }
 
+// Of methods that choose their steps check tries the run: what it says is what the run takes.
+BOOST_AUTO_TEST_CASE(check_gives_the_cost_of_a_run) {
+  for (const char* file : {"rolling_disc.toml", "sliding_block.toml"}) {
+    const auto summary = nlohmann::json::parse(talus_ran({"run", scene(file), "--json"}).out);
+    const std::string words = std::to_string(summary.at("evaluations").get<long>()) + " force evaluations; each over";
+    BOOST_TEST(holds(talus_ran({"check", scene(file)}).out, words));
+  }
+}
+
 // What a user wrote, comments and units, is not written over.
 BOOST_AUTO_TEST_CASE(a_file_is_not_converted_into_itself) {
   const Folder folder;
