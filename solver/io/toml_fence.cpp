@@ -58,6 +58,13 @@ void read_outline(SceneTable& table, FenceElement& element) {
     table.complain("exponent", fmt::format("found {}; it must be > 1 and at most 10000", element.exponent));
 }
 
+/// Power 0 of a block or cylinder in contacts by resultants: n = 2/power is a rectangle, as a cylinder is from the
+/// side. By the nodes of 1993 it stands for n = 20.
+void take_rectangle(FenceElement& element) {
+  const bool by_power = element.outline == scenes::ElementOutline::by_power && element.power == 0.0;
+  if (by_power && element.solid != scenes::ElementSolid::ellipsoid) element.outline = scenes::ElementOutline::rectangle;
+}
+
 /// The density: as given, or by the mass of the solid.
 void read_density(SceneTable& table, FenceElement& element, Part part) {
   if (table.has("mass")) {
@@ -259,10 +266,11 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   }
   if (table.has("options"))
     source.guard(table.line(), [&] { fence.options = read_options(table.table("options"), fence.options); });
-  // n = 2/power: a rectangle, as a cylinder is from the side. By the nodes of 1993 power 0 stands for n = 20.
-  if (fence.options.contact == scenes::FenceContact::resultant && fence.column.power == 0.0 &&
-      fence.column.outline == scenes::ElementOutline::by_power)
-    fence.column.outline = scenes::ElementOutline::rectangle;
+  if (fence.options.contact == scenes::FenceContact::resultant) {
+    take_rectangle(fence.column);
+    for (FenceElement& rock : fence.rocks)
+      take_rectangle(rock);
+  }
   std::vector<SceneTable> changed = table.numbered_tables("changed_column");
   for (SceneTable& column : changed)
     fence.changed_columns.push_back(read_changed(column, fence));

@@ -57,8 +57,7 @@ struct FenceElement {
     return {{{"a", dimension::length, &F::a, Range::positive, "half-length along local x"},
              {"b", dimension::length, &F::b, Range::positive, "half-length along local y"},
              {"power", dimension::number, &F::power, Range::fraction,
-              "outline of a deck: |x/a|^n + |y/b|^n = 1, n = 2/power; 0: n = 20 (a column by resultants: a rectangle), "
-              "of an "
+              "outline of a deck: |x/a|^n + |y/b|^n = 1, n = 2/power; 0: n = 20 (by resultants: a rectangle), of an "
               "ellipsoid n = 2"},
              {"density", dimension::density, &F::density, Range::positive, "mass density"},
              {"bar_length", dimension::length, &F::bar_length, Range::non_negative, "attachment length; only printed"},

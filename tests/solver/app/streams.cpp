@@ -37,8 +37,8 @@ int code_of(pid_t child) {
   return WEXITSTATUS(status);
 }
 
-/// All that the program writes to a terminal as its stderr; stdout goes nowhere. One variable of the environment has the
-/// value given.
+/// All that the program writes to a terminal as its stderr; stdout goes nowhere. One variable of the environment has
+/// the value given.
 std::string shown_on_terminal(std::vector<std::string> arguments, const std::string& variable = "NO_COLOR",
                               const std::string& value = "1") {
   int ours = 0, terminal = 0;

@@ -353,14 +353,14 @@ a = "0.4 m"
 b = "1.2 m"
 mass = "100 kg"
 shape = "superquadric"
-exponent = 8.0
+exponent = 4.5
 [fence.ground] # fence ground
 a = "10 m"
 b = "0.5 m"
 position = ["0 m", "-2.5 m"]
 mass = "1000 kg"
 shape = "superquadric"
-exponent = 8.0
+exponent = 4.5
 [fence.options] # fence options
 table = [[0.01, 1.2]]
 )",
