@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
 #include <variant>
 
 #include "solver/dynamics/contact_compiler.hpp"
@@ -250,6 +253,10 @@ void ContactForces::begin(State& state, const Workspace& work) const {
     if (state.mode[slider.slot.mode] == CoulombFriction::open && slider.normal > 0.0) start_spring(state, work, slider);
     double& stretch = state.z[slider.slot.memory];
     auto settled = slider.law.settle(stretch, slider.normal, viscous_stretch(work, slider));
+    // A dashpot that pulled back let the spring go beyond the limit: it takes the slider along as it is let go.
+    if (slider.dashpot > 0.0 && state.mode[slider.slot.mode] == CoulombFriction::sticking &&
+        CoulombFriction::slips(settled.mode))
+      settled.dissipated = slider.law.stored_energy(stretch) - slider.law.stored_energy(settled.stretch);
     // The step has the work of the force as a power: what the spring gave back was not lost.
     if (before && CoulombFriction::slips(before->mode[slider.slot.mode])) {
       settled.dissipated =
@@ -308,58 +315,150 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
   });
 }
 
-/// Speed at which the bodies part at one instance for a unit impulse between them at another [1/M]: share_a/m_A +
-/// share_b/m_B of PointMobility, in the present pose.
-double ContactForces::mobility(const Workspace& work, const ContactGroup& group, const Gap& one, const Gap& two) const {
-  const auto of = [&](BodyId body, double share) {
-    return share * mobility_.between(body, work.poses[index(body)], {one.p_WC, one.n_AB}, {two.p_WC, two.n_AB});
-  };
-  return of(group.a, group.share_a) + of(group.b, group.share_b);
+namespace {
+
+/// A contact whose dashpot follows from the effective mass, as its impact begins.
+struct Impact {
+  const ContactGroup* group{};
+  std::size_t instance{};
+  double closing{};  ///< u [L/T]
+  double mass{};     ///< p/u [M]
+  bool coupled{};    ///< solved for with the others
+};
+
+/// The impacts that begin at one time; of more each is taken by itself.
+constexpr std::size_t most_impacts = 12;
+
+struct Impacts {
+  std::array<Impact, most_impacts> each{};
+  std::size_t count{};
+};
+
+/// Rate at which one impact's bodies part for a unit impulse at another [1/M]: over the bodies that both have, of which
+/// the impulse acts on A against the normal and on B along it.
+double coupling(const PointMobility& mobility, const Workspace& work, const Impact& one, const Impact& other) {
+  const Gap &here = work.gaps[one.instance], &there = work.gaps[other.instance];
+  double sum = 0.0;
+  for (const auto& [body, sign] : {std::pair{one.group->a, 1.0}, {one.group->b, -1.0}}) {
+    for (const auto& [same, same_sign, share] :
+         {std::tuple{other.group->a, 1.0, other.group->share_a}, {other.group->b, -1.0, other.group->share_b}}) {
+      if (body != same) continue;
+      sum += sign * same_sign * share *
+             mobility.between(body, work.poses[index(body)], {here.p_WC, here.n_AB}, {there.p_WC, there.n_AB});
+    }
+  }
+  return sum;
 }
+
+/// Impulses that stop the closing speeds of the coupled impacts together: A p = u. False if A is singular.
+bool stopping_impulses(const PointMobility& mobility, const Workspace& work, const Impacts& impacts,
+                       std::array<double, most_impacts>& p) {
+  std::array<std::size_t, most_impacts> of{};
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < impacts.count; ++i)
+    if (impacts.each[i].coupled) of[n++] = i;
+  std::array<std::array<double, most_impacts + 1>, most_impacts> a{};
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j)
+      a[i][j] = coupling(mobility, work, impacts.each[of[i]], impacts.each[of[j]]);
+    a[i][n] = impacts.each[of[i]].closing;
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < n; ++i)
+      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
+    std::swap(a[k], a[pivot]);
+    const double own = coupling(mobility, work, impacts.each[of[k]], impacts.each[of[k]]);
+    if (!(std::abs(a[k][k]) > 1e-12 * own)) return false;
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double factor = a[i][k] / a[k][k];
+      for (std::size_t j = k; j <= n; ++j)
+        a[i][j] -= factor * a[k][j];
+    }
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    double sum = a[i][n];
+    for (std::size_t j = i + 1; j < n; ++j)
+      sum -= a[i][j] * p[of[j]];
+    p[of[i]] = sum / a[i][i];
+  }
+  return true;
+}
+
+/// The effective masses of impacts that begin together.
+void find_masses(const PointMobility& mobility, const Workspace& work, Impacts& impacts) {
+  for (std::size_t i = 0; i < impacts.count; ++i) {
+    Impact& impact = impacts.each[i];
+    const double own = coupling(mobility, work, impact, impact);
+    impact.mass = own > 0.0 ? 1.0 / own : 0.0;
+    impact.coupled = own > 0.0 && impact.closing > 0.0;
+  }
+  // One that the others stop has no impulse of its own among them: it is taken by itself.
+  for (bool all = false; !all;) {
+    std::array<double, most_impacts> p{};
+    if (!stopping_impulses(mobility, work, impacts, p)) return;
+    all = true;
+    for (std::size_t i = 0; i < impacts.count; ++i) {
+      if (impacts.each[i].coupled && !(p[i] > 0.0)) impacts.each[i].coupled = all = false;
+    }
+    for (std::size_t i = 0; all && i < impacts.count; ++i)
+      if (impacts.each[i].coupled) impacts.each[i].mass = p[i] / impacts.each[i].closing;
+  }
+}
+
+}  // namespace
 
 /// Starts the memory of laws that depend on the effective mass, of the instances that begin to touch: m = p/u, with p
-/// the impulse that stops the closing speed u there. Two that begin together stop each other's, too (a side that lands
-/// flat): A p = u, with A the mobilities between them. Where a body cannot move along the normal nothing closes: 0.
-template <class Array>
-void ContactForces::start_contacts(const Array& array, const ContactGroup& group, State& state,
-                                   const Workspace& work) const {
-  const auto begins = [&](std::size_t i) {
-    const std::size_t instance = array.slots[i].mode;
-    return memory_count(array.laws[i]) > 0 && state.mode[instance] == 0 && work.gaps[instance].depth >= 0.0;
-  };
-  std::array<std::size_t, 2> pair{};
-  std::size_t count = 0;
-  for (std::size_t i = group.first; i < group.last; ++i) {
-    if (!begins(i)) continue;
-    if (count < 2) pair[count] = i;
-    ++count;
-    const Gap& gap = work.gaps[array.slots[i].mode];
-    const double each = mobility(work, group, gap, gap);
-    array.laws[i].start_contact(memory(array.laws[i], state, array.slots[i]), each > 0.0 ? 1.0 / each : 0.0);
-  }
-  if (count != 2) return;
-  const Gap &one = work.gaps[array.slots[pair[0]].mode], &two = work.gaps[array.slots[pair[1]].mode];
-  const double u1 = work.rates[array.slots[pair[0]].mode], u2 = work.rates[array.slots[pair[1]].mode];
-  const double a11 = mobility(work, group, one, one), a22 = mobility(work, group, two, two);
-  const double a12 = mobility(work, group, one, two), determinant = a11 * a22 - a12 * a12;
-  const double p1 = a22 * u1 - a12 * u2, p2 = a11 * u2 - a12 * u1;  // times the determinant
-  if (!(u1 > 0.0 && u2 > 0.0 && p1 > 0.0 && p2 > 0.0 && determinant > 1e-12 * a11 * a22)) return;
-  const auto start = [&](std::size_t i, double mass) {
-    array.laws[i].start_contact(memory(array.laws[i], state, array.slots[i]), mass);
-  };
-  start(pair[0], p1 / (determinant * u1));
-  start(pair[1], p2 / (determinant * u2));
-}
-
+/// the impulse that stops the closing speed u there. Those that begin together (both ends of a side that lands flat, a
+/// rock between two columns) stop each other's, too: A p = u, with A the mobilities between them. A side that lands
+/// nearly flat touches with one end first: when the other follows, the first starts again with it if it still closes at
+/// half the speed of the second, so that the smallest tilt makes no other restitution.
 void ContactForces::start_contacts(State& state, const Workspace& work) const {
   if (!work.any_near) return;
-  for_each_array(laws_, [&](const auto& array) {
-    using L = typename std::decay_t<decltype(array.laws)>::value_type;
-    if constexpr (StartsByMass<L>) {
-      for (const ContactGroup& group : array.groups) {
-        if (work.near[group.candidate]) start_contacts(array, group, state, work);
+  Impacts impacts;
+  std::size_t begun = 0;
+  const auto for_each_impact = [&](auto&& visit) {
+    for_each_array(laws_, [&](const auto& array) {
+      using L = typename std::decay_t<decltype(array.laws)>::value_type;
+      if constexpr (StartsByMass<L>) {
+        for (const ContactGroup& group : array.groups) {
+          if (!work.near[group.candidate]) continue;
+          double begins = 0.0;  // closing speed of one that begins
+          for (std::size_t i = group.first; i < group.last; ++i) {
+            const std::size_t instance = array.slots[i].mode;
+            if (state.mode[instance] == 0 && work.gaps[instance].depth >= 0.0)
+              begins = std::max(begins, std::max(work.rates[instance], std::numeric_limits<double>::min()));
+          }
+          if (begins == 0.0) continue;
+          for (std::size_t i = group.first; i < group.last; ++i) {
+            const std::size_t instance = array.slots[i].mode;
+            if (memory_count(array.laws[i]) == 0) continue;
+            const bool first = state.mode[instance] == 0;
+            if (first ? work.gaps[instance].depth >= 0.0 : work.rates[instance] > 0.5 * begins)
+              visit(array.laws[i], array.slots[i], group);
+          }
+        }
       }
+    });
+  };
+  for_each_impact([&](const auto&, Slot slot, const ContactGroup& group) {
+    if (begun < most_impacts) impacts.each[begun] = {&group, slot.mode, work.rates[slot.mode]};
+    ++begun;
+  });
+  if (begun == 0) return;
+  const bool together = begun <= most_impacts;
+  if (together) impacts.count = begun, find_masses(mobility_, work, impacts);
+  std::size_t next = 0;
+  for_each_impact([&](const auto& law, Slot slot, const ContactGroup& group) {
+    double mass = 0.0;
+    if (together) {
+      mass = impacts.each[next++].mass;
+    } else {
+      const Impact alone{&group, slot.mode};
+      const double own = coupling(mobility_, work, alone, alone);
+      mass = own > 0.0 ? 1.0 / own : 0.0;
     }
+    law.start_contact(memory(law, state, slot), mass);
   });
 }
 

@@ -155,10 +155,7 @@ class ContactForces {
   const std::vector<Pair>& pairs() const { return pairs_; }
 
  private:
-  double mobility(const Workspace& work, const ContactGroup& group, const Gap& one, const Gap& two) const;
   void start_contacts(State& state, const Workspace& work) const;
-  template <class Array>
-  void start_contacts(const Array& array, const ContactGroup& group, State& state, const Workspace& work) const;
 
   ContactLaws::Tuple<ContactArrays> laws_;
   bool rough_{};           ///< some contact has friction

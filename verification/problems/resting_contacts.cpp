@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/io/scene_file.hpp"
+#include "solver/io/toml_scene.hpp"
 #include "solver/run/history.hpp"
 #include "solver/run/simulate.hpp"
 #include "verification/check/case.hpp"
@@ -227,6 +228,48 @@ void nudged(Findings& findings, const Setup& setup) {
                   "m/s");
 }
 
+/// A disc that spins and bounces, with a dashpot along the ground so strong that it carries most of the friction: its
+/// spring goes beyond the limit while the dashpot pulls back.
+void strong_dashpot(Findings& findings) {
+  const Scene scene = read_scene(R"(
+title = "Disc with a strong dashpot along the ground"
+units = "SI"
+[[body]]
+name = "disc"
+mobility = "free"
+mass = "10 kg"
+inertia = "1.25 kg m^2"
+shape = { kind = "circle", radius = "0.5 m" }
+position = ["0 m", "0.51 m"]
+velocity = ["0 m/s", "-2 m/s"]
+spin = "2 rad/s"
+[[body]]
+name = "ground"
+mobility = "fixed"
+shape = { kind = "half_plane" }
+position = ["0 m", "0 m"]
+[[contact]]
+name = "impact"
+between = ["disc", "ground"]
+law = "linear_spring_dashpot"
+stiffness = "200 kN/m"
+restitution = 0.6
+friction = 1.0
+shear_damping = "30000 N s/m"
+[run]
+end = "0.2 s"
+)",
+                                 "strong_dashpot");
+  const double energy = 0.5 * 10.0 * 2.0 * 2.0 + 0.5 * 1.25 * 2.0 * 2.0;
+  const Ended found = ended(scene, 1e-10, findings);
+  findings.expect(
+      "strong dashpot: error of the energy balance at the end", found.accounts.energy_closure / energy, 0.0,
+      Tolerance::truncation(1e-10, 1.0, "the powers are integrated to the tolerance, 1e-10, in some 100 steps"));
+  const double lost = found.accounts.lost[static_cast<std::size_t>(Mechanism::friction)];
+  findings.expect_between("strong dashpot: friction work over the energy of the start", lost / energy, 0.0, 0.3,
+                          "friction takes no more than the energy of the spin and what it gives the centre");
+}
+
 /// Speed of the block with and without the dashpot of friction.
 void draw_speeds(Findings& findings, const Setup& setup) {
   Scene scene = scene_of("sliding_block.toml", setup);
@@ -259,6 +302,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.concerns({"friction_too_large", "explicit_steps"})) sliding_block(findings, setup, costs);
   if (setup.concerns({"inertia_too_large"})) rolling_disc(findings, setup, costs);
   if (setup.concerns({"no_shear_dashpot"})) nudged(findings, setup);
+  if (setup.fault.empty()) strong_dashpot(findings);
   if (setup.coarse) return;
   draw_speeds(findings, setup);
   findings.figure({.name = "cost",

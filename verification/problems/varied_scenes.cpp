@@ -215,6 +215,11 @@ std::vector<VariedScene> varied_scenes() {
   };
 }
 
+std::vector<VariedScene> even_fences() {
+  const Change columns{"fence", "columns", "14"};
+  return {fence("half", {columns}), fence("whole", {columns, {"fence.options", "symmetry", "\"full\""}})};
+}
+
 std::vector<VariedScene> varied_fences() {
   constexpr const char *of = "fence", *rock = "fence.rock", *column = "fence.column", *options = "fence.options";
   const auto moving = [](const char* v) { return Change{"fence.rock", "velocity", v}; };

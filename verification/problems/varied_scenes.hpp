@@ -18,4 +18,7 @@ struct VariedScene {
 /// Twenty fences, each the template of `talus new fence` with other fields.
 [[nodiscard]] std::vector<VariedScene> varied_fences();
 
+/// A fence whose rock hits two columns at once, as its half and as a whole.
+[[nodiscard]] std::vector<VariedScene> even_fences();
+
 }  // namespace talus::verification::problems
