@@ -232,9 +232,9 @@ void FenceWatch::watch_passing(std::size_t i, const State& state) {
     // A rock that starts behind the fence has not passed it.
     if (beyond && !crossing.beyond && state.t > summary_.start.t) {
       crossing.time = state.t;
-      crossing.how = anything_broken(state)       ? Verdict::broke_through
-                     : now.p_WB.y > column.p_WB.y ? Verdict::passed_over
-                                                  : Verdict::passed_under;
+      crossing.how = rock.touched && anything_broken(state) ? Verdict::broke_through
+                     : now.p_WB.y > column.p_WB.y           ? Verdict::passed_over
+                                                            : Verdict::passed_under;
     }
     crossing.beyond = beyond;
     all = all && beyond;

@@ -90,9 +90,15 @@ BOOST_AUTO_TEST_CASE(a_rock_that_breaks_through) {
   Fence hanging = far_rock();
   hanging.options.hanger_strength = 8000.0;
   Story hanger{hanging};
+  hanger.then({1.0, -3.0}, -60.0, true);
   State broken = hanger.at({-2.0, -5.0}, -20.0);
   broken.mode[hanger.dynamics.layout().first_hanger] = 1;
   BOOST_TEST((hanger.then(broken) == Verdict::broke_through));
+  // A rock that touched nothing passed where it passed, whatever another one has broken.
+  Story beside{hanging};
+  State gone = beside.at({-2.0, 9.0}, -20.0);
+  gone.mode[beside.dynamics.layout().first_hanger] = 1;
+  BOOST_TEST((beside.then(gone) == Verdict::passed_over));
   // What breaks after it has passed does not matter.
   Story later{hanging};
   BOOST_TEST((later.then({-2.0, -5.0}, -20.0) == Verdict::passed_under));
@@ -102,6 +108,7 @@ BOOST_AUTO_TEST_CASE(a_rock_that_breaks_through) {
   Fence cabled = far_rock();
   cabled.options.strength_top = 1e5;
   Story cable{cabled};
+  cable.then({1.0, 3.0}, -60.0, true);
   State torn = cable.at({-2.0, 9.0}, -20.0);
   torn.mode[cable.dynamics.layout().cable_slots[0].mode] = ElasticPlastic::broken;
   BOOST_TEST((cable.then(torn) == Verdict::broke_through));
