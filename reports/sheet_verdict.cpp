@@ -60,6 +60,14 @@ std::string counts(const SheetRecord& record) {
   return text;
 }
 
+/// The part that is closest to its limit, if it is not the one of the largest force.
+template <class Parts>
+std::string closest(const Parts& parts, const typename Parts::value_type& named) {
+  const auto found = std::ranges::max_element(parts, {}, [](const auto& part) { return part.margin; });
+  if (!(found->margin > named.margin)) return "";
+  return fmt::format("; closest to its limit: {}, {}", found->name, per_cent(found->margin));
+}
+
 std::vector<SheetFact> facts(const SheetRecord& record) {
   std::vector<SheetFact> found;
   if (record.rocks.size() > 1) found.push_back({"rocks", counts(record)});
@@ -72,12 +80,14 @@ std::vector<SheetFact> facts(const SheetRecord& record) {
         {"anchor force", both(record, anchor->force.peak, force_units) + " " + at(anchor->force.peak_time)});
   if (const auto cable = largest(record.segments, &SheetSegment::peak); cable != record.segments.end()) {
     found.push_back({"cable force", fmt::format("{} {}, {}: {}", both(record, cable->peak, force_units),
-                                                at(cable->peak_time), cable->name, margin(cable->margin))});
+                                                at(cable->peak_time), cable->name, margin(cable->margin)) +
+                                        closest(record.segments, *cable)});
   }
   if (const auto hanger = largest(record.columns, [](const SheetColumn& c) { return c.hanger.peak; });
       hanger != record.columns.end()) {
     found.push_back({"hanger force", fmt::format("{} {}, {}: {}", both(record, hanger->hanger.peak, force_units),
-                                                 at(hanger->hanger.peak_time), hanger->name, margin(hanger->margin))});
+                                                 at(hanger->hanger.peak_time), hanger->name, margin(hanger->margin)) +
+                                         closest(record.columns, *hanger)});
   }
   return found;
 }

@@ -94,33 +94,45 @@ Json bodies(const RunRecord& record) {
   return json;
 }
 
-Json force(double peak, double time, double margin) {
-  return {{"peak", json_number(peak)}, {"time", json_number(time)}, {"margin", json_number(margin)}};
+/// A largest force; margin: over its limit, null where there is none.
+Json force(const std::string& name, double peak, double time, double margin) {
+  Json json{{"name", name}, {"peak", json_number(peak)}, {"time", json_number(time)}, {"margin", nullptr}};
+  if (margin > 0.0) json["margin"] = json_number(margin);
+  return json;
 }
 
 /// What the fence did, and the largest forces on its parts.
-Json verdict(const scenes::FenceSummary& fence) {
+Json verdict(const RunRecord& record) {
+  const scenes::FenceSummary& fence = *record.fence;
   Json rocks = Json::array();
   for (const scenes::RockPassage& rock : fence.rocks) {
     rocks.push_back({{"name", rock.name},
                      {"verdict", name_of(rock.verdict)},
                      {"passed_time", json_number(rock.passed_time)},
                      {"touched", rock.touched},
-                     {"last_contact_time", json_number(rock.exit_time)},
+                     {"last_contact_time", rock.touched ? Json(json_number(rock.exit_time)) : Json(nullptr)},
                      {"still_touching", rock.touched && !rock.left},
                      {"approach_energy", json_number(rock.approach_energy)},
-                     {"velocity_after", vector(rock.exit_velocity)},
-                     {"energy_after", json_number(rock.exit_energy)},
+                     {"velocity_after", rock.left ? vector(rock.exit_velocity) : Json(nullptr)},
+                     {"energy_after", rock.left ? Json(json_number(rock.exit_energy)) : Json(nullptr)},
                      {"velocity_at_end", vector(rock.end_velocity)},
                      {"energy_at_end", json_number(rock.end_energy)}});
   }
   Json json{{"fence", name_of(fence.verdict())}, {"rocks", std::move(rocks)}};
+  const auto cable = [&record](const scenes::SegmentRecord& segment) {
+    return force(record.cables_left[index(segment.cable)].name, segment.peak, segment.peak_time, segment.margin());
+  };
+  const auto hanger = [&record](const scenes::ColumnRecord& column) {
+    return force(record.bodies[index(column.body)].name, column.hanger.peak, column.hanger.peak_time, column.margin());
+  };
   if (const auto* anchor = fence.largest_anchor())
-    json["largest_anchor_force"] = force(anchor->force.peak, anchor->force.peak_time, 0.0);
-  if (const auto* cable = fence.largest_segment())
-    json["largest_cable_force"] = force(cable->peak, cable->peak_time, cable->margin());
-  if (const auto* hanger = fence.largest_hanger())
-    json["largest_hanger_force"] = force(hanger->hanger.peak, hanger->hanger.peak_time, hanger->margin());
+    json["largest_anchor_force"] = force("anchor", anchor->force.peak, anchor->force.peak_time, 0.0);
+  if (const auto* found = fence.largest_segment()) json["largest_cable_force"] = cable(*found);
+  if (const auto* found = fence.closest_segment(); found && found->margin() > 0.0)
+    json["cable_closest_to_limit"] = cable(*found);
+  if (const auto* found = fence.largest_hanger()) json["largest_hanger_force"] = hanger(*found);
+  if (const auto* found = fence.closest_hanger(); found && found->margin() > 0.0)
+    json["hanger_closest_to_limit"] = hanger(*found);
   return json;
 }
 
@@ -173,7 +185,7 @@ std::string summary_json(const RunRecord& record, const std::string& resume) {
             {"watched", record.watched},
             {"warnings", record.warnings},
             {"notes", record.notes}};
-  if (record.fence) json["verdict"] = verdict(*record.fence);
+  if (record.fence) json["verdict"] = verdict(record);
   if (!record.integrator_why.empty()) json["integrator_why"] = record.integrator_why;
   if (record.events) json["events"] = *record.events;
   if (!resume.empty()) json["resume"] = resume;
