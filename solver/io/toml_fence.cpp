@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "solver/base/unit_table.hpp"
+#include "solver/calibrate/step_advice.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/fence_names.hpp"
 #include "solver/io/fence_rules.hpp"
@@ -168,6 +169,12 @@ std::optional<double> read_steps(SceneTable& table, Fence& fence) {
 
 /// As many steps as the duration takes, of a fence that can be built.
 void set_steps(SceneTable& table, Fence& fence, std::optional<double> duration) {
+  if (!table.has("rules") && !table.has("step_factor")) {
+    // The step of the 1993 rule follows from a cable, not from the contacts.
+    const scenes::FenceScene made = table.placed([&] { return scenes::fence_scene(fence); });
+    if (!chooses_steps(made.scene.integrator))
+      fence.step_factor = table.placed([&] { return automatic_step(made.scene); }) / made.critical_step;
+  }
   if (duration) {
     const double step = table.placed([&] { return scenes::fence_scene(fence).scene.plan.step; });
     const double steps = std::ceil(*duration / step - 1e-9);
