@@ -9,6 +9,7 @@
 #include "solver/io/atomic_file.hpp"
 #include "solver/io/cell_plot.hpp"
 #include "solver/io/cell_restart.hpp"
+#include "solver/io/run_folder.hpp"
 #include "solver/io/vtk_text.hpp"
 
 namespace talus::app {
@@ -46,6 +47,8 @@ void CellFiles::begin(bool taken_on) const {
   // First what would vouch for the rest.
   if (!taken_on) remove_checkpoint();
   std::error_code none;
+  // What `talus run` left here would be taken for this cell's.
+  if (!taken_on && std::filesystem::exists(folder_ / "final_state.json")) remove_run(folder_);
   const std::filesystem::path of_states = folder_ / states;
   remove_remains(folder_, names_file), remove_remains(of_states, names_state);
   std::filesystem::remove(folder_ / "summary.json", none);

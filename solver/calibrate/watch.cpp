@@ -159,8 +159,10 @@ void Watch::look_at_pairs(const State& seen) {
   }
   const auto overlap = dynamics_->contacts().deepest_overlap(work_);
   take_overlap(Watched::overlap, overlap.share, seen, overlap.contact, [](bool through) {
-    return fmt::format("{}; it needs a stiffer contact (overlaps go with 1/sqrt(k)) or a slower impact",
-                       through ? "the bodies may slip through each other" : "its shapes are no longer the scene's");
+    return fmt::format(
+        "{}; it needs a stiffer contact (overlaps go with 1/sqrt(k)), a slower impact, or bodies farther apart at the "
+        "start",
+        through ? "the bodies may slip through each other" : "its shapes are no longer the scene's");
   });
 }
 

@@ -76,9 +76,10 @@ RunFolder read_run_folder(const std::filesystem::path& folder) {
 
 namespace {
 
-/// Files of every run.
-constexpr std::array<std::string_view, 8> single{"history.csv", "final_state.json", "summary.json", "plot.json",
-                                                 "sheet.json",  "sheet.pdf",        "sheet.html",   "checkpoint.json"};
+/// Files of every run, and those of a cell but for RESTART.DAT, which another cell may go on from.
+constexpr std::array<std::string_view, 11> single{"history.csv", "final_state.json", "summary.json", "plot.json",
+                                                  "sheet.json",  "sheet.pdf",        "sheet.html",   "checkpoint.json",
+                                                  "profile.csv", "cell.pvd",         "PIC.DAT"};
 
 bool ends_with_any(std::string_view name, std::initializer_list<std::string_view> ends) {
   return std::any_of(ends.begin(), ends.end(), [&](std::string_view end) { return name.ends_with(end); });
