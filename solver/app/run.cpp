@@ -92,8 +92,8 @@ void write_files(const RunOrder& order, SceneRun& run, const RunRecord& record, 
 /// The command that takes the same run by steps chosen to a tolerance.
 std::string repair_command(const RunOptions& options) {
   const std::string scene = options.scene.empty() ? "SCENE" : options.scene;
-  const std::string out = options.folder.empty() ? "" : fmt::format(" --out {}", options.folder);
-  return fmt::format("talus run {} --integrator auto{}", scene, out);
+  const std::string end = options.end.empty() ? "" : fmt::format(" --end \"{}\"", options.end);
+  return fmt::format("talus run {} --integrator auto{}", scene, end);
 }
 
 /// Takes the run on until `stop`; with a folder it is left there every second, so that a crash loses no more.
@@ -195,7 +195,12 @@ int run(const RunOptions& options) {
     return diverged;
   }
   const int signal = interruption ? interruption->signal() : 0;
-  if (signal == 0 || outcome.kind == Outcome::Kind::finished) return ok;
+  if (signal == 0) return ok;
+  if (outcome.kind == Outcome::Kind::finished) {
+    // In time for the repeat of a fence's run, which its summary then says.
+    print_failure(fmt::format("{} came when the run had finished", signal == SIGINT ? "SIGINT" : "SIGTERM"));
+    return 128 + signal;
+  }
   print_failure(fmt::format("{} came; the run was left at t = {:.10g} in {}; talus run --resume {} takes it on",
                             signal == SIGINT ? "SIGINT" : "SIGTERM", outcome.time, order.checkpoint().string(),
                             order.folder.string()));

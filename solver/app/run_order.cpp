@@ -20,6 +20,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Another end. A history that is as long as by default stays so, and so do the files of a fence.
+void change_end(SceneFile& file, double end) {
+  constexpr double usual_rows = 1000.0;
+  RunPlan& plan = file.scene.plan;
+  const double factor = end / plan.end;
+  const bool usual = plan.interval == std::max(plan.end / usual_rows, plan.step);
+  plan.end = end;
+  if (!file.fence) {
+    if (usual) plan.interval = std::max(end / usual_rows, plan.step);
+    return;
+  }
+  scenes::Fence& fence = file.fence->fence;
+  if (fence.options == scenes::FenceOptions{} || fence.history_every != std::max(1L, fence.steps / 1000)) return;
+  const auto longer = [&](long every) {
+    return std::max(1L, std::lround(std::min(factor, 1e9) * static_cast<double>(every)));
+  };
+  fence.history_every = longer(fence.history_every);
+  fence.print_every = longer(fence.print_every);
+  plan.interval = static_cast<double>(fence.history_every) * plan.step;
+}
+
 /// A new run, with what the command line changes of its scene.
 RunOrder new_order(const RunOptions& options) {
   if (options.scene.empty()) throw InputError{"SCENE is required, or --resume DIR\nhelp: talus run --help"};
@@ -43,7 +64,7 @@ RunOrder new_order(const RunOptions& options) {
   }
   Scene& scene = order.file.scene;
   const UnitSystem& units = scene.model.units;
-  if (!options.end.empty()) scene.plan.end = option_quantity("--end", options.end, dimension::time, units);
+  if (!options.end.empty()) change_end(order.file, option_quantity("--end", options.end, dimension::time, units));
   bool needs_step = false;
   if (!options.integrator.empty() || options.tolerance != 0.0) {
     const std::string_view method = options.integrator.empty() ? name(scene.integrator) : options.integrator;

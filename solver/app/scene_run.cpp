@@ -108,12 +108,15 @@ Outcome SceneRun::go_on(const StopCondition& stop, Progress& progress) {
 
 RunQuality SceneRun::quality(const Outcome& outcome) const {
   RunQuality found;
-  if (scene_->plan.ledger) {
-    found.balance = watch_.drift();
+  if (const auto& ledger = recorder_.ledger()) {
+    // Of the ledger, not of the watch, which may be off.
+    const double scale = ledger->energy_scale();
+    found.balance = scale > 0.0 ? ledger->largest_energy_closure() / scale : 0.0;
     found.balance_time = watch_.drift_time();
-    if (!(watch_.drift() <= largest_balance_error)) {
-      found.flaw = fmt::format("the energy balance is off by {:.3g} % of the largest energy", 100.0 * watch_.drift());
-    }
+    if (!(*found.balance <= largest_balance_error))
+      found.flaw = fmt::format("the energy balance is off by {:.3g} % of the largest energy", 100.0 * *found.balance);
+  } else if (watch_.step_is_beyond()) {
+    found.flaw = "its step is beyond the linear limit, and no energy balance was kept: " + watch_.step_ratio();
   }
   if (!outcome) found.flaw = outcome.words;
   if (located_events(standing_.integrator)) {

@@ -128,11 +128,10 @@ class Lines {
 
   void quality() {
     const RunQuality& quality = record_.quality;
-    std::string text = quality.flaw.empty() ? "usable" : "NOT USABLE: " + quality.flaw;
-    if (quality.balance) {
-      if (quality.flaw.empty()) text += fmt::format("; energy balance within {:.2g} %", 100.0 * *quality.balance);
-    } else {
-      text += "; no energy balance was kept";
+    std::string text = "NOT USABLE: " + quality.flaw;
+    if (quality.flaw.empty()) {
+      text = quality.balance ? fmt::format("usable; energy balance within {:.2g} %", 100.0 * *quality.balance)
+                             : "not examined: no energy balance was kept (ledger)";
     }
     add("quality", text);
     std::string steps = quality.step;
@@ -140,7 +139,11 @@ class Lines {
     if (record_.fence && quality.last_contact && quality.last_contact->touching)
       steps += fmt::format("; {} still touches at the end", quality.last_contact->name);
     add("", steps);
-    if (quality.repeat) add("sensitivity", repeat(*quality.repeat));
+    if (quality.repeat) {
+      add("sensitivity", repeat(*quality.repeat));
+    } else if (record_.fence && quality.flaw.empty()) {
+      add("sensitivity", "not examined; --sheet repeats the run with faster rocks");
+    }
     if (quality.repair) add("repair", repair(*quality.repair));
   }
 

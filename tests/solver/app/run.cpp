@@ -114,6 +114,41 @@ BOOST_AUTO_TEST_CASE(the_command_line_changes_the_plan) {
   BOOST_TEST(summary.at("steps").get<long>() == 100);
 }
 
+// The stamp of quality does not hang on what the watch may say.
+BOOST_AUTO_TEST_CASE(quality_is_examined_whatever_is_watched) {
+  const Folder folder;
+  const std::string text = talus::read_text(std::string{TALUS_TEST_SCENES} + "/unstable.toml");
+  const auto quality = [&](const char* name, const std::string& more) {
+    const Ended ended = talus_ran({"run", folder.file(name, text + more).string()});
+    return ended.out.substr(ended.out.find("quality"));
+  };
+  const std::string off = "watch = \"off\"\n";
+  BOOST_TEST(quality("balance.toml", off).starts_with("quality      NOT USABLE: "));
+  BOOST_TEST(quality("step.toml", off + "ledger = \"off\"\n").starts_with("quality      NOT USABLE: "));
+  const Ended bare = talus_ran(
+      {"run", folder.file("bare.toml", talus::read_text(scene("rolling_disc.toml")) + "ledger = \"off\"\n").string()});
+  BOOST_TEST(holds(bare.out, "quality      not examined: no energy balance was kept"), bare.out);
+}
+
+// A history is as long by default whatever the end.
+BOOST_AUTO_TEST_CASE(another_end_keeps_the_rows_of_a_default_history) {
+  for (const char* kind : {"scene", "fence"}) {
+    const Folder folder;
+    const std::string made = talus_ran({"new", kind}).out;
+    std::string text;
+    std::istringstream lines{made};
+    for (std::string line; std::getline(lines, line);)
+      if (!line.starts_with("interval")) text += line + '\n';
+    const std::string file = folder.file("my.toml", text).string(), out = (folder.path / "out").string();
+    const std::string end = std::string_view{kind} == "scene" ? "6 s" : "2.4 s";
+    BOOST_REQUIRE(talus_ran({"run", file, "--end", end, "--out", out}).code == 0);
+    const std::string history = talus::read_text(out + "/history.csv");
+    const auto rows = std::count(history.begin(), history.end(), '\n');
+    BOOST_TEST(rows > 900);
+    BOOST_TEST(rows < 1100);
+  }
+}
+
 // A scene without integrator and step has located events; its outputs are no steps for a method of fixed step.
 BOOST_AUTO_TEST_CASE(another_integrator_keeps_the_tolerance_and_takes_a_step_of_its_own) {
   const Folder folder;
@@ -309,8 +344,8 @@ BOOST_AUTO_TEST_CASE(a_run_whose_balance_fails_is_not_usable_and_a_repair_is_tri
              summary.at("quality").at("repair").at("verdict").get<std::string>());
   // The warning of the step comes first, and once.
   BOOST_TEST(ended.err.rfind("talus: warning: h omega = ", 0) == 0U);
-  BOOST_TEST(holds(ended.err, "`talus run " + scene("fence/appendix_two_layers.toml") + " --integrator auto --out " +
-                                  out + "` chooses its own steps\n"));
+  BOOST_TEST(holds(ended.err, "`talus run " + scene("fence/appendix_two_layers.toml") +
+                                  " --integrator auto` chooses its own steps\n"));
   BOOST_TEST(ended.err.find("h omega") == ended.err.rfind("h omega"));
 }
 
