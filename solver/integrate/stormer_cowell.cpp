@@ -148,7 +148,10 @@ std::string PolynomialMotion::advance(EventfulSystem& system, const State& begin
     shorten(h, found);
     h = step_;
   }
-  return fmt::format("no step is short enough for the tolerance at t = {:.6g}", begin.t);
+  return fmt::format(
+      "no step is short enough for the tolerance {:g} at t = {:.6g}; a larger tolerance, or a method of fixed step, "
+      "may do",
+      tolerance_, begin.t);
 }
 
 /// Whether springs and dashpots that act are faster than steps of this length can follow with a low order.
