@@ -149,7 +149,7 @@ void check_scenes(Findings& findings, const Setup& setup) {
                    .x = {.label = "scene"},
                    .y = {.label = "relative error", .log = true, .min = 1e-12, .max = 0.1},
                    .series = {errors, balances},
-                   .lines = {{'y', 0.01, "1 %"}, {'y', 0.005, "0.5 %"}}});
+                   .lines = {{'y', 0.01, "bound of results"}, {'y', 3e-9, "bound of balances"}}});
 }
 
 /// What a fence's run gives.

@@ -273,7 +273,7 @@ void run(Findings& findings, const Setup& setup) {
                 .caption =
                     "Largest error of the restitution over the impacts of a scene against the stiffness; 0.6 was "
                     "requested. The pose changes during the contact, which takes a time of the order of "
-                    "$1/\\sqrt{k}$; where it does not, the error is that of the method (below $10^{-8}$).",
+                    "$1/\\sqrt{k}$; where it does not, the error is that of the method, or of a tilt of 1e-6 degrees.",
                 .x = {.label = "stiffness", .unit = "N/m", .log = true},
                 .y = {.label = "error of e", .log = true},
                 .series = {}};
