@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -120,7 +121,9 @@ double evaluations_per_step(const Scene& scene, const Dynamics& dynamics) {
 /// Of a method that chooses its steps the first steps say nothing: the whole run is tried, as far as some evaluations
 /// reach.
 std::string chosen_cost(const Scene& scene, const Dynamics& dynamics) {
-  constexpr long most = 20'000;
+  // About a second of a large scene.
+  const auto coordinates = std::max(1L, static_cast<long>(dynamics.layout().coordinates.size()));
+  const long most = std::clamp(1'000'000L / coordinates, 100L, 20'000L);
   RigidBodySystem system{dynamics, scene.plan.ledger};
   system.allow(most);
   Integrator integrator = scene.integrator;
