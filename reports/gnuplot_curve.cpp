@@ -79,7 +79,7 @@ std::string line_command(const Curve& curve, const std::string& block, std::size
   const std::string columns = curve.style == "errorbars" ? "1:2:3:4" : "1:2";
   const std::string crosses = curve.style == "crosses" ? " pt 2 ps 0.7" : "";
   const std::string colour = curve.look.colour.empty() ? "" : fmt::format(" lc rgb '{}'", curve.look.colour);
-  // The preamble has seven colours; lines without points are told apart by dashes from the eighth on.
+  // The preamble has seven colours; lines without points are distinguished by dashes from the eighth on.
   constexpr std::size_t colours = 7;
   constexpr std::array dashes{"", " dt (8,4)", " dt (2,3)", " dt (10,3,2,3)"};
   const std::string dash = curve.style == "lines" ? dashes[index / colours % dashes.size()] : "";

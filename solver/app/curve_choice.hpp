@@ -6,7 +6,7 @@
 
 namespace talus::app {
 
-/// Curves of a panel, unless elements are named or all are requested: as many as can be told apart by colour and dash.
+/// Curves of a panel, unless elements are named or all are requested: as many as colour and dash distinguish.
 inline constexpr std::size_t most_curves = 8;
 
 /// Maximum less minimum; what is not a number is skipped. 0 for no values.

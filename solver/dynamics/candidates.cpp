@@ -61,7 +61,7 @@ namespace {
 /// 2's step takes .151, .153, .156 and .157 us with .02, .05, .1 and .2, that of two layers .403, .384, .404 and .405.
 constexpr double skin_share = 0.05;
 
-/// Beyond so many bodies a table of every two of them takes more memory than a machine has to spare (128 MB here), and
+/// Beyond this number of bodies a table of all pairs takes more memory than a machine has to spare (128 MB here), and
 /// a list of pairs is made by looking at all pairs of the model.
 constexpr std::size_t most_swept = 4000;
 

@@ -13,7 +13,7 @@ namespace {
 
 Vec2 quarter_turn(Vec2 v) { return {-v.y, v.x}; }
 
-/// The farthest point of an outline in the direction m of its own axes. Of a rectangle a corner; along its axes that of
+/// The farthest point of an outline in the direction m (body axes). Of a rectangle a corner; along its axes that of
 /// the quadrant which `within` points into.
 Vec2 farthest(const Rectangle& s, Vec2, Vec2 within) {
   return {std::copysign(s.half_width, within.x), std::copysign(s.half_height, within.y)};
@@ -112,7 +112,7 @@ class LeastCommon {
  private:
   Vec2 middle(std::size_t arc) const { return normals_[arc] + normals_[arc + 1]; }
 
-  /// Between two neighbouring normals, in so many parts: where the slope rises through zero.
+  /// Between two neighbouring normals, in `parts` parts: where the slope rises through zero.
   void search_arc(std::size_t arc, int parts) {
     const Vec2 from = normals_[arc], to = normals_[arc + 1], within = middle(arc);
     if (!(cross(from, to) > 0.0)) return;

@@ -21,7 +21,7 @@ constexpr std::size_t most_terms = 12;
 /// The first step of a piece, as a share of the usual one.
 constexpr double first_share = 0.25;
 
-/// An implicit step costs about as many evaluations as so many steps of the polynomial.
+/// Cost of an implicit step in steps of the polynomial.
 constexpr double implicit_cost = 12.0;
 /// Steps of the polynomial above this order have errors that count, not stiffness.
 constexpr std::size_t stiff_order = 4;
@@ -192,7 +192,7 @@ bool PolynomialMotion::advance_implicitly(EventfulSystem& system, const State& b
   return false;
 }
 
-/// The polynomial begins anew with the rates at the end of the last implicit step.
+/// The polynomial restarts from the rates at the end of the last implicit step.
 void PolynomialMotion::leave_implicit(const State& begin) {
   flatten(implicit_rates_);
   rates_.begin(begin.t, new_);

@@ -93,7 +93,7 @@ class PolynomialMotion {
   long implicit_count_{};          ///< of them in a row
   long held_{};                    ///< steps of low order in a row that have not grown beyond three times ...
   double held_step_{};             ///< ... this one [T]
-  long patience_{first_patience};  ///< so many of them before an implicit step is tried
+  long patience_{first_patience};  ///< number of them before an implicit step is tried
   static constexpr long first_patience = 12;
 
   // Scratch of a step.

@@ -18,7 +18,7 @@ namespace talus {
 /// What all tables of one scene file share, and what is wrong in it so far.
 class SceneSource {
  public:
-  /// At most so many errors of one file are listed.
+  /// Maximum number of errors listed for one file.
   static constexpr std::size_t most_errors = 20;
 
   std::string file;  ///< as named in messages

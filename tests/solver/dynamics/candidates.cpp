@@ -244,7 +244,7 @@ BOOST_AUTO_TEST_CASE(bodies_that_come_from_beyond_their_skins_are_found_as_they_
   BOOST_TEST(fresh.places.x[0] == 0.0);
 }
 
-// Of so many bodies the search keeps no table of every two: it finds the same pairs, after a move too.
+// With this many bodies the search keeps no table of all pairs: it finds the same pairs, also after a move.
 BOOST_AUTO_TEST_CASE(a_chain_of_many_discs) {
   constexpr std::size_t discs = 6000;
   Poses poses{discs};
