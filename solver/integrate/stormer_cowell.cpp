@@ -136,7 +136,9 @@ std::string PolynomialMotion::advance(EventfulSystem& system, const State& begin
       rates_.add(begin.t, new_);
     }
   }
-  double h = std::min(step_, longest);
+  // A probe step is a ten-thousandth of the last: it must not vanish in the rounding of the time.
+  const double shortest = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(begin.t);
+  double h = std::max(std::min(step_, longest), shortest);
   for (int attempt = 0; attempt < 60 && begin.t + h > begin.t; ++attempt) {
     used_ = std::min(order_, rates_.count());
     try_step(system, begin, h, end);

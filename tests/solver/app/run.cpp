@@ -114,6 +114,12 @@ BOOST_AUTO_TEST_CASE(the_command_line_changes_the_plan) {
   BOOST_TEST(summary.at("steps").get<long>() == 100);
 }
 
+BOOST_AUTO_TEST_CASE(boxes_in_a_bin_are_followed_to_the_end) {
+  const Ended ended = talus_ran({"run", std::string{TALUS_TEST_SCENES} + "/boxes_in_a_bin.toml"});
+  BOOST_TEST(ended.code == 0, ended.err);
+  BOOST_TEST(holds(ended.out, "usable; energy balance within"), ended.out);
+}
+
 // The stamp of quality does not hang on what the watch may say.
 BOOST_AUTO_TEST_CASE(quality_is_examined_whatever_is_watched) {
   const Folder folder;
