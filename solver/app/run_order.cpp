@@ -68,6 +68,8 @@ RunOrder new_order(const RunOptions& options) {
   bool needs_step = false;
   if (!options.integrator.empty() || options.tolerance != 0.0) {
     const std::string_view method = options.integrator.empty() ? name(scene.integrator) : options.integrator;
+    if (const auto known = integrator_choices(); std::ranges::find(known, method) == known.end())
+      throw unknown_name("integrator", method, known);
     // The scene's tolerance stays with it, under any method that takes one.
     const bool takes_one = method == automatic_integrator || has_step_control(method);
     const double given = options.tolerance != 0.0 ? options.tolerance : talus::tolerance(scene.integrator);

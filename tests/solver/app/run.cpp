@@ -114,6 +114,21 @@ BOOST_AUTO_TEST_CASE(the_command_line_changes_the_plan) {
   BOOST_TEST(summary.at("steps").get<long>() == 100);
 }
 
+BOOST_AUTO_TEST_CASE(an_unknown_integrator_names_those_there_are) {
+  const Ended ended = talus_ran({"run", scene("pendulum.toml"), "--integrator", "autoo"});
+  BOOST_TEST(ended.code == 2);
+  BOOST_TEST(holds(ended.err, "integrator 'autoo' is not known; nearest: auto; known: "), ended.err);
+}
+
+// Of a new fence the summary says whether the verdict stands, of a long run that it was not examined.
+BOOST_AUTO_TEST_CASE(the_summary_of_a_fence_says_how_sensitive_its_verdict_is) {
+  const Folder folder;
+  const Ended made = talus_ran({"run", folder.file("my.toml", talus_ran({"new", "fence"}).out).string()});
+  BOOST_TEST(holds(made.out, "sensitivity  with 1.001 times the rocks' speed the verdict stands; "), made.out);
+  const Ended deck = talus_ran({"run", scene("fence/table_2.DAT")});
+  BOOST_TEST(holds(deck.out, "sensitivity  not examined; --sheet repeats the run"), deck.out);
+}
+
 BOOST_AUTO_TEST_CASE(boxes_in_a_bin_are_followed_to_the_end) {
   const Ended ended = talus_ran({"run", std::string{TALUS_TEST_SCENES} + "/boxes_in_a_bin.toml"});
   BOOST_TEST(ended.code == 0, ended.err);
