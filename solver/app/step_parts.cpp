@@ -100,10 +100,9 @@ StepParts::Found StepParts::found() const {
   times.bodies = std::max(0.0, each * evaluation_.count() - times.contacts - times.cables);
   times.observers = std::chrono::duration<double, std::nano>{observers_}.count() / static_cast<double>(observed_);
   // The parts are measured one by one, on states of their own: together they are no more than the step.
-  times.observers = std::min(times.observers, times.step);
-  const double evaluation = times.contacts + times.cables + times.bodies;
-  const double fit = evaluation > 0.0 ? std::min(1.0, (times.step - times.observers) / evaluation) : 1.0;
-  for (double* const part : {&times.contacts, &times.cables, &times.bodies})
+  const double all = times.contacts + times.cables + times.bodies + times.observers;
+  const double fit = all > 0.0 ? std::min(1.0, times.step / all) : 1.0;
+  for (double* const part : {&times.contacts, &times.cables, &times.bodies, &times.observers})
     *part *= fit;
   times.integration = std::max(0.0, times.step - times.contacts - times.cables - times.bodies - times.observers);
   return found;
