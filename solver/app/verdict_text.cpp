@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace talus::app {
@@ -110,15 +111,25 @@ class Lines {
     if (record_.contacts == 0) return;
     const auto& last = record_.quality.last_contact;
     if (!last) return add("last contact", "none: nothing touched" + closest());
-    add("last contact", last->touching ? fmt::format("{}, still touching {}", last->name, at(last->time))
-                                       : fmt::format("{}, ended {}", last->name, at(last->time)));
+    add("last contact", (last->touching ? fmt::format("{}, still touching {}", last->name, at(last->time))
+                                        : fmt::format("{}, ended {}", last->name, at(last->time))) +
+                            untouched());
   }
 
-  /// The pair that came closest, by the recorded overlaps, which are gaps where they are negative.
+  /// How many of several contacts never touched.
+  std::string untouched() const {
+    const auto count = std::ranges::count_if(record_.extremes, [](const ExtremeRecord& item) {
+      return item.column.name.ends_with(".depth") && item.extreme.largest < 0.0;
+    });
+    return count == 0 ? "" : fmt::format("; {} of {} contacts never touched{}", count, record_.contacts, closest());
+  }
+
+  /// The pair that came closest without touching, by the recorded overlaps, which are gaps where they are negative.
   std::string closest() const {
     const ExtremeRecord* best = nullptr;
     for (const ExtremeRecord& item : record_.extremes) {
       if (!item.column.name.ends_with(".depth") || !std::isfinite(item.extreme.largest)) continue;
+      if (item.extreme.largest >= 0.0) continue;
       if (!best || item.extreme.largest > best->extreme.largest) best = &item;
     }
     if (!best) return "";

@@ -114,6 +114,22 @@ BOOST_AUTO_TEST_CASE(the_command_line_changes_the_plan) {
   BOOST_TEST(summary.at("steps").get<long>() == 100);
 }
 
+// Of several contacts the summary counts those that never touched, and says how close the closest came.
+BOOST_AUTO_TEST_CASE(contacts_that_never_touch_are_counted) {
+  const Folder folder;
+  const std::string text = talus::read_text(scene("rolling_disc.toml"));
+  const std::string other =
+      "[[body]]\nname = \"other\"\nmobility = \"fixed\"\nposition = [\"-1 m\", \"2 m\"]\n"
+      "shape = { kind = \"circle\", radius = \"0.5 m\" }\n"
+      "[[contact]]\nname = \"aside\"\nbetween = [\"disc\", \"other\"]\nlaw = \"linear_spring_dashpot\"\n"
+      "stiffness = \"1e6 N/m\"\ndamping = \"0 N s/m\"\n";
+  const std::size_t run = text.find("[run]");
+  const std::string file = folder.file("two.toml", text.substr(0, run) + other + text.substr(run)).string();
+  const std::string out = talus_ran({"run", file}).out;
+  BOOST_TEST(holds(out, "; 1 of 2 contacts never touched; closest was aside with a gap of 1."), out);
+  BOOST_TEST(!holds(talus_ran({"run", scene("rolling_disc.toml")}).out, "never touched"));
+}
+
 BOOST_AUTO_TEST_CASE(an_unknown_integrator_names_those_there_are) {
   const Ended ended = talus_ran({"run", scene("pendulum.toml"), "--integrator", "autoo"});
   BOOST_TEST(ended.code == 2);
