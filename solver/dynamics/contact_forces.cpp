@@ -358,18 +358,19 @@ bool stopping_impulses(const PointMobility& mobility, const Workspace& work, con
   for (std::size_t i = 0; i < impacts.count; ++i)
     if (impacts.each[i].coupled) of[n++] = i;
   std::array<std::array<double, most_impacts + 1>, most_impacts> a{};
+  double largest = 0.0;  // on the diagonal
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j)
       a[i][j] = coupling(mobility, work, impacts.each[of[i]], impacts.each[of[j]]);
     a[i][n] = impacts.each[of[i]].closing;
+    largest = std::max(largest, a[i][i]);
   }
   for (std::size_t k = 0; k < n; ++k) {
     std::size_t pivot = k;
     for (std::size_t i = k + 1; i < n; ++i)
       if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
     std::swap(a[k], a[pivot]);
-    const double own = coupling(mobility, work, impacts.each[of[k]], impacts.each[of[k]]);
-    if (!(std::abs(a[k][k]) > 1e-12 * own)) return false;
+    if (!(std::abs(a[k][k]) > 1e-12 * largest)) return false;
     for (std::size_t i = k + 1; i < n; ++i) {
       const double factor = a[i][k] / a[k][k];
       for (std::size_t j = k; j <= n; ++j)
@@ -393,7 +394,7 @@ void find_masses(const PointMobility& mobility, const Workspace& work, Impacts& 
     impact.mass = own > 0.0 ? 1.0 / own : 0.0;
     impact.coupled = own > 0.0 && impact.closing > 0.0;
   }
-  // One that the others stop has no impulse of its own among them: it is taken by itself.
+  // An impact that the others stop needs no impulse among them: it has the mass of a single impact.
   for (bool all = false; !all;) {
     std::array<double, most_impacts> p{};
     if (!stopping_impulses(mobility, work, impacts, p)) return;
