@@ -132,7 +132,9 @@ std::string chosen_cost(const Scene& scene, const Dynamics& dynamics) {
   const Observer observer = [&reached](const State& seen, const StepInfo&) { reached = seen.t; };
   try {
     const ElapsedTime elapsed{"trying the run"};
-    const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1});
+    const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1}, [&](const State& seen) {
+      return scene.early_end && talus::reached(*scene.early_end, scene.model, seen);
+    });
     if (!outcome) return fmt::format("{} force evaluations, then {}", system.evaluations(), outcome.words);
     return fmt::format("{} force evaluations", system.evaluations());
   } catch (const TooManyEvaluations&) {
