@@ -7,13 +7,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "solver/advise/method_advice.hpp"
 #include "solver/app/command.hpp"
-#include "solver/app/progress.hpp"
 #include "solver/base/error.hpp"
-#include "solver/calibrate/method_advice.hpp"
-#include "solver/io/atomic_file.hpp"
-#include "solver/io/method_text.hpp"
-#include "solver/io/toml_document.hpp"
+#include "solver/base/progress.hpp"
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/file/toml_document.hpp"
+#include "solver/io/read_scene_file.hpp"
+#include "solver/io/scene/write_method.hpp"
 
 namespace talus::app {
 namespace {

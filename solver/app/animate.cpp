@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/app/command.hpp"
-#include "solver/app/drawing.hpp"
-#include "solver/app/player_data.hpp"
 #include "solver/base/error.hpp"
+#include "solver/draw/drawing.hpp"
+#include "solver/draw/player_data.hpp"
 
 namespace talus::app {
 namespace {

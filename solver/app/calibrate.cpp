@@ -11,11 +11,12 @@
 #include "solver/app/calibrate_options.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/latching_calibration.hpp"
-#include "solver/app/progress.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"
-#include "solver/calibrate/step_advice.hpp"
-#include "solver/io/scene_file.hpp"
+#include "solver/io/file/quantity_text.hpp"
+#include "solver/io/read_scene_file.hpp"
+#include "solver/stability/step_advice.hpp"
 
 namespace talus::app {
 namespace {

@@ -14,12 +14,12 @@
 #include "solver/app/command.hpp"
 #include "solver/app/ended_run.hpp"
 #include "solver/app/interruption.hpp"
-#include "solver/app/progress.hpp"
 #include "solver/base/error.hpp"
-#include "solver/io/atomic_file.hpp"
-#include "solver/io/cell_restart.hpp"
-#include "solver/io/checkpoint.hpp"
-#include "solver/io/toml_document.hpp"
+#include "solver/base/progress.hpp"
+#include "solver/io/cell/cell_restart.hpp"
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/file/toml_document.hpp"
+#include "solver/io/output/checkpoint.hpp"
 
 namespace talus::app {
 namespace {

@@ -6,11 +6,11 @@
 #include <array>
 #include <string_view>
 
-#include "solver/io/atomic_file.hpp"
-#include "solver/io/cell_plot.hpp"
-#include "solver/io/cell_restart.hpp"
-#include "solver/io/run_folder.hpp"
-#include "solver/io/vtk_text.hpp"
+#include "solver/io/cell/cell_restart.hpp"
+#include "solver/io/cell/write_cell_plot.hpp"
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/file/vtk_text.hpp"
+#include "solver/io/output/run_folder.hpp"
 
 namespace talus::app {
 namespace {

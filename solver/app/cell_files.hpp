@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "solver/io/cell_record.hpp"
-#include "solver/io/folder_lock.hpp"
+#include "solver/io/cell/write_cell.hpp"
+#include "solver/io/file/folder_lock.hpp"
 
 namespace talus::app {
 

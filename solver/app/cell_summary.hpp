@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "solver/io/cell_record.hpp"
+#include "solver/io/cell/write_cell.hpp"
 
 namespace talus::app {
 

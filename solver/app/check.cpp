@@ -10,14 +10,14 @@
 #include "solver/app/cell_summary.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/output_size.hpp"
-#include "solver/app/progress.hpp"
 #include "solver/app/start_warnings.hpp"
 #include "solver/base/error.hpp"
-#include "solver/calibrate/start_overlaps.hpp"
-#include "solver/calibrate/step_advice.hpp"
-#include "solver/io/cell_file.hpp"
-#include "solver/io/scene_file.hpp"
+#include "solver/base/progress.hpp"
+#include "solver/io/cell/read_cell.hpp"
+#include "solver/io/read_scene_file.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/stability/start_overlaps.hpp"
+#include "solver/stability/step_advice.hpp"
 
 namespace talus::app {
 namespace {

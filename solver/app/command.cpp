@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "solver/base/error.hpp"
-#include "solver/io/utf8.hpp"
+#include "solver/io/file/utf8.hpp"
 
 namespace talus::app {
 namespace {
@@ -116,18 +116,6 @@ int work(const std::vector<Command>& commands) {
 }
 
 }  // namespace
-
-double option_quantity(const std::string& option, const std::string& text, Dimension dimension, const UnitSystem& units,
-                       bool positive) {
-  double value = 0.0;
-  try {
-    value = parse_quantity(text, dimension, units);
-  } catch (const InputError& error) {
-    throw InputError{fmt::format("{}: {}", option, error.what())};
-  }
-  if (positive && !(value > 0.0)) throw InputError{fmt::format("{}: found \"{}\"; it must be > 0", option, text)};
-  return value;
-}
 
 CLI::Validator number_between(double least, double most) {
   return {[=](std::string& value) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "solver/base/units.hpp"
+#include "solver/base/exit_code.hpp"
 
 namespace CLI {
 class App;
@@ -12,9 +12,6 @@ class Validator;
 }  // namespace CLI
 
 namespace talus::app {
-
-/// The exit codes that a command can end with.
-enum ExitCode : int { ok = 0, bad_input = 2, diverged = 3, io_failed = 4, refused = 5 };
 
 /// One subcommand: its options are bound to `app`; `work` does it and returns the exit code.
 struct Command {
@@ -36,11 +33,6 @@ struct Command {
 [[nodiscard]] Command add_study(CLI::App& talus);
 [[nodiscard]] Command add_list(CLI::App& talus);
 [[nodiscard]] Command add_new(CLI::App& talus);
-
-/// The quantity given to an option. Errors: InputError with the option's name in front; if not in the range, what is
-/// allowed.
-[[nodiscard]] double option_quantity(const std::string& option, const std::string& text, Dimension dimension,
-                                     const UnitSystem& units, bool positive = true);
 
 /// Of an option: a number between these. What is not a number is refused, which CLI::Range lets pass.
 [[nodiscard]] CLI::Validator number_between(double least, double most);

@@ -7,9 +7,9 @@
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
-#include "solver/io/atomic_file.hpp"
 #include "solver/io/fence_file.hpp"
-#include "solver/io/final_state.hpp"
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/output/read_final_state.hpp"
 #include "solver/scenes/fence_scene.hpp"
 
 namespace talus::app {

@@ -7,7 +7,7 @@
 #include "solver/app/command.hpp"
 #include "solver/app/run_order.hpp"
 #include "solver/base/error.hpp"
-#include "solver/io/toml_document.hpp"
+#include "solver/io/file/toml_document.hpp"
 
 namespace talus::app {
 

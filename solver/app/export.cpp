@@ -8,8 +8,8 @@
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
-#include "solver/io/cell_file.hpp"
-#include "solver/io/lammps.hpp"
+#include "solver/io/cell/lammps.hpp"
+#include "solver/io/cell/read_cell.hpp"
 #include "solver/laws/restitution.hpp"
 
 namespace talus::app {

@@ -1,6 +1,6 @@
 #include "solver/app/fence_files.hpp"
 
-#include "solver/io/atomic_file.hpp"
+#include "solver/io/file/atomic_file.hpp"
 
 namespace talus::app {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "solver/io/fence_history.hpp"
-#include "solver/io/out_listing.hpp"
-#include "solver/io/scene_file.hpp"
+#include "solver/io/fence1993/out_listing.hpp"
+#include "solver/io/output/fence_history.hpp"
+#include "solver/io/read_scene_file.hpp"
 
 namespace talus::app {
 

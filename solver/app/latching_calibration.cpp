@@ -7,9 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/app/command.hpp"
-#include "solver/app/progress.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/progress.hpp"
 #include "solver/calibrate/latching_calibration.hpp"
+#include "solver/io/file/quantity_text.hpp"
 
 namespace talus::app {
 namespace {

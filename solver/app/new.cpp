@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "solver/app/command.hpp"
-#include "solver/io/scene_template.hpp"
+#include "solver/io/scene/scene_template.hpp"
 
 namespace talus::app {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "solver/app/scene_files.hpp"
-#include "solver/io/cell_record.hpp"
-#include "solver/io/cell_restart.hpp"
-#include "solver/io/fence_history.hpp"
-#include "solver/io/out_listing.hpp"
-#include "solver/io/vtp_series.hpp"
+#include "solver/io/cell/cell_restart.hpp"
+#include "solver/io/cell/write_cell.hpp"
+#include "solver/io/fence1993/out_listing.hpp"
+#include "solver/io/output/fence_history.hpp"
+#include "solver/io/output/write_geometry.hpp"
 #include "solver/run/history.hpp"
 #include "solver/run/simulate.hpp"
 

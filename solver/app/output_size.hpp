@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <string>
 
+#include "solver/cell/cell_run.hpp"
 #include "solver/dynamics/dynamics.hpp"
-#include "solver/granular/cell_run.hpp"
-#include "solver/io/cell_file.hpp"
-#include "solver/io/scene_file.hpp"
+#include "solver/io/cell/read_cell.hpp"
+#include "solver/io/read_scene_file.hpp"
 
 namespace talus::app {
 

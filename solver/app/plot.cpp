@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "solver/app/command.hpp"
-#include "solver/app/curve_choice.hpp"
-#include "solver/app/history_plot.hpp"
-#include "solver/app/run_figures.hpp"
 #include "solver/base/error.hpp"
+#include "solver/draw/curve_choice.hpp"
+#include "solver/draw/history_plot.hpp"
+#include "solver/draw/run_figures.hpp"
 
 namespace talus::app {
 namespace {

@@ -8,12 +8,13 @@
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
-#include "solver/calibrate/step_advice.hpp"
-#include "solver/io/checkpoint.hpp"
-#include "solver/io/toml_document.hpp"
-#include "solver/io/toml_scene.hpp"
-#include "solver/io/utf8.hpp"
+#include "solver/io/file/quantity_text.hpp"
+#include "solver/io/file/toml_document.hpp"
+#include "solver/io/file/utf8.hpp"
+#include "solver/io/output/checkpoint.hpp"
+#include "solver/io/scene/read_scene.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/stability/step_advice.hpp"
 
 namespace talus::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "solver/base/memory.hpp"
-#include "solver/io/scene_file.hpp"
+#include "solver/io/read_scene_file.hpp"
 
 namespace talus::app {
 

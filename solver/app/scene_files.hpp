@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "solver/app/fence_files.hpp"
-#include "solver/io/run_folder.hpp"
-#include "solver/io/scene_file.hpp"
-#include "solver/io/vtp_series.hpp"
+#include "solver/io/output/run_folder.hpp"
+#include "solver/io/output/write_geometry.hpp"
+#include "solver/io/read_scene_file.hpp"
 
 namespace talus::app {
 

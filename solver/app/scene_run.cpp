@@ -6,11 +6,11 @@
 #include <ctime>
 
 #include "solver/app/start_warnings.hpp"
-#include "solver/io/atomic_file.hpp"
-#include "solver/io/csv.hpp"
-#include "solver/io/fence_sheet.hpp"
-#include "solver/io/json.hpp"
-#include "solver/io/plot_record.hpp"
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/output/write_history.hpp"
+#include "solver/io/output/write_plot.hpp"
+#include "solver/io/output/write_sheet.hpp"
+#include "solver/io/output/write_summary.hpp"
 #include "solver/scenes/fence_plausibility.hpp"
 #include "solver/state/state_memory.hpp"
 

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "solver/app/progress.hpp"
 #include "solver/app/scene_files.hpp"
 #include "solver/app/step_parts.hpp"
-#include "solver/calibrate/watch.hpp"
-#include "solver/io/run_record.hpp"
+#include "solver/base/progress.hpp"
+#include "solver/io/output/run_record.hpp"
 #include "solver/run/history.hpp"
 #include "solver/scenes/fence_summary.hpp"
+#include "solver/stability/watch.hpp"
 
 namespace talus::app {
 

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/app/command.hpp"
-#include "solver/app/drawing.hpp"
-#include "solver/app/drawn_states.hpp"
 #include "solver/base/error.hpp"
+#include "solver/draw/drawing.hpp"
+#include "solver/draw/drawn_states.hpp"
 
 namespace talus::app {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "solver/calibrate/start_overlaps.hpp"
 #include "solver/scenes/fence_plausibility.hpp"
+#include "solver/stability/start_overlaps.hpp"
 
 namespace talus::app {
 

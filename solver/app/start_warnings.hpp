@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/dynamics/dynamics.hpp"
-#include "solver/io/scene_file.hpp"
+#include "solver/io/read_scene_file.hpp"
 
 namespace talus::app {
 

@@ -10,11 +10,11 @@
 #include <thread>
 
 #include "solver/app/command.hpp"
-#include "solver/app/progress.hpp"
-#include "solver/granular/shear_study.hpp"
-#include "solver/io/atomic_file.hpp"
-#include "solver/io/folder_lock.hpp"
-#include "solver/io/study_text.hpp"
+#include "solver/base/progress.hpp"
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/file/folder_lock.hpp"
+#include "solver/io/output/write_study.hpp"
+#include "solver/study/shear_study.hpp"
 
 namespace talus::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/io/run_record.hpp"
+#include "solver/io/output/run_record.hpp"
 
 namespace talus::app {
 

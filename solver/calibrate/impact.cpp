@@ -10,10 +10,10 @@
 #include <string>
 
 #include "solver/base/error.hpp"
-#include "solver/calibrate/watch.hpp"
 #include "solver/dynamics/springs.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/stability/watch.hpp"
 
 namespace talus {
 namespace {

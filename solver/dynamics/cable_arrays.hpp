@@ -4,12 +4,30 @@
 #include <cstring>
 #include <span>
 #include <tuple>
+#include <vector>
 
-#include "solver/dynamics/cable_forces.hpp"
+#include "solver/dynamics/lanes.hpp"
 #include "solver/dynamics/law_modes.hpp"
+#include "solver/laws/law_list.hpp"
+#include "solver/model/layout.hpp"
 
-/// How the cables' arrays, one for each law, are gone through.
+/// The arrays of the cables, one for each law, and how they are gone through.
 namespace talus {
+
+/// All cables of one law.
+template <class L>
+struct CableArray {
+  std::vector<std::size_t> cable;  ///< place of each in Workspace::paths
+  std::vector<L> laws;
+  std::vector<Slot> slots;
+  std::vector<CableRun> runs;  ///< cables that follow each other in the model
+};
+
+/// Where one cable's law stands: in the list of laws, and in its array.
+struct CablePlace {
+  std::size_t law{};
+  std::size_t index{};
+};
 
 /// Calls visit(array, law's place in the list) for each law's cables.
 template <class Laws, class Visit>

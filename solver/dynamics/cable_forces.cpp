@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "solver/base/error.hpp"
-#include "solver/dynamics/cable_arrays.hpp"
 #include "solver/dynamics/law_modes.hpp"
 #include "solver/dynamics/runs.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <functional>
 #include <span>
-#include <tuple>
 #include <vector>
 
+#include "solver/dynamics/cable_arrays.hpp"
 #include "solver/dynamics/runs.hpp"
 #include "solver/dynamics/workspace.hpp"
 #include "solver/laws/law_list.hpp"
@@ -20,21 +20,6 @@ struct Joint {
   Vec2 p;          ///< in body coordinates, or in the world [L]
   double along{};  ///< place along the fence, z [L]
   friend bool operator==(const Joint&, const Joint&) = default;
-};
-
-/// All cables of one law.
-template <class L>
-struct CableArray {
-  std::vector<std::size_t> cable;  ///< place of each in Workspace::paths
-  std::vector<L> laws;
-  std::vector<Slot> slots;
-  std::vector<CableRun> runs;  ///< cables that follow each other in the model
-};
-
-/// Where one cable's law stands: in the list of laws, and in its array.
-struct CablePlace {
-  std::size_t law{};
-  std::size_t index{};
 };
 
 /// The cables of a model, compiled: joints, paths, tensions, modes and energies.

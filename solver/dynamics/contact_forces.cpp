@@ -8,7 +8,6 @@
 #include <utility>
 #include <variant>
 
-#include "solver/dynamics/contact_compiler.hpp"
 #include "solver/dynamics/gap_update.hpp"
 #include "solver/dynamics/law_modes.hpp"
 

@@ -4,58 +4,18 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include "solver/dynamics/candidates.hpp"
+#include "solver/dynamics/contact_arrays.hpp"
 #include "solver/dynamics/effective_mass.hpp"
 #include "solver/dynamics/workspace.hpp"
 #include "solver/geometry/gap.hpp"
-#include "solver/geometry/node_depth.hpp"
-#include "solver/geometry/shape.hpp"
 #include "solver/laws/law_list.hpp"
 #include "solver/model/layout.hpp"
 #include "solver/state/state.hpp"
 
 namespace talus {
-
-/// Law instances of one contact that share a kind of geometry: shape A of one body against shape B of another.
-struct ContactGroup {
-  std::size_t candidate{};  ///< the pair of bodies in the contact search
-  BodyId a{};
-  BodyId b{};
-  std::size_t first{};  ///< its instances in the array ...
-  std::size_t last{};   ///< ... end before this one
-  double share_a{1.0};  ///< force on A for each unit of the law's force: above 1 when a contact that stands for several
-  double share_b{1.0};  ///< acts on a body that stands for itself alone
-  double copies{1.0};   ///< identical contacts that this one stands for
-  std::optional<CoulombFriction> friction{};  ///< none: nothing tangential is worked out
-  Slot first_friction{};                      ///< of its instance `first`; those of the others follow
-};
-
-/// All contact instances of one law, in one array for each kind of geometry, with the slots of their modes and memory.
-/// `slot` also is the place of the instance in Workspace::gaps (contacts have the first mode slots).
-template <class L>
-struct ContactArrays {
-  template <class A, class B>
-  struct Array {
-    using ShapeA = A;
-    using ShapeB = B;
-    std::vector<ContactGroup> groups;
-    std::vector<ShapeA> shapes_a;
-    std::vector<ShapeB> shapes_b;
-    Row node_x, node_y;  ///< centres of the shapes A, if they are nodes of a rule that looks at boxes first [L]
-    std::vector<L> laws;
-    std::vector<Slot> slots;
-  };
-
-  std::tuple<Array<Ball, Circle>, Array<Ball, Rectangle>, Array<Ball, Superquadric>, Array<Ball, SideFaces>,
-             Array<Ball, CentroidRays>, Array<Ball, Smoother>, Array<Ball, HalfPlane>, Array<Ball, Terrain>,
-             Array<Superquadric, HalfPlane>, Array<RectangleEnd, Rectangle>, Array<Superquadric, Superquadric>,
-             Array<Rectangle, Superquadric>>
-      arrays;
-  bool used{};  ///< some array has an instance
-};
 
 /// The contacts of a model, compiled: gaps, forces, modes and energies of all law instances. Of a contact whose bodies
 /// are out of reach nothing is worked out.
@@ -147,12 +107,8 @@ class ContactForces {
   double stored_energy(const State& state, const Workspace& work) const;
   /// Normal force of each instance [F], > 0 pushing apart.
   void forces(const State& state, const Workspace& work, std::span<double> out) const;
-  /// The two bodies of each instance, in the order of its gap's normal.
-  struct Pair {
-    BodyId a{};
-    BodyId b{};
-  };
-  const std::vector<Pair>& pairs() const { return pairs_; }
+  /// Of each instance.
+  const std::vector<InstancePair>& pairs() const { return pairs_; }
 
  private:
   void start_contacts(State& state, const Workspace& work) const;
@@ -163,7 +119,7 @@ class ContactForces {
   PointMobility mobility_;
   ContactSearch search_;
   std::vector<std::size_t> pair_of_;  ///< of each mode slot, in the search; the number of pairs for other modes
-  std::vector<Pair> pairs_;
+  std::vector<InstancePair> pairs_;
 };
 
 }  // namespace talus

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "solver/dynamics/contact_forces.hpp"
+#include "solver/dynamics/contact_arrays.hpp"
 #include "solver/dynamics/runs.hpp"
 #include "solver/dynamics/workspace.hpp"
 #include "solver/geometry/gap.hpp"

@@ -5,7 +5,10 @@
 #include <span>
 
 #include "solver/base/pack.hpp"
-#include "solver/granular/disc_sweep.hpp"
+#include "solver/granular/sweep_input.hpp"
+#include "solver/laws/coulomb_friction.hpp"
+#include "solver/laws/latching_spring.hpp"
+#include "solver/laws/linear_spring_dashpot.hpp"
 
 /// Stages of a sweep, block by block of pairs. Each is a function of its own, so that what it works on stays in
 /// registers: all in one took a tenth longer where a third of the discs touch.

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include "solver/base/error.hpp"
-#include "solver/io/dat_deck.hpp"
-#include "solver/io/toml_fence.hpp"
+#include "solver/io/fence1993/read_deck.hpp"
+#include "solver/io/fence1993/write_deck.hpp"
+#include "solver/io/scene/read_fence.hpp"
+#include "solver/io/scene/write_fence.hpp"
 
 namespace talus {
 
@@ -50,7 +52,7 @@ scenes::Fence read_fence(const std::filesystem::path& file) {
 }
 
 std::string fence_text(const scenes::Fence& fence, FenceFormat format) {
-  return format == FenceFormat::deck ? deck_text(fence) : fence_toml(fence);
+  return format == FenceFormat::deck ? write_deck(fence) : write_fence(fence);
 }
 
 }  // namespace talus

@@ -8,14 +8,14 @@
 #include <variant>
 
 #include "solver/base/error.hpp"
-#include "solver/calibrate/step_advice.hpp"
-#include "solver/granular/cell_plan.hpp"
+#include "solver/cell/cell_plan.hpp"
 #include "solver/granular/disc_method.hpp"
-#include "solver/io/cell_file.hpp"
-#include "solver/io/fence_names.hpp"
-#include "solver/io/fence_rules.hpp"
-#include "solver/io/scene_parts.hpp"
+#include "solver/io/cell/read_cell.hpp"
+#include "solver/io/fence1993/fence_names.hpp"
+#include "solver/io/fence1993/fence_rules.hpp"
+#include "solver/io/scene/scene_parts.hpp"
 #include "solver/scenes/fence_scene.hpp"
+#include "solver/stability/step_advice.hpp"
 
 namespace talus {
 namespace {

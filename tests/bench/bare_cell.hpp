@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/cell/shear_cell.hpp"
 #include "solver/granular/disc_sweep.hpp"
 #include "solver/granular/neighbour_list.hpp"
-#include "solver/granular/shear_cell.hpp"
 #include "solver/granular/swept_pairs.hpp"
 #include "solver/laws/latching_spring.hpp"
 

@@ -15,11 +15,11 @@
 #include <utility>
 #include <vector>
 
-#include "solver/granular/cell_run.hpp"
+#include "solver/cell/cell_run.hpp"
+#include "solver/cell/shear_cell.hpp"
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/list_skin.hpp"
-#include "solver/granular/shear_cell.hpp"
 #include "tests/bench/bare_cell.hpp"
 #include "tests/bench/disc_gas.hpp"
 #include "tests/bench/lammps_program.hpp"

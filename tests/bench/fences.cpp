@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "solver/io/dat_deck.hpp"
+#include "solver/io/fence1993/read_deck.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "tests/bench/timing.hpp"

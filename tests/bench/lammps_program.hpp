@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "solver/io/lammps.hpp"
+#include "solver/io/cell/lammps.hpp"
 
 namespace talus::bench {
 

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "solver/io/toml_scene.hpp"
+#include "solver/io/scene/read_scene.hpp"
 #include "tests/bench/timing.hpp"
 #include "tests/solver/io/disc_grid.hpp"
 

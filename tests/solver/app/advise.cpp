@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/io/scene_file.hpp"
+#include "solver/io/read_scene_file.hpp"
 #include "tests/solver/app/program.hpp"
 
 // `talus advise` from end to end.

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <thread>
 
-#include "solver/io/folder_lock.hpp"
+#include "solver/io/file/folder_lock.hpp"
 #include "tests/solver/app/program.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/io/toml_document.hpp"
+#include "solver/io/file/toml_document.hpp"
 #include "tests/solver/app/program.hpp"
 
 // The built program from end to end: exit codes, messages, files.

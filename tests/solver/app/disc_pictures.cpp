@@ -4,8 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
-#include "solver/io/geometry_series.hpp"
-#include "solver/io/kept_history.hpp"
+#include "solver/io/output/read_geometry.hpp"
+#include "solver/io/output/read_history.hpp"
 #include "tests/solver/app/asked.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "solver/io/kept_history.hpp"
+#include "solver/io/output/read_history.hpp"
 #include "tests/solver/app/asked.hpp"
 
 // talus plot --history, snapshot and animate: what they ask talus_report to draw, and what it draws.

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "solver/io/fortran.hpp"
-#include "solver/io/geometry_series.hpp"
-#include "solver/io/kept_history.hpp"
+#include "solver/io/file/fortran.hpp"
+#include "solver/io/output/read_geometry.hpp"
+#include "solver/io/output/read_history.hpp"
 #include "tests/solver/app/program.hpp"
 
 namespace {

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/io/toml_document.hpp"
+#include "solver/io/file/toml_document.hpp"
 #include "tests/solver/io/folder.hpp"
 
 // Programs as a user starts them, for tests from end to end.

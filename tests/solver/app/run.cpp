@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-#include "solver/io/toml_document.hpp"
+#include "solver/io/file/toml_document.hpp"
 #include "tests/solver/app/program.hpp"
 
 // `talus run` of the built program from end to end: its files, its changes of the plan, its failures.

@@ -9,11 +9,11 @@
 
 #include "solver/base/error.hpp"
 #include "solver/calibrate/impact.hpp"
-#include "solver/calibrate/step_advice.hpp"
 #include "solver/integrate/advance.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
+#include "solver/stability/step_advice.hpp"
 
 using namespace talus;
 

@@ -8,10 +8,10 @@
 #include <random>
 
 #include "solver/base/error.hpp"
+#include "solver/cell/shear_cell.hpp"
 #include "solver/granular/disc_method.hpp"
 #include "solver/granular/disc_order.hpp"
 #include "solver/granular/disc_system.hpp"
-#include "solver/granular/shear_cell.hpp"
 
 using namespace talus;
 

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE atomic_file
-#include "solver/io/atomic_file.hpp"
+#include "solver/io/file/atomic_file.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <string>
 
 #include "solver/base/error.hpp"
-#include "solver/io/toml_document.hpp"
+#include "solver/io/file/toml_document.hpp"
 #include "tests/solver/io/folder.hpp"
 
 using namespace talus;

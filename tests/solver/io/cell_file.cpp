@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE cell_file
-#include "solver/io/cell_file.hpp"
+#include "solver/io/cell/read_cell.hpp"
 
 #include <fmt/format.h>
 

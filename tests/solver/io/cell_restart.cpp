@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE cell_restart
-#include "solver/io/cell_restart.hpp"
+#include "solver/io/cell/cell_restart.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

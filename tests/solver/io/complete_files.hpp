@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "solver/base/error.hpp"
-#include "solver/io/cell_file.hpp"
-#include "solver/io/toml_scene.hpp"
+#include "solver/io/cell/read_cell.hpp"
+#include "solver/io/scene/read_scene.hpp"
 
 // Files that together have every field, each on a line, and each table under a header whose comment names its group in
 // the catalogue of fields.

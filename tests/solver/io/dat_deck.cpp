@@ -1,10 +1,11 @@
 #define BOOST_TEST_MODULE dat_deck
-#include "solver/io/dat_deck.hpp"
+#include "solver/io/fence1993/read_deck.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include "solver/base/error.hpp"
-#include "solver/io/toml_document.hpp"
+#include "solver/io/fence1993/write_deck.hpp"
+#include "solver/io/file/toml_document.hpp"
 
 using namespace talus;
 using scenes::ElementSolid;
@@ -86,7 +87,7 @@ BOOST_AUTO_TEST_CASE(ways_to_write_the_same) {
   for (const char c : read_text(sample()))
     crlf += c == '\n' ? std::string{"\r\n"} : std::string{c};
   BOOST_TEST((read_deck(crlf, "s.DAT") == sound));
-  BOOST_TEST((read_deck(deck_text(sound), "s.DAT") == sound));
+  BOOST_TEST((read_deck(write_deck(sound), "s.DAT") == sound));
 }
 
 // READ(iin,*) (variab(i),i=1,hvmax): what totvar does not count is dropped; a list of none still takes its line.
@@ -94,8 +95,8 @@ BOOST_AUTO_TEST_CASE(histories) {
   BOOST_TEST((with("8\ttotvar", "2\ttotvar").history_codes == std::vector<int>{51, 52}));
   const Fence none = with("5\telstore\n2,3,4,5,6", "0\telstore\n");
   BOOST_TEST(none.history_elements.empty());
-  BOOST_TEST((read_deck(deck_text(none), "s.DAT") == none));
-  BOOST_TEST(deck_text(none).find("\n51 52 48 6 7 8 35 36 0\t") != std::string::npos);
+  BOOST_TEST((read_deck(write_deck(none), "s.DAT") == none));
+  BOOST_TEST(write_deck(none).find("\n51 52 48 6 7 8 35 36 0\t") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_numbers) {
@@ -150,7 +151,7 @@ BOOST_AUTO_TEST_CASE(missing_values) {
 // Wherever a deck breaks off, and whichever value is none, a message says where; only the record of the last value may
 // lose the rest of its line.
 BOOST_AUTO_TEST_CASE(every_value_is_needed) {
-  const std::string text = deck_text(read_deck(sample()));
+  const std::string text = write_deck(read_deck(sample()));
   const std::size_t last = text.rfind("0.5\trf_overlap");
   for (std::size_t size = 0; size <= last; ++size)
     BOOST_TEST(message_of(text.substr(0, size)).rfind("s.DAT:", 0) == 0U);
@@ -248,7 +249,7 @@ BOOST_AUTO_TEST_CASE(options_that_no_record_carries) {
   fence.options.symmetry = scenes::FenceSymmetry::full;
   fence.options.integrator = "rk4";
   try {
-    static_cast<void>(deck_text(fence));
+    static_cast<void>(write_deck(fence));
     BOOST_TEST(false);
   } catch (const InputError& error) {
     const std::string words = error.what();

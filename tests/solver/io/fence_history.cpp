@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE fence_history
-#include "solver/io/fence_history.hpp"
+#include "solver/io/output/fence_history.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -9,7 +9,7 @@
 #include <set>
 
 #include "solver/base/error.hpp"
-#include "solver/io/dat_deck.hpp"
+#include "solver/io/fence1993/read_deck.hpp"
 #include "tests/solver/io/fence_run.hpp"
 
 using namespace talus;

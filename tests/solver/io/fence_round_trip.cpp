@@ -4,9 +4,11 @@
 #include <cstring>
 #include <random>
 
-#include "solver/io/dat_deck.hpp"
-#include "solver/io/quantity_text.hpp"
-#include "solver/io/toml_fence.hpp"
+#include "solver/io/fence1993/read_deck.hpp"
+#include "solver/io/fence1993/write_deck.hpp"
+#include "solver/io/file/quantity_text.hpp"
+#include "solver/io/scene/read_fence.hpp"
+#include "solver/io/scene/write_fence.hpp"
 
 // Every number of a fence survives deck -> scene file -> deck to the last bit, whatever digits it was written with.
 
@@ -119,12 +121,12 @@ bool same(const Fence& a, const Fence& b) {
 BOOST_AUTO_TEST_CASE(deck_to_scene_file_and_back) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     const Fence fence = random_fence(seed);
-    const std::string deck = deck_text(fence);
+    const std::string deck = write_deck(fence);
     const Fence read = read_deck(deck, "f.DAT");
     BOOST_TEST(same(read, fence));
-    const Fence again = from_toml(fence_toml(read));
+    const Fence again = from_toml(write_fence(read));
     BOOST_TEST(same(again, fence));
-    BOOST_TEST(deck_text(again) == deck);
+    BOOST_TEST(write_deck(again) == deck);
   }
 }
 
@@ -137,7 +139,7 @@ BOOST_AUTO_TEST_CASE(scene_files_keep_any_number_of_any_system) {
     fence.area_top = numbers.positive();
     fence.options.contact = scenes::FenceContact::resultant;
     fence.options.integrator = "rk4";
-    BOOST_TEST(same(from_toml(fence_toml(fence)), fence));
+    BOOST_TEST(same(from_toml(write_fence(fence)), fence));
   }
 }
 
@@ -146,7 +148,7 @@ BOOST_AUTO_TEST_CASE(scene_files_keep_any_number_of_any_system) {
 BOOST_AUTO_TEST_CASE(metric_fences_become_decks) {
   Fence fence = random_fence(7);
   fence.units = si;
-  const Fence read = read_deck(deck_text(fence), "f.DAT");
+  const Fence read = read_deck(write_deck(fence), "f.DAT");
   BOOST_TEST((read.units == us));
   BOOST_TEST(read.span * exact::foot_in_m == fence.span, boost::test_tools::tolerance(6.0 * 0x1p-53));
   BOOST_TEST(read.limit_top * exact::pound_force_in_N == fence.limit_top, boost::test_tools::tolerance(6.0 * 0x1p-53));

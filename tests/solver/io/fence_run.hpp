@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/io/scene_file.hpp"
+#include "solver/io/read_scene_file.hpp"
 #include "solver/run/simulate.hpp"
 
 namespace talus {

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE fortran
-#include "solver/io/fortran.hpp"
+#include "solver/io/file/fortran.hpp"
 
 #include <boost/test/unit_test.hpp>
 

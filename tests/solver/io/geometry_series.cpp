@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE geometry_series
-#include "solver/io/geometry_series.hpp"
+#include "solver/io/output/read_geometry.hpp"
 
 #include <unistd.h>
 
@@ -9,11 +9,11 @@
 #include <fstream>
 
 #include "solver/base/error.hpp"
-#include "solver/io/cell_record.hpp"
-#include "solver/io/kept_history.hpp"
-#include "solver/io/run_folder.hpp"
-#include "solver/io/toml_document.hpp"
-#include "solver/io/vtp_series.hpp"
+#include "solver/io/cell/write_cell.hpp"
+#include "solver/io/file/toml_document.hpp"
+#include "solver/io/output/read_history.hpp"
+#include "solver/io/output/run_folder.hpp"
+#include "solver/io/output/write_geometry.hpp"
 #include "tests/solver/io/fence_run.hpp"
 #include "tests/solver/io/folder.hpp"
 #include "tests/solver/io/small_cell.hpp"

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE lammps
-#include "solver/io/lammps.hpp"
+#include "solver/io/cell/lammps.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE list_directed
-#include "solver/io/list_directed.hpp"
+#include "solver/io/file/list_directed.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <string>

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE out_listing
-#include "solver/io/out_listing.hpp"
+#include "solver/io/fence1993/out_listing.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/io/dat_deck.hpp"
-#include "solver/io/toml_document.hpp"
+#include "solver/io/fence1993/read_deck.hpp"
+#include "solver/io/file/toml_document.hpp"
 #include "tests/solver/io/fence_run.hpp"
 
 using namespace talus;

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "solver/dynamics/dynamics.hpp"
-#include "solver/io/run_record.hpp"
-#include "solver/io/toml_scene.hpp"
+#include "solver/io/output/run_record.hpp"
+#include "solver/io/scene/read_scene.hpp"
 #include "tests/solver/io/disc_grid.hpp"
 #include "tests/solver/run/counted_memory.hpp"
 

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "solver/io/csv.hpp"
-#include "solver/io/json.hpp"
-#include "solver/io/plot_record.hpp"
+#include "solver/io/output/write_history.hpp"
+#include "solver/io/output/write_plot.hpp"
+#include "solver/io/output/write_summary.hpp"
 
 using namespace talus;
 

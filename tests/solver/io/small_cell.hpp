@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/granular/cell_run.hpp"
+#include "solver/cell/cell_run.hpp"
 
 namespace talus {
 

@@ -1,11 +1,13 @@
 #define BOOST_TEST_MODULE toml_fence
-#include "solver/io/toml_fence.hpp"
+#include "solver/io/scene/read_fence.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include "solver/base/error.hpp"
-#include "solver/io/dat_deck.hpp"
+#include "solver/io/fence1993/read_deck.hpp"
+#include "solver/io/fence1993/write_deck.hpp"
 #include "solver/io/fence_file.hpp"
+#include "solver/io/scene/write_fence.hpp"
 #include "solver/scenes/fence_scene.hpp"
 
 using namespace talus;
@@ -48,7 +50,7 @@ BOOST_AUTO_TEST_CASE(scene_files_beside_decks_say_the_same) {
     std::filesystem::path scene = entry.path();
     scene.replace_extension(".toml");
     BOOST_TEST((read_fence(entry.path()) == read_fence(scene)));
-    BOOST_TEST(fence_toml(read_fence(entry.path())) == read_text(scene));
+    BOOST_TEST(write_fence(read_fence(entry.path())) == read_text(scene));
     ++decks;
   }
   BOOST_TEST(decks >= 7);
@@ -65,7 +67,7 @@ BOOST_AUTO_TEST_CASE(other_ways_to_write_it) {
   BOOST_TEST((modern.options.symmetry == scenes::FenceSymmetry::full));
   BOOST_TEST((modern.options.end_rule == EndRule::clamped));
   BOOST_TEST(modern.options.integrator == "rk4");
-  BOOST_TEST((read(fence_toml(modern)) == modern));
+  BOOST_TEST((read(write_fence(modern)) == modern));
 }
 
 // Power 0 of a column is a rectangle where contacts are resultants, and stays that of 1993 where they are nodes.
@@ -91,7 +93,7 @@ BOOST_AUTO_TEST_CASE(outlines_are_what_the_file_says) {
   BOOST_TEST((column("power = 0.0\n", nodes).column.outline == ElementOutline::by_power));
   BOOST_TEST(shape(column("power = 0.0\n", nodes)) == superquadric);
   const Fence made = column("", "");
-  BOOST_TEST((read(fence_toml(made)) == made));
+  BOOST_TEST((read(write_fence(made)) == made));
 }
 
 // A round rock stays round: power 1 is n = 2.
@@ -129,10 +131,10 @@ Fence beyond_the_deck() {
 
 BOOST_AUTO_TEST_CASE(what_no_deck_has_is_kept_by_scene_files_and_refused_by_decks) {
   const Fence fence = beyond_the_deck();
-  BOOST_TEST((read(fence_toml(fence)) == fence));
+  BOOST_TEST((read(write_fence(fence)) == fence));
   BOOST_TEST((scenes::fence_scene(fence).scene.plan.watch == fence.options.watch));
   const Fence sound = read_deck(folder() / "sample2.DAT");
-  const auto refused = [](const Fence& other) { BOOST_CHECK_THROW(static_cast<void>(deck_text(other)), InputError); };
+  const auto refused = [](const Fence& other) { BOOST_CHECK_THROW(static_cast<void>(write_deck(other)), InputError); };
   Fence one = sound;
   one.options.hanger_strength = 1.0;
   refused(one);
@@ -150,7 +152,7 @@ BOOST_AUTO_TEST_CASE(cables_yield_by_a_table) {
   const std::string options = read_text(folder() / "sample2.toml") + "[fence.options]\n";
   fence.options.table = {{0.01, 1.25}, {0.1, 1.5}};
   BOOST_TEST((read(options + "table = [[0.01, 1.25], [0.1, 1.5]]\n") == fence));
-  BOOST_TEST((read(fence_toml(fence)) == fence));
+  BOOST_TEST((read(write_fence(fence)) == fence));
   const auto says = [&](std::string_view lines, std::string_view words) {
     std::string found = "no error";
     try {
@@ -166,7 +168,7 @@ BOOST_AUTO_TEST_CASE(cables_yield_by_a_table) {
   says("table = [[\"1 ft\", \"2 lbf\"]]\n", "table: found \"1 ft\"; it must be a pure number");
   says("table = [0.1]\n", "each point must be a pair, e.g. [1.0, 1.0]");
   try {
-    static_cast<void>(deck_text(fence));
+    static_cast<void>(write_deck(fence));
     BOOST_TEST(false, "a deck took a table");
   } catch (const InputError& error) {
     BOOST_TEST(std::string_view{error.what()}.find("found table; it must be") != std::string_view::npos, error.what());
@@ -175,7 +177,7 @@ BOOST_AUTO_TEST_CASE(cables_yield_by_a_table) {
 
 BOOST_AUTO_TEST_CASE(wrong_parts_beyond_the_deck) {
   const auto message_of = [](std::string_view part, std::string_view replacement) -> std::string {
-    std::string text = fence_toml(beyond_the_deck());
+    std::string text = write_fence(beyond_the_deck());
     const std::size_t at = text.find(part);
     BOOST_REQUIRE(at != std::string::npos);
     try {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/io/scene_file.hpp"
-#include "solver/io/toml_scene.hpp"
+#include "solver/io/read_scene_file.hpp"
+#include "solver/io/scene/read_scene.hpp"
 #include "solver/laws/restitution.hpp"
 #include "solver/scenes/two_cable.hpp"
 

@@ -1,5 +1,5 @@
 #define BOOST_TEST_MODULE vtp_series
-#include "solver/io/vtp_series.hpp"
+#include "solver/io/output/write_geometry.hpp"
 
 #include <unistd.h>
 
@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "solver/base/error.hpp"
-#include "solver/io/dat_deck.hpp"
+#include "solver/io/fence1993/read_deck.hpp"
 #include "tests/solver/io/fence_run.hpp"
 #include "tests/solver/io/folder.hpp"
 

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "solver/base/error.hpp"
-#include "solver/io/scene_file.hpp"
-#include "solver/io/toml_scene.hpp"
+#include "solver/io/read_scene_file.hpp"
+#include "solver/io/scene/read_scene.hpp"
 
 // Each test takes the sound scene, makes it wrong in one place and expects one message, word for word.
 

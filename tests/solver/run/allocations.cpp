@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "solver/io/dat_deck.hpp"
-#include "solver/io/scene_file.hpp"
+#include "solver/io/fence1993/read_deck.hpp"
+#include "solver/io/read_scene_file.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "tests/solver/run/counted_memory.hpp"

@@ -1,0 +1,150 @@
+#include "solver/advise/pilot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "solver/base/error.hpp"
+#include "solver/stability/watch.hpp"
+
+namespace talus {
+namespace {
+
+/// The largest of evenly spaced values, and between them the vertices of parabolas: of those through the three values
+/// about each local maximum where the curve is smooth. Smooth means that values twice as far off lie four times as far
+/// below; at a jump (the onset of a dashpot) they lie once, at a corner twice as far.
+class LargestBetween {
+ public:
+  void operator()(double value) {
+    std::rotate(last_.begin(), last_.begin() + 1, last_.end());
+    last_.back() = value;
+    largest_ = std::max(largest_, value);
+    if (++seen_ < static_cast<long>(last_.size())) return;
+    const auto [a, b, middle, d, e] = last_;
+    if (middle < b || middle < d) return;
+    const double near = 2.0 * middle - b - d, far = 2.0 * middle - a - e;
+    if (!(near > 0.0 && far > 3.0 * near && far < 5.0 * near)) return;
+    largest_ = std::max(largest_, middle + (d - b) * (d - b) / (8.0 * near));
+  }
+  double largest() const { return largest_; }
+
+ private:
+  std::array<double, 5> last_{};
+  long seen_{};
+  double largest_{-std::numeric_limits<double>::infinity()};
+};
+
+/// A share in [-1, 1], evenly spread over coordinates and directions (multiples of the golden ratio).
+double spread(std::size_t coordinate, int direction) {
+  const double x = 0.6180339887498949 * static_cast<double>((coordinate + 1) * static_cast<std::size_t>(direction));
+  return 2.0 * (x - std::floor(x)) - 1.0;
+}
+
+double largest_speed(const State& state, const std::vector<double>& lengths) {
+  double speed = 0.0;
+  for (std::size_t i = 0; i < state.v.size(); ++i)
+    speed = std::max(speed, lengths[i] * std::abs(state.v[i]));
+  return speed;
+}
+
+}  // namespace
+
+Scene with_method(Scene scene, const RunMethod& method) {
+  const IntegratorChoice chosen = choose_integrator(scene.model, method.integrator, method.tolerance);
+  scene.integrator = chosen.integrator;
+  scene.integrator_why = chosen.why;
+  scene.plan.step = (scene.plan.end - scene.initial.t) / static_cast<double>(method.steps);
+  scene.plan.interval = std::max(scene.plan.interval, scene.plan.step);
+  return scene;
+}
+
+State PilotRuns::start(const Nudge& nudge) const {
+  State state = scene_->initial;
+  if (nudge.direction == 0) return state;
+  dynamics_.wake_all(state);
+  const std::vector<double> lengths = dynamics_.lengths();
+  for (std::size_t i = 0; i < state.v.size(); ++i)
+    state.v[i] += nudge.share * nudge.speed / lengths[i] * spread(i, nudge.direction);
+  return state;
+}
+
+Pilot PilotRuns::run(const RunMethod& method, long most, const Nudge& nudge) {
+  Pilot pilot;
+  try {
+    const Scene scene = with_method(*scene_, method);
+    RigidBodySystem system{dynamics_, scene.plan.ledger || quantity_->ledger};
+    system.allow(std::max(0L, most));
+    try {
+      take(system, scene, start(nudge), pilot);
+    } catch (const TooManyEvaluations&) {
+      pilot.failure = fmt::format("given up after {} evaluations", system.evaluations());
+    }
+    pilot.evaluations = system.evaluations();
+    evaluations_ += pilot.evaluations;
+  } catch (const InputError& error) {
+    pilot.failure = error.what();
+  }
+  return pilot;
+}
+
+void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, Pilot& pilot) const {
+  system.begin(start);
+  Recorder recorder{dynamics_, start, scene.plan.ledger || quantity_->ledger};
+  Watch watch{scene, dynamics_, start};
+  LargestBetween largest, least;
+  const std::vector<double> lengths = dynamics_.lengths();
+  const Observer observer = [&](const State& seen, const StepInfo& info) {
+    recorder(seen, info);
+    std::optional<Watch::Balance> balance;
+    if (recorder.ledger()) balance = {recorder.accounts().energy_closure, recorder.ledger()->energy_scale()};
+    watch.look(seen, info.step, balance);
+    const double value = recorder.row()[quantity_->column];
+    pilot.values.push_back(value);
+    largest(value);
+    least(-value);
+    pilot.speed = std::max(pilot.speed, largest_speed(seen, lengths));
+  };
+  Integrator integrator = scene.integrator;
+  const Outcome outcome = simulate(system, integrator, start, scene.plan, {&observer, 1}, [&](const State& seen) {
+    return !watch.breach().empty() || (scene.early_end && reached(*scene.early_end, scene.model, seen));
+  });
+  pilot.failure = outcome ? watch.breach() : outcome.words;
+  if (pilot.failure.empty() && !warned_) {
+    if (watch.step_is_beyond()) {
+      pilot.failure = watch.step_ratio();
+    } else if (const auto warnings = watch.warnings(); !warnings.empty()) {
+      pilot.failure = warnings.front();
+    }
+  }
+  if (!pilot.failure.empty()) return;
+  const Recorder::Extreme& extreme = recorder.extremes()[quantity_->column];
+  pilot.printed = quantity_->of(extreme.least, extreme.largest, pilot.values.back());
+  pilot.between = quantity_->of(-least.largest(), largest.largest(), pilot.values.back());
+  pilot.size = std::max(std::abs(extreme.least), std::abs(extreme.largest));
+}
+
+long PilotRuns::cost(const RunMethod& method) {
+  constexpr long looked_at = 32, most_looked_at = 10'000;
+  if (method.steps <= looked_at) return method.steps;
+  try {
+    Scene scene = with_method(*scene_, method);
+    RigidBodySystem system{dynamics_, scene.plan.ledger || quantity_->ledger};
+    scene.plan.end = scene.initial.t + static_cast<double>(looked_at) * scene.plan.step;
+    system.allow(most_looked_at);
+    try {
+      static_cast<void>(simulate(system, scene.integrator, scene.initial, scene.plan));
+    } catch (const TooManyEvaluations&) {
+      // So dear already: what is known is enough.
+    }
+    evaluations_ += system.evaluations();
+    return method.steps / looked_at * std::max(1L, system.evaluations());
+  } catch (const InputError&) {
+    return method.steps;
+  }
+}
+
+}  // namespace talus

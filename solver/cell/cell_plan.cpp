@@ -1,0 +1,97 @@
+#include "solver/cell/cell_plan.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <variant>
+
+#include "solver/granular/disc_method.hpp"
+
+namespace talus {
+namespace {
+
+constexpr double most_outputs = 1e5, most_steps = 1e15;
+/// Of the way back, w2 h. In a triangular array of discs the stiffest motion is sqrt(3) times as fast as that of a pair
+/// (w^2 = 6 K/m), and a leapfrog is stable below 2.
+constexpr double fastest_way_back = 1.0;
+
+/// Methods whose steps do not change a restitution.
+std::vector<std::string> leapfrogs() {
+  std::vector<std::string> names = disc_method_names();
+  std::erase_if(names, [](const std::string& name) { return swing_gain(name) != 0.0; });
+  return names;
+}
+
+}  // namespace
+
+std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& plan) {
+  std::vector<CellObjection> found = objections(cell);
+  for (const auto& field : CellPlan::fields()) {
+    if (!contains(field.range, plan.*field.member)) {
+      found.push_back(
+          {std::string{field.name}, fmt::format("found {}; it must be {}", plan.*field.member, words(field.range))});
+    }
+  }
+  if (!found.empty()) return found;
+  if (plan.step > plan.every) {
+    found.push_back(
+        {"step", fmt::format("found {}; it must be at most the time between outputs, {}", plan.step, plan.every)});
+  }
+  if (plan.every > plan.end) {
+    found.push_back(
+        {"every", fmt::format("found {}; it must be at most the time that the run takes, {}", plan.every, plan.end)});
+  }
+  if (plan.end > most_steps * plan.step) {
+    found.push_back({"step", fmt::format("found {}; it must be at least {}: a run has at most {:g} steps", plan.step,
+                                         plan.end / most_steps, most_steps)});
+  }
+  if (plan.outputs() > most_outputs) {
+    found.push_back({"every", fmt::format("found {}; it must be at least {}: a run has at most {:g} outputs",
+                                          plan.every, plan.end / most_outputs, most_outputs)});
+  }
+  constexpr std::string_view law_of_1989 = "latching springs that do not grow stiffer, without friction";
+  if (plan.images == Images::virtual_discs) {
+    const std::size_t discs = cell.free_discs() + 2 * static_cast<std::size_t>(cell.wall_discs);
+    if (plan.jump) found.push_back({"jump", "found on; with virtual discs each step is taken"});
+    if (discs > CellPlan::most_virtual) {
+      found.push_back({"images", fmt::format("found virtual with {} discs, of which all pairs are tried at each step; "
+                                             "with more than {} it must be nearest",
+                                             discs, CellPlan::most_virtual)});
+    }
+  }
+  if (plan.historical && cell.law_of_1989() == nullptr)
+    found.push_back({"historical", fmt::format("found on; a historical run is of {}", law_of_1989)});
+  if (swing_gain(plan.integrator) != 0.0 && cell.law_of_1989() == nullptr) {
+    found.push_back(
+        {"integrator", fmt::format("found {}; what its steps make of a restitution is known of {}; with other "
+                                   "laws it must be a leapfrog: {}",
+                                   plan.integrator, law_of_1989, fmt::join(leapfrogs(), ", "))});
+    return found;
+  }
+  const double steps = cell.contact_time() / plan.step;
+  if (swing_gain(plan.integrator) == 0.0 && steps < 10.0) {
+    found.push_back(
+        {"step", fmt::format("found {}; a contact lasts {:.4g}, and {} needs 10 steps of it: at most {:.4g}", plan.step,
+                             cell.contact_time(), plan.integrator, cell.contact_time() / 10.0)});
+  }
+  if (const auto* latching = std::get_if<LatchingSpring>(&cell.law);
+      latching != nullptr && swing_gain(plan.integrator) == 0.0) {
+    const double way_back = std::sqrt(2.0 * latching->unloading_stiffness / cell.mass);
+    if (way_back * plan.step > fastest_way_back) {
+      found.push_back({"step", fmt::format("found {}; contacts open so stiffly that {} needs a step of at most {:.4g}, "
+                                           "1/w2 = sqrt(M/(2 K2))",
+                                           plan.step, plan.integrator, fastest_way_back / way_back)});
+    }
+  }
+  const double stepped = stepped_restitution(plan.integrator, cell.restitution(), cell.loading_frequency() * plan.step);
+  if (!plan.historical && std::abs(stepped - cell.restitution()) > 0.05) {
+    found.push_back(
+        {"step", fmt::format("found {}; with it {} makes a restitution of {:.4g} into {:.4g}. At most .05 is allowed "
+                             "but in a historical run: a smaller step, or a leapfrog",
+                             plan.step, plan.integrator, cell.restitution(), stepped)});
+  }
+  return found;
+}
+
+}  // namespace talus

@@ -1,0 +1,410 @@
+#include "solver/cell/cell_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include "solver/base/error.hpp"
+
+namespace talus {
+namespace {
+
+/// Share of a LOOP by which a sum of steps may fall short of it and still be all of it.
+constexpr double whole = CellPlan::round_off;
+
+/// Steps between two samples of what is known of contacts: half a contact, but no more than a LOOP.
+long steps_of_sample(const ShearCell& cell, const CellPlan& plan) {
+  const double in_loop = std::floor(plan.every / plan.step * (1.0 + whole));
+  return std::max(1L, std::lround(std::min(0.5 * cell.contact_time() / plan.step, in_loop)));
+}
+
+constexpr long samples_of_look = 8;
+
+/// Whole steps in a time; a time that is one but for its last digits counts as one.
+long steps_in(double time, double step) { return std::max(1L, std::lround(time / step)); }
+
+std::size_t at(CellQuantity quantity) { return static_cast<std::size_t>(quantity); }
+
+/// What a free fall of n steps is longer by than n^2/2 g h^2, in n/2 g h^2.
+double fall_bias(std::string_view integrator) {
+  if (integrator == "euler") return -1.0;
+  return integrator == "euler_cromer" || integrator == "central_difference" ? 1.0 : 0.0;
+}
+
+CellRun::System system_of(const ShearCell& cell, const CellPlan& plan, const FilledCell& start) {
+  const double skin = cell_skin(cell);
+  const auto with = [&]<class L, class F>(const L& law, const F& friction) -> CellRun::System {
+    if (plan.images == Images::virtual_discs)
+      return CellRun::ByVirtualDiscs<L, F>{start.shapes, start.box, law, skin, friction};
+    return FastDiscSystem{start.shapes, start.box, law, skin, friction};
+  };
+  return std::visit(
+      [&](const auto& law) { return cell.friction ? with(law, *cell.friction) : with(law, Frictionless{}); }, cell.law);
+}
+
+FilledCell checked(const ShearCell& cell, const CellPlan& plan, FilledCell start) {
+  if (const auto found = objections(cell, plan); !found.empty())
+    throw InputError{fmt::format("{}: {}", found.front().field, found.front().words)};
+  return start;
+}
+
+}  // namespace
+
+CellRun::CellRun(const ShearCell& cell, const CellPlan& plan) : CellRun{cell, plan, fill(cell)} {}
+
+CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
+    : cell_{cell},
+      plan_{plan},
+      start_{checked(cell, plan, std::move(start))},
+      system_{system_of(cell, plan, start_)},
+      method_{make_disc_method(plan.integrator)},
+      discs_{start_.discs},
+      last_step_{steps_in(plan.end, plan.step)},
+      sample_every_{steps_of_sample(cell, plan)},
+      means_{quantities, plan.end, blocks},
+      intervals_{quantities, plan.every * plan.outputs(), static_cast<std::size_t>(plan.outputs())},
+      profile_{0.5 * cell.diameter, cell.width(), plan.end * start_up / blocks, plan.end} {
+  std::visit(
+      [&](auto& method, auto& system) {
+        if constexpr (requires { system.keep_work(); }) system.keep_work();
+        system.begin(discs_);
+        system.settle(discs_);  // what touches from the start on stores energy
+        method.start(system, discs_, plan_.step);
+      },
+      method_, system_);
+  const Ledger at_start = energies();
+  held_at_start_ = at_start.held() + at_start.dissipated;
+  began_ = start_.discs.t;
+}
+
+void CellRun::advance() {
+  const long free = plan_.jump ? free_steps() : 0, before = steps_;
+  if (free > 0)
+    jump(free);
+  else
+    take_steps(steps_ahead());
+  due_ = loops_ended(steps_) > loops_ended(before) || finished();
+}
+
+/// To the next sample, LOOP or the end.
+long CellRun::steps_ahead() const {
+  return std::min({sample_every_ - steps_ % sample_every_, next_loop() - steps_, last_step_ - steps_});
+}
+
+void CellRun::take_steps(long steps) {
+  const double h = plan_.step;
+  const std::size_t block = first_block_disc(cell_), base = cell_.free_discs();
+  const auto go = [&](auto& method, auto& system) {
+    const auto book = [&](double height) {
+      book_walls(h, system.wall_force(block_wall), system.wall_force(base_wall), height);
+    };
+    using Method = std::decay_t<decltype(method)>;
+    constexpr bool kick_and_drift =
+        std::same_as<Method, CentralDifferenceOf<Discs>> || std::same_as<Method, EulerCromerOf<Discs>>;
+    if constexpr (kick_and_drift && requires { system.place(block); }) {
+      system.advance(discs_, h, steps, [&] { book(system.place(block).y - system.place(base).y); });
+    } else {
+      for (long n = 0; n < steps; ++n) {
+        method.step(system, discs_, h);
+        book(discs_.y[block] - discs_.y[base]);
+      }
+    }
+  };
+  std::visit(go, method_, system_);
+  steps_ += steps;
+  if (steps_ % sample_every_ == 0 || finished()) sample(false);
+}
+
+/// LOOPs in so many steps.
+long CellRun::loops_ended(long steps) const {
+  return static_cast<long>(static_cast<double>(steps) * plan_.step / plan_.every * (1.0 + whole));
+}
+
+/// The first step after the next LOOP.
+long CellRun::next_loop() const {
+  const double next = static_cast<double>(loops_ended(steps_) + 1) * plan_.every / plan_.step * (1.0 - whole);
+  return std::max(steps_ + 1, static_cast<long>(std::ceil(next)));
+}
+
+/// As many steps as nothing can touch in: discs fly straight, the block falls. Of a pair with the block its way along
+/// the line of centres is at most |v| t + G t^2/2 (its true path would be a root of fourth degree). From one sample to
+/// another: were it from where contacts end, samples would stand to those that follow in the same way each time, and
+/// see too little of them.
+long CellRun::free_steps() const {
+  if (acted_ || steps_ % sample_every_ != 0) return 0;
+  const NeighbourList& list =
+      std::visit([](const auto& system) -> const NeighbourList& { return system.list(); }, system_);
+  double time = std::numeric_limits<double>::infinity(), fastest = 0.0;
+  for (std::size_t i = 0; i < discs_.size(); ++i)
+    fastest = std::max(fastest, norm(Vec2{discs_.vx[i], discs_.vy[i]}));
+  list.for_each_pair(discs_, [&](std::size_t i, std::size_t j, std::size_t, Vec2 d, const auto& shift) {
+    const Vec2 v{discs_.vx[j] - discs_.vx[i] + shift.vx, discs_.vy[j] - discs_.vy[i]};
+    const double radii = cell_.diameter, gap = norm(d) - radii, nearing = -dot(d, v);
+    if (!(gap > 0.0)) {
+      time = 0.0;
+    } else if (j >= first_block_disc(cell_)) {
+      const double speed = norm(v);
+      time = std::min(time, 2.0 * gap / (speed + std::sqrt(speed * speed + 2.0 * cell_.gravity * gap)));
+    } else if (nearing > 0.0) {
+      const double room = dot(d, d) - radii * radii, root = nearing * nearing - dot(v, v) * room;
+      if (root >= 0.0) time = std::min(time, room / (nearing + std::sqrt(root)));
+    }
+  });
+  const double left = list.left();
+  time = std::min(time, left / (fastest + std::sqrt(fastest * fastest + cell_.gravity * left)));
+  const auto free = static_cast<long>(std::clamp(time / plan_.step - 1.0, 0.0, 1e15));
+  // A flight is booked in one block.
+  constexpr long parts = blocks;
+  const long next_block = ((steps_ * parts / last_step_ + 1) * last_step_ + parts - 1) / parts;
+  return std::min({free, next_loop() - steps_, next_block - steps_, last_step_ - steps_}) / sample_every_ *
+         sample_every_;
+}
+
+/// How far the block falls freely in so many steps [L].
+double CellRun::block_way(long steps) const {
+  const auto n = static_cast<double>(steps);
+  const double h = plan_.step, fall = 0.5 * cell_.gravity * h * (n + fall_bias(plan_.integrator));
+  return n * h * (discs_.vy.back() - fall);
+}
+
+/// Of the block the height over the time is a parabola, of whose mean, and of its square's but for a term of fourth
+/// order, Simpson's rule leaves nothing out (but for half a step, if they are odd); discs are looked at in the middle
+/// of their way.
+void CellRun::jump(long steps) {
+  look_across(static_cast<double>(steps_) * plan_.step);  // for what was sampled before
+  const auto height = [&] { return discs_.y[first_block_disc(cell_)] - discs_.y[cell_.free_discs()]; };
+  const double sixth = static_cast<double>(steps) * plan_.step / 6.0, first = height();
+  const long rest = steps - steps / 2;
+  fly(steps / 2);
+  const double middle = height(), last = middle + block_way(rest);
+  book_walls(sixth, {}, {}, first), book_walls(4.0 * sixth, {}, {}, middle), book_walls(sixth, {}, {}, last);
+  steps_ += steps;
+  jumped_ += steps;
+  sample(true);
+  fly(rest);
+}
+
+/// So many steps along straight lines, the block on its parabola.
+void CellRun::fly(long steps) {
+  const double time = static_cast<double>(steps) * plan_.step, speed = discs_.vy.back();
+  const auto block = discs_.vy.begin() + static_cast<std::ptrdiff_t>(first_block_disc(cell_));
+  std::fill(block, discs_.vy.end(), block_way(steps) / time);
+  std::visit([&](auto& system) { system.drift(discs_, time); }, system_);
+  std::fill(block, discs_.vy.end(), speed - cell_.gravity * time);
+  discs_.t += time;
+}
+
+/// What is known at each step, of the forces of its evaluation.
+void CellRun::book_walls(double time, Vec2 block, Vec2 base, double height) {
+  on_block_ += time * block, on_base_ += time * base;
+  const double forwards = std::signbit(cell_.block_speed) ? -1.0 : 1.0, area = cell_.width() * cell_.diameter;
+  const auto add = [&](CellQuantity quantity, double value) { walls_[at(quantity)] += time * value; };
+  add(CellQuantity::top_shear, -forwards * block.x / area);
+  add(CellQuantity::top_normal, block.y / area);
+  add(CellQuantity::bottom_shear, forwards * base.x / area);
+  add(CellQuantity::bottom_normal, -base.y / area);
+  add(CellQuantity::top_moment, -forwards * block.x / area * height);
+  add(CellQuantity::depth, height - cell_.diameter);
+  add(CellQuantity::depth_square, (height - cell_.diameter) * (height - cell_.diameter));
+  waiting_ += time;
+}
+
+void CellRun::sample(bool flown) {
+  Values values;
+  for (std::size_t k = 0; k < quantities; ++k)
+    values[k] = walls_[k] / waiting_;
+  const auto value = [&](CellQuantity quantity) -> double& { return values[at(quantity)]; };
+  const double forwards = std::signbit(cell_.block_speed) ? -1.0 : 1.0, area = cell_.width() * cell_.diameter;
+  const std::size_t free = cell_.free_discs();
+  // Contacts that the last drift has begun or ended are as they are now. A velocity Verlet has evaluated them since,
+  // at other velocities, by which friction settles.
+  const auto settle = [&](const auto& method, auto& system) {
+    if constexpr (!std::same_as<std::decay_t<decltype(method)>, VelocityVerletOf<Discs>>) system.settle(discs_);
+  };
+  std::visit(settle, method_, system_);
+  const std::vector<ActingContact> contacts = acting_contacts();
+  for (const ActingContact& contact : contacts) {
+    const Vec2 force = contact.force_on_b();
+    const double rise = contact.distance * contact.n_ab.y / area;
+    const double shear = -forwards * force.x * rise, normal = force.y * rise;
+    largest_overlap_ = std::max(largest_overlap_, contact.depth);
+    value(CellQuantity::shear_virial) += shear, value(CellQuantity::normal_virial) += normal;
+    if (contact.multiple) {
+      value(CellQuantity::multiple) += 1.0;
+      value(CellQuantity::multiple_shear_virial) += shear, value(CellQuantity::multiple_normal_virial) += normal;
+    }
+    if (contact.sliding) value(CellQuantity::sliding) += 1.0;
+    for (const std::size_t disc : {contact.a, contact.b})
+      if (disc < free) value(CellQuantity::coordination) += 1.0 / static_cast<double>(free);
+  }
+  acted_ = !contacts.empty();
+  value(CellQuantity::contacts) = static_cast<double>(contacts.size());
+  value(CellQuantity::touching) = contacts.empty() ? 0.0 : 1.0;
+  for (std::size_t i = 0; i < free; ++i) {
+    value(CellQuantity::kinetic_shear) -= forwards * cell_.mass * discs_.vx[i] * discs_.vy[i] / area;
+  }
+  for (std::size_t i = 0; i < free && cell_.friction; ++i)
+    value(CellQuantity::spin) += discs_.spin[i] / static_cast<double>(free);
+  const double fraction = solid_fraction(cell_, discs_);
+  value(CellQuantity::solid_fraction) = fraction;
+  const double time = static_cast<double>(steps_) * plan_.step - 0.5 * waiting_;
+  profile_waiting_ += waiting_;
+  if (++profile_samples_ >= samples_of_look || flown || finished()) look_across(time), check_numbers();
+  means_.add(time, waiting_, values);
+  // The last LOOP may be shorter than what the last sample stands for.
+  intervals_.add(finished() ? static_cast<double>(steps_) * plan_.step * (1.0 - whole) : time, waiting_, values);
+  walls_ = {};
+  waiting_ = 0.0;
+  check(fraction);
+}
+
+/// Free discs by height, for the time since the last look; after the start-up.
+void CellRun::look_across(double time) {
+  if (time >= plan_.end * start_up / blocks && profile_waiting_ > 0.0) {
+    const std::size_t free = cell_.free_discs();
+    profile_.look(time, profile_waiting_);
+    for (std::size_t i = 0; i < free; ++i) {
+      profile_.add({.y = discs_.y[i] - discs_.y[free],
+                    .vx = discs_.vx[i],
+                    .vy = discs_.vy[i],
+                    .radius = 0.5 * cell_.diameter,
+                    .mass = cell_.mass,
+                    .spin = cell_.friction ? discs_.spin[i] : 0.0});
+    }
+  }
+  profile_waiting_ = 0.0;
+  profile_samples_ = 0;
+}
+
+std::vector<CellRun::ActingContact> CellRun::acting_contacts() const {
+  const std::size_t free = cell_.free_discs();
+  std::vector<ActingContact> contacts;
+  std::vector<int> acting(discs_.size());
+  const auto add = [&](const DiscContact& contact) {
+    if (contact.force == 0.0) return;
+    const bool sliding =
+        cell_.friction && std::abs(contact.friction) >= cell_.friction->coefficient * std::max(contact.force, 0.0);
+    contacts.push_back({contact, false, sliding});
+    ++acting[contact.a], ++acting[contact.b];
+  };
+  std::visit([&](const auto& system) { system.for_each_contact(discs_, add); }, system_);
+  for (ActingContact& contact : contacts) {
+    for (const std::size_t disc : {contact.a, contact.b})
+      contact.multiple = contact.multiple || (disc < free && acting[disc] > 1);
+  }
+  return contacts;
+}
+
+void CellRun::check(double fraction) {
+  largest_fraction_ = std::max(largest_fraction_, fraction);
+  if (!failure_.empty()) return;
+  if (!(fraction > 0.0) || !(fraction < 2.0) || largest_overlap_ > 0.5 * cell_.diameter) {
+    failure_ = fmt::format(
+        "a solid fraction of {:.4g} and an overlap of {:.3g} diameters: discs pass through each other; "
+        "contacts are too soft for speed and load, or the step is too long",
+        fraction, largest_overlap_ / cell_.diameter);
+  }
+}
+
+void CellRun::check_numbers() {
+  double sum = 0.0;
+  for (const auto* numbers : {&discs_.x, &discs_.y, &discs_.vx, &discs_.vy, &discs_.spin})
+    for (const double number : *numbers)
+      sum += number * number;
+  if (failure_.empty() && !std::isfinite(sum))
+    failure_ = "places or speeds of discs are beyond all numbers: those they began with, or the step is too long";
+}
+
+Discs CellRun::discs() {
+  return std::visit(
+      [&](auto& method, auto& system) -> Discs { return method.synchronized(system, discs_, plan_.step); }, method_,
+      system_);
+}
+
+long CellRun::evaluations() const {
+  return std::visit([](const auto& system) { return system.evaluations(); }, system_);
+}
+
+Vec2 CellRun::wall_force(std::size_t wall) const {
+  return std::visit([&](const auto& system) { return system.wall_force(wall); }, system_);
+}
+
+Estimate CellRun::mean(CellQuantity quantity) const { return means_.estimate(at(quantity), start_up); }
+Estimate CellRun::ratio(CellQuantity over, CellQuantity under) const {
+  return means_.ratio(at(over), at(under), start_up);
+}
+
+std::size_t CellRun::intervals() const {
+  if (finished()) return intervals_.blocks();
+  const long ended = loops_ended(steps_);
+  const bool begun =
+      static_cast<double>(steps_) * plan_.step > static_cast<double>(ended) * plan_.every * (1.0 + whole);
+  return static_cast<std::size_t>(ended) + (!failure_.empty() && begun ? 1 : 0);
+}
+
+double CellRun::interval_mean(std::size_t interval, CellQuantity quantity) const {
+  return intervals_.block_mean(interval, at(quantity));
+}
+
+double CellRun::drift(CellQuantity quantity) const {
+  constexpr std::size_t fewest = 16;  // blocks; an error that fewer tell is not known well
+  const std::size_t last = means_.reached();
+  if (last < start_up + fewest) return 0.0;
+  const std::size_t middle = (start_up + last) / 2;
+  const double change = means_.mean(at(quantity), middle, last) - means_.mean(at(quantity), start_up, middle);
+  // Of means over halves the variance is twice that of the whole, of their difference four times.
+  const double error = 2.0 * mean(quantity).error;
+  return error > 0.0 ? change / error : 0.0;
+}
+
+CellRun::Ledger CellRun::energies() {
+  const Discs now = discs();
+  Ledger ledger;
+  ledger.kinetic = 0.5 * cell_.block_mass * now.vy.back() * now.vy.back();
+  for (std::size_t i = 0; i < cell_.free_discs(); ++i)
+    ledger.kinetic += 0.5 * cell_.mass * (now.vx[i] * now.vx[i] + now.vy[i] * now.vy[i]);
+  const double inertia = 0.125 * cell_.mass * cell_.diameter * cell_.diameter;
+  for (std::size_t i = 0; i < cell_.free_discs() && cell_.friction; ++i)
+    ledger.kinetic += 0.5 * inertia * now.spin[i] * now.spin[i];
+  ledger.potential = cell_.block_mass * cell_.gravity * now.y[first_block_disc(cell_)];
+  ledger.rubbed = now.work[static_cast<std::size_t>(Mechanism::friction)];
+  ledger.dissipated = now.dissipated();
+  const auto look = [&](const auto& system) {
+    system.for_each_contact(now, [&](const DiscContact& contact) { ledger.stored += contact.stored; });
+    if constexpr (requires { system.lost(); }) ledger.dissipated += system.lost();
+  };
+  std::visit(look, system_);
+  return ledger;
+}
+
+CellRun::Ledger CellRun::ledger() {
+  Ledger ledger = energies();
+  // The block has one speed, so that what drives it does the work of its impulse.
+  ledger.driven = -on_block_.x * cell_.block_speed;
+  ledger.gained = ledger.held() + ledger.dissipated - ledger.driven - held_at_start_;
+  return ledger;
+}
+
+void CellRun::remember(Memory& memory) {
+  using talus::remember;
+  memory.part("discs", [&] { remember(memory, discs_); });
+  memory.part("system", [&] { std::visit([&](auto& system) { system.remember(memory, discs_); }, system_); });
+  memory.part("method", [&] { std::visit([&](auto& method) { method.remember(memory, discs_); }, method_); });
+  memory.count("steps", steps_), memory.count("jumped", jumped_);
+  memory.number("waiting", waiting_);
+  memory.number("profile_waiting", profile_waiting_), memory.count("profile_samples", profile_samples_);
+  memory.numbers("walls", walls_);
+  memory.part("means", [&] { means_.remember(memory); });
+  memory.part("intervals", [&] { intervals_.remember(memory); });
+  memory.part("profile", [&] { profile_.remember(memory); });
+  memory.number("largest_overlap", largest_overlap_), memory.number("largest_fraction", largest_fraction_);
+  memory.vector("on_block", on_block_), memory.vector("on_base", on_base_);
+  memory.number("held_at_start", held_at_start_), memory.number("began", began_);
+}
+
+}  // namespace talus

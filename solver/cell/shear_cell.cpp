@@ -1,0 +1,193 @@
+#include "solver/cell/shear_cell.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <random>
+
+#include "solver/base/error.hpp"
+#include "solver/granular/list_skin.hpp"
+#include "solver/granular/neighbour_list.hpp"
+#include "solver/granular/random_draw.hpp"
+#include "solver/laws/restitution.hpp"
+
+namespace talus {
+namespace {
+
+double contact_time_of(const LatchingSpring& law, double mass) {
+  const double loading = std::sqrt(2.0 * law.stiffness / mass), back = std::sqrt(2.0 * law.unloading_stiffness / mass);
+  return 0.5 * std::numbers::pi * (1.0 / loading + 1.0 / back);
+}
+double contact_time_of(const LinearSpringDashpot& law, double mass) { return contact_time(law, 0.5 * mass); }
+
+double damping_ratio_of(const LinearSpringDashpot& law, double mass) {
+  return law.damping / (2.0 * std::sqrt(0.5 * law.stiffness * mass));
+}
+double restitution_of(const LatchingSpring& law, double) { return std::sqrt(law.stiffness / law.unloading_stiffness); }
+double restitution_of(const LinearSpringDashpot& law, double mass) {
+  return restitution(damping_ratio_of(law, mass), law.end_rule);
+}
+
+using Objections = std::vector<CellObjection>;
+
+void object(Objections& found, std::string_view field, double value, std::string_view allowed) {
+  found.push_back({std::string{field}, fmt::format("found {}; it must be {}", value, allowed)});
+}
+void add_objections(Objections& found, const LatchingSpring& law, double) {
+  if (law.unloading_stiffness < law.stiffness) {
+    object(found, "unloading_stiffness", law.unloading_stiffness,
+           fmt::format("at least the stiffness while loading, {}: a contact gives back no more than it took",
+                       law.stiffness));
+  }
+}
+void add_objections(Objections& found, const LinearSpringDashpot& law, double mass) {
+  if (law.end_rule == EndRule::attractive && damping_ratio_of(law, mass) >= 1.0) {
+    object(found, "damping", law.damping,
+           fmt::format("< {}: with the attractive end rule discs that are damped more never part",
+                       2.0 * std::sqrt(0.5 * law.stiffness * mass)));
+  }
+}
+
+}  // namespace
+
+double ShearCell::stiffness() const {
+  return std::visit([](const auto& of) { return of.stiffness; }, law);
+}
+double ShearCell::loading_frequency() const { return std::sqrt(2.0 * stiffness() / mass); }
+double ShearCell::contact_time() const {
+  return std::visit([&](const auto& of) { return contact_time_of(of, mass); }, law);
+}
+double ShearCell::restitution() const {
+  return std::visit([&](const auto& of) { return restitution_of(of, mass); }, law);
+}
+const LatchingSpring* ShearCell::law_of_1989() const {
+  const auto* latching = std::get_if<LatchingSpring>(&law);
+  return latching != nullptr && latching->growth == 0.0 && !friction ? latching : nullptr;
+}
+double ShearCell::density() const { return mass / (0.25 * std::numbers::pi * diameter * diameter * diameter); }
+
+std::vector<CellObjection> objections(const ShearCell& cell) {
+  Objections found;
+  const auto demand = [&](bool holds, std::string_view field, double value, std::string_view allowed) {
+    if (!holds) object(found, field, value, allowed);
+  };
+  const auto demand_range = [&](Range range, std::string_view field, double value) {
+    demand(contains(range, value), field, value, words(range));
+  };
+  std::visit(
+      [&](const auto& law) {
+        for (const auto& field : law.fields())
+          demand_range(field.range, field.name, law.*field.member);
+        add_objections(found, law, cell.mass);
+      },
+      cell.law);
+  if (cell.friction) {
+    demand_range(Range::non_negative, "friction", cell.friction->coefficient);
+    demand_range(Range::positive, "shear_stiffness", cell.friction->stiffness);
+  }
+  for (const auto& field : ShearCell::fields())
+    demand_range(field.range, field.name, cell.*field.member);
+  for (const auto& field : ShearCell::counts()) {
+    const int value = cell.*std::get<int ShearCell::*>(field.member);
+    demand(value >= field.least && value <= field.most, field.name, value,
+           fmt::format("a whole number between {} and {}", field.least, field.most));
+  }
+  if (cell.columns > cell.wall_discs) {
+    demand(false, "columns", cell.columns,
+           fmt::format("at most the discs of a wall, {}: more do not fit beside each other", cell.wall_discs));
+  }
+  if (cell.rows > 0 && cell.columns > 0 && cell.free_discs() > ShearCell::most_discs) {
+    demand(false, "rows", cell.rows,
+           fmt::format("at most {} of {} columns: a cell has at most {} free discs",
+                       ShearCell::most_discs / static_cast<std::size_t>(cell.columns), cell.columns,
+                       ShearCell::most_discs));
+  }
+  return found;
+}
+
+ShearCell ice_cell(double overburden, double speed, std::uint64_t seed) {
+  ShearCell cell{.law = LatchingSpring{1.7e4, 1.7e4 / 0.49, 0.0},
+                 .diameter = 1e-3,
+                 .mass = 7.2e-7,
+                 .gravity = 9.81,
+                 .block_mass = 0.0,
+                 .rows = 8,
+                 .columns = 10,
+                 .wall_discs = 11,
+                 .block_speed = 1e-3 * speed,
+                 .seed = seed};
+  cell.block_mass = overburden * cell.wall_discs * cell.diameter * cell.diameter / cell.gravity;
+  return cell;
+}
+
+FilledCell fill(const ShearCell& cell) {
+  if (const auto found = objections(cell); !found.empty())
+    throw InputError{fmt::format("{}: {}", found.front().field, found.front().words)};
+  FilledCell filled{.shapes = {}, .discs = {}, .box = {.width = cell.width()}};
+  const double radius = 0.5 * cell.diameter, left = -0.5 * cell.width();
+  const double column = cell.width() / cell.columns, row = std::max(column, 1.05 * cell.diameter);
+  const double top = row * (cell.rows + 1);
+  std::mt19937_64 random{cell.seed};
+  for (int r = 0; r < cell.rows; ++r) {
+    for (int c = 0; c < cell.columns; ++c) {
+      const double y = row * (r + 1);
+      filled.shapes.add(radius, 1.0 / cell.mass);
+      filled.discs.add(left + column * (c + 0.5), y, cell.block_speed * y / top,
+                       0.01 * std::abs(cell.block_speed) * symmetric(random));
+    }
+  }
+  const std::size_t base = filled.shapes.add(DiscWall{});
+  const std::size_t block = filled.shapes.add(DiscWall{.mass = cell.block_mass, .gravity = cell.gravity});
+  for (const std::size_t wall : {base, block}) {
+    for (int c = 0; c < cell.wall_discs; ++c) {
+      filled.shapes.add(radius, 0.0, wall);
+      filled.discs.add(left + cell.diameter * (c + 0.5), wall == base ? 0.0 : top,
+                       wall == base ? 0.0 : cell.block_speed, 0.0);
+    }
+  }
+  return filled;
+}
+
+std::size_t first_block_disc(const ShearCell& cell) {
+  return cell.free_discs() + static_cast<std::size_t>(cell.wall_discs);
+}
+
+double depth(const ShearCell& cell, const Discs& discs) {
+  return discs.y[first_block_disc(cell)] - discs.y[cell.free_discs()] - cell.diameter;
+}
+
+double solid_fraction(const ShearCell& cell, const Discs& discs) {
+  const double disc = 0.25 * std::numbers::pi * cell.diameter * cell.diameter;
+  return static_cast<double>(cell.free_discs()) * disc / (cell.width() * depth(cell, discs));
+}
+
+double cell_skin(const ShearCell& cell) {
+  const FilledCell start = fill(cell);
+  const double best = cell.diameter * list_skin(start.discs.size(), solid_fraction(cell, start.discs));
+  return std::max(0.1 * cell.diameter, std::min(best, 0.49 * cell.width() - cell.diameter));
+}
+
+double sixfold_order(const ShearCell& cell, const FilledCell& filled, const Discs& discs) {
+  const double reach = 1.3 * cell.diameter;
+  NeighbourList list{filled.box, reach - cell.diameter};
+  Discs inside = discs;
+  wrap(filled.box, inside);
+  list.build(filled.shapes, inside);
+  std::vector<std::complex<double>> sums(discs.size());
+  std::vector<int> neighbours(discs.size());
+  list.for_each_pair(inside, [&](std::size_t i, std::size_t j, std::size_t, Vec2 apart, const auto&) {
+    const std::complex<double> d{apart.x, apart.y};
+    const std::complex<double> square = d * d / std::norm(d), sixth = square * square * square;
+    sums[i] += sixth, sums[j] += sixth;
+    ++neighbours[i], ++neighbours[j];
+  });
+  double sum = 0.0;
+  for (std::size_t i = 0; i < cell.free_discs(); ++i)
+    if (neighbours[i] > 2) sum += std::abs(sums[i]) / neighbours[i];
+  return sum / static_cast<double>(cell.free_discs());
+}
+
+}  // namespace talus

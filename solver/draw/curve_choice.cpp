@@ -1,0 +1,36 @@
+#include "solver/draw/curve_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace talus::app {
+
+double range_of(const std::vector<double>& values) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    low = std::min(low, value), high = std::max(high, value);
+  }
+  return low <= high ? high - low : 0.0;
+}
+
+std::vector<std::size_t> places_of_largest(const std::vector<double>& values, std::size_t most) {
+  std::vector<std::size_t> places(values.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
+  places.resize(std::min(most, places.size()));
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+void print_left_out(const std::string& panel, std::size_t drawn, std::size_t all) {
+  if (drawn == all) return;
+  fmt::print("{}: {} of {} curves drawn, those with the largest range; --all draws all, --element those named\n", panel,
+             drawn, all);
+}
+
+}  // namespace talus::app

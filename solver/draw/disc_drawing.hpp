@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/draw/frame_style.hpp"
+#include "solver/io/output/read_geometry.hpp"
+
+namespace talus::app {
+
+/// What colours a disc that is none of a wall's.
+enum class DiscColour {
+  speed,
+  force,  ///< the sum of the forces of its contacts
+};
+
+/// The discs that a run left, as far as they are drawn, with places in
+/// [-period/2, period/2) along x, as in PIC.DAT.
+struct DrawnDiscs {
+  RunFolder run;
+  std::vector<DiscFrame> frames;
+  DiscColour colour{};
+  double largest_force{};  ///< of a contact in all frames [F]
+  double largest_radius{};
+  Window window{};  ///< the field with its walls in all frames, and a diameter beyond its borders
+  static constexpr bool has_depth = false;
+};
+
+/// Reads those frames. Errors: as read_discs.
+[[nodiscard]] DrawnDiscs read_disc_frames(RunFolder run, const std::vector<GeometryFile>& files, DiscColour colour);
+
+/// What colours each disc of a frame [L/T] or [F]; of discs of walls too.
+[[nodiscard]] std::vector<double> disc_values(const DiscFrame& frame, DiscColour colour);
+/// The largest of them of free discs in all frames.
+[[nodiscard]] double largest_value(const DrawnDiscs& drawn, DiscColour colour);
+/// How wide the bar of the largest force is drawn; others in proportion [L].
+[[nodiscard]] double widest_bar(const DrawnDiscs& drawn);
+
+/// `drawn.window`; discs have the side view alone.
+[[nodiscard]] inline Window window_of(const DrawnDiscs& drawn, View) { return drawn.window; }
+
+/// A frame's discs, contacts and borders as the CSV file that its figure names, with all images in the window.
+[[nodiscard]] std::string frame_csv(const DrawnDiscs& drawn, std::size_t frame);
+
+/// A frame as a figure of the drawing record, over its CSV file.
+[[nodiscard]] nlohmann::ordered_json frame_figure(const DrawnDiscs& drawn, std::size_t frame, const FrameStyle& style,
+                                                  const std::string& csv_file);
+
+/// The scale of what colours discs, for a page; null if that is nought throughout.
+[[nodiscard]] nlohmann::ordered_json colour_scale(const DrawnDiscs& drawn);
+
+}  // namespace talus::app

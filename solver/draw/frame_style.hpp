@@ -1,0 +1,48 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "solver/io/output/run_folder.hpp"
+
+namespace talus::app {
+
+/// From where a scene is looked at.
+enum class View {
+  side,   ///< x to the right, y up: the plane of motion
+  along,  ///< z to the right, y up: the fence as who stands before it sees it, with its mirror image if it is half
+};
+
+/// What a picture shows of the scene; ends in the scene's unit of length.
+struct Window {
+  double left{}, bottom{}, right{}, top{};
+};
+
+/// How a frame is drawn.
+struct FrameStyle {
+  View view{View::side};
+  Window window;
+  bool numbers{false};  ///< of elements or discs
+  bool grid{true};
+  std::vector<int> divisions;  ///< of the grid; empty: round numbers
+};
+
+/// Which frame a figure shows, and by what.
+struct ShownFrame {
+  std::size_t number{};
+  double time{};
+  std::string csv_file;
+  std::string abscissa{"x"};  ///< words at the axis to the right
+};
+
+/// A frame as a figure of the drawing record: equal axes over the style's window, titled by the time. Its name begins
+/// with the view's and ends with the frame's number.
+[[nodiscard]] nlohmann::ordered_json frame_figure(const RunFolder& run, const FrameStyle& style,
+                                                  const ShownFrame& frame, nlohmann::ordered_json series,
+                                                  nlohmann::ordered_json marks);
+
+/// Colours from 0 to the largest value for a page; null if that is nought.
+[[nodiscard]] nlohmann::ordered_json colour_scale(const std::string& words, const std::string& unit, double largest);
+
+}  // namespace talus::app

@@ -1,0 +1,229 @@
+#include "solver/draw/history_plot.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "solver/base/error.hpp"
+#include "solver/base/exit_code.hpp"
+#include "solver/draw/curve_choice.hpp"
+#include "solver/draw/history_choice.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// One curve and the run that it is of.
+struct RunCurve {
+  std::string run;
+  ChosenCurve curve;
+};
+
+/// Curves that are drawn over each other.
+struct CurvePanel {
+  std::string key;  ///< curves of another key belong elsewhere
+  std::vector<RunCurve> curves;
+};
+
+/// Names that tell the runs apart: their folders' own, or if those are equal the paths as given.
+std::vector<std::string> run_names(const std::vector<std::string>& folders) {
+  if (folders.size() == 1) return {""};
+  std::vector<std::string> names;
+  for (const std::string& folder : folders) {
+    const fs::path path = fs::path{folder}.lexically_normal();
+    names.push_back((path.has_filename() ? path.filename() : path.parent_path().filename()).string());
+  }
+  auto sorted = names;
+  std::sort(sorted.begin(), sorted.end());
+  const bool distinct = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+  return distinct ? names : folders;
+}
+
+/// The curve up to a time.
+void cut(ChosenCurve& curve, const std::vector<double>& times, double until) {
+  const auto rows = static_cast<std::size_t>(
+      std::count_if(times.begin(), times.end(), [until](double time) { return time <= until; }));
+  curve.x.values.resize(rows);
+  curve.y.values.resize(rows);
+}
+
+std::vector<CurvePanel> panels_of(const HistoryPlotOptions& options) {
+  const std::vector<std::string> names = run_names(options.folders);
+  std::vector<CurvePanel> panels;
+  for (std::size_t i = 0; i < options.folders.size(); ++i) {
+    const KeptRun run = read_kept_run(options.folders[i]);
+    for (const std::string& history : options.histories) {
+      for (ChosenCurve& curve : chosen_curves(run, {history, options.elements, options.abscissa})) {
+        if (!options.until.empty()) {
+          const double until = option_time("--until", options.until, run.run, false);
+          cut(curve, chosen_curves(run, {history, options.elements, "time"}).front().x.values, until);
+          if (curve.x.values.size() < 2) {
+            throw InputError{fmt::format("--until: found \"{}\"; {} has fewer than two records up to then",
+                                         options.until, options.folders[i])};
+          }
+        }
+        const std::string key = options.apart ? history : curve.y.unit;
+        auto place = std::find_if(panels.begin(), panels.end(), [&](const auto& panel) { return panel.key == key; });
+        if (place == panels.end()) place = panels.insert(place, {key, {}});
+        place->curves.push_back({names[i], std::move(curve)});
+      }
+    }
+  }
+  return panels;
+}
+
+/// Leaves the curves with the largest ranges: of several runs all of a quantity, or none.
+void limit(CurvePanel& panel) {
+  if (panel.curves.size() <= most_curves) return;
+  using Quantity = std::pair<std::string, std::string>;
+  const auto quantity_of = [](const RunCurve& each) { return Quantity{each.curve.y.subject, each.curve.y.words}; };
+  std::vector<Quantity> quantities;
+  std::vector<double> ranges;
+  std::vector<std::size_t> counts;
+  for (const RunCurve& each : panel.curves) {
+    const auto known = std::find(quantities.begin(), quantities.end(), quantity_of(each));
+    const auto place = static_cast<std::size_t>(known - quantities.begin());
+    if (known == quantities.end()) quantities.push_back(quantity_of(each)), ranges.push_back(0.0), counts.push_back(0);
+    ranges[place] = std::max(ranges[place], range_of(each.curve.y.values));
+    ++counts[place];
+  }
+  const std::size_t runs = *std::max_element(counts.begin(), counts.end());
+  const auto kept = places_of_largest(ranges, std::max<std::size_t>(most_curves / runs, 1));
+  std::vector<RunCurve> curves;
+  for (RunCurve& each : panel.curves) {
+    const auto known = std::find(quantities.begin(), quantities.end(), quantity_of(each));
+    if (std::binary_search(kept.begin(), kept.end(), static_cast<std::size_t>(known - quantities.begin())))
+      curves.push_back(std::move(each));
+  }
+  print_left_out(panel.key.empty() ? "panel" : fmt::format("panel [{}]", panel.key), curves.size(),
+                 panel.curves.size());
+  panel.curves = std::move(curves);
+}
+
+/// The word that all curves share; empty if they differ.
+template <class Word>
+std::string shared(const std::vector<RunCurve>& curves, Word word) {
+  const std::string first = word(curves.front());
+  const bool all = std::all_of(curves.begin(), curves.end(), [&](const RunCurve& each) { return word(each) == first; });
+  return all ? first : "";
+}
+
+std::string subject(const RunCurve& each) { return each.curve.y.subject; }
+std::string words(const RunCurve& each) { return each.curve.y.words; }
+std::string run_name(const RunCurve& each) { return each.run; }
+
+/// What tells a curve from the others of its panel.
+std::string label(const RunCurve& each, const CurvePanel& panel) {
+  std::vector<std::string> parts;
+  if (shared(panel.curves, run_name).empty() && !each.run.empty()) parts.push_back(each.run);
+  if (shared(panel.curves, subject).empty() || panel.curves.size() == 1) parts.push_back(each.curve.y.subject);
+  if (shared(panel.curves, words).empty()) parts.push_back(each.curve.y.words);
+  parts.erase(std::remove(parts.begin(), parts.end(), ""), parts.end());
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+Json axis(const std::string& title, const std::string& fallback, const std::string& unit, const Limits& limits,
+          int divisions) {
+  Json made{
+      {"label", !title.empty() ? title : fallback}, {"unit", title.empty() ? unit : ""}, {"divisions", divisions}};
+  if (limits) made["min"] = limits->first;
+  if (limits) made["max"] = limits->second;
+  return made;
+}
+
+std::string csv_of(const CurvePanel& panel) {
+  std::string text = "series,x,y\n";
+  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+    const ChosenCurve& curve = panel.curves[i].curve;
+    for (std::size_t row = 0; row < curve.x.values.size(); ++row)
+      fmt::format_to(std::back_inserter(text), "{},{},{}\n", i, curve.x.values[row], curve.y.values[row]);
+  }
+  return text;
+}
+
+void demand_one_unit(const CurvePanel& panel) {
+  const auto x_unit = [](const RunCurve& each) { return each.curve.x.unit; };
+  const auto y_unit = [](const RunCurve& each) { return each.curve.y.unit; };
+  for (const RunCurve& each : panel.curves) {
+    const RunCurve& first = panel.curves.front();
+    if (x_unit(each) == x_unit(first) && y_unit(each) == y_unit(first)) continue;
+    throw InputError{fmt::format("{} of {} is in {} against {}, {} of {} in {} against {}; one panel has one unit",
+                                 first.curve.y.words, first.run, y_unit(first), x_unit(first), each.curve.y.words,
+                                 each.run, y_unit(each), x_unit(each))};
+  }
+}
+
+Json figure(const CurvePanel& panel, const HistoryPlotOptions& options, std::size_t place, bool alone) {
+  demand_one_unit(panel);
+  const ChosenCurve& first = panel.curves.front().curve;
+  Json series = Json::array();
+  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+    series.push_back({{"label", label(panel.curves[i], panel)},
+                      {"x", "x"},
+                      {"y", "y"},
+                      {"style", "lines"},
+                      {"where", fmt::format("{}", i)}});
+  }
+  const std::string common = shared(panel.curves, words);
+  const bool of_time = options.abscissa == "time";
+  const std::string x_words = of_time || first.x.subject.empty() ? first.x.words
+                              : first.x.subject == first.y.subject
+                                  ? first.x.words
+                                  : fmt::format("{} of {}", first.x.words, first.x.subject);
+  const std::vector<int> divisions = options.divisions.empty() ? std::vector<int>{0, 0} : options.divisions;
+  return {{"name", fmt::format("panel{}", place)},
+          {"title", alone ? "" : fmt::format("({})", static_cast<char>('a' + static_cast<int>(place % 26)))},
+          {"x", axis(options.x_title, x_words, first.x.unit, options.x_limits, divisions[0])},
+          {"y", axis(options.y_title, common.empty() ? "value" : common, first.y.unit, options.y_limits, divisions[1])},
+          {"csv", fmt::format("panel{}.csv", place)},
+          {"grid", !options.no_grid},
+          {"series", series}};
+}
+
+/// "top_tension" of one history asked for, else "histories".
+std::string file_stem(const HistoryPlotOptions& options) {
+  if (!options.picture.name.empty()) return options.picture.name;
+  if (options.histories.size() != 1) return "histories";
+  std::string stem;
+  for (const char letter : options.histories.front())
+    stem += std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '.' ? letter : '_';
+  return "history_" + stem;
+}
+
+}  // namespace
+
+int plot_histories(const HistoryPlotOptions& options) {
+  std::vector<CurvePanel> panels = panels_of(options);
+  if (!options.all && options.elements.empty()) std::for_each(panels.begin(), panels.end(), limit);
+  const PictureOptions& picture = options.picture;
+  const fs::path target =
+      picture.folder.empty() ? fs::path{options.folders.front()} / "plots" : fs::path{picture.folder};
+  Json figures = Json::array();
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    figures.push_back(figure(panels[i], options, i, panels.size() == 1));
+  const int columns = options.columns > 0 ? options.columns : panels.size() > 2 ? 2 : 1;
+  const std::string own_title = options.folders.size() == 1 ? read_run_folder(options.folders.front()).title : "";
+  const Json page{{"name", file_stem(options)},
+                  {"title", picture.title.empty() ? own_title : picture.title},
+                  {"columns", columns},
+                  {"panels", std::move(figures)}};
+  const DrawingRecord record{target};
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    record.add(fmt::format("panel{}.csv", i), csv_of(panels[i]));
+  record.add("plot.json", Json{{"schema", 1}, {"figures", Json::array()}, {"pages", {page}}}.dump(1));
+  return record.draw(picture.formats);
+}
+
+int list_histories(const std::vector<std::string>& folders) {
+  for (const std::string& folder : folders)
+    fmt::print("{}", menu(read_kept_run(folder)));
+  return ok;
+}
+
+}  // namespace talus::app

@@ -1,0 +1,243 @@
+#include "solver/draw/player_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "solver/base/error.hpp"
+
+namespace talus::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Six digits: finer than a screen, and a file of a tenth of the size.
+double rounded(double value) { return std::stod(fmt::format("{:.6g}", value)); }
+
+/// Where a body stands: the mean of its outline's points and the direction of the first one from there.
+struct Place {
+  Vec2 p;
+  double angle{};
+};
+
+Place place_of(const GeometryLine& line) {
+  Vec2 sum;
+  const bool closed = line.points.size() > 2 && line.points.front() == line.points.back();
+  const std::size_t count = line.points.size() - (closed ? 1 : 0);  // the first point stands at the end again
+  for (std::size_t i = 0; i < count; ++i)
+    sum += in_plane(line.points[i]);
+  const Vec2 p = (1.0 / static_cast<double>(count)) * sum;
+  const Vec2 arm = in_plane(line.points.front()) - p;
+  return {p, std::atan2(arm.y, arm.x)};
+}
+
+/// A point in the axes of a place.
+Vec2 within(const Place& place, const Vec3& point) {
+  const double c = std::cos(place.angle);
+  const double s = std::sin(place.angle);
+  const Vec2 r = in_plane(point) - place.p;
+  return {rounded(c * r.x + s * r.y), rounded(c * r.y - s * r.x)};
+}
+
+Json body(const DrawnGeometry& geometry, const GeometryLine& line, const std::vector<HangerBar>& all_bars) {
+  const Place place = place_of(line);
+  Json outline = Json::array();
+  for (const Vec3& point : line.points) {
+    const Vec2 p = within(place, point);
+    outline.push_back({p.x, p.y});
+  }
+  Json bars = Json::array();
+  for (const HangerBar& bar : all_bars) {
+    if (bar.body != line.body) continue;
+    const Vec2 joint = within(place, bar.joint);
+    const Vec2 end = within(place, bar.end);
+    bars.push_back({joint.x, joint.y, end.x, end.y});
+  }
+  const DrawnBody& named = geometry.run.files.bodies[static_cast<std::size_t>(line.body)];
+  return {{"body", line.body},
+          {"name", named.name},
+          {"number", named.number},
+          {"kind", named.kind},
+          {"z", rounded(line.points.front().z)},
+          {"outline", std::move(outline)},
+          {"hangers", std::move(bars)}};
+}
+
+/// `bars` are those of the first frame: the bodies that have none of theirs any more are named.
+Json frame_json(const GeometryFrame& frame, const std::vector<HangerBar>& bars) {
+  const std::vector<HangerBar> left = hangers(frame);
+  Json broken = Json::array();
+  for (const HangerBar& bar : bars) {
+    const bool holds =
+        std::any_of(left.begin(), left.end(), [&](const HangerBar& each) { return each.body == bar.body; });
+    if (!holds && std::find(broken.begin(), broken.end(), bar.body) == broken.end()) broken.push_back(bar.body);
+  }
+
+  Json places = Json::array();
+  Json cables = Json::array();
+  for (const GeometryLine& line : frame.lines) {
+    if (line.body >= 0) {
+      const Place place = place_of(line);
+      places.push_back({rounded(place.p.x), rounded(place.p.y), rounded(place.angle)});
+      continue;
+    }
+    const Vec3& a = line.points.front();
+    const Vec3& b = line.points.back();
+    cables.push_back({rounded(a.x), rounded(a.y), rounded(a.z), rounded(b.x), rounded(b.y), rounded(b.z),
+                      line.slack ? 0.0 : rounded(line.tension)});
+  }
+  return {{"t", rounded(frame.time)},
+          {"bodies", std::move(places)},
+          {"cables", std::move(cables)},
+          {"broken", std::move(broken)}};
+}
+
+/// Every so many rows of a long history; a screen shows no more.
+Json thinned(const std::vector<double>& values) {
+  constexpr std::size_t most = 1000;
+  const std::size_t stride = 1 + values.size() / most;
+  Json list = Json::array();
+  for (std::size_t i = 0; i < values.size(); i += stride)
+    list.push_back(rounded(values[i]));
+  return list;
+}
+
+double reach(const KeptColumn& column) {
+  double largest = 0.0;
+  for (const double value : column.values)
+    largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// The columns that `belongs` names, but those that are zero throughout, rounding apart; null if there are none.
+template <class Belongs>
+Json chart(const std::string& title, const KeptHistory& history, Belongs belongs) {
+  constexpr double rounding = 1e-12;
+  double largest = 0.0;
+  for (const KeptColumn& column : history.columns)
+    if (belongs(column)) largest = std::max(largest, reach(column));
+  Json series = Json::array();
+  std::string unit;
+  for (const KeptColumn& column : history.columns) {
+    if (!belongs(column) || reach(column) <= rounding * largest) continue;
+    unit = column.unit;
+    series.push_back({{"name", column.name}, {"values", thinned(column.values)}});
+  }
+  if (series.empty()) return nullptr;
+  return {
+      {"title", title}, {"unit", unit}, {"t", thinned(history.columns.front().values)}, {"series", std::move(series)}};
+}
+
+/// The curves of a run: energies and forces of bodies, stresses and shares of a cell.
+Json charts(const KeptHistory& history) {
+  const auto of = [](std::initializer_list<std::string_view> names) {
+    return [names = std::vector<std::string_view>{names}](const KeptColumn& column) {
+      return std::find(names.begin(), names.end(), column.name) != names.end();
+    };
+  };
+  Json made = Json::array();
+  for (Json each :
+       {chart("Energies", history,
+              [](const KeptColumn& column) { return column.subject() == "energy" || column.subject() == "lost"; }),
+        chart("Cable tensions", history, [](const KeptColumn& column) { return column.quantity() == "tension"; }),
+        chart("Contact forces", history, [](const KeptColumn& column) { return column.quantity() == "force"; }),
+        chart("Stresses on the walls", history, of({"top_shear", "top_normal", "bottom_shear", "bottom_normal"})),
+        chart("Stress ratio and shares", history, of({"stress_ratio", "solid_fraction", "touching", "multiple_share"})),
+        chart("Depth of the field", history, of({"depth"}))}) {
+    if (!each.is_null()) made.push_back(std::move(each));
+  }
+  return made;
+}
+
+Json window_json(const Window& window) {
+  return {rounded(window.left), rounded(window.bottom), rounded(window.right), rounded(window.top)};
+}
+
+/// What pages of all runs have in common.
+Json page_json(const KeptRun& histories, const Window& side) {
+  const RunFolder& run = histories.run;
+  return {{"title", run.title},
+          {"units",
+           {{"time", run.unit(dimension::time)},
+            {"length", run.unit(dimension::length)},
+            {"velocity", run.unit(dimension::velocity)},
+            {"force", run.unit(dimension::force)}}},
+          {"side", window_json(side)},
+          {"charts", charts(histories.histories.back())}};  // history.csv, which every run leaves
+}
+
+/// Places in whole quanta, speeds and forces in thousandths of the largest: shorter than numbers with a point.
+Json disc_frame_json(const DiscFrame& frame, double quantum, double speed, double force) {
+  const auto thousandths = [](double value, double largest) {
+    return largest > 0.0 ? std::lround(1000.0 * value / largest) : 0L;
+  };
+  Json places = Json::array(), speeds = Json::array(), contacts = Json::array();
+  for (const SeenDisc& disc : frame.discs) {
+    places.push_back(std::lround(disc.p.x / quantum));
+    places.push_back(std::lround(disc.p.y / quantum));
+    speeds.push_back(thousandths(norm(disc.v), speed));
+  }
+  for (const SeenContact& contact : frame.contacts) {
+    contacts.push_back(contact.a);
+    contacts.push_back(contact.b);
+    contacts.push_back(thousandths(contact.force, force));
+  }
+  return {{"t", rounded(frame.time)},
+          {"places", std::move(places)},
+          {"speeds", std::move(speeds)},
+          {"contacts", std::move(contacts)}};
+}
+
+}  // namespace
+
+std::string player_json(const DrawnGeometry& geometry, const KeptRun& histories, const Window& side,
+                        const Window& along) {
+  Json bodies = Json::array();
+  const std::vector<HangerBar> bars = hangers(geometry.frames.front());
+  for (const GeometryLine& line : geometry.frames.front().lines) {
+    if (line.body >= 0) bodies.push_back(body(geometry, line, bars));
+  }
+  Json frames = Json::array();
+  for (const GeometryFrame& frame : geometry.frames)
+    frames.push_back(frame_json(frame, bars));
+  Json page = page_json(histories, side);
+  page["along"] = geometry.has_depth ? window_json(along) : Json(nullptr);
+  page["mirrored"] = geometry.run.files.mirrored;
+  page["largest_tension"] = rounded(geometry.largest_tension);
+  page["bodies"] = std::move(bodies);
+  page["cables"] = geometry.run.files.cables;
+  page["frames"] = std::move(frames);
+  return page.dump();
+}
+
+std::string player_json(const DrawnDiscs& drawn, const KeptRun& histories, const Window& side, const Window&) {
+  const double quantum = drawn.largest_radius / 500.0;
+  const double speed = largest_value(drawn, DiscColour::speed);
+  Json radii = Json::array(), walls = Json::array();
+  const std::vector<SeenDisc>& discs = drawn.frames.front().discs;
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    radii.push_back(std::lround(discs[i].radius / quantum));
+    if (discs[i].wall) walls.push_back(i);
+  }
+  Json frames = Json::array();
+  for (const DiscFrame& frame : drawn.frames)
+    frames.push_back(disc_frame_json(frame, quantum, speed, drawn.largest_force));
+  Json page = page_json(histories, side);
+  page["discs"] = {
+      {"period", rounded(*drawn.run.files.period)},
+      {"quantum", quantum},
+      {"radii", std::move(radii)},
+      {"walls", std::move(walls)},
+      {"colour", drawn.colour == DiscColour::speed ? "speed" : "force"},
+      {"largest", {{"speed", rounded(speed)}, {"force", rounded(largest_value(drawn, DiscColour::force))}}},
+      {"contact", rounded(drawn.largest_force)},
+      {"widest", rounded(widest_bar(drawn))}};
+  page["frames"] = std::move(frames);
+  return page.dump();
+}
+
+}  // namespace talus::app

@@ -1,0 +1,364 @@
+#include "solver/io/cell/read_cell.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "solver/base/error.hpp"
+#include "solver/granular/disc_method.hpp"
+#include "solver/io/file/fortran.hpp"
+#include "solver/io/file/list_directed.hpp"
+#include "solver/io/file/shown_title.hpp"
+#include "solver/io/file/toml_document.hpp"
+#include "solver/io/scene/scene_parts.hpp"
+#include "solver/laws/restitution.hpp"
+
+namespace talus {
+namespace {
+
+void choose(CellScene& scene, const CellChoices& choices) {
+  if (choices.integrator) scene.plan.integrator = *choices.integrator;
+  if (choices.seed) scene.cell.seed = *choices.seed;
+  if (choices.historical) scene.plan.historical = true;
+  if (choices.jump) scene.plan.jump = true;
+  if (choices.virtual_discs) scene.plan.images = Images::virtual_discs;
+  static_cast<void>(make_disc_method(scene.plan.integrator));
+}
+
+/// The option of the command line that said what a field is; none if its file did.
+std::string_view option_of(const CellChoices& choices, std::string_view field) {
+  if (field == "integrator" && choices.integrator) return "--integrator";
+  if (field == "historical" && choices.historical) return "--historical";
+  if (field == "images" && choices.virtual_discs) return "--virtual";
+  if (field == "jump" && choices.jump) return "--jump";
+  return {};
+}
+/// An objection to what the command line said. Errors: InputError if it did.
+void blame_option(const CellChoices& choices, const CellObjection& objection) {
+  if (const std::string_view option = option_of(choices, objection.field); !option.empty())
+    throw InputError{fmt::format("{}: {}", option, objection.words)};
+}
+
+/// A run as that of 1989 may have been: Euler, K1/K2 = .45 and a step of 1e-7 (both from the thesis; that the method is
+/// Euler's is inferred from them).
+std::vector<CellObjection> historical_objections(const CellScene& scene) {
+  std::vector<CellObjection> found;
+  const LatchingSpring* const law = scene.cell.law_of_1989();
+  if (!scene.plan.historical || law == nullptr) return found;
+  const double ratio = law->stiffness / law->unloading_stiffness;
+  if (scene.plan.integrator != "euler") {
+    found.push_back({"integrator", fmt::format("found {}; a historical run is Euler's: euler", scene.plan.integrator)});
+  }
+  if (std::abs(ratio - 0.45) > 1e-9) {
+    found.push_back({"unloading_stiffness", fmt::format("found {}; a historical run has K1/K2 = .45: it must be {}",
+                                                        law->unloading_stiffness, law->stiffness / 0.45)});
+  }
+  if (std::abs(scene.plan.step - 1e-7) > 1e-16)
+    found.push_back({"step", fmt::format("found {}; a historical run has a step of 1e-7", scene.plan.step)});
+  return found;
+}
+
+std::vector<CellObjection> all_objections(const CellScene& scene) {
+  std::vector<CellObjection> found = objections(scene.cell, scene.plan);
+  const auto more = historical_objections(scene);
+  found.insert(found.end(), more.begin(), more.end());
+  return found;
+}
+
+/// Reads the records of CNTRL.DAT and remembers where each number stands.
+class ControlReader {
+  struct Place {
+    int line{};
+    std::string record, name;
+  };
+
+  [[noreturn]] void fail(int line, std::string_view record, std::string_view name, std::string_view words) const {
+    throw InputError{fmt::format("{}:{}: {}: {}: {}", name_, std::max(line, 1), record, name, words)};
+  }
+
+  template <class Action>
+  auto placed(std::string_view name, Action&& action) {
+    try {
+      return action();
+    } catch (const InputError& error) {
+      fail(input_.line(), record_, name, error.what());
+    }
+  }
+
+  std::string_view value(std::string_view name) {
+    return placed(name, [&] { return input_.value(); });
+  }
+
+ public:
+  ControlReader(std::string_view text, std::string_view name) : input_{text}, name_{name} {}
+
+  void record(std::string_view names) {
+    input_.start_record();
+    record_ = names;
+  }
+
+  /// `field`: what objections call it.
+  double real(std::string_view name, std::string_view field) {
+    const std::string_view text = value(name);
+    places_[std::string{field}] = {input_.line(), std::string{record_}, std::string{name}};
+    double number = 0.0;
+    if (!placed(name, [&] { return parse_fortran_real(text, number); }))
+      fail(input_.line(), record_, name, found_text(text) + "; it must be a number");
+    return number;
+  }
+
+  int whole(std::string_view name, std::string_view field, int least, int most) {
+    const double number = real(name, field);
+    if (number != std::floor(number) || number < least || number > most) {
+      const std::string allowed = most - least == 1 ? fmt::format("{} or {}", least, most)
+                                                    : fmt::format("a whole number between {} and {}", least, most);
+      fail(input_.line(), record_, name, fmt::format("found {}; it must be {}", number, allowed));
+    }
+    return static_cast<int>(number);
+  }
+
+  [[noreturn]] void fail(const CellObjection& objection) const {
+    const auto place = places_.find(objection.field);
+    if (place == places_.end()) throw InputError{fmt::format("{}: {}: {}", name_, objection.field, objection.words)};
+    const auto& [line, record, name] = place->second;
+    fail(line, record, name, objection.words);
+  }
+
+ private:
+  ListDirected input_;
+  std::string name_;
+  std::string_view record_;
+  std::map<std::string, Place> places_;
+};
+
+template <std::size_t N>
+const CountField<ShearCell>& count(const std::array<CountField<ShearCell>, N>& fields, std::string_view name) {
+  for (const auto& field : fields)
+    if (field.name == name) return field;
+  TALUS_DEMAND(false);
+}
+
+CellScene read_control(std::string_view text, std::string_view name, const CellChoices& choices) {
+  ControlReader reader{text, name};
+  CellScene scene{.title = "Shear cell", .units = choices.units, .cell = {}, .plan = {}};
+  ShearCell& cell = scene.cell;
+  constexpr auto counts = ShearCell::counts();
+  const auto whole = [&](std::string_view deck_name, std::string_view field) {
+    const auto& range = count(counts, field);
+    return reader.whole(deck_name, field, static_cast<int>(range.least), static_cast<int>(range.most));
+  };
+  reader.record("RESTRT GRAPH");
+  scene.restart = reader.whole("RESTRT", "restart", 0, 1) == 1;
+  scene.pictures = reader.whole("GRAPH", "pictures", 0, 1) == 1;
+  reader.record("K1 K2 D M G MTOP");
+  LatchingSpring law;
+  law.stiffness = reader.real("K1", "stiffness");
+  law.unloading_stiffness = reader.real("K2", "unloading_stiffness");
+  cell.law = law;
+  cell.diameter = reader.real("D", "diameter");
+  cell.mass = reader.real("M", "mass");
+  cell.gravity = reader.real("G", "gravity");
+  cell.block_mass = reader.real("MTOP", "block_mass");
+  reader.record("NHT NWID TWID VXT");
+  cell.rows = whole("NHT", "rows");
+  cell.columns = whole("NWID", "columns");
+  cell.wall_discs = whole("TWID", "wall_discs");
+  cell.block_speed = reader.real("VXT", "block_speed");
+  reader.record("STEP LOOP TIME");
+  scene.plan.step = reader.real("STEP", "step");
+  scene.plan.every = reader.real("LOOP", "every");
+  scene.plan.end = reader.real("TIME", "end");
+  choose(scene, choices);
+  if (const auto found = all_objections(scene); !found.empty()) {
+    blame_option(choices, found.front());
+    reader.fail(found.front());
+  }
+  return scene;
+}
+
+/// Whether the first of two keys is there; it is an error if both are, or neither.
+bool has_first(SceneTable& table, std::string_view first, std::string_view second) {
+  if (table.has(first) == table.has(second)) {
+    const bool both = table.has(first);
+    table.complain(both ? second : first, both ? fmt::format("found beside {}; only one of them may stand", first)
+                                               : fmt::format("it is missing; it, or else {}, must stand", second));
+  }
+  return table.has(first);
+}
+
+/// A pure number in (0, 1]; one where it is missing, which is an error already.
+double read_restitution(SceneTable& table) {
+  return table.has("restitution") ? table.number("restitution", Range::positive_fraction) : 1.0;
+}
+
+/// The law's fields; `restitution`, of two discs of the cell, may stand for the one that loses energy.
+void read_law(SceneTable& table, double, LatchingSpring& law) {
+  constexpr auto fields = LatchingSpring::fields();
+  table.read_field(law, fields[0]);
+  if (has_first(table, "unloading_stiffness", "restitution")) {
+    table.read_field(law, fields[1]);
+  } else {
+    const double kept = read_restitution(table);
+    law.unloading_stiffness = law.stiffness / (kept * kept);
+  }
+  table.read_field(law, fields[2]);
+}
+void read_law(SceneTable& table, double mass, LinearSpringDashpot& law) {
+  constexpr auto fields = LinearSpringDashpot::fields();
+  law.end_rule = table.choice_or("end_rule", law.end_rule);
+  table.read_field(law, fields[0]);
+  if (has_first(table, "damping", "restitution")) {
+    table.read_field(law, fields[1]);
+  } else {
+    law.damping = damping(damping_ratio(read_restitution(table), law.end_rule), law.stiffness, 0.5 * mass);
+  }
+}
+
+/// Reports an objection; where it found what the file has in other units, that stands before it.
+void object(const SceneTable& table, const CellObjection& objection) {
+  constexpr std::string_view found = "found ";
+  const std::string written = table.written(objection.field);
+  const std::string_view rest = std::string_view{objection.words}.substr(found.size());
+  if (written.empty() || rest.starts_with(written)) return table.complain(objection.field, objection.words);
+  table.complain(objection.field, fmt::format("found \"{}\", in {}: {}", written, table.units().name, rest));
+}
+
+const Field<ShearCell>& mass_field() {
+  static constexpr auto fields = ShearCell::fields();
+  const auto found = std::ranges::find(fields, "mass", &Field<ShearCell>::name);
+  TALUS_DEMAND(found != fields.end());
+  return *found;
+}
+
+/// All keys of [cell] with this law.
+template <class L>
+std::vector<std::string> cell_keys() {
+  std::vector<std::string> keys = field_names<L>();
+  if constexpr (requires(L law) { law.end_rule; }) keys.emplace_back("end_rule");
+  keys.insert(keys.end(), {"restitution", "friction", "shear_stiffness", "overburden", "seed"});
+  for (const auto& field : ShearCell::fields())
+    keys.emplace_back(field.name);
+  for (const auto& field : ShearCell::counts())
+    keys.emplace_back(field.name);
+  return keys;
+}
+
+void read_cell_table(SceneTable& table, ShearCell& cell) {
+  table.guard([&] {
+    const std::string law =
+        table.has("law") ? table.choice("law", DiscLaws::names()) : std::string{LatchingSpring::name};
+    visit_named<DiscLaw>(law, [&](auto wanted) {
+      table.allow(cell_keys<decltype(wanted)>());
+      table.read_field(cell, mass_field());
+      read_law(table, cell.mass, wanted);
+      cell.friction = read_friction(table, wanted.stiffness);
+      cell.law = wanted;
+    });
+  });
+  for (const auto& field : ShearCell::fields()) {
+    const bool read = field.name == "block_mass" || (field.name == "mass" && cell.mass != 0.0);
+    if (!read) table.read_field(cell, field);
+  }
+  for (const auto& field : ShearCell::counts())
+    table.read_count(cell, field);
+  if (has_first(table, "block_mass", "overburden")) {
+    cell.block_mass = table.quantity("block_mass", dimension::mass, Range::positive);
+  } else if (table.has("overburden")) {
+    const double pressure = table.quantity("overburden", dimension::pressure, Range::positive);
+    if (cell.gravity == 0.0) table.complain("overburden", "found with gravity = 0; without it a mass presses nothing");
+    cell.block_mass = pressure * cell.wall_discs * cell.diameter * cell.diameter / cell.gravity;
+  }
+  if (table.has("seed")) {
+    cell.seed = static_cast<std::uint64_t>(table.whole_between("seed", 0, most_seed));
+  }
+}
+
+bool is_deck(std::string_view name) { return name.ends_with(".DAT") || name.ends_with(".dat"); }
+
+bool on(SceneTable& table, std::string_view key) {
+  bool is_on = false;
+  if (table.has(key)) table.guard([&] { is_on = table.choice(key, {"on", "off"}) == "on"; });
+  return is_on;
+}
+
+/// Keys of [run] of a cell.
+std::vector<std::string> run_keys() {
+  std::vector<std::string> keys = field_names<CellPlan>();
+  keys.insert(keys.end(), {"integrator", "jump", "images", "historical", "pictures"});
+  return keys;
+}
+
+void read_run_table(SceneTable& run, CellScene& scene) {
+  run.allow(run_keys());
+  if (run.has("integrator")) run.guard([&] { scene.plan.integrator = run.choice("integrator", disc_method_names()); });
+  run.read_fields(scene.plan);
+  scene.plan.jump = on(run, "jump");
+  scene.plan.images = run.choice_or("images", scene.plan.images);
+  scene.plan.historical = on(run, "historical");
+  scene.pictures = on(run, "pictures");
+}
+
+/// Reports all objections to a cell and its run that the fields' own ranges leave.
+void check_whole(const CellScene& scene, const CellChoices& choices, const SceneTable& cell, const SceneTable& run) {
+  const std::vector<CellObjection> found = all_objections(scene);
+  if (!found.empty()) blame_option(choices, found.front());
+  const std::vector<std::string> keys = run_keys();
+  for (const CellObjection& objection : found) {
+    if (!option_of(choices, objection.field).empty()) continue;
+    object(std::ranges::find(keys, objection.field) != keys.end() ? run : cell, objection);
+  }
+}
+
+CellScene read_toml(std::string_view text, std::string_view name, const CellChoices& choices) {
+  const TomlValue document = parse_toml(text, name);
+  SceneSource source{std::string{name}, si};
+  SceneTable file{source, document, ""};
+  if (choices.units) throw InputError{fmt::format("{}: a unit system is named in the file already", name)};
+  source.collect();
+  file.allow({"title", "units", "cell", "run"});
+  file.guard([&] { source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}})); });
+  CellScene scene{.title = {}, .units = source.units, .cell = {}, .plan = {}};
+  file.guard([&] { scene.title = shown_title(file.title(), name); });
+  std::optional<SceneTable> cell, run;
+  file.guard([&] { read_cell_table(cell.emplace(file.table("cell")), scene.cell); });
+  file.guard([&] { read_run_table(run.emplace(file.table("run")), scene); });
+  source.check();
+  choose(scene, choices);
+  source.collect();
+  check_whole(scene, choices, *cell, *run);
+  source.check();
+  return scene;
+}
+
+}  // namespace
+
+CellScene read_cell(std::string_view text, std::string_view name, const CellChoices& choices) {
+  return is_deck(name) ? read_control(text, name, choices) : read_toml(text, name, choices);
+}
+
+bool describes_cell(const std::filesystem::path& file) {
+  const std::string text = read_text(file);
+  if (!is_deck(file.string())) {
+    if (text.find("cell") == std::string::npos) return false;  // a long scene is not parsed twice
+    const TomlValue document = parse_toml(text, file.string());
+    const auto& table = std::get<TomlTable>(document.data);
+    return std::any_of(table.begin(), table.end(), [](const TomlEntry& entry) { return entry.key == "cell"; });
+  }
+  if (file.filename() == "CNTRL.DAT") return true;
+  std::istringstream words{std::string{without_mark(text)}};
+  int numbers = 0;
+  for (std::string word; words >> word; ++numbers) {
+    double number = 0.0;
+    if (!parse_fortran_real(word, number)) return false;
+  }
+  return numbers == 15;
+}
+
+CellScene read_cell(const std::filesystem::path& file, const CellChoices& choices) {
+  return read_cell(read_text(file), file.string(), choices);
+}
+
+}  // namespace talus

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "solver/base/units.hpp"
+#include "solver/cell/cell_plan.hpp"
+
+namespace talus {
+
+/// A shear cell as its file describes it.
+struct CellScene {
+  std::string title;
+  std::optional<UnitSystem> units;  ///< none if nobody named one: CNTRL.DAT has no units
+  ShearCell cell;
+  CellPlan plan;
+  bool restart{};   ///< RESTRT: the discs come from RESTART.DAT beside the file
+  bool pictures{};  ///< GRAPH: PIC.DAT and the series of pictures are written
+};
+
+/// Of seeds: beyond it whole numbers have gaps where a file holds them as numbers.
+inline constexpr std::int64_t most_seed = (std::int64_t{1} << 53U) - 1;
+
+/// What the command line says instead of the file, or in addition to CNTRL.DAT, which has no place for it.
+struct CellChoices {
+  std::optional<std::string> integrator{};
+  std::optional<UnitSystem> units{};  ///< of CNTRL.DAT only
+  std::optional<std::uint64_t> seed{};
+  bool historical{};
+  bool jump{};
+  bool virtual_discs{};
+};
+
+/// Reads a cell from CNTRL.DAT (any file that ends in .DAT) or else from a TOML file.
+///
+/// CNTRL.DAT holds 15 numbers in list-directed records, in this order (Lacy 1989, "Data Input and Parameters"):
+/// `RESTRT GRAPH`, `K1 K2 D M G MTOP`, `NHT NWID TWID VXT`, `STEP LOOP TIME`. The TOML file has `title`, `units`,
+/// [cell] with the fields of ShearCell, its `law` (a latching spring unless it is named) and that law's fields
+/// (`restitution` may stand for unloading_stiffness or damping, `overburden` for block_mass), `friction` with
+/// `shear_stiffness`, and `seed`; and [run] with the fields of CellPlan and `pictures`.
+///
+/// Errors: IoError; InputError with file, line, field, what was found and what is allowed, for what cannot be read and
+/// for all objections to the cell.
+[[nodiscard]] CellScene read_cell(const std::filesystem::path& file, const CellChoices& choices);
+/// The same from a text; `name` is the file named in errors.
+[[nodiscard]] CellScene read_cell(std::string_view text, std::string_view name, const CellChoices& choices);
+
+/// Whether a file describes a cell and not bodies: a TOML file with [cell]; one named CNTRL.DAT, or a .DAT file of 15
+/// numbers and nothing else. Errors: IoError; InputError for what is not TOML.
+[[nodiscard]] bool describes_cell(const std::filesystem::path& file);
+
+}  // namespace talus

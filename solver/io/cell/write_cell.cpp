@@ -1,0 +1,307 @@
+#include "solver/io/cell/write_cell.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "solver/io/file/json_number.hpp"
+#include "solver/io/file/vtk_text.hpp"
+
+namespace talus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Q = CellQuantity;
+
+std::string unit(const CellScene& scene, Dimension dimension) {
+  return scene.units ? symbol(*scene.units, dimension) : std::string{};
+}
+
+Json numbers(const CellScene& scene, const std::vector<CellNumber>& of) {
+  Json json = Json::object();
+  for (const CellNumber& each : of) {
+    Json entry{{"value", nullptr}};
+    if (!std::isnan(each.estimate.value)) entry["value"] = json_number(each.estimate.value);
+    if (each.estimate.error > 0.0) entry["error"] = json_number(each.estimate.error);
+    if (each.drift != 0.0) entry["drift"] = json_number(each.drift);
+    if (scene.units && each.dimension != dimension::number) entry["unit"] = unit(scene, each.dimension);
+    entry["meaning"] = each.meaning;
+    json[each.name] = std::move(entry);
+  }
+  return json;
+}
+
+Json parameters(const CellScene& scene) {
+  Json json = Json::object();
+  const ShearCell& cell = scene.cell;
+  std::visit(
+      [&](const auto& law) {
+        json["law"] = std::string{law.name};
+        for (const auto& field : law.fields())
+          json[std::string{field.name}] = law.*field.member;
+        if constexpr (requires { law.end_rule; })
+          json["end_rule"] = std::string{Names<EndRule>::list[static_cast<std::size_t>(law.end_rule)]};
+      },
+      cell.law);
+  if (cell.friction) json["friction"] = cell.friction->coefficient, json["shear_stiffness"] = cell.friction->stiffness;
+  for (const auto& field : ShearCell::fields())
+    json[std::string{field.name}] = cell.*field.member;
+  for (const auto& field : ShearCell::counts())
+    json[std::string{field.name}] = cell.*std::get<int ShearCell::*>(field.member);
+  json["overburden"] = cell.overburden();
+  json["seed"] = cell.seed;
+  json["integrator"] = scene.plan.integrator;
+  for (const auto& field : CellPlan::fields())
+    json[std::string{field.name}] = scene.plan.*field.member;
+  json["historical"] = scene.plan.historical;
+  json["jump"] = scene.plan.jump;
+  json["images"] = std::string{Names<Images>::list[static_cast<std::size_t>(scene.plan.images)]};
+  return json;
+}
+
+struct HistoryColumn {
+  const char* name;
+  Dimension dimension;
+  Q quantity;
+};
+constexpr std::array history_columns{
+    HistoryColumn{"top_shear", dimension::pressure, Q::top_shear},
+    HistoryColumn{"top_normal", dimension::pressure, Q::top_normal},
+    HistoryColumn{"bottom_shear", dimension::pressure, Q::bottom_shear},
+    HistoryColumn{"bottom_normal", dimension::pressure, Q::bottom_normal},
+    HistoryColumn{"depth", dimension::length, Q::depth},
+    HistoryColumn{"solid_fraction", dimension::number, Q::solid_fraction},
+    HistoryColumn{"touching", dimension::number, Q::touching},
+    HistoryColumn{"coordination", dimension::number, Q::coordination},
+};
+
+/// Not a number where there is no whole.
+double share(double part, double whole) {
+  return whole != 0.0 ? part / whole : std::numeric_limits<double>::quiet_NaN();
+}
+/// In a series, which is drawn: nought there.
+double share_or_none(double part, double whole) { return whole != 0.0 ? part / whole : 0.0; }
+
+}  // namespace
+
+std::string cell_header(const CellScene& scene, std::string_view name, Dimension dimension) {
+  if (!scene.units || dimension == dimension::number) return std::string{name};
+  return fmt::format("{} [{}]", name, unit(scene, dimension));
+}
+
+std::vector<CellNumber> cell_groups(const CellScene& scene, CellRun& run) {
+  const ShearCell& cell = scene.cell;
+  const double mean_depth = run.mean(Q::depth).value, now = depth(cell, run.discs());
+  const bool known = mean_depth > 0.0;
+  const double pressure = cell.overburden(), rate = std::abs(cell.block_speed) / (known ? mean_depth : now);
+  const auto group = [](const char* name, double value, const char* meaning) {
+    return CellNumber{name, dimension::number, {value, 0.0}, 0.0, meaning};
+  };
+  const bool latches = std::holds_alternative<LatchingSpring>(cell.law);
+  std::vector<CellNumber> groups{
+      group("restitution", cell.restitution(), latches ? "e = sqrt(K1/K2)" : "of two discs, by the dashpot")};
+  if (cell.law_of_1989() != nullptr) {
+    groups.push_back(group(
+        "stepped_restitution",
+        stepped_restitution(scene.plan.integrator, cell.restitution(), cell.loading_frequency() * scene.plan.step),
+        "what the integrator makes of it with this step, in closed form"));
+  }
+  if (cell.friction) {
+    groups.push_back(group("friction", cell.friction->coefficient, "of two discs"));
+    groups.push_back(group("shear_over_normal_stiffness", cell.friction->stiffness / cell.stiffness(), "k_s/K1"));
+  }
+  const std::vector<CellNumber> others{
+      group("contact_steps", cell.contact_time() / scene.plan.step, "contact time over step"),
+      group("stiffness_number", cell.stiffness() / (pressure * cell.diameter), "kappa = K1/(P D)"),
+      group("inertial_number", rate * cell.diameter * std::sqrt(cell.density() / pressure),
+            known ? "I = (VXT/H) D sqrt(rho/P) with the mean depth H"
+                  : "I = (VXT/H) D sqrt(rho/P) with the depth H of now; no mean is known yet"),
+      group("contact_shear", cell.contact_time() * rate, "contact time times VXT/H"),
+      group("block_over_disc", cell.block_mass / cell.mass, "MTOP/M"),
+      group("columns_over_wall", static_cast<double>(cell.columns) / cell.wall_discs, "NWID/TWID"),
+  };
+  groups.insert(groups.end(), others.begin(), others.end());
+  return groups;
+}
+
+std::vector<CellNumber> cell_results(const CellRun& run) {
+  std::vector<CellNumber> results;
+  const auto mean = [&](const char* name, Dimension dimension, Q quantity, const char* meaning) {
+    results.push_back({name, dimension, run.mean(quantity), run.drift(quantity), meaning});
+  };
+  const auto ratio = [&](const char* name, Q over, Q under, const char* meaning) {
+    results.push_back({name, dimension::number, run.ratio(over, under), 0.0, meaning});
+  };
+  ratio("stress_ratio_top", Q::top_shear, Q::top_normal, "S/N on the block");
+  ratio("stress_ratio_bottom", Q::bottom_shear, Q::bottom_normal, "S/N on the base");
+  mean("top_shear", dimension::pressure, Q::top_shear, "S on the block");
+  mean("top_normal", dimension::pressure, Q::top_normal, "N on the block");
+  mean("bottom_shear", dimension::pressure, Q::bottom_shear, "S on the base");
+  mean("bottom_normal", dimension::pressure, Q::bottom_normal, "N on the base");
+  mean("depth", dimension::length, Q::depth, "between the walls' surfaces");
+  results.push_back({"depth_deviation", dimension::length, run.estimate([](auto&& of) {
+                       return std::sqrt(std::max(0.0, of(Q::depth_square) - of(Q::depth) * of(Q::depth)));
+                     }),
+                     0.0, "standard deviation of the depth"});
+  mean("solid_fraction", dimension::number, Q::solid_fraction, "area of the free discs over that of the field");
+  mean("contact_time_share", dimension::number, Q::touching, "share of time with contacts");
+  ratio("multiple_share", Q::multiple, Q::contacts, "share of contact time in multiple contacts");
+  mean("coordination", dimension::number, Q::coordination, "contacts of a free disc");
+  ratio("multiple_shear_share", Q::multiple_shear_virial, Q::shear_virial,
+        "M/S read as the shear of contacts that multiple ones carry");
+  ratio("multiple_stress_ratio", Q::multiple_shear_virial, Q::multiple_normal_virial, "S/N of multiple contacts");
+  results.push_back({"binary_stress_ratio", dimension::number, run.estimate([](auto&& of) {
+                       return share(of(Q::shear_virial) - of(Q::multiple_shear_virial),
+                                    of(Q::normal_virial) - of(Q::multiple_normal_virial));
+                     }),
+                     0.0, "S/N of binary contacts"});
+  ratio("kinetic_shear_share", Q::kinetic_shear, Q::top_moment, "share of the shear that moving discs carry");
+  results.push_back({"shear_balance", dimension::number, run.estimate([](auto&& of) {
+                       return share(of(Q::shear_virial) + of(Q::kinetic_shear), of(Q::top_moment));
+                     }),
+                     0.0, "shear of contacts and moving discs over the block's; 1 in a steady flow"});
+  if (run.cell().friction) {
+    ratio("sliding_share", Q::sliding, Q::contacts, "share of contact time in contacts that slide");
+    mean("spin", dimension::angular_velocity, Q::spin, "mean of the free discs, counter-clockwise > 0");
+  }
+  results.push_back({"largest_overlap",
+                     dimension::number,
+                     {run.largest_overlap() / run.cell().diameter, 0.0},
+                     0.0,
+                     "over a diameter, of the moments seen: two in a contact"});
+  results.push_back({"largest_solid_fraction",
+                     dimension::number,
+                     {run.largest_fraction(), 0.0},
+                     0.0,
+                     "of the moments seen: two in a contact"});
+  return results;
+}
+
+std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
+  std::string text = cell_header(scene, "time", dimension::time);
+  for (const HistoryColumn& column : history_columns)
+    text.append(",").append(cell_header(scene, column.name, column.dimension));
+  text += ",stress_ratio,multiple_share";
+  if (scene.cell.friction)
+    text.append(",sliding_share,").append(cell_header(scene, "spin", dimension::angular_velocity));
+  text += "\n";
+  for (std::size_t k = 0; k < run.intervals(); ++k) {
+    if (!run.interval_seen(k)) continue;
+    const auto of = [&](Q quantity) { return run.interval_mean(k, quantity); };
+    const double last = run.failure().empty() ? scene.plan.end : static_cast<double>(run.steps()) * scene.plan.step;
+    fmt::format_to(std::back_inserter(text), "{}",
+                   run.began() + std::min(static_cast<double>(k + 1) * scene.plan.every, last));
+    for (const HistoryColumn& column : history_columns)
+      fmt::format_to(std::back_inserter(text), ",{}", of(column.quantity));
+    fmt::format_to(std::back_inserter(text), ",{},{}", share_or_none(of(Q::top_shear), of(Q::top_normal)),
+                   share_or_none(of(Q::multiple), of(Q::contacts)));
+    if (scene.cell.friction)
+      fmt::format_to(std::back_inserter(text), ",{},{}", share_or_none(of(Q::sliding), of(Q::contacts)), of(Q::spin));
+    text += "\n";
+  }
+  return text;
+}
+
+std::vector<CellProfile::Layer> filled_layers(const CellRun& run) {
+  std::vector<CellProfile::Layer> layers = run.profile().layers();
+  std::erase_if(layers, [](const CellProfile::Layer& layer) { return layer.fraction.value == 0.0; });
+  return layers;
+}
+
+std::string cell_profile_csv(const CellScene& scene, const CellRun& run) {
+  struct Column {
+    std::string name;
+    Dimension dimension;
+    Estimate CellProfile::Layer::*of;
+  };
+  std::vector<Column> columns{{"velocity", dimension::velocity, &CellProfile::Layer::velocity},
+                              {"temperature", dimension::energy, &CellProfile::Layer::temperature},
+                              {"solid_fraction", dimension::number, &CellProfile::Layer::fraction}};
+  if (scene.cell.friction) columns.push_back({"spin", dimension::angular_velocity, &CellProfile::Layer::spin});
+  std::string text = cell_header(scene, "y", dimension::length);
+  for (const Column& column : columns) {
+    text += "," + cell_header(scene, column.name, column.dimension);
+    text += "," + cell_header(scene, column.name + "_error", column.dimension);
+  }
+  for (const CellProfile::Layer& layer : filled_layers(run)) {
+    fmt::format_to(std::back_inserter(text), "\n{}", layer.y);
+    for (const Column& column : columns)
+      fmt::format_to(std::back_inserter(text), ",{},{}", (layer.*column.of).value, (layer.*column.of).error);
+  }
+  return text + "\n";
+}
+
+std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOutcome& outcome) {
+  const CellRun::Ledger ledger = run.ledger();
+  Json json{{"schema", 1},
+            {"title", scene.title},
+            {"units", nullptr},
+            {"outcome",
+             {{"kind", std::string{outcome.finished        ? "finished"
+                                   : outcome.words.empty() ? "stopped"
+                                                           : "diverged"}},
+              {"time", json_number(run.discs().t)}}}};
+  if (scene.units) json["units"] = std::string{scene.units->name};
+  if (!outcome.words.empty()) json["outcome"]["words"] = outcome.words;
+  json["warnings"] = outcome.warnings;
+  json["parameters"] = parameters(scene);
+  json["groups"] = numbers(scene, cell_groups(scene, run));
+  json["results"] = numbers(scene, cell_results(run));
+  json["energy"] = {{"kinetic", json_number(ledger.kinetic)},
+                    {"potential", json_number(ledger.potential)},
+                    {"stored", json_number(ledger.stored)},
+                    {"driven", json_number(ledger.driven)},
+                    {"dissipated", json_number(ledger.dissipated)},
+                    {"gained", json_number(ledger.gained)},
+                    {"unaccounted", json_number(ledger.unaccounted())}};
+  if (scene.cell.friction) json["energy"]["rubbed"] = json_number(ledger.rubbed);
+  json["counts"] = {{"discs", run.cell().free_discs()},
+                    {"wall_discs", 2 * run.cell().wall_discs},
+                    {"steps", run.steps()},
+                    {"jumped", run.jumped()}};
+  return json.dump(1) + "\n";
+}
+
+std::string cell_state_vtp(CellRun& run) {
+  const Discs discs = run.discs();
+  const ShearCell& cell = run.cell();
+  PolyData data;
+  std::string ids, radii, velocities, spins, walls, forces, kinds, verts, vert_ends, lines, line_ends;
+  const auto add = [](std::string& text, auto&&... values) {
+    (fmt::format_to(std::back_inserter(text), "{} ", values), ...);
+  };
+  const auto point = [&](std::size_t disc, Vec2 at, bool image) {
+    const auto number = static_cast<long>(disc) + 1;
+    add(data.coordinates, at.x, at.y, 0);
+    data.coordinates.back() = '\n';
+    add(ids, image ? -number : number), add(radii, 0.5 * cell.diameter);
+    if (cell.friction) add(spins, discs.spin[disc]);
+    add(velocities, discs.vx[disc], discs.vy[disc], 0), add(walls, run.start().shapes.wall[disc]);
+    return data.points++;
+  };
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    add(verts, point(i, {discs.x[i], discs.y[i]}, false));
+    add(vert_ends, ++data.verts), add(forces, 0), add(kinds, 0);
+  }
+  for (const CellRun::ActingContact& contact : run.acting_contacts()) {
+    // The second end is the image that touches. Contacts stand as at their evaluation, which may be half a step later.
+    const double beyond = discs.x[contact.a] + contact.distance * contact.n_ab.x - discs.x[contact.b];
+    const Vec2 b{discs.x[contact.b] + cell.width() * std::round(beyond / cell.width()), discs.y[contact.b]};
+    const bool here = norm(Vec2{discs.x[contact.b], discs.y[contact.b]} - b) < 0.5 * cell.diameter;
+    add(lines, contact.a, here ? static_cast<long>(contact.b) : point(contact.b, b, true));
+    add(line_ends, 2 * ++data.lines), add(forces, contact.force), add(kinds, contact.multiple ? 1 : 0);
+  }
+  data.point_data = vtk_array("Int64", "id", 1, ids) + vtk_array("Float64", "radius", 1, radii) +
+                    vtk_array("Float64", "velocity", 3, velocities) + vtk_array("UInt8", "wall", 1, walls);
+  if (cell.friction) data.point_data += vtk_array("Float64", "spin", 1, spins);
+  data.cell_data = vtk_array("Float64", "force", 1, forces) + vtk_array("UInt8", "multiple", 1, kinds);
+  data.vert_arrays = vtk_array("Int64", "connectivity", 1, verts) + vtk_array("Int64", "offsets", 1, vert_ends);
+  data.line_arrays = vtk_array("Int64", "connectivity", 1, lines) + vtk_array("Int64", "offsets", 1, line_ends);
+  return vtk_text(data);
+}
+
+}  // namespace talus

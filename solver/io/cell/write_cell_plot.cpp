@@ -1,0 +1,124 @@
+#include "solver/io/cell/write_cell_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
+
+#include "solver/io/output/run_folder.hpp"
+
+namespace talus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A column of one of the files as pictures name it.
+struct Drawn {
+  std::string_view column;
+  std::string_view words;
+};
+
+/// A figure: columns over one abscissa, or heights over one column.
+struct Kind {
+  std::string_view name, title, axis;
+  Dimension dimension;
+  std::vector<Drawn> columns;
+  bool with_friction{};  ///< only of cells whose discs turn
+};
+
+const std::vector<Kind>& histories() {
+  static const std::vector<Kind> all{
+      {"stresses",
+       "Stresses on the walls",
+       "stress",
+       dimension::pressure,
+       {{"top_shear", "S on the block"},
+        {"top_normal", "N on the block"},
+        {"bottom_shear", "S on the base"},
+        {"bottom_normal", "N on the base"}}},
+      {"stress_ratio", "Stress ratio", "S/N on the block", dimension::number, {{"stress_ratio", ""}}},
+      {"depth", "Depth of the field", "depth", dimension::length, {{"depth", ""}}},
+      {"shares",
+       "Solid fraction and contacts",
+       "share",
+       dimension::number,
+       {{"solid_fraction", "solid fraction"},
+        {"touching", "share of time with contacts"},
+        {"multiple_share", "share of contact time in multiple contacts"}}},
+      {"coordination", "Contacts of a free disc", "coordination", dimension::number, {{"coordination", ""}}}};
+  return all;
+}
+
+const std::vector<Kind>& profiles() {
+  static const std::vector<Kind> all{
+      {"velocity_profile", "Velocity over the height", "velocity along x", dimension::velocity, {{"velocity", ""}}},
+      {"temperature_profile",
+       "Granular temperature over the height",
+       "energy of a disc's motion about the mean",
+       dimension::energy,
+       {{"temperature", ""}}},
+      {"solid_fraction_profile",
+       "Solid fraction over the height",
+       "solid fraction",
+       dimension::number,
+       {{"solid_fraction", ""}}},
+      {"spin_profile", "Spin over the height", "spin", dimension::angular_velocity, {{"spin", ""}}, true}};
+  return all;
+}
+
+Json axis(const CellScene& scene, std::string_view label, Dimension dimension) {
+  return {{"label", label}, {"unit", scene.units ? symbol(*scene.units, dimension) : ""}, {"log", false}};
+}
+
+Json figure(const CellScene& scene, const Kind& kind, std::string_view csv, std::string_view words) {
+  return {{"name", kind.name},
+          {"title", kind.title},
+          {"caption", fmt::format("{}: {}{}.", scene.title, kind.title, words)},
+          {"csv", csv},
+          {"series", Json::array()}};
+}
+
+Json history_figure(const CellScene& scene, const Kind& kind) {
+  Json made = figure(scene, kind, "history.csv", ", means over each LOOP");
+  made["x"] = axis(scene, "time", dimension::time);
+  made["y"] = axis(scene, kind.axis, kind.dimension);
+  for (const Drawn& drawn : kind.columns) {
+    made["series"].push_back({{"label", drawn.words},
+                              {"x", cell_header(scene, "time", dimension::time)},
+                              {"y", cell_header(scene, drawn.column, kind.dimension)},
+                              {"style", "linespoints"}});
+  }
+  return made;
+}
+
+Json profile_figure(const CellScene& scene, const Kind& kind) {
+  Json made = figure(scene, kind, "profile.csv", ", mean after the start-up");
+  made["x"] = axis(scene, kind.axis, kind.dimension);
+  made["y"] = axis(scene, "height y", dimension::length);
+  made["series"].push_back({{"label", ""},
+                            {"x", cell_header(scene, kind.columns.front().column, kind.dimension)},
+                            {"y", cell_header(scene, "y", dimension::length)},
+                            {"style", "linespoints"}});
+  return made;
+}
+
+}  // namespace
+
+std::string cell_plot_json(const CellScene& scene, const CellRun& run) {
+  RunFiles files;
+  files.histories = {"history.csv"};
+  if (scene.pictures) files.geometry = "cell.pvd";
+  files.period = scene.cell.width();
+  Json json = run_folder_json(scene.title, scene.units, files);
+  Json figures = Json::array();
+  for (const Kind& kind : histories())
+    if (run.intervals() > 0) figures.push_back(history_figure(scene, kind));
+  for (const Kind& kind : profiles())
+    if (!filled_layers(run).empty() && (scene.cell.friction || !kind.with_friction))
+      figures.push_back(profile_figure(scene, kind));
+  json["figures"] = std::move(figures);
+  return json.dump(2) + "\n";
+}
+
+}  // namespace talus

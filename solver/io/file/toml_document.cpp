@@ -1,0 +1,99 @@
+#include "solver/io/file/toml_document.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "solver/base/error.hpp"
+
+namespace talus {
+namespace {
+
+int line_of(const toml::source_region& source) { return static_cast<int>(source.begin.line); }
+
+TomlValue copied(const toml::node& node);
+
+TomlTable copied_table(const toml::table& table) {
+  TomlTable result;
+  for (const auto& [key, value] : table) {
+    TomlValue copy = copied(value);
+    // A value is reported on the line of its key, which is where a reader looks; an array of tables has none of its
+    // own.
+    if (!value.is_array_of_tables() && !value.is_table()) copy.line = line_of(key.source());
+    result.push_back({std::string{key.str()}, std::move(copy)});
+  }
+  // toml++ sorts keys; the file's order is what messages and models go by.
+  std::stable_sort(result.begin(), result.end(),
+                   [](const TomlEntry& a, const TomlEntry& b) { return a.value.line < b.value.line; });
+  return result;
+}
+
+TomlValue copied(const toml::node& node) {
+  TomlValue value;
+  value.line = line_of(node.source());
+  if (const auto* text = node.as_string()) {
+    value.data = text->get();
+  } else if (const auto* number = node.as_floating_point()) {
+    value.data = number->get();
+  } else if (const auto* whole = node.as_integer()) {
+    value.data = whole->get();
+  } else if (const auto* flag = node.as_boolean()) {
+    value.data = flag->get();
+  } else if (const auto* array = node.as_array()) {
+    TomlArray elements;
+    for (const toml::node& element : *array)
+      elements.push_back(copied(element));
+    if (!elements.empty() && value.line == 0) value.line = elements.front().line;
+    value.data = std::move(elements);
+  } else if (const auto* table = node.as_table()) {
+    value.data = copied_table(*table);
+  } else {
+    value.data = TomlDate{};
+  }
+  return value;
+}
+
+}  // namespace
+
+std::string found(const TomlValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value.data)) return fmt::format("\"{}\"", *text);
+  if (const auto* number = std::get_if<double>(&value.data)) return fmt::format("{}", *number);
+  if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return fmt::format("{}", *whole);
+  if (const auto* flag = std::get_if<bool>(&value.data)) return *flag ? "true" : "false";
+  if (const auto* array = std::get_if<TomlArray>(&value.data)) {
+    std::vector<std::string> elements;
+    for (const TomlValue& element : *array)
+      elements.push_back(found(element));
+    const std::string text = fmt::format("[{}]", fmt::join(elements, ", "));
+    return text.size() <= 60 ? text : fmt::format("an array of {}", array->size());
+  }
+  return std::holds_alternative<TomlTable>(value.data) ? "a table" : "a date or time";
+}
+
+TomlValue parse_toml(std::string_view text, std::string_view name) {
+  try {
+    return copied(toml::parse(text, std::string{name}));
+  } catch (const toml::parse_error& error) {
+    throw InputError{fmt::format("{}:{}: not TOML: {}", name, line_of(error.source()), error.description())};
+  }
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  const auto fail = [&file] { throw IoError{fmt::format("{}: {}", file.string(), std::strerror(errno))}; };
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{std::fopen(file.c_str(), "rb"), &std::fclose};
+  if (!stream) fail();
+  std::string text;
+  char block[65536];
+  while (const std::size_t count = std::fread(block, 1, sizeof block, stream.get()))
+    text.append(block, count);
+  if (std::ferror(stream.get()) != 0) fail();
+  return text;
+}
+
+}  // namespace talus

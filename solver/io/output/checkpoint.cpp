@@ -1,0 +1,153 @@
+#include "solver/io/output/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "solver/base/error.hpp"
+#include "solver/io/file/json_number.hpp"
+#include "solver/io/file/toml_document.hpp"
+
+namespace talus {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int schema = 1;
+constexpr std::string_view hash_line = "\"fnv1a\": ";
+
+Json item(const std::vector<double>& numbers) {
+  Json list = Json::array();
+  for (const double value : numbers)
+    list.push_back(Json(json_number(value)));
+  return list;
+}
+
+Json item(const std::string& text) { return text; }
+
+/// Reads fields of the file, or says what is wrong with them.
+class Reader {
+ public:
+  Reader(const std::filesystem::path& file, const Json& json) : file_{file}, json_{json} {}
+
+  [[noreturn]] void refuse(std::string_view field, std::string_view found, std::string_view allowed) const {
+    throw InputError{fmt::format("{}: {}: found {}; it must be {}", file_.string(), field, found, allowed)};
+  }
+
+  const Json& member(std::string_view field, std::string_view allowed) const {
+    const auto found = json_.find(field);
+    if (found == json_.end()) refuse(field, "nothing", allowed);
+    return *found;
+  }
+  std::string text(std::string_view field) const {
+    const Json& value = member(field, "a text");
+    if (!value.is_string()) refuse(field, value.dump(), "a text");
+    return value.get<std::string>();
+  }
+  double quantity(std::string_view field, bool zero_allowed) const {
+    const std::string_view allowed = zero_allowed ? "a number >= 0" : "a number > 0";
+    const Json& value = member(field, allowed);
+    const double number = value.is_number() ? value.get<double>() : -1.0;
+    if (number < 0.0 || (number == 0.0 && !zero_allowed)) refuse(field, value.dump(), allowed);
+    return number;
+  }
+  long steps() const {
+    const Json& value = member("steps", "a whole number > 0");
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 1ULL << 53)
+      refuse("steps", value.dump(), "a whole number > 0");
+    return value.get<long>();
+  }
+  MemoryItems memory() const {
+    MemoryItems items;
+    for (const auto& [name, value] : member("memory", "a table of lists and texts").items()) {
+      if (value.is_string()) {
+        items.emplace(name, value.get<std::string>());
+        continue;
+      }
+      if (!value.is_array()) refuse("memory: " + name, value.dump(), "a list of numbers or a text");
+      std::vector<double> numbers;
+      for (const Json& element : value)
+        numbers.push_back(list_number(name, element));
+      items.emplace(name, std::move(numbers));
+    }
+    return items;
+  }
+
+ private:
+  double list_number(const std::string& name, const Json& element) const {
+    if (element.is_number()) return element.get<double>();
+    if (element == "nan") return std::numeric_limits<double>::quiet_NaN();
+    if (element == "inf") return std::numeric_limits<double>::infinity();
+    if (element == "-inf") return -std::numeric_limits<double>::infinity();
+    refuse("memory: " + name, element.dump(), "a number");
+  }
+
+  const std::filesystem::path& file_;
+  const Json& json_;
+};
+
+}  // namespace
+
+std::string fnv1a(std::string_view text) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const char c : text)
+    hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  return fmt::format("{:016x}", hash);
+}
+
+std::string checkpoint_text(const Checkpoint& checkpoint, std::string_view program) {
+  std::string text = "{\n";
+  const auto member = [&text](std::string_view name, const Json& value) {
+    text += fmt::format("{}: {},\n", Json(name).dump(), value.dump());
+  };
+  member("schema", schema);
+  member("talus", program);
+  member("scene_file", checkpoint.scene_file);
+  member("scene_fnv1a", checkpoint.scene_fnv1a);
+  member("integrator", checkpoint.integrator);
+  member("tolerance", checkpoint.tolerance);
+  member("step", checkpoint.step);
+  member("end", checkpoint.end);
+  member("steps", checkpoint.steps);
+  text += "\"memory\": {\n";
+  std::string_view separator;
+  for (const auto& [name, value] : checkpoint.memory) {
+    const Json written = std::visit([](const auto& kept) { return item(kept); }, value);
+    text += fmt::format("{}{}: {}", separator, Json(name).dump(), written.dump());
+    separator = ",\n";
+  }
+  text += "\n},\n";
+  return text + fmt::format("{}\"{}\"\n}}\n", hash_line, fnv1a(text));
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& file, std::string_view program) {
+  const std::string content = read_text(file);
+  const Json json = Json::parse(content, nullptr, false);
+  if (!json.is_object()) {
+    throw InputError{
+        fmt::format("{}: found {} bytes that are not a JSON object; it must be a checkpoint that talus "
+                    "wrote, whole: was it cut short or changed?",
+                    file.string(), content.size())};
+  }
+  const Reader reader{file, json};
+  const auto demand = [&](std::string_view field, const Json& allowed) {
+    if (const Json& found = reader.member(field, allowed.dump()); found != allowed)
+      reader.refuse(field, found.dump(), allowed.dump());
+  };
+  demand("schema", schema);
+  demand("talus", program);
+  demand("fnv1a", fnv1a(std::string_view{content}.substr(0, content.rfind(hash_line))));
+  return {.scene_file = reader.text("scene_file"),
+          .scene_fnv1a = reader.text("scene_fnv1a"),
+          .integrator = reader.text("integrator"),
+          .tolerance = reader.quantity("tolerance", true),
+          .step = reader.quantity("step", false),
+          .end = reader.quantity("end", false),
+          .steps = reader.steps(),
+          .memory = reader.memory()};
+}
+
+}  // namespace talus

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/io/fence1993/fence_codes.hpp"
+#include "solver/run/history.hpp"
+
+namespace talus {
+
+/// The histories that a deck asks for: its elements times its codes, every `history_every` steps from the start and at
+/// the last step, each from a state whose parts are all at the same time. Pairs that do not fit (the tension at a rock)
+/// are left out, never written as zeros.
+class FenceHistory {
+ public:
+  /// All arguments must outlive it. Errors: InputError naming the codes that no element has a history of, and why.
+  FenceHistory(const scenes::Fence& fence, const scenes::FenceScene& made, const Dynamics& dynamics);
+
+  /// Adds a row if one is due and all its numbers are finite. That of a step with which the run stops gives way when
+  /// it is taken on.
+  void operator()(const State& state, const StepInfo& info);
+
+  /// Names what it carries from one step to the next; one of the same run goes on from it.
+  void remember(Memory& memory) { history_.remember(memory); }
+
+  /// Columns "time", "element3.top_joint_force", ...
+  const History& history() const { return history_; }
+  /// Pairs left out, in words: "element 2: codes 51, 52 left out: ...".
+  const std::vector<std::string>& left_out() const { return left_out_; }
+
+  /// A history as CSV; lines that begin with # say first what was left out.
+  [[nodiscard]] std::string csv_text() const;
+  /// The same as JSON: title, unit system, one entry for each column with element, code, the name of 1993, unit and
+  /// values, and what was left out.
+  [[nodiscard]] std::string json_text() const;
+
+ private:
+  struct Series {
+    int element{};
+    const FenceCode* code{};
+  };
+  const scenes::FenceElement& element(int number) const;
+  std::string_view objection(int number, const FenceCode& code) const;
+  void choose(int number);
+
+  const scenes::Fence* fence_;
+  const scenes::FenceScene* made_;
+  const Dynamics* dynamics_;
+  Workspace work_;
+  LawForces forces_;
+  Rates rates_;
+  std::vector<Series> series_;
+  std::vector<std::string> left_out_;
+  History history_;
+};
+
+}  // namespace talus

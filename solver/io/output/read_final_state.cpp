@@ -1,0 +1,39 @@
+#include "solver/io/output/read_final_state.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "solver/base/error.hpp"
+#include "solver/io/file/toml_document.hpp"
+
+namespace talus {
+
+std::vector<scenes::StretchedCable> read_stretched_cables(const std::filesystem::path& folder,
+                                                          const UnitSystem& units) {
+  using Json = nlohmann::json;
+  const std::filesystem::path file = folder / "final_state.json";
+  std::vector<scenes::StretchedCable> stretched;
+  try {
+    const Json state = Json::parse(read_text(file));
+    if (const std::string system = state.at("units").at("system"); system != units.name) {
+      throw InputError{fmt::format("units: found \"{}\"; they must be \"{}\", the fence's", system, units.name)};
+    }
+    for (const char* const kind : {"cable", "hanger"}) {
+      for (const Json& part : state.at(fmt::format("{}s", kind))) {
+        const std::string name = part.at("name");
+        if (part.at("mode") == "broken") {
+          throw InputError{fmt::format("{} '{}': found it broken; a fence is mended before the next rock", kind, name)};
+        }
+        if (const double stretch = part.at("plastic_stretch"); stretch > 0.0) stretched.push_back({name, stretch});
+      }
+    }
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("{}: {}", file.string(), error.what())};
+  } catch (const Json::exception& error) {
+    throw InputError{fmt::format("{}: it is not the final state of a run: {}", file.string(), error.what())};
+  }
+  return stretched;
+}
+
+}  // namespace talus

@@ -1,0 +1,118 @@
+#include "solver/io/output/run_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "solver/base/error.hpp"
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/file/shown_title.hpp"
+#include "solver/io/file/toml_document.hpp"
+
+namespace talus {
+namespace {
+
+void read_bodies(const nlohmann::json& geometry, const std::filesystem::path& file, RunFiles& files) {
+  for (const auto& body : geometry.at("bodies")) {
+    const std::string kind = body.at("kind").get<std::string>();
+    if (std::find(std::begin(body_kinds), std::end(body_kinds), kind) == std::end(body_kinds)) {
+      throw InputError{fmt::format("{}: body kind '{}' is not known", file.string(), kind)};
+    }
+    files.bodies.push_back({body.at("name").get<std::string>(), body.at("number").get<int>(), kind});
+  }
+  files.cables = geometry.at("cables").get<std::vector<std::string>>();
+  files.mirrored = geometry.at("mirrored").get<bool>();
+}
+
+nlohmann::ordered_json geometry_json(const RunFiles& files) {
+  if (files.period) return {{"index", files.geometry}, {"period", *files.period}};
+  auto bodies = nlohmann::ordered_json::array();
+  for (const DrawnBody& body : files.bodies)
+    bodies.push_back({{"name", body.name}, {"number", body.number}, {"kind", body.kind}});
+  return {{"index", files.geometry}, {"bodies", bodies}, {"cables", files.cables}, {"mirrored", files.mirrored}};
+}
+
+}  // namespace
+
+std::string RunFolder::unit(Dimension dimension) const { return units ? symbol(*units, dimension) : std::string{}; }
+
+nlohmann::ordered_json run_folder_json(const std::string& title, const std::optional<UnitSystem>& units,
+                                       const RunFiles& files) {
+  nlohmann::ordered_json json{{"schema", 1}, {"title", title}, {"units", nullptr}};
+  if (units) json["units"] = units->name;
+  json["histories"] = files.histories;
+  json["geometry"] = geometry_json(files);
+  return json;
+}
+
+RunFolder read_run_folder(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "plot.json";
+  const std::string text = read_text(file);
+  RunFolder run{folder, {}, si, {}};
+  try {
+    const auto json = nlohmann::json::parse(text);
+    run.title = shown_title(json.at("title").get<std::string>(), folder);
+    const auto& units = json.at("units");
+    run.units = units.is_null() ? std::optional<UnitSystem>{} : unit_system(units.get<std::string>());
+    run.files.histories = json.at("histories").get<std::vector<std::string>>();
+    const auto& geometry = json.at("geometry");
+    run.files.geometry = geometry.at("index").get<std::string>();
+    if (!geometry.contains("period")) {
+      read_bodies(geometry, file, run.files);
+      return run;
+    }
+    run.files.period = geometry.at("period").get<double>();
+    if (!(*run.files.period > 0.0)) {
+      throw InputError{fmt::format("{}: period: found {}; it must be > 0", file.string(), *run.files.period)};
+    }
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError{fmt::format("{}: it is not what `talus run --out` or `talus cell --out` leaves: {}", file.string(),
+                                 error.what())};
+  }
+  return run;
+}
+
+namespace {
+
+/// Files of every run, and those of a cell but for RESTART.DAT, which another cell may go on from.
+constexpr std::array<std::string_view, 11> single{"history.csv", "final_state.json", "summary.json", "plot.json",
+                                                  "sheet.json",  "sheet.pdf",        "sheet.html",   "checkpoint.json",
+                                                  "profile.csv", "cell.pvd",         "PIC.DAT"};
+
+bool ends_with_any(std::string_view name, std::initializer_list<std::string_view> ends) {
+  return std::any_of(ends.begin(), ends.end(), [&](std::string_view end) { return name.ends_with(end); });
+}
+
+/// The stem by which the run named its geometry, listing and histories; empty if it left no geometry.
+std::string stem_of(const std::filesystem::path& folder) {
+  try {
+    return std::filesystem::path{read_run_folder(folder).files.geometry}.stem().string();
+  } catch (const std::exception&) {
+    return {};  // no run, or one that was killed before it wrote its records
+  }
+}
+
+}  // namespace
+
+void remove_run(const std::filesystem::path& folder) {
+  const std::string stem = stem_of(folder);
+  if (!stem.empty()) {
+    remove_files(folder / "plots", [](std::string_view name) {
+      return ends_with_any(name, {".svg", ".pdf", ".ps", ".eps", ".png", ".gif", ".html"});
+    });
+    remove_files(folder / (stem + "_geometry"), [](std::string_view name) { return name.ends_with(".vtp"); });
+    std::error_code none;
+    std::filesystem::remove(folder / "plots", none);  // if nothing else is in them
+    std::filesystem::remove(folder / (stem + "_geometry"), none);
+  }
+  remove_files(folder, [&](std::string_view name) {
+    if (std::find(single.begin(), single.end(), name) != single.end()) return true;
+    return !stem.empty() && name.starts_with(stem) &&
+           (name.substr(stem.size()) == ".pvd" || name.substr(stem.size()) == ".OUT" ||
+            name.substr(stem.size()) == ".history.csv" || name.substr(stem.size()) == ".history.json");
+  });
+}
+
+}  // namespace talus

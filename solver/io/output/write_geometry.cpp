@@ -1,0 +1,168 @@
+#include "solver/io/output/write_geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/file/toml_document.hpp"
+#include "solver/io/file/vtk_text.hpp"
+#include "solver/model/outline.hpp"
+
+namespace talus {
+namespace {
+
+/// Poly lines with their data, as they go into a file.
+class PolyLines {
+ public:
+  void add(Vec2 p, double z, long body) {
+    fmt::format_to(std::back_inserter(points_), "{} {} {}\n", p.x, p.y, z);
+    fmt::format_to(std::back_inserter(connectivity_), "{} ", count_);
+    fmt::format_to(std::back_inserter(point_bodies_), "{} ", body);
+    finite_ = finite_ && std::isfinite(p.x) && std::isfinite(p.y);
+    ++count_;
+  }
+  /// Ends a line of the points added since the last.
+  void end(long body, long cable, double tension, bool slack) {
+    fmt::format_to(std::back_inserter(offsets_), "{} ", count_);
+    fmt::format_to(std::back_inserter(bodies_), "{} ", body);
+    fmt::format_to(std::back_inserter(cables_), "{} ", cable);
+    fmt::format_to(std::back_inserter(tensions_), "{} ", tension);
+    fmt::format_to(std::back_inserter(slacks_), "{} ", slack ? 1 : 0);
+    finite_ = finite_ && std::isfinite(tension);
+    ++lines_;
+  }
+  bool finite() const { return finite_; }
+
+  std::string xml() const {
+    return vtk_text(
+        {.points = count_,
+         .verts = 0,
+         .lines = lines_,
+         .point_data = vtk_array("Int32", "body", 1, point_bodies_),
+         .cell_data = vtk_array("Int32", "body", 1, bodies_) + vtk_array("Int32", "cable", 1, cables_) +
+                      vtk_array("Float64", "tension", 1, tensions_) + vtk_array("UInt8", "slack", 1, slacks_),
+         .coordinates = points_,
+         .vert_arrays = {},
+         .line_arrays =
+             vtk_array("Int64", "connectivity", 1, connectivity_) + vtk_array("Int64", "offsets", 1, offsets_)});
+  }
+
+ private:
+  std::string points_, connectivity_, point_bodies_, offsets_, bodies_, cables_, tensions_, slacks_;
+  long count_{0}, lines_{0};
+  bool finite_{true};
+};
+
+}  // namespace
+
+GeometryText::GeometryText(const Dynamics& dynamics)
+    : dynamics_{&dynamics}, work_{dynamics.workspace()}, along_(dynamics.model().bodies.size(), 0.0) {
+  const Model& model = dynamics.model();
+  for (const Joint& joint : dynamics.cables().joints()) {
+    if (joint.on_body) along_[index(joint.body)] = joint.along;
+  }
+  double reach = 0.0;
+  for (const Body& body : model.bodies)
+    reach = std::max({reach, std::abs(body.p_WB.x), std::abs(body.p_WB.y)});
+  for (const Body& body : model.bodies)
+    outlines_.push_back(outline(body, 2.0 * reach));
+}
+
+std::optional<std::string> GeometryText::text(const State& state) {
+  dynamics_->update(state, work_);
+  dynamics_->forces(state, work_, forces_);
+  PolyLines lines;
+  for (std::size_t i = 0; i < outlines_.size(); ++i) {
+    const auto body = static_cast<long>(i);
+    for (const Vec2 p : outlines_[i])
+      lines.add(world_point(work_.poses[i], p), along_[i], body);
+    if (!outlines_[i].empty()) lines.end(body, -1, 0.0, false);
+  }
+  const CableForces& cables = dynamics_->cables();
+  for (std::size_t c = 0; c < cables.size(); ++c) {
+    for (const std::size_t j : {cables.ends()[c].a, cables.ends()[c].b}) {
+      const Joint& joint = cables.joints()[j];
+      const bool held = joint.on_body && (work_.rigging.broken.empty() || !work_.rigging.broken[j]);
+      lines.add(work_.joints.p_WP(j), joint.along, held ? static_cast<long>(index(joint.body)) : -1);
+    }
+    lines.end(-1, static_cast<long>(c), forces_.tensions[c], forces_.tensions[c] == 0.0);
+  }
+  if (!lines.finite()) return {};
+  return lines.xml();
+}
+
+VtpSeries::VtpSeries(const Dynamics& dynamics, std::filesystem::path folder, std::string name, long every)
+    : folder_{std::move(folder)}, name_{std::move(name)}, every_{every}, geometry_{dynamics} {
+  std::error_code none;
+  std::filesystem::remove(folder_ / (name_ + ".pvd"), none);
+  make_folder(folder_ / (name_ + "_geometry"));
+}
+
+void VtpSeries::operator()(const State& state, const StepInfo& info) {
+  remove_stop();
+  const bool due = info.step % every_ == 0;
+  if (!due && !info.last) return;
+  const std::optional<std::string> text = geometry_.text(state);
+  if (!text) return;
+  const File file{state.t, info.step};
+  write_whole(folder_ / path(file), *text);
+  if (due || !info.stop) return files_.push_back(file);
+  of_stop_ = file;
+}
+
+void VtpSeries::remove_stop() {
+  if (!of_stop_) return;
+  std::error_code none;
+  std::filesystem::remove(folder_ / path(*of_stop_), none);
+  of_stop_.reset();
+}
+
+std::string VtpSeries::path(const File& file) const {
+  return fmt::format("{0}_geometry/{0}_{1:08}.vtp", name_, file.step);
+}
+
+void VtpSeries::remember(Memory& memory) {
+  memory.count("every", every_);
+  std::vector<double> times;
+  for (const File& file : files_)
+    times.push_back(file.time);
+  memory.list("times", times);
+  files_.resize(times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    files_[i].time = times[i];
+    memory.count(fmt::format("step_{}", i), files_[i].step);
+  }
+  // At step 0 one is always due.
+  long step = of_stop_ ? of_stop_->step : 0;
+  memory.count("step_of_stop", step);
+  if (memory.puts_back() && step > 0) of_stop_ = File{0.0, step};
+}
+
+void VtpSeries::bring_files(const std::filesystem::path& from) {
+  for (const File& file : files_) {
+    const std::string text = read_text(from / path(file));
+    if (!std::filesystem::equivalent(from, folder_)) write_whole(folder_ / path(file), text);
+  }
+  remove_stop();
+  // What a run that was killed wrote after its last checkpoint.
+  const std::filesystem::path geometry = folder_ / (name_ + "_geometry");
+  remove_remains(geometry, [](std::string_view) { return true; });
+  remove_files(geometry, [&](std::string_view name) {
+    const std::string whole = fmt::format("{}_geometry/{}", name_, name);
+    return std::none_of(files_.begin(), files_.end(), [&](const File& file) { return path(file) == whole; });
+  });
+}
+
+void VtpSeries::write_index() const {
+  std::vector<std::pair<double, std::string>> files;
+  for (const File& file : files_)
+    files.emplace_back(file.time, path(file));
+  if (of_stop_) files.emplace_back(of_stop_->time, path(*of_stop_));
+  write_whole(folder_ / (name_ + ".pvd"), vtk_index(files));
+}
+
+}  // namespace talus

@@ -1,0 +1,207 @@
+#include "solver/io/output/write_summary.hpp"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "solver/io/file/json_number.hpp"
+
+namespace talus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector(Vec2 value) { return Json::array({json_number(value.x), json_number(value.y)}); }
+
+Json outcome(const Outcome& outcome) {
+  constexpr std::array kinds{"finished", "stopped", "diverged"};
+  Json json{{"kind", kinds.at(static_cast<std::size_t>(outcome.kind))}, {"time", json_number(outcome.time)}};
+  if (!outcome) json["words"] = outcome.words;
+  return json;
+}
+
+Json units(const UnitSystem& system) {
+  Json json{{"system", system.name}};
+  for (const auto& [name, dimension] :
+       {std::pair{"length", dimension::length}, std::pair{"time", dimension::time}, std::pair{"mass", dimension::mass},
+        std::pair{"force", dimension::force}, std::pair{"energy", dimension::energy},
+        std::pair{"momentum", dimension::momentum}, std::pair{"angular_momentum", dimension::angular_momentum}}) {
+    json[name] = symbol(system, dimension);
+  }
+  return json;
+}
+
+Json ledger(const RunRecord& record) {
+  if (!record.plan.ledger) return "off";
+  const Accounts& accounts = record.accounts;
+  const Energies& e = accounts.energies;
+  Json lost = Json::object();
+  for (std::size_t i = 0; i < mechanism_count; ++i)
+    lost[std::string{mechanism_names[i]}] = json_number(accounts.lost[i]);
+  return {{"energy",
+           {{"kinetic", json_number(e.kinetic)},
+            {"gravity", json_number(e.gravity)},
+            {"applied", json_number(e.applied)},
+            {"contacts", json_number(e.contacts)},
+            {"cables", json_number(e.cables)},
+            {"total", json_number(e.total())}}},
+          {"lost", lost},
+          {"energy_closure", json_number(accounts.energy_closure)},
+          {"largest_energy_closure", json_number(record.largest_energy_closure)},
+          {"energy_scale", json_number(record.energy_scale)},
+          {"momentum", vector(accounts.momenta.linear)},
+          {"momentum_closure", vector(accounts.momentum_closure)},
+          {"angular_momentum", json_number(accounts.momenta.angular)},
+          {"angular_momentum_closure", json_number(accounts.angular_momentum_closure)}};
+}
+
+Json extremes(const RunRecord& record) {
+  Json json = Json::array();
+  for (const ExtremeRecord& item : record.extremes) {
+    json.push_back({{"name", item.column.name},
+                    {"unit", symbol(record.units, item.column.dimension)},
+                    {"least", json_number(item.extreme.least)},
+                    {"least_time", json_number(item.extreme.least_time)},
+                    {"largest", json_number(item.extreme.largest)},
+                    {"largest_time", json_number(item.extreme.largest_time)}});
+  }
+  return json;
+}
+
+Json failures(const RunRecord& record) {
+  Json json = Json::array();
+  for (const Failure& failure : record.failures)
+    json.push_back({{"time", json_number(failure.time)}, {"part", failure.part}, {"what", failure.what}});
+  return json;
+}
+
+Json parts(const std::vector<PartState>& states) {
+  Json json = Json::array();
+  for (const PartState& state : states)
+    json.push_back({{"name", state.name}, {"mode", state.mode}, {"plastic_stretch", json_number(state.stretch)}});
+  return json;
+}
+
+Json bodies(const RunRecord& record) {
+  Json json = Json::array();
+  for (const BodyState& body : record.bodies) {
+    json.push_back({{"name", body.name},
+                    {"position", vector(body.p)},
+                    {"angle", json_number(body.angle)},
+                    {"velocity", vector(body.v)},
+                    {"spin", json_number(body.spin)}});
+  }
+  return json;
+}
+
+/// A largest force; margin: over its limit, null where there is none.
+Json force(const std::string& name, double peak, double time, double margin) {
+  Json json{{"name", name}, {"peak", json_number(peak)}, {"time", json_number(time)}, {"margin", nullptr}};
+  if (margin > 0.0) json["margin"] = json_number(margin);
+  return json;
+}
+
+/// What the fence did, and the largest forces on its parts.
+Json verdict(const RunRecord& record) {
+  const scenes::FenceSummary& fence = *record.fence;
+  Json rocks = Json::array();
+  for (const scenes::RockPassage& rock : fence.rocks) {
+    rocks.push_back({{"name", rock.name},
+                     {"verdict", name_of(rock.verdict)},
+                     {"passed_time", json_number(rock.passed_time)},
+                     {"touched", rock.touched},
+                     {"last_contact_time", rock.touched ? Json(json_number(rock.exit_time)) : Json(nullptr)},
+                     {"still_touching", rock.touched && !rock.left},
+                     {"approach_energy", json_number(rock.approach_energy)},
+                     {"velocity_after", rock.left ? vector(rock.exit_velocity) : Json(nullptr)},
+                     {"energy_after", rock.left ? Json(json_number(rock.exit_energy)) : Json(nullptr)},
+                     {"velocity_at_end", vector(rock.end_velocity)},
+                     {"energy_at_end", json_number(rock.end_energy)}});
+  }
+  Json json{{"fence", name_of(fence.verdict())}, {"rocks", std::move(rocks)}};
+  const auto cable = [&record](const scenes::SegmentRecord& segment) {
+    return force(record.cables_left[index(segment.cable)].name, segment.peak, segment.peak_time, segment.margin());
+  };
+  const auto hanger = [&record](const scenes::ColumnRecord& column) {
+    return force(record.bodies[index(column.body)].name, column.hanger.peak, column.hanger.peak_time, column.margin());
+  };
+  if (const auto* anchor = fence.largest_anchor())
+    json["largest_anchor_force"] = force("anchor", anchor->force.peak, anchor->force.peak_time, 0.0);
+  if (const auto* found = fence.largest_segment()) json["largest_cable_force"] = cable(*found);
+  if (const auto* found = fence.closest_segment(); found && found->margin() > 0.0)
+    json["cable_closest_to_limit"] = cable(*found);
+  if (const auto* found = fence.largest_hanger()) json["largest_hanger_force"] = hanger(*found);
+  if (const auto* found = fence.closest_hanger(); found && found->margin() > 0.0)
+    json["hanger_closest_to_limit"] = hanger(*found);
+  return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json quality_json(const RunQuality& quality, double time_size) {
+  Json json{{"usable", quality.flaw.empty()}, {"flaw", quality.flaw}, {"step", quality.step}};
+  json["energy_balance"] = quality.balance ? Json(json_number(*quality.balance)) : Json("off");
+  if (quality.contact_steps) json["steps_in_shortest_contact"] = json_number(*quality.contact_steps);
+  if (const auto& last = quality.last_contact) {
+    json["last_contact"] = {
+        {"name", last->name}, {"time", json_number(last->time * time_size)}, {"touching", last->touching}};
+  }
+  if (const auto& repeat = quality.repeat) {
+    json["repeat"] = {{"change_of_speed", repeat->change},
+                      {"failure", repeat->failure},
+                      {"verdict", name_of(repeat->verdict)},
+                      {"change_of_largest_cable_force", json_number(repeat->cable_change)}};
+  }
+  if (const auto& repair = quality.repair) {
+    json["repair"] = {{"option", repair->option}, {"flaw", repair->flaw}, {"verdict", name_of(repair->verdict)}};
+    json["repair"]["energy_balance"] = repair->balance ? Json(json_number(*repair->balance)) : Json("off");
+  }
+  return json;
+}
+
+std::string summary_json(const RunRecord& record, const std::string& resume) {
+  Json json{{"schema", 1},
+            {"title", record.title},
+            {"units", units(record.units)},
+            {"outcome", outcome(record.outcome)},
+            {"quality", quality_json(record.quality)},
+            {"integrator", record.integrator},
+            {"step", json_number(record.plan.step)},
+            {"end", json_number(record.plan.end)},
+            {"steps", record.steps},
+            {"evaluations", record.evaluations},
+            {"carried",
+             {{"bodies", record.bodies.size()},
+              {"degrees_of_freedom", record.coordinates},
+              {"contacts", record.contacts},
+              {"cables", record.cables},
+              {"law_instances", record.laws}}},
+            {"history_rows", record.history.rows.size()},
+            {"history_rows_cut", record.rows_cut},
+            {"ledger", ledger(record)},
+            {"extremes", extremes(record)},
+            {"failures", failures(record)},
+            {"bodies", bodies(record)},
+            {"watched", record.watched},
+            {"warnings", record.warnings},
+            {"notes", record.notes}};
+  if (record.fence) json["verdict"] = verdict(record);
+  if (!record.integrator_why.empty()) json["integrator_why"] = record.integrator_why;
+  if (record.events) json["events"] = *record.events;
+  if (!resume.empty()) json["resume"] = resume;
+  return json.dump(2) + "\n";
+}
+
+std::string final_state_json(const RunRecord& record) {
+  const Json json{{"schema", 1},
+                  {"title", record.title},
+                  {"units", units(record.units)},
+                  {"outcome", outcome(record.outcome)},
+                  {"time", json_number(record.outcome.time)},
+                  {"bodies", bodies(record)},
+                  {"cables", parts(record.cables_left)},
+                  {"hangers", parts(record.hangers_left)}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace talus

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/io/scene/scene_table.hpp"
+#include "solver/model/model_builder.hpp"
+#include "solver/scenes/scene.hpp"
+
+namespace talus {
+
+/// A body as written: what the model gets, and how it starts.
+struct SceneBody {
+  SceneTable table;
+  Body body;
+  Vec2 velocity;  ///< [L/T]
+  double spin{};  ///< [rad/T]
+};
+
+/// How a required restitution sets the dashpot.
+enum class RestitutionRule {
+  effective_mass,  ///< at every impact, by the effective mass along the normal when the bodies touch and the formula
+                   ///< of the end rule
+  eq_21,           ///< once, by the reduced mass of two particles and the formula of the attractive rule (FENCE 1993)
+};
+template <>
+struct Names<RestitutionRule> {
+  static constexpr std::array<std::string_view, 2> list{"effective_mass", "eq_21"};
+};
+
+/// A contact as written; `restitution` where its damping is to follow from that by Eq. 21.
+struct SceneContact {
+  SceneTable table;
+  Contact contact;
+  std::optional<double> restitution;
+};
+
+/// A cable as written.
+struct SceneCable {
+  SceneTable table;
+  Cable cable;
+  std::optional<double> rest_length;  ///< none: the distance of its ends at the start [L]
+  double slack{};                     ///< added to it [L]
+};
+
+/// A hanger as written.
+struct SceneHanger {
+  SceneTable table;
+  Hanger hanger;
+};
+
+/// The names of a scene's bodies, in their order.
+class BodyNames {
+ public:
+  /// Errors: two bodies of one name.
+  explicit BodyNames(const std::vector<SceneBody>& bodies);
+
+  /// The body of that name, which `key` of a table names. Errors: an unknown name, with the nearest known; not
+  /// reported where it may be meant by a body whose name is missing or wrong, which is an error already.
+  [[nodiscard]] BodyId find(const SceneTable& table, std::string_view key, const std::string& name) const;
+
+ private:
+  std::map<std::string, BodyId, std::less<>> ids_;
+  std::vector<std::string> names_;
+  bool differ_{true};  ///< no two are the same
+};
+
+/// The readers of a scene's parts. Errors are added to the source's, with file, line, name and field.
+[[nodiscard]] std::vector<SceneBody> read_bodies(SceneTable& file);
+[[nodiscard]] std::vector<SceneContact> read_contacts(SceneTable& file, const BodyNames& bodies);
+/// `friction` of a contact, if it has any; its `shear_stiffness` is the normal one [F/L] unless it is given. No
+/// dashpot.
+[[nodiscard]] std::optional<CoulombFriction> read_friction(SceneTable& table, double normal_stiffness);
+[[nodiscard]] std::vector<SceneCable> read_cables(SceneTable& file, const BodyNames& bodies);
+[[nodiscard]] std::vector<SceneHanger> read_hangers(SceneTable& file, const BodyNames& bodies);
+
+/// What is watched during a run: `watch = { instability = "error", .. }`, or "off".
+[[nodiscard]] WatchRules read_watch(SceneTable& owner, std::string_view key);
+
+/// Calls visit with a default-made value of the alternative of a variant whose `name` is this; false if there is none.
+template <class Variant, std::size_t I = 0, class Visit>
+bool visit_named(std::string_view name, Visit&& visit) {
+  if constexpr (I < std::variant_size_v<Variant>) {
+    using T = std::variant_alternative_t<I, Variant>;
+    if (T::name != name) return visit_named<Variant, I + 1>(name, visit);
+    visit(T{});
+    return true;
+  } else {
+    return false;
+  }
+}
+
+}  // namespace talus

@@ -1,0 +1,208 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "solver/base/error.hpp"
+#include "solver/base/fields.hpp"
+#include "solver/base/units.hpp"
+#include "solver/base/vec.hpp"
+#include "solver/io/file/toml_document.hpp"
+
+namespace talus {
+
+/// What all tables of one scene file share, and what is wrong in it so far.
+class SceneSource {
+ public:
+  /// Maximum number of errors listed for one file.
+  static constexpr std::size_t most_errors = 20;
+
+  std::string file;  ///< as named in messages
+  UnitSystem units;
+
+  SceneSource(std::string name, UnitSystem system) : file{std::move(name)}, units{system} {}
+
+  /// From here on errors of single keys and tables are collected, up to the next check(): a wrong or missing key gets a
+  /// placeholder, a table that cannot be read is left out.
+  void collect() const { collects_ = true; }
+  bool collects() const { return collects_; }
+  /// Whether a table of this kind, "body", has an error that leaves its name unknown.
+  bool has_nameless(std::string_view kind) const;
+  /// Throws all errors collected so far, by lines, in one InputError with one line for each.
+  void check() const;
+
+  /// Adds an error, and throws all if there are too many.
+  void add(int line, std::string message) const;
+  /// Calls `read`; what it throws is added, of the given line if it names none.
+  template <class Read>
+  void guard(int line, Read&& read) const {
+    if (!collects_) return void(read());
+    try {
+      read();
+    } catch (const Collected&) {
+      // It is in the list.
+    } catch (const InputError& error) {
+      if (!collects_) throw;  // there were too many: it holds all of them
+      add(line, error.what());
+    }
+  }
+
+  /// An error that is in the list.
+  class Collected : public InputError {
+   public:
+    using InputError::InputError;
+  };
+
+ private:
+  struct Error {
+    int line{};
+    std::string message;
+  };
+  mutable bool collects_{false};
+  mutable std::vector<Error> errors_;
+};
+
+/// One table of a scene file, read key by key. All errors are InputError of the form
+/// `file.toml:17: body 'rock': mass: found "-3 kg"; it must be > 0`; see SceneSource for several. Keys that were
+/// neither read nor allowed are refused by allow(), which a reader calls first: a key that is missing under its own
+/// name, but there under one much like it, is one error.
+class SceneTable {
+ public:
+  /// `noun` says in messages what the table describes: "body 'rock'"; empty for the file itself. `value` must be a
+  /// table.
+  SceneTable(const SceneSource& source, const TomlValue& value, std::string noun);
+
+  int line() const { return line_; }
+  const SceneSource& source() const { return *source_; }
+  const UnitSystem& units() const { return source_->units; }
+  bool has(std::string_view key);
+  /// Whether it is there, and a text in quotes.
+  bool is_text(std::string_view key) const;
+
+  /// A quantity with its unit, in consistent units of the scene; one without dimension is a pure number.
+  [[nodiscard]] double quantity(std::string_view key, Dimension dimension, Range range = Range::any);
+  [[nodiscard]] double quantity_or(std::string_view key, Dimension dimension, double absent, Range range = Range::any);
+  /// An array of `least` to `most` quantities of one dimension.
+  [[nodiscard]] std::vector<double> quantities(std::string_view key, Dimension dimension, std::size_t least,
+                                               std::size_t most);
+  [[nodiscard]] Vec2 vector(std::string_view key, Dimension dimension);
+  [[nodiscard]] Vec2 vector_or(std::string_view key, Dimension dimension, Vec2 absent);
+  /// A pure number, written without quotes.
+  [[nodiscard]] double number(std::string_view key, Range range = Range::any);
+  /// A whole number.
+  [[nodiscard]] int whole(std::string_view key);
+  /// A whole number between these, both among them.
+  [[nodiscard]] std::int64_t whole_between(std::string_view key, std::int64_t least, std::int64_t most);
+  /// A whole number, or an array of them that is not empty.
+  [[nodiscard]] std::vector<int> wholes_or_one(std::string_view key);
+  /// An array of pairs of quantities.
+  [[nodiscard]] std::vector<std::array<double, 2>> pairs(std::string_view key, Dimension first, Dimension second);
+  /// An array of whole numbers.
+  [[nodiscard]] std::vector<int> wholes(std::string_view key);
+  [[nodiscard]] std::string text(std::string_view key);
+  /// The text under `title`; empty if there is none.
+  [[nodiscard]] std::string title();
+  [[nodiscard]] std::vector<std::string> texts(std::string_view key, std::size_t count);
+  /// Any of a closed list of names, in an array.
+  [[nodiscard]] std::vector<std::string> choices(std::string_view key, const std::vector<std::string>& known);
+  /// One of a closed list of names.
+  [[nodiscard]] std::string choice(std::string_view key, const std::vector<std::string>& known);
+  /// One of the names of an enum; `absent` where the key is not given, or wrong.
+  template <class Enum>
+  [[nodiscard]] Enum choice_or(std::string_view key, Enum absent) {
+    if (!has(key)) return absent;
+    std::string name;
+    source_->guard(line_, [&] { name = choice(key, {Names<Enum>::list.begin(), Names<Enum>::list.end()}); });
+    for (std::size_t i = 0; i < Names<Enum>::list.size(); ++i) {
+      if (Names<Enum>::list[i] == name) return static_cast<Enum>(i);
+    }
+    return absent;
+  }
+  /// Calls `read`, for a part of the table without which the rest can be read; see SceneSource::guard().
+  template <class Read>
+  void guard(Read&& read) const {
+    source_->guard(line_, std::forward<Read>(read));
+  }
+  /// A table inside this one.
+  [[nodiscard]] SceneTable table(std::string_view key);
+  /// The tables of an array of tables, [[key]]; none if the key is absent, or wrong. Each is called by its own `name`.
+  [[nodiscard]] std::vector<SceneTable> tables(std::string_view key);
+  /// The same for tables without names, called by their numbers from 1.
+  [[nodiscard]] std::vector<SceneTable> numbered_tables(std::string_view key);
+
+  /// Reads every field of T; one whose value is allowed as it stands may be left out.
+  template <class T>
+  void read_fields(T& value) {
+    for (const auto& field : T::fields())
+      read_field(value, field);
+  }
+  template <class T>
+  void read_field(T& value, const Field<T>& field) {
+    if (contains(field.range, value.*field.member) && !has(field.name)) return;
+    value.*field.member = quantity(field.name, field.dimension, field.range);
+  }
+  /// A whole number in the range of its field.
+  template <class T>
+  void read_count(T& value, const CountField<T>& field) {
+    const auto count = static_cast<int>(whole_between(field.name, field.least, field.most));
+    std::visit([&](auto member) { value.*member = count; }, field.member);
+  }
+
+  /// Refuses a key that is there, saying why it has no place.
+  void refuse(std::string_view key, std::string_view why);
+  /// Refuses all keys but these and those asked for so far, naming the nearest known one.
+  void allow(std::vector<std::string> keys);
+
+  /// A text as it stands there, without its quotes; empty if the key is missing or no text.
+  [[nodiscard]] std::string written(std::string_view key) const;
+
+  /// Throws an error about a key (or about the table itself, if it has no such key).
+  [[noreturn]] void fail(std::string_view key, std::string_view message) const;
+  /// Adds such an error to the source's, or throws it if the source does not collect them.
+  void complain(std::string_view key, std::string_view message) const;
+  /// Calls `action`; an InputError of it gets this table's file and line in front.
+  template <class Action>
+  auto placed(Action&& action) const {
+    try {
+      return action();
+    } catch (const InputError& error) {
+      throw InputError{place(line_) + error.what()};
+    }
+  }
+
+ private:
+  const TomlValue* find(std::string_view key) const;
+  /// The value of a key; none if it is missing, which is then an error.
+  const TomlValue* demand(std::string_view key);
+  /// The value of a key without which the table cannot be read.
+  const TomlValue& demand_at_once(std::string_view key);
+  double number_of(std::string_view key, const TomlValue& value, Range range) const;
+  double quantity_of(std::string_view key, const TomlValue& value, Dimension dimension, Range range) const;
+  int whole_of(std::string_view key, const TomlValue& value) const;
+  [[noreturn]] void fail_at(int line, std::string_view key, std::string_view message) const;
+  void complain_at(int line, std::string_view key, std::string_view message) const;
+  std::string full_message(int line, std::string_view key, std::string_view message) const;
+  std::string place(int line) const;
+
+  const SceneSource* source_;
+  const TomlTable* table_;
+  int line_;
+  std::string noun_;
+  std::vector<std::string> known_;
+  std::vector<std::string> misspelt_;  ///< keys that unknown ones were meant to be
+};
+
+/// Names of the fields of T, as written in a scene.
+template <class T>
+std::vector<std::string> field_names() {
+  std::vector<std::string> names;
+  for (const auto& field : T::fields())
+    names.emplace_back(field.name);
+  return names;
+}
+
+}  // namespace talus

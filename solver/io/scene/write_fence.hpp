@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "solver/scenes/fence.hpp"
+
+namespace talus {
+
+/// The scene file of a fence, in the units of the fence. Reading it gives the fence back to the last bit.
+[[nodiscard]] std::string write_fence(const scenes::Fence& fence);
+
+}  // namespace talus

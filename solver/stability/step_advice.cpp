@@ -1,0 +1,238 @@
+#include "solver/stability/step_advice.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+#include "solver/base/error.hpp"
+#include "solver/integrate/integrator_list.hpp"
+#include "solver/laws/restitution.hpp"
+
+namespace talus {
+namespace {
+
+/// Names and contact times of all springs in the order of springs(): contact instances, then cables, then
+/// friction.
+struct SpringLabel {
+  std::string name;
+  const ContactLaw* law{};  ///< of a contact
+};
+std::vector<SpringLabel> spring_labels(const Dynamics& dynamics) {
+  std::vector<SpringLabel> labels;
+  for (std::size_t c = 0; c < dynamics.model().contacts.size(); ++c) {
+    const std::size_t instances = dynamics.layout().contact_instances[c];
+    const Contact& contact = dynamics.model().contacts[c];
+    for (std::size_t i = 0; i < instances; ++i) {
+      labels.push_back({instances == 1 ? contact.name : fmt::format("{}#{}", contact.name, i + 1), &contact.law});
+    }
+  }
+  for (const Cable& cable : dynamics.model().cables)
+    labels.push_back({cable.name, nullptr});
+  for (std::size_t c = 0; c < dynamics.model().contacts.size(); ++c) {
+    const Contact& contact = dynamics.model().contacts[c];
+    if (contact.friction)
+      labels.insert(labels.end(), dynamics.layout().contact_instances[c], {contact.name + " friction", nullptr});
+  }
+  return labels;
+}
+
+/// Time that an impact by this spring takes; for a cable, and for a law without a closed form, half the period of its
+/// stiffest piece. A spring across which nothing can move (a cable that runs straight over its bodies' path) has no
+/// frequency and takes for ever.
+double duration(const SpringLabel& label, const Spring& spring) {
+  if (!std::isfinite(spring.effective_mass)) return std::numeric_limits<double>::infinity();
+  const auto* dashpot = label.law ? std::get_if<LinearSpringDashpot>(label.law) : nullptr;
+  if (dashpot) {
+    return contact_time({.stiffness = spring.stiffness, .damping = spring.damping, .end_rule = dashpot->end_rule},
+                        spring.effective_mass);
+  }
+  return std::numbers::pi * std::sqrt(spring.effective_mass / spring.stiffness);
+}
+
+/// Whether a law exerts something in a mode.
+template <class Law>
+bool exerts(const Law& law, Mode mode) {
+  return std::visit(
+      [mode]<class L>(const L&) {
+        constexpr std::array<std::string_view, 4> idle{"open", "released", "slack", "broken"};
+        return std::find(idle.begin(), idle.end(), L::modes[mode]) == idle.end();
+      },
+      law);
+}
+
+/// Whether a spring acts in a state; springs stand in the order of the modes. `contact`: the law of one.
+bool acts(const Dynamics& dynamics, const State& state, std::size_t spring, const ContactLaw* contact) {
+  const Mode mode = state.mode[spring];
+  if (contact) return exerts(*contact, mode);
+  const std::vector<Cable>& cables = dynamics.model().cables;
+  const std::size_t cable = spring - dynamics.contacts().size();
+  return cable < cables.size() ? exerts(cables[cable].law, mode) : mode == CoulombFriction::sticking;
+}
+
+/// Largest growth of rk4 on x'' + 2 xi w x' + w^2 x = 0: |R(z)| with z = h w (-xi +- sqrt(xi^2 - 1)), R the Taylor
+/// polynomial.
+double rk4_growth(double hw, double xi) {
+  const std::complex<double> root = std::sqrt(std::complex<double>{xi * xi - 1.0, 0.0});
+  double largest = 0.0;
+  for (const std::complex<double> z : {hw * (-xi + root), hw * (-xi - root)}) {
+    largest = std::max(largest, std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))));
+  }
+  return largest;
+}
+
+/// Largest growth of blanes_moan4 on the same oscillator, omega = 1: spectral radius of its map of (q, v) from one
+/// shared kick to the next, each kick with the velocity of before it.
+double blanes_moan4_growth(double h, double xi) {
+  const auto drifts = BlanesMoan4::drifts();
+  auto kicks = BlanesMoan4::kicks();
+  kicks[0] += kicks.back();
+  double map[2][2];
+  for (const int column : {0, 1}) {
+    double q = column == 0 ? 1.0 : 0.0, v = 1.0 - q;
+    for (std::size_t i = 0; i < drifts.size(); ++i) {
+      v += kicks[i] * h * (-q - 2.0 * xi * v);
+      q += drifts[i] * h * v;
+    }
+    map[0][column] = q, map[1][column] = v;
+  }
+  const double half_trace = 0.5 * (map[0][0] + map[1][1]);
+  const double determinant = map[0][0] * map[1][1] - map[0][1] * map[1][0];
+  const double square = half_trace * half_trace - determinant;
+  return square < 0.0 ? std::sqrt(determinant) : std::abs(half_trace) + std::sqrt(square);
+}
+
+/// The shortest step at which a method begins to grow, omega = 1: bracketed on a grid and then bisected.
+double first_growth(double (*growth)(double h, double xi), double xi) {
+  double stable = 0.0;
+  double h = 0.001;
+  while (growth(h, xi) <= 1.0 + 1e-12)
+    stable = h, h += 0.001;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (stable + h);
+    (growth(middle, xi) <= 1.0 + 1e-12 ? stable : h) = middle;
+  }
+  return stable;
+}
+
+}  // namespace
+
+StepAdvice advise_step(const Dynamics& dynamics, const State& state, Springs which) {
+  StepAdvice advice;
+  advice.shortest_contact = std::numeric_limits<double>::infinity();
+  const std::vector<SpringLabel> labels = spring_labels(dynamics);
+  std::vector<Spring> found = springs(dynamics, state);
+  const auto n = static_cast<Eigen::Index>(state.q.size());
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd damping = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t s = 0; s < found.size(); ++s) {
+    Spring& spring = found[s];
+    if (which == Springs::acting && !acts(dynamics, state, s, labels[s].law)) continue;
+    // Scaled by 1/sqrt(inertia), g turns K and C into the symmetric matrices of mass-normalised coordinates.
+    Eigen::VectorXd g(n);
+    std::vector<Eigen::Index> touched;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      g[i] = spring.gradient[static_cast<std::size_t>(i)] / std::sqrt(dynamics.inertias()[static_cast<std::size_t>(i)]);
+      if (g[i] != 0.0) touched.push_back(i);
+    }
+    for (const Eigen::Index i : touched) {
+      for (const Eigen::Index j : touched) {
+        stiffness(i, j) += spring.stiffness * g[i] * g[j];
+        damping(i, j) += spring.damping * g[i] * g[j];
+      }
+    }
+    const bool contact = labels[s].law != nullptr;
+    const double frequency = std::sqrt(spring.stiffness / spring.effective_mass);
+    const double ratio = spring.damping / (2.0 * std::sqrt(spring.stiffness * spring.effective_mass));
+    const double time = duration(labels[s], spring);
+    if (contact) advice.shortest_contact = std::min(advice.shortest_contact, time);
+    advice.springs.push_back({labels[s].name, contact, std::move(spring), frequency, ratio, time});
+  }
+  if (n == 0 || advice.springs.empty()) return advice;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved{stiffness};
+  const double negligible = 1e-12 * std::max(0.0, solved.eigenvalues()[n - 1]);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (solved.eigenvalues()[i] <= negligible) continue;  // a motion that stretches nothing
+    const Eigen::VectorXd shape = solved.eigenvectors().col(i);
+    const double frequency = std::sqrt(solved.eigenvalues()[i]);
+    advice.modes.push_back({frequency, shape.dot(damping * shape) / (2.0 * frequency)});
+  }
+  return advice;
+}
+
+std::optional<StepLimit> step_limit(const StepAdvice& advice, std::string_view integrator) {
+  std::optional<StepLimit> first;
+  for (const NaturalMode& mode : advice.modes) {
+    const auto product = linear_limit(integrator, mode.damping_ratio);
+    if (!product) return std::nullopt;
+    const double step = *product / mode.frequency;
+    if (!first || step < first->step) first = StepLimit{mode, *product, step};
+  }
+  return first;
+}
+
+std::optional<StepVerdict> step_verdict(const Scene& scene, const StepAdvice& advice) {
+  if (chooses_steps(scene.integrator)) return std::nullopt;
+  const auto limit = step_limit(advice, name(scene.integrator));
+  if (!limit) return std::nullopt;
+  const double product = scene.plan.step * limit->mode.frequency;
+  const bool is_beyond = product > limit->product;
+  return StepVerdict{
+      is_beyond,
+      fmt::format("h omega = {:.4g} {} {:.4g}, the linear limit of {} for the mode of {:.4g} rad a unit of time, xi "
+                  "{:.3g}",
+                  product, is_beyond ? ">" : "<", limit->product, name(scene.integrator), limit->mode.frequency,
+                  limit->mode.damping_ratio)};
+}
+
+double automatic_step(const Scene& scene) {
+  const Dynamics dynamics{scene.model};
+  const StepAdvice advice = advise_step(dynamics, scene.initial);
+  double step = advice.shortest_contact / 200.0;
+  if (const auto limit = step_limit(advice, name(scene.integrator))) step = std::min(step, limit->step / 20.0);
+  if (step == 0.0) {
+    throw InputError{
+        fmt::format("step: found \"auto\"; {} grows at any step, since this scene vibrates without a dashpot; choose "
+                    "another method",
+                    name(scene.integrator))};
+  }
+  if (std::isfinite(step)) return step;
+  throw InputError{fmt::format(
+      "step: found \"auto\"; no contact limits the steps of this scene and {} has no limit in closed form; give one",
+      name(scene.integrator))};
+}
+
+double output_step(const Scene& scene) {
+  constexpr double rows = 1000.0, most_per_row = 1000.0;
+  constexpr double outputs_per_contact = 20.0;   // the peak of half a sine is missed by at most (pi/40)^2/2
+  constexpr std::size_t most_coordinates = 150;  // the springs of a scene cost n^2
+  double shortest = std::numeric_limits<double>::infinity();
+  if (scene.initial.q.size() <= most_coordinates) {
+    const Dynamics dynamics{scene.model};
+    for (const SpringAdvice& spring : advise_step(dynamics, scene.initial).springs)
+      shortest = std::min(shortest, spring.contact_time);
+  }
+  const double wanted = shortest > 0.0 ? std::ceil(outputs_per_contact * scene.plan.end / (rows * shortest)) : 1.0;
+  return scene.plan.end / (rows * std::clamp(wanted, 1.0, most_per_row));
+}
+
+std::optional<double> linear_limit(std::string_view integrator, double damping_ratio) {
+  const double xi = damping_ratio;
+  if (integrator == CentralDifference::name || integrator == VelocityVerlet::name || integrator == EulerCromer::name) {
+    return 2.0 * (std::sqrt(1.0 + xi * xi) - xi);
+  }
+  // With a dashpot, however weak; without one nothing lags.
+  if (integrator == LaggedCentralDifference::name) return xi > 0.0 ? std::sqrt(1.0 + xi * xi) - xi : 2.0;
+  if (integrator == Euler::name) return xi < 1.0 ? 2.0 * xi : 2.0 / (xi + std::sqrt(xi * xi - 1.0));
+  if (integrator == Taylor::name) return xi < 0.5 ? 4.0 * xi : 1.0 / xi;
+  if (integrator == RungeKutta4::name) return first_growth(rk4_growth, xi);
+  if (integrator == BlanesMoan4::name) return first_growth(blanes_moan4_growth, xi);
+  return std::nullopt;
+}
+
+}  // namespace talus

@@ -1,0 +1,309 @@
+#include "solver/stability/watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/base/error.hpp"
+#include "solver/geometry/gap.hpp"
+#include "solver/geometry/penetration.hpp"
+#include "solver/run/simulate.hpp"
+
+namespace talus {
+namespace {
+
+/// Beyond this share of half the least width two bodies may slip through each other.
+constexpr double deepest_share = 0.5;
+/// Beyond this one the shapes are no longer those of the scene.
+constexpr double deep_share = 0.25;
+/// A contact of fewer steps errs by more than 5 % of its speed (0.45/N with a dashpot, the worst over all phases).
+constexpr double fewest_steps = 10.0;
+
+constexpr long looks = 64, frequency_looks = 512;
+
+std::vector<double> times_of_contacts(const Dynamics& dynamics, const StepAdvice& advice) {
+  std::vector<double> times(dynamics.contacts().size());
+  for (std::size_t i = 0; i < times.size(); ++i)
+    times[i] = advice.springs[i].contact_time;
+  return times;
+}
+
+/// The contact to which an instance belongs.
+ContactId contact_of(const Dynamics& dynamics, std::size_t instance) {
+  const std::vector<std::size_t>& counts = dynamics.layout().contact_instances;
+  std::size_t contact = 0;
+  for (; instance >= counts[contact]; ++contact)
+    instance -= counts[contact];
+  return static_cast<ContactId>(contact);
+}
+
+Rectangle box_around(const Bounds& bounds) { return {bounds.half_width, bounds.half_height}; }
+
+}  // namespace
+
+Watch::Watch(const Scene& scene, const Dynamics& dynamics, const State& start)
+    : scene_{&scene}, dynamics_{&dynamics}, work_{dynamics.workspace()}, ledger_{dynamics, start}, modes_{start.mode} {
+  fixed_step_ = tolerance(scene.integrator) == 0.0 && !located_events(scene.integrator);
+  const std::vector<Contact>& contacts = scene.model.contacts;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (contacts[c].method == ContactMethod::nodes) by_nodes_.push_back(static_cast<ContactId>(c));
+  }
+  const long steps = step_count(scene.plan);
+  every_ = std::max(1L, steps / looks);
+  apart_ = std::max(1L, steps / frequency_looks);
+  if (start.q.size() > most_watched_coordinates) return;
+  const StepAdvice closed = advise_step(dynamics, start);
+  contact_times_ = times_of_contacts(dynamics, closed);
+  if (const auto verdict = step_verdict(scene, closed))
+    step_is_beyond_ = verdict->is_beyond, step_ratio_ = verdict->text;
+}
+
+template <class Words>
+void Watch::take(Watched which, double value, double limit, Breach breach, const State& seen, ContactId contact,
+                 const Words& words) {
+  const auto place = static_cast<std::size_t>(which);
+  Extreme& extreme = extremes_[place];
+  // Of steps in a contact the fewest count; what is not a number counts most.
+  const bool fewest = which == Watched::contact;
+  const bool beyond = !(fewest ? value >= limit : value <= limit);
+  if (!extreme.seen || !(fewest ? value >= extreme.value : value <= extreme.value))
+    extreme = {value, seen.t, contact, true};
+  if (!beyond || reported_[place] >= limit) return;
+  reported_[place] = limit;
+  const std::string said = fmt::format("at t = {:.6g} {}", seen.t, words());
+  if (breach == Breach::error) {
+    breach_ = said;
+  } else {
+    warnings_.push_back(said);
+  }
+}
+
+void Watch::look(const State& seen, long step, const std::optional<Balance>& balance) {
+  const WatchRules& rules = scene_->plan.watch;
+  const bool turn = step % every_ == 0;
+  const bool changed = seen.mode != modes_;
+  if (fixed_step_ && rules.instability != Breach::off && seen.q.size() <= most_watched_coordinates &&
+      (turn || (changed && step - looked_ >= apart_))) {
+    looked_ = step;
+    look_at_frequency(seen);
+  }
+  if (changed && fixed_step_ && rules.accuracy != Breach::off) look_at_contacts(seen);
+  if (step == 0 || changed) follow_contacts(seen);
+  if (last_.touching) last_.time = seen.t;
+  if (changed) modes_ = seen.mode;
+  if ((rules.tunnelling != Breach::off || rules.accuracy != Breach::off) && (step % 8 == 0 || touches(seen))) {
+    look_at_pairs(seen);
+    if (step % 8 == 0) look_at_unseen(seen);
+  }
+  if ((turn || balance) && scene_->plan.ledger && rules.accuracy != Breach::off) look_at_drift(seen, balance);
+}
+
+/// Whether some contact acts.
+bool Watch::touches(const State& seen) const {
+  const auto first = seen.mode.begin();
+  return std::any_of(first, first + static_cast<std::ptrdiff_t>(dynamics_->contacts().size()),
+                     [](Mode mode) { return mode != 0; });
+}
+
+/// Before modes_ are those of the state.
+void Watch::follow_contacts(const State& seen) {
+  const std::size_t count = dynamics_->contacts().size();
+  std::optional<std::size_t> acts, ended;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (seen.mode[i] != 0) {
+      acts = i;
+    } else if (modes_[i] != 0) {
+      ended = i;
+    }
+  }
+  if (!acts && !ended) return;
+  touched_ = true;
+  last_ = {contact_of(*dynamics_, acts ? *acts : *ended), seen.t, acts.has_value()};
+}
+
+std::optional<Watch::LastContact> Watch::last_contact() const {
+  if (!touched_) return std::nullopt;
+  return last_;
+}
+
+void Watch::look_at_frequency(const State& seen) {
+  const auto limit = step_limit(advise_step(*dynamics_, seen, Springs::acting), name(scene_->integrator));
+  if (!limit) return;
+  const double step = scene_->plan.step;
+  take(Watched::frequency, step / limit->step, 1.0, scene_->plan.watch.instability, seen, {}, [&] {
+    return fmt::format(
+        "h omega = {:.4g} > {:.4g}, the linear limit of {} for the mode of {:.4g} rad a unit of time, xi "
+        "{:.3g}, of the springs that act: the motion grows without bound; a step below {:.4g} is stable",
+        step * limit->mode.frequency, limit->product, name(scene_->integrator), limit->mode.frequency,
+        limit->mode.damping_ratio, limit->step);
+  });
+}
+
+void Watch::look_at_pairs(const State& seen) {
+  if (dynamics_->contacts().candidates() == 0) return;
+  const WatchRules& rules = scene_->plan.watch;
+  const auto contact_name = [this](ContactId contact) { return dynamics_->model().contacts[index(contact)].name; };
+  dynamics_->update(seen, work_);
+  if (fixed_step_ && rules.tunnelling != Breach::off) {
+    const auto passing = dynamics_->contacts().passing(work_, norm(dynamics_->model().gravity));
+    if (std::isfinite(passing.longest_step)) {
+      take(Watched::passing, scene_->plan.step / passing.longest_step, 1.0, rules.tunnelling, seen, passing.contact,
+           [&] {
+             return fmt::format(
+                 "the bodies of contact '{}' may pass each other unseen: a step is {:.3g} times the longest in "
+                 "which they cannot; it must be below {:.4g}",
+                 contact_name(passing.contact), scene_->plan.step / passing.longest_step, passing.longest_step);
+           });
+    }
+  }
+  const auto overlap = dynamics_->contacts().deepest_overlap(work_);
+  take_overlap(Watched::overlap, overlap.share, seen, overlap.contact, [](bool through) {
+    return fmt::format(
+        "{}; it needs a stiffer contact (overlaps go with 1/sqrt(k)), a slower impact, or bodies farther apart at the "
+        "start",
+        through ? "the bodies may slip through each other" : "its shapes are no longer the scene's");
+  });
+}
+
+/// Outlines may cross where no node of either is in the other: sides of two bars laid across, a peak of the ground.
+void Watch::look_at_unseen(const State& seen) {
+  for (const ContactId contact : by_nodes_) {
+    const std::size_t c = index(contact);
+    const Candidate& pair = dynamics_->contacts().pair(contact);
+    const auto none_in = [&] {
+      const auto gaps = work_.gaps.begin();
+      return std::none_of(gaps + static_cast<std::ptrdiff_t>(pair.first), gaps + static_cast<std::ptrdiff_t>(pair.last),
+                          [](const Gap& gap) { return gap.depth > 0.0; });
+    };
+    if (!work_.near[c] || !none_in()) continue;
+    const Pose A = work_.poses[index(pair.a)], B = work_.poses[index(pair.b)];
+    const double size = smaller_size(pair);
+    // Boxes around the outlines cost little and overlap at least as far.
+    if (!endless(pair.bounds_a) && !endless(pair.bounds_b) &&
+        !(gap(box_around(pair.bounds_a), A, box_around(pair.bounds_b), B).depth > deep_share * size))
+      continue;
+    const std::vector<Body>& bodies = dynamics_->model().bodies;
+    const double share = penetration(bodies[index(pair.a)].shape, A, bodies[index(pair.b)].shape, B) / size;
+    // Between two nodes of a curved outline there is always a little.
+    if (share <= deep_share) continue;
+    take_overlap(Watched::unseen, share, seen, contact, [](bool) {
+      return "no node of either is in the other, so that no force acts; it needs more nodes, or the method resultant";
+    });
+  }
+}
+
+template <class Words>
+void Watch::take_overlap(Watched which, double share, const State& seen, ContactId contact, const Words& words) {
+  if (!(share > 0.0)) return;
+  const WatchRules& rules = scene_->plan.watch;
+  const bool through = share > deepest_share && rules.tunnelling != Breach::off;
+  if (!through && rules.accuracy == Breach::off) return;
+  const double limit = through ? deepest_share : deep_share;
+  take(which, share, limit, through ? rules.tunnelling : rules.accuracy, seen, contact, [&] {
+    return fmt::format(
+        "contact '{}' overlaps by {:.3g} of half the least width of its smaller body, more than {:g}: {}",
+        dynamics_->model().contacts[index(contact)].name, share, limit, words(through));
+  });
+}
+
+void Watch::look_at_contacts(const State& seen) {
+  for (std::size_t i = 0; i < contact_times_.size(); ++i) {
+    if (modes_[i] != 0 || seen.mode[i] == 0 || !std::isfinite(contact_times_[i])) continue;
+    const double steps = contact_times_[i] / scene_->plan.step;
+    const ContactId contact = contact_of(*dynamics_, i);
+    take(Watched::contact, steps, fewest_steps, scene_->plan.watch.accuracy, seen, contact, [&] {
+      return fmt::format(
+          "contact '{}' touches, which lasts {:.3g} steps: its speeds may be off by {:.2g} %; a step of "
+          "{:.3g} gives it 50",
+          dynamics_->model().contacts[index(contact)].name, steps, 45.0 / steps, contact_times_[i] / 50.0);
+    });
+  }
+}
+
+void Watch::look_at_drift(const State& seen, const std::optional<Balance>& balance) {
+  Balance now;
+  if (balance) {
+    now = *balance;
+  } else {
+    now.error = ledger_.accounts(seen).energy_closure;
+    now.scale = ledger_.energy_scale();
+  }
+  // What is not a number is the largest.
+  const double error = std::abs(now.error);
+  if (!(error <= balance_.error)) balance_.error = error, drift_time_ = seen.t;
+  balance_.scale = std::max(balance_.scale, now.scale);
+  if (scene_->plan.watch.accuracy == Breach::error && !(drift() <= largest_balance_error)) breach_ = drift_words();
+}
+
+std::string Watch::drift_words() const {
+  return fmt::format("at t = {:.6g} the energy balance is off by {:.3g} % of the largest energy, more than {:g} %",
+                     drift_time_, 100.0 * drift(), 100.0 * largest_balance_error);
+}
+
+std::vector<std::string> Watch::warnings() const {
+  std::vector<std::string> all = warnings_;
+  const bool judged = scene_->plan.ledger && scene_->plan.watch.accuracy == Breach::warning;
+  if (judged && !(drift() <= largest_balance_error)) all.push_back(drift_words());
+  return all;
+}
+
+void Watch::remember(Memory& memory) {
+  memory.numbers("modes", modes_);
+  memory.count("looked", looked_);
+  memory.part("ledger", [&] { ledger_.remember(memory); });
+  memory.number("balance_error", balance_.error);
+  memory.number("balance_scale", balance_.scale);
+  memory.number("drift_time", drift_time_);
+  memory.flag("touched", touched_);
+  memory.flag("touching", last_.touching);
+  memory.number("last_contact_time", last_.time);
+  long contact = static_cast<long>(index(last_.contact));
+  memory.count("last_contact", contact);
+  if (contact != 0 && contact >= static_cast<long>(dynamics_->model().contacts.size()))
+    throw InputError{fmt::format("last_contact: found {}; there are {}", contact, dynamics_->model().contacts.size())};
+  last_.contact = static_cast<ContactId>(contact);
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < watched_count; ++i) {
+    const Extreme& e = extremes_[i];
+    numbers.insert(numbers.end(),
+                   {e.value, e.time, static_cast<double>(index(e.contact)), e.seen ? 1.0 : 0.0, reported_[i]});
+  }
+  memory.numbers("extremes", numbers);
+  std::string said = fmt::format("{}", fmt::join(warnings_, "\n"));
+  memory.text("warnings", said);
+  if (!memory.puts_back()) return;
+  for (std::size_t i = 0; i < watched_count; ++i) {
+    const double* at = &numbers[5 * i];
+    const double contacts = static_cast<double>(std::max<std::size_t>(1, dynamics_->model().contacts.size()));
+    if (!(at[2] >= 0.0 && at[2] < contacts && at[2] == std::floor(at[2])))
+      throw InputError{fmt::format("extremes: found contact {}; there are {}", at[2], contacts)};
+    extremes_[i] = {at[0], at[1], static_cast<ContactId>(at[2]), at[3] != 0.0};
+    reported_[i] = at[4];
+  }
+  warnings_.clear();
+  for (std::size_t from = 0; from < said.size();) {
+    const std::size_t end = std::min(said.find('\n', from), said.size());
+    warnings_.push_back(said.substr(from, end - from));
+    from = end + 1;
+  }
+}
+
+std::vector<std::string> watch_lines(const Watch& watch, const Scene& scene) {
+  std::vector<std::string> lines;
+  const auto line = [&](Watched which, std::string_view what, double scale, std::string_view unit, bool at_contact) {
+    const Watch::Extreme& extreme = watch.extreme(which);
+    if (!extreme.seen) return;
+    lines.push_back(
+        fmt::format("{:<34}{:>10.4g}{} at t = {:.6g}{}", what, scale * extreme.value, unit, extreme.time,
+                    at_contact ? fmt::format(", '{}'", scene.model.contacts[index(extreme.contact)].name) : ""));
+  };
+  line(Watched::frequency, "step over its linear limit", 1.0, "  ", false);
+  line(Watched::passing, "step over the longest unseen pass", 1.0, "  ", true);
+  line(Watched::overlap, "largest overlap over half width", 100.0, " %", true);
+  line(Watched::unseen, "largest overlap unseen by nodes", 100.0, " %", true);
+  line(Watched::contact, "steps in the shortest contact", 1.0, "  ", true);
+  return lines;
+}
+
+}  // namespace talus

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "solver/cell/cell_run.hpp"
+
+/// Cells of all laws, plans for them, and what tests of their runs share.
+namespace talus {
+
+/// A cell of each law, smooth and rough: contacts of all last about as long.
+inline std::vector<ShearCell> cells() {
+  std::vector<ShearCell> all;
+  for (const DiscLaw& law : std::vector<DiscLaw>{
+           LatchingSpring{1.7e4, 1.7e4 / 0.49, 0.0}, LatchingSpring{1.7e4, 2e4, 0.01}, LinearSpringDashpot{2e4, 0.0},
+           LinearSpringDashpot{2e4, 0.02}, LinearSpringDashpot{2e4, 0.02, EndRule::attractive}}) {
+    for (const bool rough : {false, true}) {
+      ShearCell cell = ice_cell(8e3, 5e3);
+      cell.law = law;
+      if (rough) cell.friction = CoulombFriction{0.5, 1.4e4};
+      all.push_back(cell);
+    }
+  }
+  return all;
+}
+
+/// Methods that the cell may be run by.
+inline std::vector<std::string> methods(const ShearCell& cell) {
+  std::vector<std::string> names = disc_method_names();
+  std::erase_if(names,
+                [&](const std::string& name) { return cell.law_of_1989() == nullptr && swing_gain(name) != 0.0; });
+  return names;
+}
+
+inline CellPlan plan(const ShearCell& cell, double contacts, double steps_in_contact = 20.0) {
+  const double step = cell.contact_time() / steps_in_contact;
+  return {.step = step, .every = contacts / 4.0 * cell.contact_time(), .end = contacts * cell.contact_time()};
+}
+
+/// Largest difference of places [L].
+inline double apart(CellRun& one_run, CellRun& other_run) {
+  const Discs one = one_run.discs(), other = other_run.discs();
+  const double width = one_run.cell().width();
+  double most = 0.0;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const double x = one.x[i] - other.x[i];
+    most = std::max({most, std::abs(x - width * std::round(x / width)), std::abs(one.y[i] - other.y[i])});
+  }
+  return most;
+}
+
+inline CellRun& run(CellRun& cell) {
+  while (!cell.finished())
+    cell.advance();
+  BOOST_TEST(cell.failure().empty());
+  return cell;
+}
+
+}  // namespace talus

@@ -1,0 +1,219 @@
+/// The watch over a run (solver/stability/watch.hpp), on both sides of each of its limits.
+#define BOOST_TEST_MODULE watch
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+
+#include "solver/model/model_builder.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/bouncing_disc.hpp"
+#include "solver/stability/watch.hpp"
+
+using namespace talus;
+
+namespace {
+
+/// A run under watch to its end or to a breach.
+struct WatchedRun {
+  std::string breach;
+  std::vector<std::string> warnings;
+  double time{};
+  double share{};  ///< largest overlap
+};
+
+WatchedRun run(Scene scene, double step, double end, const char* method = "velocity_verlet",
+               const WatchRules& rules = {}) {
+  scene.integrator = make_integrator(method, needs_tolerance(method) ? 1e-9 : 0.0);
+  scene.plan = {step, end, end, true, rules};
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, true};
+  State state = scene.initial;
+  system.begin(state);
+  Watch watch{scene, dynamics, state};
+  watch.look(state, 0);
+  if (watch.breach().empty()) {
+    long n = 0;
+    const Outcome outcome = simulate(system, scene.integrator, state, scene.plan, {}, [&](const State& seen) {
+      watch.look(seen, ++n);
+      return !watch.breach().empty();
+    });
+    BOOST_TEST(static_cast<bool>(outcome));
+  }
+  return {watch.breach(), watch.warnings(), state.t, watch.extreme(Watched::overlap).value};
+}
+
+bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
+
+/// A disc of mass and radius 1 pressed between two planes, w = 100 of both springs together.
+Scene squeezed() {
+  ModelBuilder builder;
+  const BodyId disc = builder.add(
+      Body{.name = "disc", .mobility = Mobility::sliding_y, .mass = 1.0, .shape = Circle{1.0}, .p_WB = {0.0, 0.0}});
+  for (const double side : {1.0, -1.0}) {
+    const BodyId plane = builder.add(Body{.name = side > 0.0 ? "below" : "above",
+                                          .mobility = Mobility::fixed,
+                                          .shape = HalfPlane{},
+                                          .p_WB = {0.0, -0.98 * side},
+                                          .angle = side > 0.0 ? 0.0 : std::acos(-1.0)});
+    builder.add(Contact{.name = side > 0.0 ? "lower" : "upper",
+                        .a = plane,
+                        .b = disc,
+                        .law = LinearSpringDashpot{5000.0, 0.0, EndRule::clamped}});
+  }
+  Scene scene{.title = "squeezed", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  return scene;
+}
+
+/// Two discs of radius .1 that fly at each other, 100 apart.
+Scene shot(double speed) {
+  ModelBuilder builder;
+  const BodyId post =
+      builder.add(Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{0.1}, .p_WB = {50.0, 0.0}});
+  const BodyId stone =
+      builder.add(Body{.name = "stone", .mobility = Mobility::particle, .mass = 1.0, .shape = Circle{0.1}});
+  builder.add(Contact{.name = "hit", .a = post, .b = stone, .law = LinearSpringDashpot{1e10, 0.0, EndRule::clamped}});
+  Scene scene{.title = "shot", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, stone, {speed, 0.0}, 0.0);
+  return scene;
+}
+
+/// A bar that stands across a fixed one; their corners are far from each other where `height` is nought.
+Scene crossed(double height, ContactMethod method) {
+  ModelBuilder builder;
+  const BodyId level =
+      builder.add(Body{.name = "level", .mobility = Mobility::fixed, .shape = Rectangle{1.0, 0.1}, .p_WB = {0.0, 0.0}});
+  const BodyId upright = builder.add(
+      Body{.name = "upright", .mass = 1.0, .inertia = 1.0, .shape = Rectangle{0.1, 1.0}, .p_WB = {0.0, height}});
+  builder.add(Contact{.name = "across",
+                      .a = upright,
+                      .b = level,
+                      .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
+                      .method = method});
+  Scene scene{.title = "crossed", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  return scene;
+}
+
+/// Overlap v/w of an impact at v = 1 on a disc of radius 1, in steps of so many a contact.
+Scene impact(double overlap) {
+  const double w = 1.0 / overlap;
+  return scenes::bouncing_disc(
+      {.gap = 0.5, .speed = 1.0, .contact = LinearSpringDashpot{w * w, 0.0, EndRule::clamped}});
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(instability_ends_a_run_before_its_first_step) {
+  // Both springs act: the limit is h w = 2 with w = 100.
+  BOOST_TEST(run(squeezed(), 0.01999, 0.2).breach.empty());
+  const WatchedRun beyond = run(squeezed(), 0.02001, 0.2);
+  BOOST_TEST(beyond.time == 0.0);
+  BOOST_TEST(says(beyond.breach, "h omega = 2.001 > 2, the linear limit of velocity_verlet"));
+  const WatchedRun warned =
+      run(squeezed(), 0.02001, 0.2, "velocity_verlet", {.instability = Breach::warning, .accuracy = Breach::off});
+  BOOST_TEST(warned.breach.empty());
+  BOOST_TEST(warned.warnings.size() == 1U);
+  const WatchedRun off =
+      run(squeezed(), 0.02001, 0.2, "velocity_verlet", {.instability = Breach::off, .accuracy = Breach::off});
+  BOOST_TEST(off.warnings.empty());
+  // Springs that do not act set no limit.
+  Scene apart = squeezed();
+  apart.model.bodies[1].p_WB.y = -3.0, apart.model.bodies[2].p_WB.y = 3.0;
+  BOOST_TEST(run(apart, 0.1, 1.0, "velocity_verlet", {.accuracy = Breach::off}).breach.empty());
+}
+
+BOOST_AUTO_TEST_CASE(bodies_that_could_pass_unseen_are_refused) {
+  // Half of .1 and .1 together are .1 of way: at a step of 1e-3 a speed of 100.
+  const WatchRules rules{.instability = Breach::off, .accuracy = Breach::off};
+  BOOST_TEST(run(shot(99.0), 1e-3, 0.1, "velocity_verlet", rules).breach.empty());
+  const WatchedRun beyond = run(shot(101.0), 1e-3, 0.1, "velocity_verlet", rules);
+  BOOST_TEST(beyond.time == 0.0);
+  BOOST_TEST(says(beyond.breach, "the bodies of contact 'hit' may pass each other unseen"));
+  // Located steps see to that themselves.
+  BOOST_TEST(run(shot(101.0), 0.1, 0.1, "stormer_cowell", rules).breach.empty());
+}
+
+BOOST_AUTO_TEST_CASE(overlaps_are_measured_against_the_smaller_body) {
+  const WatchRules rules{.accuracy = Breach::error};
+  BOOST_TEST(run(impact(0.249), 1e-4, 2.0).warnings.empty());
+  const WatchedRun deep = run(impact(0.251), 1e-4, 2.0);
+  BOOST_TEST(deep.breach.empty());
+  BOOST_TEST(deep.warnings.size() == 1U);
+  BOOST_TEST(deep.share == 0.251, boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(!run(impact(0.251), 1e-4, 2.0, "velocity_verlet", rules).breach.empty());
+  BOOST_TEST(run(impact(0.499), 1e-4, 3.0).breach.empty());
+  const WatchedRun through = run(impact(0.501), 1e-4, 3.0);
+  BOOST_TEST(says(through.breach, "the bodies may slip through each other"));
+  BOOST_TEST(through.time < 1.4);
+  // Where both sides of the second limit only warn, each is said once, at whatever many steps.
+  const WatchedRun warned =
+      run(impact(0.501), 1e-4, 3.0, "velocity_verlet", {.tunnelling = Breach::warning, .accuracy = Breach::warning});
+  BOOST_TEST(warned.breach.empty());
+  BOOST_TEST(warned.warnings.size() == 2U);
+}
+
+BOOST_AUTO_TEST_CASE(outlines_that_cross_where_no_node_is_in_the_other) {
+  const WatchRules rules{.accuracy = Breach::off};
+  const WatchedRun across = run(crossed(0.0, ContactMethod::nodes), 1e-3, 0.1, "velocity_verlet", rules);
+  BOOST_TEST(across.time == 0.0);
+  BOOST_TEST(says(across.breach, "no node of either is in the other"));
+  BOOST_TEST(says(across.breach, "'across' overlaps by 11 of half the least width"));
+  // With corners in the other bar, and by the one resultant, a force acts.
+  const WatchedRun corners = run(crossed(1.08, ContactMethod::nodes), 1e-3, 0.1);
+  BOOST_TEST(corners.breach.empty());
+  BOOST_TEST(corners.share == 0.2, boost::test_tools::tolerance(1e-12));
+  const WatchedRun resultant = run(crossed(0.0, ContactMethod::resultant), 1e-3, 0.1, "velocity_verlet", rules);
+  BOOST_TEST(says(resultant.breach, "the bodies may slip through each other"));
+  // Apart, or told not to look, it says nothing.
+  BOOST_TEST(run(crossed(1.2, ContactMethod::nodes), 1e-3, 0.1, "velocity_verlet", rules).breach.empty());
+  const WatchRules off{.tunnelling = Breach::off, .accuracy = Breach::off};
+  BOOST_TEST(run(crossed(0.0, ContactMethod::nodes), 1e-3, 0.1, "velocity_verlet", off).breach.empty());
+}
+
+BOOST_AUTO_TEST_CASE(contacts_of_few_steps_are_warned_of_where_they_touch) {
+  // Contact time pi/100.
+  const Scene scene = impact(0.01);
+  BOOST_TEST(run(scene, 0.0314, 0.4).warnings.empty());  // does not touch before t = .5
+  const auto few = run(scene, std::acos(-1.0) / 100.0 / 9.9, 0.7).warnings;
+  BOOST_TEST(!few.empty());
+  BOOST_TEST(says(few.front(), "lasts 9.9 steps"));
+  for (const std::string& other : run(scene, std::acos(-1.0) / 100.0 / 10.1, 0.7).warnings)
+    BOOST_TEST(says(other, "energy balance"));
+}
+
+BOOST_AUTO_TEST_CASE(a_ledger_that_does_not_close_is_warned_of) {
+  // Euler-Cromer's energy of a swing is off by h w/2 at first order, back and forth.
+  Scene swings = squeezed();
+  set_velocity(swings.model, swings.initial, static_cast<BodyId>(0), {0.0, 0.1}, 0.0);
+  WatchRules rules;
+  rules.tunnelling = Breach::off;
+  const auto coarse = run(swings, 0.003, 0.3, "euler_cromer", rules).warnings;
+  BOOST_TEST(coarse.size() == 1U);
+  if (!coarse.empty()) BOOST_TEST(says(coarse.front(), "the energy balance is off by"));
+  BOOST_TEST(run(swings, 0.00003, 0.3, "euler_cromer", rules).warnings.empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_watch_put_back_goes_on) {
+  Scene scene = impact(0.251);
+  scene.integrator = make_integrator("velocity_verlet");
+  scene.plan = {1e-3, 1.5, 1.5, true, {}};
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, true};
+  State state = scene.initial;
+  Watch watch{scene, dynamics, state}, other{scene, dynamics, state};
+  long n = 0;
+  static_cast<void>(simulate(system, scene.integrator, state, scene.plan, {}, [&](const State& seen) {
+    watch.look(seen, ++n);
+    return false;
+  }));
+  BOOST_TEST(watch.warnings().size() == 1U);
+  Memory saving;
+  watch.remember(saving);
+  Memory putting_back{saving.items()};
+  other.remember(putting_back);
+  BOOST_TEST((other.warnings() == watch.warnings()));
+  BOOST_TEST(other.extreme(Watched::overlap).value == watch.extreme(Watched::overlap).value);
+  BOOST_TEST(other.extreme(Watched::overlap).time == watch.extreme(Watched::overlap).time);
+}

@@ -1,0 +1,295 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/integrate/integrator_list.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/problems/cables/cable_findings.hpp"
+#include "verification/reference/cable_draw.hpp"
+#include "verification/study/cable_scenes.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+constexpr double stiffness = 1.0, mass = 1.0, speed = 1.0;  // peak tension 1
+constexpr double half_swing = std::numbers::pi;
+
+/// Phases of a root mean square: fewer where only a fault is to be seen.
+std::size_t phases(const Setup& setup) { return setup.coarse ? 16 : fewest_phases; }
+
+/// A throw from the share `phase` of a step before the cable is taut.
+CableRun throw_once(const ElasticPlastic& law, double step, double phase, Findings& findings) {
+  const Scene scene = thrown_mass(law, mass, speed);
+  State state = scene.initial;
+  state.q[0] -= phase * step * speed;
+  return run_cables(scene, state, VelocityVerlet{}, {step, 20.0, true}, findings);
+}
+
+bool broke(const CableRun& run) { return run.end.mode[0] == ElasticPlastic::broken; }
+
+/// A thousandth below and above the largest tension, and the largest plastic stretch: 64 phases each.
+void check_both_sides(Findings& findings, const Setup& setup) {
+  const double yield = 0.5;
+  const double drawn = reference::perfectly_plastic_draw(stiffness, yield, mass, speed).stretch;
+  const double off = setup.has("strength_unread") ? 0.998 : 1.0;
+  int broken[4]{};
+  for (std::size_t i = 0; i < phases(setup); ++i) {
+    const double step = offset_step(half_swing, 400.0, i), phase = even_phases(phases(setup))[i];
+    const ElasticPlastic laws[] = {{.stiffness = stiffness, .strength = off * 1.001 * speed},
+                                   {.stiffness = stiffness, .strength = 0.999 * speed},
+                                   {.stiffness = stiffness, .yield = yield, .rupture = off * 1.001 * drawn},
+                                   {.stiffness = stiffness, .yield = yield, .rupture = 0.999 * drawn}};
+    for (std::size_t l = 0; l < 4; ++l)
+      broken[l] += broke(throw_once(laws[l], step, phase, findings)) ? 1 : 0;
+  }
+  const char* const names[] = {
+      "breaks at a strength of 1.001 of the largest tension", "breaks at a strength of .999 of the largest tension",
+      "breaks at a rupture of 1.001 of the largest stretch", "breaks at a rupture of .999 of the largest stretch"};
+  for (std::size_t l = 0; l < 4; ++l)
+    findings.expect(names[l], broken[l], l % 2 == 0 ? 0.0 : static_cast<double>(phases(setup)),
+                    Tolerance::exact("Verlet's peak is off by (w h)^2/8 = 8e-6, a hundredth of the thousandth: of 64 "
+                                     "phases all break, or none"));
+}
+
+/// What a break releases, and what it leaves to the mass.
+void check_release(Findings& findings, const Setup& setup) {
+  const double strength = 0.6;
+  Convergence released, kept, closure;
+  double ratio = 0.0, open_ratio = 0.0;
+  for (const double count : doublings(setup.coarse ? 256.0 : 32.0, setup.coarse ? 1 : 4)) {
+    PhaseError energy, exit, open;
+    double step = 0.0;
+    for (std::size_t i = 0; i < phases(setup); ++i) {
+      step = offset_step(half_swing, count, i);
+      CableRun run =
+          throw_once({.stiffness = stiffness, .strength = strength}, step, even_phases(phases(setup))[i], findings);
+      energy.add(booked(run.end, Mechanism::cable_break) - reference::broken_energy(stiffness, strength));
+      exit.add(run.end.v[0] - reference::speed_kept(stiffness, strength, mass, speed));
+      if (setup.has("break_not_booked")) run.closure -= booked(run.end, Mechanism::cable_break);
+      open.add(run.closure);
+    }
+    step = half_swing / (count + 0.5);
+    released.add(step, energy.rms());
+    kept.add(step, exit.rms());
+    closure.add(step, open.rms());
+    const double left = reference::speed_kept(stiffness, strength, mass, speed);
+    ratio = energy.rms() / (strength * left * step / std::sqrt(3.0));
+    open_ratio = open.rms() / (0.5 * strength * left * step);
+  }
+  findings.expect_order("order of the energy released by a break", released, 0.95, 1.05,
+                        "the cable breaks at the step that finds it past its strength, evenly up to a step late");
+  findings.expect("energy released by a break, rms error over its prediction", ratio, 1.0,
+                  Tolerance::model(0.03,
+                                   "T v u h with u even in (0, 1): rms T v h/sqrt(3); the next power of the step "
+                                   "is 2 % of it"));
+  findings.expect_order("order of the closure of the energy, cable that breaks", closure, 0.95, 1.05,
+                        "the force ends with the half kick before the break is found, the energy is booked when it is");
+  findings.expect("closure of the energy over its prediction, cable that breaks", open_ratio, 1.0,
+                  Tolerance::model(0.03,
+                                   "half a kick that is not made while the cable is still held to pull: T v h/2, "
+                                   "whatever the phase; the next power of the step is 2 % of it"));
+}
+
+// ---- the hanger ----
+
+const reference::HungPair pair{2.0, 1.0, 3.0, 5.0, 1.5};
+
+CableRun run_pair(double strength, double step, double phase, double end, const Integrator& method, Findings& findings,
+                  bool watched = false) {
+  const Scene scene = hung_pair(pair, strength);
+  State state = scene.initial;
+  state.q[1] -= phase * step * pair.speed;
+  return run_cables(scene, state, method, {step, end, false, watched}, findings);
+}
+
+/// Change of a quantity of the reference with the time at which the hanger breaks.
+template <class Of>
+double change_with_time(const reference::HangerBreak& broken, Of&& of) {
+  constexpr double d = 1e-5;
+  const auto at = [&](double t) {
+    return of(reference::break_hanger(pair, reference::hanger_load(pair, reference::held_pair(pair, t))));
+  };
+  return (at(broken.time + d) - at(broken.time - d)) / (2.0 * d);
+}
+
+void check_hanger_sides(Findings& findings, const Setup& setup) {
+  const double peak = reference::first_load_peak(pair).load, time = reference::first_load_peak(pair).time;
+  const double off = setup.has("strength_unread") ? 0.998 : 1.0;
+  int above = 0, below = 0;
+  for (std::size_t i = 0; i < phases(setup); ++i) {
+    const double step = offset_step(time, 400.0, i), phase = even_phases(phases(setup))[i];
+    above += run_pair(off * 1.001 * peak, step, phase, 1.5 * time, VelocityVerlet{}, findings).hanger_broken ? 1 : 0;
+    below += run_pair(0.999 * peak, step, phase, 1.5 * time, VelocityVerlet{}, findings).hanger_broken ? 1 : 0;
+  }
+  const Tolerance all_or_none =
+      Tolerance::exact("the load's peak is resolved to (w h)^2/8 = 2e-6: of 64 phases all break, or none");
+  findings.expect("breaks of a hanger of 1.001 of the largest load", above, 0.0, all_or_none);
+  findings.expect("breaks of a hanger of .999 of the largest load", below, static_cast<double>(phases(setup)),
+                  all_or_none);
+}
+
+/// Late by up to a step: speeds, energy lost, and the ledger.
+void check_hanger_orders(Findings& findings, const Setup& setup) {
+  const double strength = 0.7 * reference::first_load_peak(pair).load;
+  const reference::HangerBreak exact = reference::break_hanger(pair, strength);
+  const double b_rate = strength / pair.mass_b;
+  const double lost_rate = change_with_time(exact, [](const auto& x) { return x.lost; });
+  const double exit_rate = change_with_time(exact, [](const auto& x) { return x.exit_speed_c; });
+  Convergence speed_b, lost, exit, closure;
+  double ratios[4]{};
+  // What the break takes from the power of the cables' forces on both masses.
+  const reference::PairState& at = exact.at_break;
+  const double pull = pair.stiffness_2 * (at.c - at.b);
+  const double power = -strength * at.speed_b + (pull - exact.merged_stiffness * at.c) * at.speed_c;
+  for (const double count : doublings(setup.coarse ? 256.0 : 32.0, setup.coarse ? 1 : 4)) {
+    PhaseError of_b, of_lost, of_exit, open;
+    for (std::size_t i = 0; i < phases(setup); ++i) {
+      const double step = offset_step(exact.slack_time, count * 4.0, i);
+      CableRun run = run_pair(strength, step, even_phases(phases(setup))[i], 1.02 * exact.slack_time + 4.0 * step,
+                              VelocityVerlet{}, findings);
+      of_b.add(run.end.v[0] - exact.at_break.speed_b);
+      of_lost.add(booked(run.end, Mechanism::hanger_break) - exact.lost);
+      of_exit.add(-run.end.v[1] - exact.exit_speed_c);
+      if (setup.has("hanger_not_booked")) run.closure -= booked(run.end, Mechanism::hanger_break);
+      open.add(run.closure);
+    }
+    const double step = exact.slack_time / (4.0 * count + 0.5), late = step / std::sqrt(3.0);
+    speed_b.add(step, of_b.rms());
+    lost.add(step, of_lost.rms());
+    exit.add(step, of_exit.rms());
+    closure.add(step, open.rms());
+    ratios[0] = of_b.rms() / (0.5 * late * b_rate);
+    ratios[1] = of_lost.rms() / (late * lost_rate);
+    ratios[2] = of_exit.rms() / (0.5 * late * std::abs(exit_rate));
+    ratios[3] = open.rms() / (0.5 * step * std::abs(power));
+  }
+  const Tolerance near = Tolerance::model(
+      0.03,
+      "the break is found up to a step late, evenly: what it loses is off by h/sqrt(3) (rms) times the reference's "
+      "change "
+      "with the time of the break, speeds by half of that, because the half kick before is made without; power closes "
+      "late by h/2; the next power of the step is 2 %, and 1 % for 64 uneven phases");
+  findings.expect("speed of the mass without hanger, rms error over its prediction", ratios[0], 1.0, near);
+  findings.expect("energy lost by the hanger's break, rms error over its prediction", ratios[1], 1.0, near);
+  findings.expect("exit speed of the mass on the one cable, rms error over its prediction", ratios[2], 1.0, near);
+  findings.expect("closure of the energy over its prediction, hanger that breaks", ratios[3], 1.0, near);
+  findings.expect_order("order of the speed of the mass without hanger", speed_b, 0.98, 1.02,
+                        "the hanger breaks at the step that finds it overloaded");
+  findings.expect_order("order of the closure of the energy, hanger that breaks", closure, 0.98, 1.02,
+                        "the forces change with the half kick before the break is found, the energy is booked when it "
+                        "is");
+}
+
+/// The two cables as one, against a scene that has one.
+void check_merged(Findings& findings, const Setup& setup) {
+  const double strength = 0.7 * reference::first_load_peak(pair).load;
+  const reference::HangerBreak exact = reference::break_hanger(pair, strength);
+  const double step = exact.slack_time / 400.0;
+  // To the break, and a few steps on.
+  const CableRun first = run_pair(strength, step, 0.5, exact.time + 4.0 * step, VelocityVerlet{}, findings);
+  const double left = 0.9 * (exact.slack_time - first.end.t);
+  const Scene two = hung_pair(pair, strength);
+  reference::HungPair told = pair;
+  if (setup.has("two_cables_side_by_side")) {
+    told.stiffness_1 += told.stiffness_2;
+    told.stiffness_2 = 1e9;
+  }
+  const Scene one = parted_pair_scene(told, first.end);
+  const CableRun a = run_cables(two, first.end, VelocityVerlet{}, {step, first.end.t + left, false, true}, findings);
+  const CableRun b = run_cables(one, one.initial, VelocityVerlet{}, {step, first.end.t + left, false, true}, findings);
+  double apart = 0.0, tensions = 0.0;
+  for (std::size_t i = 0; i < a.time.size(); ++i) {
+    apart = std::max(apart, std::abs(a.tension[i] - b.tension[i]));
+    tensions = std::max(tensions, std::abs(a.tension[i] - a.second_tension[i]));
+  }
+  findings.expect(
+      "place of the mass on two cables without hanger from that on one cable", std::abs(a.end.q[1] - b.end.q[1]), 0.0,
+      Tolerance::round_off(1e-13,
+                           "the tensions' round-off, 1e-14, over 1 s^2 and a few hundred steps that add up at random"),
+      "m");
+  findings.expect("tension of two cables without hanger from that of one cable", apart, 0.0,
+                  Tolerance::round_off(3e-14, "as below, once more for each cable"), "N");
+  findings.expect(
+      "tension of one of the two cables without hanger from that of the other", tensions, 0.0,
+      Tolerance::round_off(3e-14,
+                           "k (l - l0) of lengths of 8: four roundings of half a unit of the last place of 8, times 5"),
+      "N");
+}
+
+constexpr const char* control_words =
+    "steps whose local error is kept below 1e-11; a step across the break is refused until it is so short that the "
+    "jump of "
+    "a force times its square is below that: 1e-6 s early or late, of which the energy shows all and the speed half";
+
+/// Under step control the break is met to the tolerance.
+void check_hanger_exactly(Findings& findings, const Setup& setup) {
+  const double strength = (setup.has("strength_unread") ? 0.998 : 1.0) * 0.7 * reference::first_load_peak(pair).load;
+  const reference::HangerBreak exact = reference::break_hanger(pair, 0.7 * reference::first_load_peak(pair).load);
+  const CableRun run = run_pair(strength, exact.slack_time / 40.0, 0.5, 1.1 * exact.slack_time,
+                                make_integrator("odeint_dopri5", 1e-11), findings);
+  findings.expect("energy lost by the hanger's break under step control", booked(run.end, Mechanism::hanger_break),
+                  exact.lost, Tolerance::truncation(2e-8, 1.0, control_words), "J");
+  findings.expect("exit speed of the mass on the one cable under step control", -run.end.v[1], exact.exit_speed_c,
+                  Tolerance::truncation(2e-9, 1.0, control_words), "m/s");
+}
+
+void draw_hanger(Findings& findings) {
+  const double strength = 0.7 * reference::first_load_peak(pair).load;
+  const reference::HangerBreak exact = reference::break_hanger(pair, strength);
+  const CableRun run =
+      run_pair(strength, exact.slack_time / 480.0, 0.5, 1.1 * exact.slack_time, VelocityVerlet{}, findings, true);
+  Series one{"anchor to mass, solver", {}, {}, Style::points}, two{"mass to mass, solver", {}, {}, Style::crosses};
+  for (std::size_t i = 0; i < run.time.size(); i += 11) {
+    one.x.push_back(run.time[i]);
+    one.y.push_back(run.tension[i]);
+    two.x.push_back(run.time[i]);
+    two.y.push_back(run.second_tension[i]);
+  }
+  Series exact_one{"anchor to mass, exact", {}, {}, Style::lines},
+      exact_two{"mass to mass, exact", {}, {}, Style::lines};
+  for (int i = 0; i <= 200; ++i) {
+    const double t = exact.time * i / 200.0;
+    const reference::PairState s = reference::held_pair(pair, t);
+    exact_one.x.push_back(t);
+    exact_one.y.push_back(pair.stiffness_1 * s.b);
+    exact_two.x.push_back(t);
+    exact_two.y.push_back(pair.stiffness_2 * (s.c - s.b));
+  }
+  for (int i = 0; i <= 200; ++i) {
+    const double t = exact.time + (exact.slack_time - exact.time) * i / 200.0;
+    const double tension = exact.merged_stiffness * reference::parted_pair(pair, exact, t).c;
+    for (Series* s : {&exact_one, &exact_two}) {
+      s->x.push_back(t);
+      s->y.push_back(tension);
+    }
+  }
+  findings.figure({.name = "hanger",
+                   .title = "A hanger breaks",
+                   .caption = "Tension of the two cables on either side of a mass whose hanger breaks at 70 % of the "
+                              "largest load: from then on they are one.",
+                   .x = {.label = "time", .unit = "s"},
+                   .y = {.label = "tension", .unit = "N"},
+                   .series = {exact_one, exact_two, one, two},
+                   .slopes = {},
+                   .lines = {{'x', exact.time, "break"}}});
+}
+
+}  // namespace
+
+void check_breaking(Findings& findings, const Setup& setup) {
+  check_both_sides(findings, setup);
+  check_release(findings, setup);
+}
+
+void check_hanger(Findings& findings, const Setup& setup) {
+  check_hanger_orders(findings, setup);
+  check_merged(findings, setup);
+  if (setup.coarse) return;
+  check_hanger_sides(findings, setup);
+  check_hanger_exactly(findings, setup);
+  draw_hanger(findings);
+}
+
+}  // namespace talus::verification::problems

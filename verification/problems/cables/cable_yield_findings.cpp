@@ -1,0 +1,252 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "verification/check/convergence.hpp"
+#include "verification/problems/cables/cable_findings.hpp"
+#include "verification/reference/cable_draw.hpp"
+#include "verification/study/cable_scenes.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+constexpr double stiffness = 1.0, mass = 1.0, yield = 0.5;
+constexpr double half_swing = std::numbers::pi;  // of the mass on the elastic cable
+
+/// Yield force of the three cables: flat, along a line, along a table.
+reference::YieldingCable flat() { return {stiffness, {{0.0, yield}}, 0.0}; }
+reference::YieldingCable line() { return {stiffness, {{0.0, yield}}, 0.25}; }
+reference::YieldingCable table() { return {stiffness, {{0.0, yield}, {0.5, 0.75}, {1.5, 0.75}, {2.0, 1.25}}, 0.1}; }
+
+/// The same as the solver is told it, with the setup's fault in it.
+ElasticPlastic law_of(const reference::YieldingCable& cable, const Setup& setup) {
+  ElasticPlastic law{.stiffness = cable.stiffness, .yield = cable.points.front().force, .hardening = cable.last_slope};
+  for (std::size_t i = 1; i < cable.points.size(); ++i)
+    law.table.push_back({cable.points[i].stretch, cable.points[i].force});
+  if (setup.has("never_yields")) return ElasticPlastic{.stiffness = cable.stiffness};
+  if (setup.has("without_hardening")) return ElasticPlastic{.stiffness = cable.stiffness, .yield = law.yield};
+  return law;
+}
+
+/// Rms relative error of the exit speed from an elastic cable: (w h)^2/(2 sqrt(90)), as of an elastic impact.
+double elastic_error(double count) { return std::pow(half_swing / (count + 0.5), 2) / (2.0 * std::sqrt(90.0)); }
+constexpr const char* exit_words =
+    "that of an elastic impact, (w h)^2/(2 sqrt(90)), from the shares of a step at which the cable becomes taut and "
+    "slack";
+
+/// Rms error of the plastic stretch after throws of this sum of squared speeds [L].
+double stretch_error(double count, double squares) {
+  return std::pow(half_swing / (count + 0.5), 2) * mass * squares / (2.0 * std::sqrt(30.0) * yield);
+}
+constexpr const char* stretch_words =
+    "taut at the share u of a step, the energy is off by (w h)^2 u (1 - u) of m v^2/2, rms (w h)^2/sqrt(30) with its "
+    "mean; over the yield force that is a stretch, less what Verlet's spring is softer by, and summed over the throws";
+
+/// Throws one after the other, each from the stretch that the last one left, all from the share `phase` of a step
+/// before the cable is taut.
+std::vector<CableRun> throws(const ElasticPlastic& law, const std::vector<double>& speeds, double step, double phase,
+                             const Setup& setup, Findings& findings, bool watched = false) {
+  std::vector<CableRun> runs;
+  const Scene scene = thrown_mass(law, mass, 1.0);
+  State state = scene.initial;
+  for (const double speed : speeds) {
+    if (setup.has("stretch_forgotten")) state.z[0] = 0.0;
+    state.t = 0.0;
+    state.q[0] = cable_length + state.z[0] - phase * step * speed;
+    state.v[0] = speed;
+    runs.push_back(run_cables(scene, state, VelocityVerlet{}, {step, 40.0, true, watched}, findings));
+    state = runs.back().end;
+  }
+  return runs;
+}
+
+/// Phases of a root mean square: fewer where only a fault is to be seen.
+std::size_t phases(const Setup& setup) { return setup.coarse ? 16 : fewest_phases; }
+
+/// What a throw gives over what it should, rms over 64 phases.
+struct DrawErrors {
+  PhaseError exit, stretch, lost;
+  double closure{};  ///< of the energy, rms
+};
+
+DrawErrors draw_errors(const reference::YieldingCable& cable, double speed, double count, const Setup& setup,
+                       Findings& findings) {
+  const reference::CableDraw exact = reference::draw(cable, mass, speed);
+  DrawErrors errors;
+  PhaseError closure;
+  for (std::size_t i = 0; i < fewest_phases; ++i) {
+    const double step = offset_step(half_swing, count, i);
+    const CableRun run =
+        throws(law_of(cable, setup), {speed}, step, even_phases(fewest_phases)[i], setup, findings).front();
+    errors.exit.add(-run.end.v[0] / exact.exit_speed - 1.0);
+    errors.stretch.add(run.end.z[0] - exact.stretch);
+    errors.lost.add(booked(run.end, Mechanism::cable_yield) - exact.lost);
+    closure.add(run.closure);
+  }
+  errors.closure = closure.rms();
+  return errors;
+}
+
+/// Speed at which the cable begins to yield.
+double speed_at_yield(double speed) { return std::sqrt(speed * speed - yield * yield / (stiffness * mass)); }
+
+void check_orders(Findings& findings, const Setup& setup) {
+  const double speed = 2.0 * yield;
+  Convergence exit, stretch, closure;
+  double last = 0.0, step = 0.0;
+  for (const double count : doublings(16.0, 4)) {
+    step = half_swing / (count + 0.5);
+    const DrawErrors errors = draw_errors(flat(), speed, count, setup, findings);
+    exit.add(step, errors.exit.rms());
+    stretch.add(step, errors.stretch.rms());
+    closure.add(step, errors.closure);
+    last = errors.closure;
+  }
+  findings.expect_order("order of the exit speed, perfectly plastic", exit, 1.85, 2.15,
+                        "the yield and the turn lie within a step each, and cost its square");
+  findings.expect_order("order of the residual stretch, perfectly plastic", stretch, 1.85, 2.15, "as the exit speed");
+  findings.expect_order("order of the closure of the energy, cable that yields", closure, 0.95, 1.05,
+                        "the work of yielding is booked with the velocity of half a step before");
+  findings.expect("closure of the energy over its prediction, cable that yields",
+                  last / (step * yield * speed_at_yield(speed) / std::sqrt(3.0)), 1.0,
+                  Tolerance::model(0.03,
+                                   "the velocity of half a step before is too large by h Y/(2 m): h Y v1/2 with the "
+                                   "speed v1 at which it yields, and the step in which that begins gives +-h Y "
+                                   "v1/2 evenly: rms h Y v1/sqrt(3); the next power of the step is 2 % of it"));
+  findings.figure({.name = "yield_orders",
+                   .title = "Convergence of a throw on a cable that yields",
+                   .caption =
+                       "Perfectly plastic cable, speed twice that at which it yields, velocity Verlet, root mean "
+                       "square over 64 phases.",
+                   .x = {.label = "step over half a swing", .log = true},
+                   .y = {.label = "error", .log = true},
+                   .series = {{"exit speed, relative", exit.steps(), exit.errors(), Style::linespoints},
+                              {"residual stretch [m]", stretch.steps(), stretch.errors(), Style::linespoints},
+                              {"closure of the energy [J]", closure.steps(), closure.errors(), Style::linespoints}},
+                   .slopes = {{2.0, exit.steps().front(), 0.4 * exit.errors().front(), "h^2"},
+                              {1.0, closure.steps().front(), 1.6 * closure.errors().front(), "h"}}});
+}
+
+/// Both sides of the speed at which it yields, and far beyond.
+void check_speeds(Findings& findings, const Setup& setup) {
+  const double limit = yield / std::sqrt(stiffness * mass);
+  double exit = 0.0, stretch = 0.0;
+  Table shown{.name = "throws",
+              .caption =
+                  "Throws on a perfectly plastic cable: exit speed over the smaller of $v$ and $Y/\\sqrt{km}$, and "
+                  "residual stretch; 400 steps in half a swing, 64 phases.",
+              .columns = {"v sqrt(km)/Y", "exit speed", "solver, rms error", "stretch [m]", "solver, rms error"},
+              .rows = {}};
+  for (const double share : {0.5, 0.999, 1.001, 1.5, 2.0, 4.0}) {
+    if (setup.coarse && share != 2.0) continue;
+    const reference::CableDraw exact = reference::perfectly_plastic_draw(stiffness, yield, mass, share * limit);
+    const DrawErrors errors = draw_errors(flat(), share * limit, 400.0, setup, findings);
+    exit = std::max(exit, errors.exit.rms());
+    stretch = std::max(stretch, errors.stretch.rms());
+    if (share == 0.999) {
+      findings.expect("residual stretch at .999 of the speed that yields", errors.stretch.max(), 0.0,
+                      Tolerance::exact("what never reaches its yield force remembers nothing"), "m");
+    } else if (share == 1.001) {
+      findings.expect_true("residual stretch at 1.001 of the speed that yields", errors.stretch.max() < exact.stretch,
+                           "Verlet's peak tension is off by (w h)^2/8 = 8e-6, a hundredth of the thousandth");
+    }
+    shown.rows.push_back({fmt::format("{:g}", share), fmt::format("{:.6f}", exact.exit_speed),
+                          fmt::format("{:.1e}", errors.exit.rms()), fmt::format("{:.6f}", exact.stretch),
+                          fmt::format("{:.1e}", errors.stretch.rms())});
+  }
+  findings.expect("exit speed, perfectly plastic, largest rms relative error of six speeds", exit, 0.0,
+                  Tolerance::truncation(elastic_error(400.0), 1.2, exit_words));
+  findings.expect("residual stretch, perfectly plastic, largest rms error of six speeds", stretch, 0.0,
+                  Tolerance::truncation(stretch_error(400.0, std::pow(4.0 * limit, 2)), 1.0, stretch_words), "m");
+  if (!setup.coarse) findings.table(shown);
+}
+
+/// Tension against elongation over throws one after the other, solver and exact.
+Figure loops(const std::string& name, const std::string& title, const std::string& caption,
+             const reference::YieldingCable& cable, const std::vector<CableRun>& runs,
+             const std::vector<reference::CableDraw>& exact) {
+  Series lines{"exact", {}, {}, Style::lines}, points{"solver", {}, {}, Style::points};
+  double stretch = 0.0;
+  const auto to = [&](double e, double t) {
+    lines.x.push_back(e);
+    lines.y.push_back(t);
+  };
+  to(0.0, 0.0);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    to(stretch, 0.0);
+    if (exact[i].stretch > stretch) {
+      to(reference::yield_elongation(cable, stretch), reference::yield_force(cable, stretch));
+      for (const auto& corner : cable.points) {
+        if (corner.stretch > stretch && corner.stretch < exact[i].stretch)
+          to(reference::yield_elongation(cable, corner.stretch), corner.force);
+      }
+    }
+    to(exact[i].stretch + exact[i].peak_tension / stiffness, exact[i].peak_tension);
+    to(exact[i].stretch, 0.0);
+    stretch = exact[i].stretch;
+    for (std::size_t j = 0; j < runs[i].time.size(); j += 20) {
+      points.x.push_back(runs[i].elongation[j]);
+      points.y.push_back(runs[i].tension[j]);
+    }
+  }
+  return {.name = name,
+          .title = title,
+          .caption = caption,
+          .x = {.label = "elongation", .unit = "m"},
+          .y = {.label = "tension", .unit = "N"},
+          .series = {lines, points}};
+}
+
+/// Throws on one cable after the other: work, stretch and exit speed of each.
+void check_cycles(Findings& findings, const Setup& setup, const std::string& stem, const std::string& name,
+                  const reference::YieldingCable& cable, const std::vector<double>& speeds) {
+  std::vector<reference::CableDraw> exact;
+  double stretch = 0.0, lost = 0.0, squares = 0.0, work = 0.0;
+  for (const double speed : speeds) {
+    exact.push_back(reference::draw(cable, mass, speed, stretch));
+    const double from = reference::yield_force(cable, stretch);
+    const double v1 = std::sqrt(std::max(0.0, speed * speed - from * from / (stiffness * mass)));
+    work += half_swing / 200.5 * v1 * (from / std::sqrt(3.0) + 0.25 * (exact.back().peak_tension - from));
+    squares += speed * speed;
+    stretch = exact.back().stretch;
+    lost += exact.back().lost;
+  }
+  PhaseError booked_work, residual, exit;
+  for (std::size_t i = 0; i < phases(setup); ++i) {
+    const double step = offset_step(half_swing, 200.0, i);
+    const auto runs = throws(law_of(cable, setup), speeds, step, even_phases(phases(setup))[i], setup, findings);
+    booked_work.add(booked(runs.back().end, Mechanism::cable_yield) / lost - 1.0);
+    residual.add(runs.back().end.z[0] - stretch);
+    exit.add(-runs.back().end.v[0] / exact.back().exit_speed - 1.0);
+  }
+  findings.expect(
+      "work of yielding over " + name + ", rms relative error", booked_work.rms(), 0.0,
+      Tolerance::truncation(work / lost, 1.1,
+                            "h times, for each throw, Y v1/sqrt(3) as where it is perfectly plastic, and the "
+                            "growth of the yield force at half the mean speed; a tenth "
+                            "more for phases that go together"));
+  findings.expect("residual stretch after " + name + ", rms error", residual.rms(), 0.0,
+                  Tolerance::truncation(stretch_error(200.0, squares), 1.0, stretch_words), "m");
+  findings.expect("exit speed after " + name + ", rms relative error", exit.rms(), 0.0,
+                  Tolerance::truncation(elastic_error(200.0), 1.2, exit_words));
+  if (setup.coarse) return;
+  const double step = offset_step(half_swing, 200.0, 0);
+  findings.figure(loops(stem, "Tension and elongation: " + name,
+                        "Tension against elongation, each throw from the stretch that the last one left: the solver "
+                        "(points) on the exact lines.",
+                        cable, throws(law_of(cable, setup), speeds, step, 0.5, setup, findings, true), exact));
+}
+
+}  // namespace
+
+void check_yielding(Findings& findings, const Setup& setup) {
+  check_speeds(findings, setup);
+  if (!setup.coarse) check_orders(findings, setup);
+  check_cycles(findings, setup, "plastic_loop", "two throws, perfectly plastic", flat(), {1.0, 1.2});
+  check_cycles(findings, setup, "line_loop", "two throws, hardening line", line(), {1.0, 1.6});
+  check_cycles(findings, setup, "table_loop", "three throws, hardening table", table(), {0.9, 1.2, 1.9});
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,252 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "verification/check/convergence.hpp"
+#include "verification/problems/cables/cable_findings.hpp"
+#include "verification/reference/cable_draw.hpp"
+#include "verification/reference/restitution.hpp"
+#include "verification/study/cable_scenes.hpp"
+#include "verification/study/followed_impact.hpp"
+#include "verification/study/leapfrog_impact_error.hpp"
+
+namespace talus::verification::problems {
+
+Case cables();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** A mass falls or is thrown on a cable: elastic, with a dashpot, drawn out beyond its yield force, hardening,
+breaking. And two cables that share a hanger on a mass, which breaks: from then on they are one.
+
+```
+   anchor                 mass              anchor   b     c
+     |----------------------( )-->            |-----(o)---( )-->
+        T = k (e - p) <= Y(p)                   k1   |  k2
+                                                   hanger
+```
+
+**Equations.** With the elongation $e$ and the plastic stretch $p$ the tension is $k(e-p)$ as long as it is positive and
+below $Y(p)$; the cable is drawn out, $p$ grows, as it would pass $Y(p)$.
+
+| setting | exact |
+|:-----------|:-------------------|
+| fall by $h$, $d_s = mg/k$ | down to $d_s(1+\sqrt\sigma)$, $\sigma = 1+2h/d_s$ |
+| its period | $2\sqrt{2h/g} + (\pi + 2\arcsin\sigma^{-1/2})/\omega$ |
+| dashpot, no gravity | leaves at $e v$, $e = \exp(-2\xi\arccos(\xi)/\sqrt{1-\xi^2})$, with $\frac12 k e^2$ let go |
+| perfectly plastic | leaves at $Y/\sqrt{km}$ if $v$ is more, else $v$; $p = (\frac12mv^2 - Y^2/2k)/Y$ |
+| hardening | $\frac12mv^2 = \int_{p_0}^{p_1} Y\,dp + Y(p_1)^2/2k$; leaves at $Y(p_1)/\sqrt{km}$ |
+| breaks at $T$ | releases $T^2/2k$; the mass keeps $\sqrt{v^2 - T^2/km}$ |
+| hanger of strength $F$ | breaks when $T_2 - T_1 = F$; $F^2/2(k_1+k_2)$ is lost, then $1/k = 1/k_1 + 1/k_2$ |
+
+The next throw starts from the stretch that the last one left.
+
+**Energy.** What breaks is booked to the last bit, at the step that finds it overloaded, evenly up to a step late: rms
+$h/\sqrt3$ times the rate of what it changes. The work of yielding and of dashpots is booked with the velocity of half a
+step before: the ledger is open by $hYv_1/\sqrt3$ (rms over phases), $v_1$ the speed at the yield.
+
+**Source.** Mustoe & Huttelmaier 1993, section 2.4 and Eq. 14 (elastic and perfectly plastic; the rest is not in the
+report). Closed forms: energy balance, derived in the references' own comments.
+
+| symbol | meaning | value |
+|:--|:-----------|:--|
+| $k$, $m$ | of the throws | 1, 1 |
+| $Y$, slope | of the cables that yield | .5; 0, .25 |
+| table | $(p, Y)$ | (0, .5) (.5, .75) (1.5, .75) (2, 1.25), then .1 |
+| $k_1$, $k_2$, $m_b$, $m_c$, $v$ | hanger | 3, 5, 2, 1, 1.5 |
+
+**What would break it.** A stretch that is forgotten or that grows below the yield force; hardening counted as lost; a
+break that keeps its energy or waits; cables without hanger that keep two tensions.
+)";
+
+constexpr reference::Bungee fall{40.0, 2.0, 10.0, 0.7};
+
+/// First turn below, and time from there to the next.
+struct Fall {
+  double depth{}, period{};
+  State end;
+};
+
+/// Where the parabola through three values one step apart turns: its place in steps from the middle, and its value.
+struct Turn {
+  double place{}, value{};
+};
+Turn turn_of(double before, double at, double after) {
+  const double slope = 0.5 * (after - before), bend = after - 2.0 * at + before;
+  return {-slope / bend, at - 0.5 * slope * slope / bend};
+}
+
+Fall run_fall(const CableLaw& law, double gravity, double step, const Integrator& method, Findings& findings) {
+  const Scene scene = thrown_mass(law, fall.mass, 0.0, gravity);
+  State state = scene.initial;
+  state.q[0] -= fall.height;
+  const double end = 1.8 * reference::bungee_period(fall);
+  const CableRun run = run_cables(scene, state, method, {step, end, false, true}, findings);
+  std::vector<Turn> turns;
+  std::vector<double> times;
+  const auto& e = run.elongation;
+  for (std::size_t i = 1; i + 1 < e.size(); ++i) {
+    if (!(e[i] > 0.0 && e[i] >= e[i - 1] && e[i] > e[i + 1])) continue;
+    turns.push_back(turn_of(e[i - 1], e[i], e[i + 1]));
+    times.push_back(run.time[i] + step * turns.back().place);
+  }
+  if (turns.size() != 2) return {std::nan(""), std::nan(""), run.end};
+  return {turns[0].value, times[1] - times[0], run.end};
+}
+
+}  // namespace
+
+void check_bungee(Findings& findings, const Setup& setup) {
+  const double period = reference::bungee_period(fall), deepest = reference::bungee_depth(fall);
+  const double gravity = setup.has("weight_halved") ? 0.5 * fall.gravity : fall.gravity;
+  const struct {
+    const char* name;
+    double depth, period;  ///< measured constants: relative errors over (w h)^2
+  } methods[] = {{"velocity_verlet", 0.027, 0.034}, {"central_difference", 0.045, 0.0244}};
+  for (const auto& method : methods) {
+    Convergence depth, time;
+    const auto counts = doublings(setup.coarse ? 512.0 : 64.0, setup.coarse ? 1 : 4);
+    for (const double count : counts) {
+      PhaseError of_depth, of_period;
+      // Let go at t = 0, a run has no onset to vary: the steps spread over a tenth, which spreads the phases.
+      for (const double phase : golden_phases(fewest_phases)) {
+        const double step = period / (count * (0.95 + 0.1 * phase));
+        const Fall found = run_fall(TensionOnly{fall.stiffness}, gravity, step, make_integrator(method.name), findings);
+        of_depth.add(found.depth / deepest - 1.0);
+        of_period.add(found.period / period - 1.0);
+      }
+      depth.add(1.0 / count, of_depth.rms());
+      time.add(1.0 / count, of_period.rms());
+    }
+    const std::string by = std::string{", "} + method.name;
+    const char* const words =
+        "the method's own order; the cable becomes taut and slack within a step, which costs its square";
+    if (!setup.coarse) {
+      findings.expect_order("order of the depth of a fall" + by, depth, 1.9, 2.1, words);
+      findings.expect_order("order of the period of a fall" + by, time, 1.9, 2.1, words);
+    }
+    const double wh = std::sqrt(fall.stiffness / fall.mass) * period / counts.back();
+    const char* const measured = "measured constant times (w h)^2, and a fifth for other phases";
+    findings.expect("depth of a fall, rms relative error at the smallest step" + by, depth.errors().back(), 0.0,
+                    Tolerance::truncation(method.depth * wh * wh, 1.2, measured));
+    findings.expect("period of a fall, rms relative error at the smallest step" + by, time.errors().back(), 0.0,
+                    Tolerance::truncation(method.period * wh * wh, 1.2, measured));
+    if (setup.coarse) return;
+  }
+  const double step = offset_step(period, 256.0, 0);
+  const Fall a = run_fall(TensionOnly{fall.stiffness}, gravity, step, VelocityVerlet{}, findings);
+  const Fall b = run_fall(ElasticPlastic{.stiffness = fall.stiffness}, gravity, step, VelocityVerlet{}, findings);
+  findings.expect("elastic_plastic cable that never yields from a tension_only one, end of the fall",
+                  a.end.q[0] - b.end.q[0], 0.0, Tolerance::exact("the same operations: k times the elongation"), "m");
+}
+
+void check_damped_throw(Findings& findings, const Setup& setup) {
+  const double xi = 0.2;
+  const reference::Impact impact{1.0, 2.0 * xi, 1.0, 1.0};
+  const reference::ImpactEvents exact = reference::impact_events(impact, reference::EndRule::clamped);
+  const double damping = setup.has("dashpot_halved") ? 0.5 * impact.damping : impact.damping;
+  const Scene scene = thrown_mass(TensionOnly{1.0, damping}, 1.0, 1.0);
+  PhaseError exit, let_go, damped;
+  double wh = 0.0;
+  const double held = 0.5 * exact.depth_at_end * exact.depth_at_end;
+  const double eaten = 0.5 * (1.0 - exact.restitution * exact.restitution) - held;
+  for (std::size_t i = 0; i < fewest_phases; ++i) {
+    const double step = offset_step(exact.contact_time, 100.0, i);
+    wh += step / static_cast<double>(fewest_phases);
+    State state = scene.initial;
+    state.q[0] -= even_phases(fewest_phases)[i] * step;
+    const CableRun run = run_cables(scene, state, VelocityVerlet{}, {step, 20.0, true}, findings);
+    exit.add(-run.end.v[0] / exact.restitution - 1.0);
+    let_go.add(booked(run.end, Mechanism::cable_release) / held - 1.0);
+    damped.add(booked(run.end, Mechanism::cable_damping) / eaten - 1.0);
+  }
+  const ImpactError predicted = leapfrog_impact_error(xi, reference::EndRule::clamped);
+  findings.expect("exit speed on a cable with a dashpot, rms error over its prediction",
+                  exit.rms() / (predicted.restitution * wh), 1.0,
+                  Tolerance::model(0.04,
+                                   "the half-step lag of the dashpot and the jump of its force as the cable is "
+                                   "taut, as in `restitution`; the next power of the step is 4 % of it"));
+  findings.expect("energy let go by a cable with a dashpot, rms relative error", let_go.rms(),
+                  wh / (xi * std::sqrt(3.0)),
+                  Tolerance::model(0.04,
+                                   "let go up to a step late, evenly, while the elongation falls at e v: w h/(xi "
+                                   "sqrt(3)); the next power of the step is 4 % of it")
+                      .relative());
+  findings.expect("energy eaten by the dashpot of a cable, rms relative error", damped.rms(), 0.0,
+                  Tolerance::truncation(wh * 2.0 * xi / std::sqrt(12.0) / eaten, 1.1,
+                                        "its power jumps to c v^2 as the cable is taut, which a step resolves to +-h/2 "
+                                        "evenly; the half-step lag of its velocity takes some of that back"));
+}
+
+namespace {
+
+void run(Findings& findings, const Setup& setup) {
+  check_bungee(findings, setup);
+  check_damped_throw(findings, setup);
+  check_yielding(findings, setup);
+  check_breaking(findings, setup);
+  check_hanger(findings, setup);
+}
+
+}  // namespace
+
+Case cables() {
+  return {.id = "cables",
+          .title = "Cables that yield and break",
+          .requirements = {{"Eq. 14", {"of a fall", "exit speed on a cable with a dashpot"}},
+                           {"D1", {"of a fall"}},
+                           {"D3", {"residual stretch", "exit speed, perfectly plastic", "order of the exit speed"}},
+                           {"D4", {"hardening line", "hardening table"}},
+                           {"D9", {"breaks at", "released by a break"}},
+                           {"law.tension_only", {"of a fall", "cable with a dashpot", "never yields"}},
+                           {"law.elastic_plastic",
+                            {"perfectly plastic", "hardening line", "hardening table", "never yields",
+                             "speed that yields", "breaks at a strength", "breaks at a rupture", "without hanger"}},
+                           {"mechanism.cable_damping", {"eaten by the dashpot"}},
+                           {"mechanism.cable_release", {"let go by a cable"}},
+                           {"mechanism.cable_yield", {"work of yielding", "cable that yields"}},
+                           {"mechanism.cable_break", {"released by a break", "cable that breaks"}},
+                           {"mechanism.hanger_break", {"hanger's break", "hanger that breaks"}},
+                           {"integrator.velocity_verlet", {"velocity_verlet", "perfectly plastic"}},
+                           {"integrator.central_difference", {"central_difference"}},
+                           {"integrator.odeint_dopri5", {"under step control"}},
+                           {"regime.tension_only.slack", {"of a fall"}},
+                           {"regime.tension_only.taut", {"of a fall"}},
+                           {"regime.tension_only.released", {"let go by a cable"}},
+                           {"regime.elastic_plastic.slack", {"residual stretch"}},
+                           {"regime.elastic_plastic.taut", {"never yields"}},
+                           {"regime.elastic_plastic.yielding", {"perfectly plastic"}},
+                           {"regime.elastic_plastic.broken", {"released by a break"}}},
+          .main_checks = {"depth of a fall, rms relative error at the smallest step, velocity_verlet",
+                          "order of the exit speed, perfectly plastic",
+                          "work of yielding over three throws, hardening table, rms relative error",
+                          "breaks at a strength of .999 of the largest tension",
+                          "energy lost by the hanger's break under step control",
+                          "closure of the energy over its prediction, hanger that breaks"},
+          .source = "Mustoe & Huttelmaier 1993, sections 2.4 and 3.3, Eq. 14",
+          .page = page,
+          .faults = {{"weight_halved", "half the weight",
+                      "depth of a fall, rms relative error at the smallest step, velocity_verlet"},
+                     {"dashpot_halved", "half the dashpot",
+                      "exit speed on a cable with a dashpot, rms error over its prediction"},
+                     {"never_yields", "cables without a yield force",
+                      "exit speed, perfectly plastic, largest rms relative error of six speeds"},
+                     {"without_hardening", "cables that yield at their first force",
+                      "work of yielding over two throws, hardening line, rms relative error"},
+                     {"stretch_forgotten", "each throw starts from an undrawn cable",
+                      "residual stretch after three throws, hardening table, rms error"},
+                     {"strength_unread", "cables and hangers .2 % weaker",
+                      "breaks at a strength of 1.001 of the largest tension"},
+                     {"break_not_booked", "the energy of a cable that breaks is left out of the ledger",
+                      "closure of the energy over its prediction, cable that breaks"},
+                     {"hanger_not_booked", "the energy that a breaking hanger costs is left out of the ledger",
+                      "closure of the energy over its prediction, hanger that breaks"},
+                     {"two_cables_side_by_side", "after the break the sum of two stiffnesses",
+                      "tension of two cables without hanger from that of one cable"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,220 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/reference/damped_bounce.hpp"
+#include "verification/study/cable_scenes.hpp"
+
+namespace talus::verification::problems {
+
+Case caught_fall();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** A mass falls into a cable with a dashpot. On the way back the dashpot would push before the spring is
+slack: the cable lets go where its tension vanishes, still longer than at rest, and the mass rises freely from there.
+Its weight acts all the time, so that the speed it comes back with is less than that of an impact without weight.
+
+```
+   ---------
+      |           v0 down at x = 0, e v0 up at x = 0
+      |           T = k x + c x' > 0, else 0
+     ( )   x = 0
+      |           let go at T = 0, x > 0
+      v
+```
+
+**Equations.** $\ddot x + 2\xi\omega\dot x + \omega^2x = g$ while $T > 0$, then $\ddot x = g$. With $G = g/(\omega v_0)$
+and, without weight, $e_0 = \exp(-2\xi\arccos(\xi)/\sqrt{1-\xi^2})$,
+$$e = e_0 - 2\xi(1+e_0)\,G + O(G^2).$$
+The reference solves the pieces at 50 digits.
+
+**Error of a step.** Velocity Verlet is exact while the cable is slack. Taut, its dashpot sees the velocity of half a
+step before: $\ddot x(1 - \xi\omega h)$, the same fall with $\omega$, $\xi$ and $g$ greater by the shares
+$\frac12$, $\frac12$ and $1$ of $\xi\omega h$. And the force leaps to $cv_0$ at a moment known to $\pm h/2$, evenly:
+$v_0$ is off by $2\xi\omega h\,u$, $u$ of variance 1/12. Both, put into the reference, predict the error.
+
+| symbol | meaning | value |
+|:--|:-----|:------|
+| $k$, $m$, $v_0$ | cable, mass, speed as it is taut | 1, 1, 1 (no units) |
+| $\xi$ | damping ratio $c/(2\sqrt{km})$ | .2 |
+| $G$ | weight | 0, .03, .1, .3 |
+| $h$ | step | $T/(50 + f)$ of the time taut, an $f$ of its own for each of 64 phases |
+
+**Source.** Mustoe & Huttelmaier 1993, Eq. 14, with a dashpot; pieces derived in the reference's own comment.
+
+**What would break it.** A dashpot that pushes; a cable that lets go at its rest length; the energy left in it given
+back; a weight left out while it is taut.
+)";
+
+constexpr double damping_ratio = 0.2, production_steps = 50.0;
+
+reference::Bounce exact_catch(double frequency, double xi, double gravity, double speed) {
+  return reference::bounces({frequency, xi, gravity, 0.0, speed, reference::EndRule::clamped}, 1).front();
+}
+
+/// Speed at x = 0 of a mass let go like this, under the true weight.
+double return_speed(const reference::Bounce& taut, double gravity) {
+  return std::sqrt(taut.end_velocity * taut.end_velocity - 2.0 * gravity * taut.end_depth);
+}
+
+double exact_restitution(double gravity) {
+  return return_speed(exact_catch(1.0, damping_ratio, gravity, 1.0), gravity);
+}
+
+/// Root mean square over the phases of the relative error of e, for steps of this length.
+double predicted_error(double gravity, double step) {
+  const double exact = exact_restitution(gravity), lag = damping_ratio * step, small = 1e-4;
+  const auto changed = [&](double share, double speed) {
+    const double more = 1.0 + 0.5 * share;
+    return return_speed(exact_catch(more, more * damping_ratio, gravity * more * more, speed), gravity);
+  };
+  const double shift = (changed(small, 1.0) - changed(-small, 1.0)) / (2.0 * small) * lag;
+  const double leap = (changed(0.0, 1.0 + small) - changed(0.0, 1.0 - small)) / (2.0 * small) * 2.0 * lag;
+  return std::hypot(shift, leap / std::sqrt(12.0)) / exact;
+}
+
+struct Catch {
+  double restitution{}, least_tension{};
+};
+
+Catch caught(double gravity, double step, double phase, const Setup& setup, Findings& findings) {
+  const double used = setup.has("weight_left_out") ? 0.0 : gravity;
+  const double xi = setup.has("dashpot_stronger") ? 1.02 * damping_ratio : damping_ratio;
+  const Scene scene = thrown_mass(TensionOnly{1.0, 2.0 * xi}, 1.0, 1.0 - used * phase * step, used);
+  State state = scene.initial;
+  state.q[0] -= phase * step * (1.0 - 0.5 * used * phase * step);
+  const CableRun run = run_cables(scene, state, VelocityVerlet{}, {step, 50.0, true, true}, findings);
+  const double back = setup.has("read_where_seen_slack") ? 0.0 : run.end.q[0] - cable_length;
+  return {std::sqrt(run.end.v[0] * run.end.v[0] - 2.0 * used * back),
+          *std::min_element(run.tension.begin(), run.tension.end())};
+}
+
+struct Catches {
+  PhaseError error;
+  double least_tension{};
+  double step{};  ///< mean
+};
+
+Catches catches(double gravity, double steps, const Setup& setup, Findings& findings) {
+  const double exact = exact_restitution(gravity);
+  const double taut = exact_catch(1.0, damping_ratio, gravity, 1.0).end_time;
+  Catches all;
+  for (std::size_t i = 0; i < fewest_phases; ++i) {
+    const double step = offset_step(taut, steps, i);
+    const Catch found = caught(gravity, step, even_phases(fewest_phases)[i], setup, findings);
+    all.error.add(found.restitution / exact - 1.0);
+    all.least_tension = std::min(all.least_tension, found.least_tension);
+    all.step += step / static_cast<double>(fewest_phases);
+  }
+  return all;
+}
+
+void check_speeds(Findings& findings, const Setup& setup) {
+  Table table{.name = "restitution",
+              .caption =
+                  "Speed at $x = 0$ on the way back over that on the way in, exact, to first order in the weight, "
+                  "and the solver's relative error at 50 steps (root mean square over 64 phases).",
+              .columns = {"G", "exact", "first order", "error", "predicted"},
+              .rows = {}};
+  const double without = exact_restitution(0.0);
+  double least = 0.0;
+  for (const double gravity : {0.0, 0.03, 0.1, 0.3}) {
+    if (setup.coarse && gravity != 0.1) continue;
+    const Catches found = catches(gravity, production_steps, setup, findings);
+    const double predicted = predicted_error(gravity, found.step);
+    least = std::min(least, found.least_tension);
+    findings.expect(
+        fmt::format("e of a caught fall, rms error over its prediction, G = {:g}", gravity),
+        found.error.rms() / predicted, 1.0,
+        Tolerance::model(0.01,
+                         "the next power of the step: w h = .055, of which 64 phases leave less than a tenth "
+                         "in a root mean square"));
+    table.rows.push_back({fmt::format("{:g}", gravity), fmt::format("{:.6f}", exact_restitution(gravity)),
+                          fmt::format("{:.6f}", without - 2.0 * damping_ratio * (1.0 + without) * gravity),
+                          fmt::format("{:.2e}", found.error.rms()), fmt::format("{:.2e}", predicted)});
+  }
+  findings.expect("least tension of all runs", least, 0.0, Tolerance::exact("zero where the cable has let go"));
+  findings.table(table);
+}
+
+void check_order(Findings& findings, const Setup& setup) {
+  constexpr double gravity = 0.1;
+  Convergence found;
+  Series line{"predicted", {}, {}, Style::lines};
+  for (const double n : doublings(16.0, 5)) {
+    const Catches all = catches(gravity, n, setup, findings);
+    found.add(1.0 / n, all.error.rms());
+    line.x.push_back(1.0 / n);
+    line.y.push_back(predicted_error(gravity, all.step));
+  }
+  findings.expect_order("order of e of a caught fall", found, 0.97, 1.02,
+                        "the leap of the force and the lag of the dashpot; the next power of the step tilts the line");
+  findings.figure({.name = "error",
+                   .title = "Error of the speed on the way back",
+                   .caption = "G = .1, root mean square over 64 phases. Line: predicted from lag and leap.",
+                   .x = {.label = "step / time taut", .log = true},
+                   .y = {.label = "relative error", .log = true},
+                   .series = {{"velocity Verlet", found.steps(), found.errors(), Style::points}, line}});
+}
+
+void show_weights(Findings& findings, const Setup& setup) {
+  Series exact{"exact", {}, {}, Style::lines}, first{"first order in G", {}, {}, Style::lines},
+      points{"velocity Verlet, 800 steps", {}, {}, Style::points};
+  const double without = exact_restitution(0.0);
+  for (int i = 0; i <= 12; ++i) {
+    const double gravity = 0.025 * i;
+    exact.x.push_back(gravity);
+    exact.y.push_back(exact_restitution(gravity));
+    first.x.push_back(gravity);
+    first.y.push_back(without - 2.0 * damping_ratio * (1.0 + without) * gravity);
+    if (i % 2 != 0) continue;
+    points.x.push_back(gravity);
+    points.y.push_back(caught(gravity, 0.0035, 0.5, setup, findings).restitution);
+  }
+  findings.figure({.name = "weight",
+                   .title = "What the weight takes",
+                   .caption =
+                       "Speed on the way back over $v_0$, at $x = 0$: the formula without weight holds at $G = 0$ "
+                       "only.",
+                   .x = {.label = "G = g/(w v0)"},
+                   .y = {.label = "e"},
+                   .series = {exact, first, points}});
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_speeds(findings, setup);
+  if (setup.coarse) return;
+  check_order(findings, setup);
+  show_weights(findings, setup);
+}
+
+}  // namespace
+
+Case caught_fall() {
+  const std::string speeds = "e of a caught fall, rms error over its prediction, G = ";
+  return {.id = "caught_fall",
+          .title = "Fall into a cable with a dashpot",
+          .requirements = {{"D2", {"e of a caught fall", "least tension"}},
+                           {"Eq. 14", {"least tension"}},
+                           {"law.tension_only", {"e of a caught fall"}},
+                           {"integrator.velocity_verlet", {"order of e of a caught fall"}}},
+          .main_checks = {speeds + "0.03", speeds + "0.1", "order of e of a caught fall"},
+          .source = "Mustoe & Huttelmaier 1993, Eq. 14",
+          .page = page,
+          .faults = {{"weight_left_out", "no weight", speeds + "0.1"},
+                     {"dashpot_stronger", "the dashpot 2 % stronger", speeds + "0.1"},
+                     {"read_where_seen_slack", "the speed read at the first slack step instead of at x = 0",
+                      speeds + "0.1"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "solver/model/model_builder.hpp"
+#include "verification/check/case.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/reference/mid_span.hpp"
+#include "verification/study/scene_run.hpp"
+
+namespace talus::verification::problems {
+
+Case cubic_swing();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** A mass is fixed at mid-span of two cables that are straight and without tension. Pushed aside it feels no
+linear force at all: the cables must first grow longer, which they do with the square of the way, and pull back with
+its cube. The period goes to infinity as the swing grows small.
+
+```
+   |-------- L, k --------(m)-------- L, k --------|
+                           | w
+                           v  P(w)
+```
+
+**Equations.** $P(w) = 2k\,\big(1 - L/\sqrt{L^2+w^2}\big)\,w = kw^3/L^2 + \dots$ For small $w$, with
+$\beta = k/(mL^2)$,
+$$\ddot w + \beta w^3 = 0, \qquad T = \frac{\Gamma(1/4)^2}{\sqrt\pi\,A\sqrt\beta} = \frac{7.41630}{A\sqrt\beta}.$$
+A finite swing lasts longer by $(\frac18 + \frac32r^2)(A/L)^2 = .29636\,(A/L)^2$ of it, $r = \Gamma(3/4)/\Gamma(1/4)$,
+and one in steps of length $h$ shorter by $\frac{12r^2-1}{24}\beta A^2h^2 = .84988\,(h/T)^2$: the energy that velocity
+Verlet keeps, derived in the reference. A start at rest has no onset within a step: the motion is smooth, the order
+that of the method.
+
+| symbol | meaning | value |
+|:--|:-----|:------|
+| $k$, $L$, $m$ | each cable, half the span, mass | 1, 1, 1 (no units) |
+| $A$ | amplitude | .02 ... .16 |
+| $h$ | step, over $T$ | 1/80.4 ... 1/640.4; 1/2000.4 for the amplitudes |
+
+**Source.** Duffing's equation without linear term, Kovacic & Brennan 2011, section 2; the finite swing by quadrature at
+50 digits.
+
+**What would break it.** A cable with a trace of tension or of slack; an elongation to first order in $w$ (which is
+zero); lengths taken from the start of a step.
+)";
+
+constexpr reference::MidSpan span{1.0, 1.0, 1.0};
+
+Scene mid_span(double w, double load, const Setup& setup) {
+  ModelBuilder builder;
+  const BodyId mass =
+      builder.add(Body{.name = "mass", .mobility = Mobility::sliding_y, .mass = span.mass, .force = {0.0, load}});
+  const double tight = setup.has("trace_of_tension") ? 1e-6 : setup.has("trace_of_slack") ? -1e-6 : 0.0;
+  for (const double side : {-1.0, 1.0}) {
+    const bool softer = side > 0.0 && setup.has("one_cable_softer");
+    builder.add(Cable{.name = side > 0.0 ? "right" : "left",
+                      .a = {.body = {}, .p = {side * span.length, 0.0, 0.0}},
+                      .b = {mass, {}},
+                      .rest_length = (1.0 - tight) * span.length,
+                      .law = TensionOnly{(softer ? 0.999 : 1.0) * span.stiffness}});
+  }
+  Scene scene{.title = "Mass at mid-span", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  scene.initial.q[0] = w;
+  return scene;
+}
+
+double period(double amplitude, double steps, const Setup& setup) {
+  const double exact = reference::cubic_period(span, amplitude);
+  return period_of(mid_span(amplitude, 0.0, setup), make_integrator(setup.has("rk4") ? "rk4" : "velocity_verlet"),
+                   exact / steps, 2.0 * exact * (1.0 + amplitude));
+}
+
+void check_steps(Findings& findings, const Setup& setup) {
+  constexpr double amplitude = 0.02;
+  const double exact = reference::mid_span_period(span, amplitude);
+  Convergence found;
+  Series line{"predicted", {}, {}, Style::lines};
+  for (const double n : doublings(80.0, setup.coarse ? 2 : 4)) {
+    const double steps = n + 0.381966;
+    found.add(1.0 / steps, std::abs(period(amplitude, steps, setup) / exact - 1.0));
+    line.x.push_back(1.0 / steps);
+    line.y.push_back(-reference::longer_by_steps(span, amplitude, exact / steps));
+  }
+  findings.expect_order("order of the period in the step", found, 1.99, 2.01,
+                        "smooth motion: even powers of the step only; at 80 steps the fourth order is some "
+                        "thousandths of the second");
+  findings.expect("period, error of the smallest step over its prediction", found.errors().back() / line.y.back(), 1.0,
+                  Tolerance::model(setup.coarse ? 0.01 : 1e-3,
+                                   "the prediction is that of the cubic oscillator: (A/L)^2 = 4e-4, and the next power "
+                                   "of the step"));
+  findings.figure({.name = "steps",
+                   .title = "Error of the period against the step",
+                   .caption = "Amplitude .02 L, against the exact period of the finite swing.",
+                   .x = {.label = "step / period", .log = true},
+                   .y = {.label = "relative error of the period", .log = true},
+                   .series = {{"velocity Verlet", found.steps(), found.errors(), Style::points}, line}});
+}
+
+void check_amplitudes(Findings& findings, const Setup& setup) {
+  Convergence longer;
+  Series points{"velocity Verlet", {}, {}, Style::points}, exact{"exact", {}, {}, Style::lines},
+      cubic{"cubic", {}, {}, Style::lines};
+  for (const double amplitude : {0.02, 0.04, 0.08, 0.16, 0.4, 1.0, 2.5}) {
+    if (amplitude > (setup.coarse ? 0.05 : 3.0)) break;
+    const double found = period(amplitude, 2000.381966, setup);
+    points.x.push_back(amplitude);
+    points.y.push_back(found);
+    if (amplitude < 0.2) longer.add(amplitude, found / reference::cubic_period(span, amplitude) - 1.0);
+  }
+  findings.expect("period at A = .02 L from the cubic oscillator's", points.y.front(),
+                  reference::cubic_period(span, 0.02),
+                  Tolerance::model(1.5e-4, "the finite swing: .296 (A/L)^2 = 1.2e-4").relative());
+  findings.expect("lengthening of the period at A = .02 L over its prediction",
+                  longer.errors().front() / reference::longer_by_amplitude(span, 0.02), 1.0,
+                  Tolerance::model(4e-3,
+                                   "shorter by the 2000 steps, .85/2000^2: .0018 of it; the next power of (A/L)^2 = "
+                                   "4e-4"));
+  if (setup.coarse) return;
+  findings.expect_order("order of the lengthening in the amplitude", longer, 1.99, 2.01,
+                        "even in A; at A = .16 L the next power is less than a hundredth");
+  for (double a = 0.02; a < 2.6; a *= 1.3) {
+    exact.x.push_back(a);
+    exact.y.push_back(reference::mid_span_period(span, a));
+    cubic.x.push_back(a);
+    cubic.y.push_back(reference::cubic_period(span, a));
+  }
+  findings.figure(
+      {.name = "period",
+       .title = "Period against amplitude",
+       .caption = "The cubic oscillator is the limit of small swings; large ones tend to $2\\pi\\sqrt{m/2k}$.",
+       .x = {.label = "A / L", .log = true},
+       .y = {.label = "T / sqrt(m/k)", .log = true},
+       .series = {exact, cubic, points},
+       .lines = {{'y', 2.0 * std::numbers::pi / std::sqrt(2.0), "2 pi sqrt(m/2k)"}}});
+}
+
+/// A mass that carries P(w), let go at w, must stay there.
+void check_balance(Findings& findings, const Setup& setup) {
+  double largest = 0.0;
+  for (const double w : {0.01, -0.1, 0.5, -1.0, 3.0}) {
+    const double stretch = std::hypot(1.0, w) - 1.0;
+    double away = 0.0;
+    const Observer watch = [&](const State& state, const StepInfo&) {
+      const double now = std::abs(state.q[0] / w - 1.0);
+      if (!(now <= away)) away = now;
+    };
+    const RunEnd end = run_steps(mid_span(w, reference::mid_span_force(span, w), setup),
+                                 make_integrator("velocity_verlet"), 0.05 / std::abs(w), 1000, {&watch, 1});
+    findings.count(static_cast<std::uint64_t>(end.evaluations));
+    const double share = away * stretch / (1.0 + stretch);
+    if (!(share <= largest)) largest = share;
+  }
+  findings.expect(
+      "loads P(w) at rest at w, largest relative way over that of a rounded length", largest, 0.0,
+      Tolerance::round_off(6e-16,
+                           "a length rounded by 1.1e-16 of itself, which makes its share of the stretch in "
+                           "the tension; three roundings more beside it for long ways; the mass swings about "
+                           "the place it is off"));
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_steps(findings, setup);
+  check_amplitudes(findings, setup);
+  check_balance(findings, setup);
+}
+
+}  // namespace
+
+Case cubic_swing() {
+  const std::string steps = "period, error of the smallest step over its prediction";
+  const std::string limit = "period at A = .02 L from the cubic oscillator's";
+  const std::string loads = "loads P(w) at rest at w, largest relative way over that of a rounded length";
+  return {.id = "cubic_swing",
+          .title = "Mass between two straight cables without tension",
+          .requirements = {{"D5", {"period", "loads P(w)"}},
+                           {"Eq. 13", {"loads P(w)"}},
+                           {"Eq. 14", {"period at A"}},
+                           {"law.tension_only", {"period at A", "loads P(w)"}},
+                           {"integrator.velocity_verlet", {"order of the period in the step"}}},
+          .main_checks = {limit, steps, loads},
+          .source = "Kovacic & Brennan (eds.), The Duffing Equation, 2011, section 2",
+          .page = page,
+          .faults = {{"trace_of_tension", "cables shorter by 1e-6", steps},
+                     {"trace_of_slack", "cables longer by 1e-6", loads},
+                     {"one_cable_softer", "one cable softer by .1 %", limit},
+                     {"rk4", "another method", "order of the period in the step"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,300 @@
+#include "verification/reference/stretched_chain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "solver/model/model_builder.hpp"
+#include "verification/check/case.hpp"
+#include "verification/study/scene_run.hpp"
+
+namespace talus::verification::problems {
+
+Case stretched_chain();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Eight masses hang in a row between two walls, on cables that are stretched to twice their length. As long
+as none goes slack the row is linear, and all its frequencies are known: along the row and, in small swings, across.
+
+```
+  |/|---(1)---(2)---(3)---  ...  ---(8)---|/|     T0 = k (L - l0)
+            along:  <->        across:  ^ v
+```
+
+**Equations.** Along the row $m\ddot x_i = k(x_{i+1} - 2x_i + x_{i-1})$; across, a cable of tension $T_0$ and length
+$L$ pulls back with $T_0/L$ in place of $k$. The shapes $\sin(ij\pi/(n+1))$ decouple both:
+$$\omega_j = 2\sqrt{\frac km}\,\sin\frac{j\pi}{2(n+1)}, \qquad
+\text{across: } 2\sqrt{\frac{T_0}{mL}}\,\sin\frac{j\pi}{2(n+1)}.$$
+
+**In steps.** Velocity Verlet solves $q(t+h) - 2q(t) + q(t-h) = -\omega^2h^2q(t)$, which swings at a frequency of its
+own, $\sin(\Omega h/2) = \omega h/2$: against this, and not against $\omega$, the solver is held, at round-off. Beyond
+$\omega_n h = 2$ the last mode grows by $g = (c + \sqrt{c^2-1})^2$, $c = \omega_nh/2$, in a step. All modes swing at
+once; the frequency of one is the phase of its $q + i\,v/(\omega\cos(\Omega h/2))$, turns counted, over the time.
+
+| symbol | meaning | value |
+|:--|:-----|:------|
+| $n$, $m$, $k$ | masses, cables | 8, 1, 1 (no units) |
+| $L$, $l_0$ | distance of neighbours, unstretched length | 1, .5 |
+| amplitude | of each mode, along; across | .03; $10^{-7}$ |
+| $h$ | steps, over the limit $2/\omega_8$ | .25, .5, .9, .999; 1.02 |
+
+**Source.** Textbook mechanics (Rayleigh 1877, The Theory of Sound I, chapter VI); numerical frequency derived in the
+reference.
+
+**What would break it.** A cable whose far end pulls by another bit than its near end; a tension from the total
+length; a force across that follows $k$ instead of $T_0/L$; a kick at the wrong time.
+)";
+
+constexpr reference::StretchedChain chain{8, 1.0, 1.0};
+constexpr double spacing = 1.0, rest_length = 0.5;
+constexpr long steps = 4096;
+constexpr auto modes = static_cast<std::size_t>(chain.masses);
+
+enum class Way { along, across };
+
+/// The same chain with the stiffness that acts across.
+reference::StretchedChain exact_chain(Way way) {
+  const double tension = chain.stiffness * (spacing - rest_length);
+  return {chain.masses, chain.mass, way == Way::along ? chain.stiffness : tension / spacing};
+}
+
+/// The row with its modes at these amplitudes, at rest.
+Scene chain_scene(Way way, const std::vector<double>& amplitudes, const Setup& setup) {
+  ModelBuilder builder;
+  std::vector<CableEnd> ends{CableEnd{}};
+  for (int i = 1; i <= chain.masses; ++i) {
+    const double mass = i == 3 && setup.has("third_mass_heavier") ? (1.0 + 1e-9) * chain.mass : chain.mass;
+    ends.push_back({builder.add(Body{.name = fmt::format("mass{}", i),
+                                     .mobility = way == Way::along ? Mobility::sliding_x : Mobility::sliding_y,
+                                     .mass = mass,
+                                     .p_WB = {spacing * i, 0.0}}),
+                    {}});
+  }
+  ends.push_back({.body = {}, .p = {spacing * (chain.masses + 1), 0.0, 0.0}});
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const bool softer = i == 0 && setup.has("first_cable_softer");
+    const bool longer = i == 0 && setup.has("first_cable_longer");
+    builder.add(Cable{.name = fmt::format("cable{}", i + 1),
+                      .a = ends[i],
+                      .b = ends[i + 1],
+                      .rest_length = longer ? (1.0 + 1e-8) * rest_length : rest_length,
+                      .law = TensionOnly{softer ? (1.0 - 1e-9) * chain.stiffness : chain.stiffness}});
+  }
+  Scene scene{.title = "Stretched chain", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  for (std::size_t j = 0; j < modes; ++j) {
+    const auto shape = reference::chain_shape(chain, static_cast<int>(j) + 1);
+    for (std::size_t i = 0; i < modes; ++i)
+      scene.initial.q[i] += amplitudes[j] * shape[i];
+  }
+  return scene;
+}
+
+/// One value of each mode, from one of each mass.
+class ModeView {
+ public:
+  ModeView() {
+    for (int j = 1; j <= chain.masses; ++j)
+      shapes_.push_back(reference::chain_shape(chain, j));
+  }
+  [[nodiscard]] double operator()(const std::vector<double>& values, std::size_t mode) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < modes; ++i)
+      sum += shapes_[mode][i] * values[i];
+    return 2.0 / (chain.masses + 1) * sum;
+  }
+
+ private:
+  std::vector<std::vector<double>> shapes_;
+};
+
+std::vector<double> displacements(const State& state, Way way) {
+  std::vector<double> list = state.q;
+  for (std::size_t i = 0; i < modes && way == Way::along; ++i)
+    list[i] -= spacing * static_cast<double>(i + 1);
+  return list;
+}
+
+struct Swings {
+  std::vector<double> frequencies;  ///< of each mode, as the run has them
+  double error{};                   ///< largest of a mode's displacement from its swing, over the amplitude
+};
+
+/// All modes at once from rest, in steps of length h.
+Swings swings(Way way, double amplitude, double h, const Setup& setup, Findings& findings) {
+  static const ModeView view;
+  const auto w = reference::chain_frequencies(exact_chain(way));
+  std::vector<double> scale, numerical, last(modes, 0.0), turns(modes, 0.0);
+  for (const double exact : w) {
+    numerical.push_back(reference::leapfrog_frequency(exact, h));
+    scale.push_back(1.0 / (exact * std::sqrt((1.0 - 0.5 * exact * h) * (1.0 + 0.5 * exact * h))));
+  }
+  Swings found{.frequencies = std::vector<double>(modes)};
+  const Observer watch = [&](const State& state, const StepInfo& info) {
+    const std::vector<double> q = displacements(state, way);
+    for (std::size_t j = 0; j < modes; ++j) {
+      const double at = view(q, j), angle = std::atan2(-scale[j] * view(state.v, j), at);
+      if (info.step > 0) turns[j] += std::round((last[j] - angle) / (2.0 * std::numbers::pi));
+      last[j] = angle;
+      const double exact = amplitude * std::cos(numerical[j] * h * static_cast<double>(info.step));
+      const double error = std::abs(at - exact) / amplitude;
+      if (!(error <= found.error)) found.error = error;
+    }
+  };
+  const Scene scene = chain_scene(way, std::vector<double>(modes, amplitude), setup);
+  const Integrator method = make_integrator(setup.has("rk4") ? "rk4" : "velocity_verlet");
+  const RunEnd end = run_steps(scene, method, h, steps, {&watch, 1});
+  findings.count(static_cast<std::uint64_t>(end.evaluations));
+  for (std::size_t j = 0; j < modes; ++j)
+    found.frequencies[j] = (2.0 * std::numbers::pi * turns[j] + last[j]) / (h * static_cast<double>(steps));
+  if (!std::isfinite(end.state.q[0])) found.error = NAN;
+  return found;
+}
+
+double limit(Way way) { return 2.0 / reference::chain_frequencies(exact_chain(way)).back(); }
+
+/// Largest relative error of the eight frequencies against leapfrog's own.
+double frequency_error(const Swings& found, Way way, double h) {
+  const auto w = reference::chain_frequencies(exact_chain(way));
+  double largest = 0.0;
+  for (std::size_t j = 0; j < modes; ++j) {
+    const double error = std::abs(found.frequencies[j] / reference::leapfrog_frequency(w[j], h) - 1.0);
+    if (!(error <= largest)) largest = error;
+  }
+  return largest;
+}
+
+constexpr double shares[] = {0.25, 0.5, 0.9, 0.999};  ///< of the limit
+
+void check_frequencies(Findings& findings, const Setup& setup) {
+  Figure figure{.name = "dispersion",
+                .title = "Frequencies of the chain in steps",
+                .caption =
+                    "Frequency of each mode over the exact one, along the row at four steps: on the method's own "
+                    "curve, $\\sin(\\Omega h/2) = \\omega h/2$.",
+                .x = {.label = "w h"},
+                .y = {.label = "W / w"},
+                .series = {{"sin(W h/2) = w h/2", {}, {}, Style::lines}}};
+  for (int i = 1; i <= 200; ++i) {
+    figure.series[0].x.push_back(0.01 * i);
+    figure.series[0].y.push_back(reference::leapfrog_frequency(0.01 * i, 1.0) / (0.01 * i));
+  }
+  const auto w = reference::chain_frequencies(chain);
+  double worst = 0.0, farthest = 0.0, across = 0.0;
+  for (const double share : shares) {
+    if (setup.coarse && share != 0.5) continue;
+    const double h = share * limit(Way::along);
+    const Swings found = swings(Way::along, 0.03, h, setup, findings);
+    worst = std::max(worst, frequency_error(found, Way::along, h));
+    // At .999 of the limit a rounded velocity throws the last mode 22 times as far.
+    if (share < 0.95 && !(found.error <= farthest)) farthest = found.error;
+    const double h_across = share * limit(Way::across);
+    across =
+        std::max(across, frequency_error(swings(Way::across, 1e-7, h_across, setup, findings), Way::across, h_across));
+    figure.series.push_back({fmt::format("h = {:g} of the limit", share), {}, {}, Style::points});
+    for (std::size_t j = 0; j < modes; ++j) {
+      figure.series.back().x.push_back(w[j] * h);
+      figure.series.back().y.push_back(found.frequencies[j] / w[j]);
+    }
+  }
+  findings.expect(
+      "frequencies along the row, largest relative error against leapfrog's own", worst, 0.0,
+      Tolerance::round_off(4e-15,
+                           "the phase of some thousand radians, its time and 2 pi rounded, and the phase off "
+                           "by the displacements' error below: some eps"));
+  findings.expect("displacements of all modes along the row over 4096 steps, largest error", farthest, 0.0,
+                  Tolerance::round_off(4e-12,
+                                       "phases of up to 9200 rad, a product of three rounded factors: 3e-12; beside it "
+                                       "places below 8 rounded to 2.6e-16 rms at 4096 steps, 64 times that over .03: "
+                                       "6e-13"));
+  findings.expect(
+      "frequencies across the row, largest relative error against leapfrog's own", across, 0.0,
+      Tolerance::model(8e-13,
+                       "the stretch by the swing itself: (k L - T0)/(2 T0) slope^2 more to each force, with "
+                       "4e-14 for the mean square slope 3e-14 of a frequency, to which W answers 22-fold at "
+                       ".999 of the limit"));
+  findings.figure(figure);
+}
+
+/// Amplitude of the last mode step by step, from 1e-9, at this share of the limit.
+Series last_mode(double share, long count, const Setup& setup, Findings& findings) {
+  static const ModeView view;
+  std::vector<double> amplitudes(modes, 0.0);
+  amplitudes.back() = 1e-9;
+  Series series{fmt::format("h = {:g} of the limit", share), {}, {}, Style::points};
+  const Observer watch = [&](const State& state, const StepInfo& info) {
+    series.x.push_back(static_cast<double>(info.step));
+    series.y.push_back(std::abs(view(displacements(state, Way::along), modes - 1)));
+  };
+  const RunEnd end = run_steps(chain_scene(Way::along, amplitudes, setup), make_integrator("velocity_verlet"),
+                               share * limit(Way::along), count, {&watch, 1});
+  findings.count(static_cast<std::uint64_t>(end.evaluations));
+  return series;
+}
+
+void check_growth(Findings& findings, const Setup& setup) {
+  constexpr std::size_t first = 26, last = 40;
+  const double share = setup.has("step_within_the_limit") ? 0.999 : 1.02;
+  const Series grown = last_mode(share, last, setup, findings);
+  const double rate = std::log(grown.y[last] / grown.y[first]) / static_cast<double>(last - first);
+  const double exact = std::log(reference::leapfrog_growth(2.0 / limit(Way::along), 1.02 * limit(Way::along)));
+  findings.expect(
+      "growth of the last mode beyond the limit, rate over the exact one", rate / exact, 1.0,
+      Tolerance::truncation(1.7e-10, 1.2,
+                            "the decaying root, g^-52 of the amplitude at the first of 14 steps: 9.5e-10 over "
+                            "14 ln g"));
+  if (setup.coarse) return;
+  findings.figure({.name = "growth",
+                   .title = "Either side of the step limit",
+                   .caption =
+                       "Amplitude of the last mode from $10^{-9}$: bounded just below $\\omega_n h = 2$, growing "
+                       "by $g$ a step beyond it (line).",
+                   .x = {.label = "step"},
+                   .y = {.label = "amplitude", .log = true},
+                   .series = {last_mode(0.999, last, setup, findings),
+                              grown,
+                              {"g^s / 2",
+                               {0.0, static_cast<double>(last)},
+                               {0.5e-9, 0.5e-9 * std::exp(exact * static_cast<double>(last))},
+                               Style::lines}}});
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_frequencies(findings, setup);
+  check_growth(findings, setup);
+}
+
+}  // namespace
+
+Case stretched_chain() {
+  const std::string along = "frequencies along the row, largest relative error against leapfrog's own";
+  const std::string across = "frequencies across the row, largest relative error against leapfrog's own";
+  const std::string growth = "growth of the last mode beyond the limit, rate over the exact one";
+  return {.id = "stretched_chain",
+          .title = "Chain of masses under tension",
+          .requirements = {{"D6", {"frequencies along", "frequencies across", "displacements of all modes", "growth"}},
+                           {"Eq. 14", {"frequencies along"}},
+                           {"Eq. 15", {"frequencies across"}},
+                           {"Eq. 25", {"growth of the last mode"}},
+                           {"law.tension_only", {"frequencies along"}},
+                           {"integrator.velocity_verlet", {"frequencies along", "displacements of all modes"}}},
+          .main_checks = {along, across, growth},
+          .source = "Rayleigh 1877, The Theory of Sound I, chapter VI",
+          .page = page,
+          .faults = {{"third_mass_heavier", "one mass heavier by 1e-9", along},
+                     {"first_cable_softer", "one cable softer by 1e-9", along},
+                     {"first_cable_longer", "one cable longer by 1e-8", across},
+                     {"rk4", "another method", along},
+                     {"step_within_the_limit", "a step of .999 of the limit", growth}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

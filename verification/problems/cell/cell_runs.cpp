@@ -1,0 +1,19 @@
+#include "verification/problems/cell/cell_runs.hpp"
+
+namespace talus::verification::problems {
+
+CellPlan cell_plan(const ShearCell& cell, double time, double steps_in_contact, int loops) {
+  CellPlan plan;
+  plan.step = cell.contact_time() / steps_in_contact;
+  plan.every = time / loops;
+  plan.end = time;
+  return plan;
+}
+
+CellRun& run_to_end(CellRun& run) {
+  while (!run.finished() && run.failure().empty())
+    run.advance();
+  return run;
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,327 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/problems/cell/broken_latch.hpp"
+#include "verification/problems/cell/disc_row.hpp"
+#include "verification/reference/latching_chain.hpp"
+
+namespace talus::verification::problems {
+
+Case restruck_discs();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** The second disc hits the third, and while they are still one in the other, or just have parted, the first hits
+the second and presses it on. What the contact does then hangs on what it remembers: its largest overlap, from the touch
+until the discs part, and not only as long as it pushes.
+
+```
+   ( 1 ) --> --> -->   ( 2 ) --> ( 3 )        g: gap between 1 and 2 when 2 touches 3
+```
+
+**Equations.** The latch, each contact on one of four lines: loading $K_1\delta$ to $\delta = M$; unloading $K_2(\delta -
+\delta_0)$, $\delta_0 = M(1 - K_1/K_2)$; slack from $\delta_0$ to 0, where a reload waits for $\delta_0$; open, where $M$ is
+forgotten. As $g$ grows the second blow falls into loading, unloading, slack, and after the parting. At the last change the
+speeds jump: parted by a hair, the contact is soft again.
+
+**Mistakes**, each run beside: $M$ forgotten where $F = 0$ (the soft line begins in the middle of the overlap, with a force
+from nothing); the contact ended where $F = 0$ (no force until the discs part: they pass into each other); $M$ never
+forgotten; $M$ dropped at a restart. A single impact of two discs shows but the first and the last of them.
+
+**Source.** Law: Walton & Braun 1986. Reference as in case latching_chain: odeint in long double, changes located.
+
+| symbol | meaning | value |
+|:--|:-----|:------|
+| $m$, $K_1$, $K_1/K_2$ | mass, stiffness, their ratio | 1, 1/2, .49 (no units) |
+| $v$ | speeds before | 3, 1, 0 |
+| $g$ | 24 gaps for each line that is struck | 2.6 ... 10 |
+| $N$ | steps in a contact of two, Verlet | 60 + a share of its own for each gap |
+
+**What would break it.** Any of the mistakes above; a list of neighbours that is made anew and loses a contact without
+force; a mode without its memory.
+)";
+
+const LatchingSpring law{0.5, 0.5 / 0.49, 0.0};
+constexpr std::array<double, 3> speeds{3.0, 1.0, 0.0};
+constexpr std::size_t gaps_of_each = 24;
+
+/// Where the second blow falls.
+struct Moment {
+  const char* name;
+  double first, last;  ///< gaps
+};
+constexpr std::array moments{Moment{"unloading", 2.6, 4.2}, Moment{"slack", 4.5, 6.4}, Moment{"parted", 6.9, 10.0}};
+
+double gap_of(const Moment& moment, std::size_t k) {
+  return moment.first + (moment.last - moment.first) * (static_cast<double>(k) + 0.5) / gaps_of_each;
+}
+
+double contact_time() { return 0.5 * std::numbers::pi * 1.7; }
+
+reference::ChainRebound exact_of(double gap) {
+  return reference::chain_rebound(
+      {law.stiffness, law.unloading_stiffness, 1.0, {speeds.begin(), speeds.end()}, {gap, 0.0}});
+}
+
+/// `lead`: time before 2 touches 3.
+FilledRow row_of(double gap, double lead) {
+  return fill({.radius = 8.0,
+               .velocity = {speeds.begin(), speeds.end()},
+               .gap = {gap + lead * (speeds[0] - speeds[1]), lead * speeds[1]}});
+}
+
+struct Watched {
+  std::array<double, 3> velocity{};
+  std::vector<double> depth, force;  ///< of the second and third disc
+};
+
+template <class L>
+Watched run_by(const L& by, double gap, double step, double phase, Findings& findings, double skin = row_skin) {
+  FilledRow row = row_of(gap, phase * step);
+  DiscSystem<L> system{row.shapes, {}, by, skin};
+  Watched watched;
+  const auto most = static_cast<long>(30.0 * contact_time() / step);
+  (void)run_row(system, row, make_disc_method("velocity_verlet"), step, most, [&](const auto& seen) {
+    seen.for_each_contact(row.discs, [&](const auto& contact) {
+      if (contact.a != 1 || contact.depth < 0.0) return;
+      watched.depth.push_back(contact.depth), watched.force.push_back(contact.force);
+    });
+  });
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  std::copy(row.discs.vx.begin(), row.discs.vx.end(), watched.velocity.begin());
+  return watched;
+}
+
+Watched run_right_or_wrong(double gap, double step, double phase, Findings& findings, const Setup& setup) {
+  if (setup.has("forgotten_at_zero_force")) return run_by(ForgettingLatch{law}, gap, step, phase, findings);
+  if (setup.has("ended_at_zero_force")) return run_by(ClearedLatch{law}, gap, step, phase, findings);
+  if (setup.has("never_forgotten")) return run_by(RetentiveLatch{law}, gap, step, phase, findings);
+  LatchingSpring told = law;
+  if (setup.has("way_back_softer")) told.unloading_stiffness *= 0.99;
+  return run_by(told, gap, step, phase, findings);
+}
+
+/// By moment, for each of its gaps.
+using Exact = std::array<std::array<reference::ChainRebound, gaps_of_each>, moments.size()>;
+
+Exact exact_of_all() {
+  Exact exact;
+  for (std::size_t m = 0; m < moments.size(); ++m) {
+    for (std::size_t k = 0; k < gaps_of_each; ++k)
+      exact[m][k] = exact_of(gap_of(moments[m], k));
+  }
+  return exact;
+}
+
+/// Largest errors of the three speeds for the gaps of a moment, each of which is a phase of its own.
+PhaseError errors_of(const Exact& exact, std::size_t m, double steps, Findings& findings, const Setup& setup) {
+  PhaseError found;
+  for (std::size_t k = 0; k < gaps_of_each; ++k) {
+    const Watched seen = run_right_or_wrong(gap_of(moments[m], k), offset_step(contact_time(), steps, k),
+                                            golden_phases(gaps_of_each)[k], findings, setup);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double error = std::abs(seen.velocity[i] - exact[m][k].velocity[i]);
+      if (!(error <= worst)) worst = error;
+    }
+    found.add(worst);
+  }
+  return found;
+}
+
+/// Does the reference strike the line that the moment is named after, for all of its gaps?
+bool strikes(const Exact& exact, std::size_t m) {
+  return std::all_of(exact[m].begin(), exact[m].end(), [&](const reference::ChainRebound& one) {
+    const std::string line = one.reloads_from_slack > 0 ? "slack" : one.reloads > 0 ? "unloading" : "parted";
+    return line == moments[m].name;
+  });
+}
+
+void check_moments(const Exact& exact, Findings& findings, const Setup& setup) {
+  bool all = true;
+  for (std::size_t m = 0; m < moments.size(); ++m) {
+    all = all && strikes(exact, m);
+    findings.expect(
+        fmt::format("speeds of three discs struck anew while {}, largest error of 24 gaps", moments[m].name),
+        errors_of(exact, m, 60.0, findings, setup).max(), 0.0,
+        Tolerance::truncation(
+            16.0 * 3.3e-5, 1.5,
+            "steps a quarter as long had errors of 2.5e-5 to 3.3e-5; 16 times that, by second order, and "
+            "half of it for where the kinks fall in a step"));
+  }
+  findings.expect_true("lines that the second blow falls on", all,
+                       "the reference counts reloads, and those from slack, for each of the 72 gaps");
+}
+
+void check_order(const Exact& exact, Findings& findings, const Setup& setup) {
+  Convergence found;
+  for (const double n : doublings(30.0, 4)) {
+    double squares = 0.0;
+    for (std::size_t m = 0; m < moments.size(); ++m)
+      squares += std::pow(errors_of(exact, m, n, findings, setup).rms(), 2) / moments.size();
+    found.add(1.0 / n, std::sqrt(squares));
+  }
+  findings.expect_order("order of the speeds, 72 gaps", found, 1.85, 2.15,
+                        "forces are continuous and their slopes jump where lines change, which costs h^2");
+}
+
+/// The run of one gap, written down and put back into another system every few steps.
+std::array<double, 3> restarted(double gap, double step, long every, bool dropped) {
+  FilledRow row = row_of(gap, 0.3 * step);
+  using Method = VelocityVerletOf<Discs>;
+  Method method;
+  DiscSystem system{row.shapes, {}, law, row_skin};
+  system.begin(row.discs);
+  method.start(system, row.discs, step);
+  const auto most = static_cast<long>(30.0 * contact_time() / step);
+  for (long n = 1; n <= most && !over(system, row.discs); ++n) {
+    method.step(system, row.discs, step);
+    if (n % every != 0) continue;
+    Memory saved;
+    const auto name_all = [](Memory& memory, Discs& discs, auto& of, Method& by) {
+      memory.part("discs", [&] { remember(memory, discs); });
+      memory.part("system", [&] { of.remember(memory, discs); });
+      memory.part("method", [&] { by.remember(memory, discs); });
+    };
+    name_all(saved, row.discs, system, method);
+    FilledRow next = row_of(gap, 0.0);
+    DiscSystem other{row.shapes, {}, law, row_skin};
+    Method again;
+    Memory put_back{saved.items()};
+    name_all(put_back, next.discs, other, again);
+    if (dropped) other.begin(next.discs), again.start(other, next.discs, step);
+    row.discs = next.discs, system = other, method = again;
+  }
+  return {row.discs.vx[0], row.discs.vx[1], row.discs.vx[2]};
+}
+
+constexpr double step_of_restarts() { return 0.5 * std::numbers::pi * 1.7 / 60.382; }
+constexpr std::array gaps_of_restarts{3.4, 5.5, 8.0};
+
+void check_restarts(Findings& findings, const Setup& setup) {
+  double differ = 0.0;
+  for (const double gap : gaps_of_restarts) {
+    const auto through = restarted(gap, step_of_restarts(), 1000000, false);
+    for (const long every : {1L, 7L, 20L}) {
+      const auto seen = restarted(gap, step_of_restarts(), every, setup.has("memory_dropped_at_restart"));
+      for (std::size_t i = 0; i < 3; ++i)
+        differ += seen[i] == through[i] ? 0.0 : 1.0;
+    }
+  }
+  findings.expect("speeds that differ after restarts every 1, 7, 20 steps, of 27", differ, 0.0,
+                  Tolerance::exact("what is put back is what was written down, bit for bit"));
+}
+
+/// A skin that discs do not leave: a list that forgets a pair would forget its memory, too.
+constexpr double wide = 8.0;
+
+void show_mistakes(Findings& findings) {
+  Table table{
+      .name = "mistakes",
+      .caption = "Speed of the third disc, 60 steps in a contact: struck anew while unloading, slack and parted.",
+      .columns = {"g", "exact", "solver", "forgotten at F = 0", "ended at F = 0", "never forgotten",
+                  "dropped every 20 steps"},
+      .rows = {}};
+  const auto third = [](const Watched& seen) { return fmt::format("{:.4f}", seen.velocity[2]); };
+  for (const double gap : gaps_of_restarts) {
+    const double h = step_of_restarts();
+    table.rows.push_back({fmt::format("{}", gap), fmt::format("{:.4f}", exact_of(gap).velocity[2]),
+                          third(run_by(law, gap, h, 0.3, findings)),
+                          third(run_by(ForgettingLatch{law}, gap, h, 0.3, findings)),
+                          third(run_by(ClearedLatch{law}, gap, h, 0.3, findings)),
+                          third(run_by(RetentiveLatch{law}, gap, h, 0.3, findings, wide)),
+                          fmt::format("{:.4f}", restarted(gap, h, 20, true)[2])});
+  }
+  findings.table(table);
+}
+
+void draw_speeds(Findings& findings) {
+  Series line{"exact", {}, {}, Style::lines}, solver{"solver", {}, {}, Style::points};
+  Series forgotten{"forgotten at F = 0", {}, {}, Style::lines};
+  Series kept{"never forgotten", {}, {}, Style::lines};
+  const double h = step_of_restarts();
+  int i = 0;
+  for (double gap = 2.0; gap < 10.0; gap += 0.05, ++i) {
+    const auto add = [&](Series& to, double speed) { to.x.push_back(gap), to.y.push_back(speed); };
+    add(line, exact_of(gap).velocity[2]);
+    add(forgotten, run_by(ForgettingLatch{law}, gap, h, 0.3, findings).velocity[2]);
+    add(kept, run_by(RetentiveLatch{law}, gap, h, 0.3, findings, wide).velocity[2]);
+    if (i % 4 == 0) add(solver, run_by(law, gap, h, 0.3, findings).velocity[2]);
+  }
+  findings.figure({.name = "speed_of_the_third",
+                   .title = "Struck anew, sooner or later",
+                   .caption = "Speed of the third disc against the gap; beside it two mistakes. Ended at $F = 0$ is "
+                              "exact but for blows in slack, after which it is .85.",
+                   .x = {.label = "gap between 1 and 2 when 2 touches 3"},
+                   .y = {.label = "speed of the third disc", .min = 2.2, .max = 2.65},
+                   .series = {line, forgotten, kept, solver}});
+}
+
+void draw_loops(Findings& findings) {
+  std::vector<Series> all;
+  for (const double gap : gaps_of_restarts) {
+    const Watched seen = run_by(law, gap, step_of_restarts() / 4.0, 0.3, findings);
+    all.push_back({fmt::format("g = {}", gap), seen.depth, seen.force, Style::lines});
+  }
+  findings.figure({.name = "force_against_overlap",
+                   .title = "The second and third disc's contact",
+                   .caption = "Struck anew while unloading, slack and parted.",
+                   .x = {.label = "overlap"},
+                   .y = {.label = "force"},
+                   .series = all});
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const Exact exact = exact_of_all();
+  check_moments(exact, findings, setup);
+  check_restarts(findings, setup);
+  if (setup.coarse) return;
+  check_order(exact, findings, setup);
+  show_mistakes(findings);
+  draw_speeds(findings);
+  draw_loops(findings);
+}
+
+}  // namespace
+
+Case restruck_discs() {
+  return {.id = "restruck_discs",
+          .title = "Discs struck anew",
+          .family = "the shear cell",
+          .requirements = {{"B16", {"struck anew", "restarts"}},
+                           {"F5", {"restarts"}},
+                           {"law.latching_spring", {"struck anew"}},
+                           {"regime.latching_spring.unloading", {"while unloading"}},
+                           {"regime.latching_spring.slack", {"while slack"}},
+                           {"regime.latching_spring.loading", {"while parted"}}},
+          .main_checks = {"speeds of three discs struck anew while unloading, largest error of 24 gaps",
+                          "speeds of three discs struck anew while slack, largest error of 24 gaps",
+                          "speeds of three discs struck anew while parted, largest error of 24 gaps",
+                          "speeds that differ after restarts every 1, 7, 20 steps, of 27"},
+          .source = "Walton & Braun 1986",
+          .page = page,
+          .faults = {{"forgotten_at_zero_force", "M forgotten where the force is zero",
+                      "speeds of three discs struck anew while slack, largest error of 24 gaps"},
+                     {"ended_at_zero_force", "the contact ended where the force is zero",
+                      "speeds of three discs struck anew while slack, largest error of 24 gaps"},
+                     {"never_forgotten", "M kept after the discs have parted",
+                      "speeds of three discs struck anew while parted, largest error of 24 gaps"},
+                     {"way_back_softer", "K2 smaller by 1 %",
+                      "speeds of three discs struck anew while unloading, largest error of 24 gaps"},
+                     {"memory_dropped_at_restart", "a restart forgets what the contacts remember",
+                      "speeds that differ after restarts every 1, 7, 20 steps, of 27"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

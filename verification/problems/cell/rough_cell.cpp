@@ -1,0 +1,252 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "verification/check/case.hpp"
+#include "verification/problems/cell/cell_runs.hpp"
+
+namespace talus::verification::problems {
+
+Case rough_cell();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** The cell of case `shear_cell` with discs that rub each other and turn: springs with dashpots, and friction with
+memory. Where does the drive's work go, who bears the momentum, and do the discs turn as the flow does?
+
+```
+     ->  ->  ->   block               friction on both discs of a contact turns both the same way,
+   (o)  (o)  (o)  each turns          so that the mean of their spins is that of the flow:
+     (o)  (o)     clockwise           spin = -1/2 du/dy
+   base, held
+```
+
+**Equations.** Momentum of the free discs, $\int(F_\text{block} + F_\text{base})\,dt = -\Delta\sum m v$, tangential forces and all.
+Energy: the drive's work is the growth of what moves, turns and is stored, plus what dashpots and friction keep; powers are
+taken at the velocities of before a kick, so that the account is off by the first order of the step: of a dashpot's loss by
+the share $2\,\xi\,\omega_0 h$, from $\sum c\,v_n^2 h - \int c\,v^2 dt = \tfrac{h}{2} c\,(v_\text{in}^2 - v_\text{out}^2)$. Spin: in a steady flow no
+disc is turned faster and faster, so the torques of friction on the free discs vanish in the mean. Two discs that touch along
+$n$ slip by $-D\,(\dot\gamma\,n_y^2 + \omega)$ in the mean; with contacts all around, $\langle n_y^2\rangle = \tfrac12$, neither way more than the
+other if $\omega = -\dot\gamma/2$.
+
+| symbol | meaning | value |
+|:--|:-----|:-----|
+| $k_n$, $e$, $k_s/k_n$, $\mu$ | spring and dashpot, friction | 20.3 kN/m, .7, .7, .5 |
+| cell | 80 discs of 1 mm, 8 kPa, 5000 diameters a second | see case `shear_cell` |
+| $h$, $T$ | central difference, 20 steps in a contact (240 for energy) | .61 us, .2 s, a quarter left out |
+
+**Source.** Textbook mechanics; friction by Cundall & Strack (1979); the spin is derived here.
+
+**What would break it.** A torque of the wrong sign on one of two discs, or of the wrong arm; friction that is left out of the
+walls' forces; work of the slider that is booked twice, or not where a contact ends; kinetic energy without that of spin.
+)";
+
+ShearCell cell_with(const Setup& setup) {
+  ShearCell cell = ice_cell(8e3, 5e3);
+  cell.law = LinearSpringDashpot{20305.0, 0.0208981};
+  cell.friction = CoulombFriction{setup.has("smooth_discs") ? 0.0 : 0.5, 14214.0};
+  return cell;
+}
+
+void expect_balances(Findings& findings, const Setup& setup) {
+  const ShearCell cell = cell_with(setup);
+  constexpr double steps = 240.0;
+  CellRun run{cell, cell_plan(cell, 1.5e-2, steps)};
+  const Discs before = run.discs();
+  run_to_end(run);
+  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  const Discs after = run.discs();
+  Vec2 gained;
+  double spin_energy = 0.0;
+  for (std::size_t i = 0; i < cell.free_discs(); ++i) {
+    gained += cell.mass * Vec2{after.vx[i] - before.vx[i], after.vy[i] - before.vy[i]};
+    spin_energy += cell.mass * cell.diameter * cell.diameter / 16.0 * after.spin[i] * after.spin[i];
+  }
+  Vec2 walls = run.impulse_on_block() + run.impulse_on_base();
+  if (setup.has("friction_off_the_base")) walls.x -= 1e-6 * run.impulse_on_base().x;
+  findings.expect("momentum of the discs less the walls' impulses",
+                  norm(gained + walls) / (static_cast<double>(cell.free_discs()) * cell.mass * cell.block_speed), 0.0,
+                  Tolerance::round_off(1e-10, "as in case shear_cell: some 1e5 impulses, each rounded to 1e-16"));
+  const CellRun::Ledger ledger = run.ledger();
+  double missing = ledger.gained;
+  if (setup.has("spin_without_energy")) missing -= spin_energy;
+  if (setup.has("friction_not_booked")) missing -= ledger.rubbed;
+  // 2 xi w0 h with w0 = sqrt(2 k/m), xi = c/(2 sqrt(k m/2)): 2 c h/m.
+  const double off = 2.0 * std::get<LinearSpringDashpot>(cell.law).damping * run.plan().step / cell.mass;
+  findings.expect("energy unaccounted for over what contacts kept", missing / ledger.dissipated, 0.0,
+                  Tolerance::truncation(off, 1.0,
+                                        "2 xi w0 h of what dashpots keep; the slider's work and what dashpots let go "
+                                        "are off by the same order, of the other sign"));
+}
+
+/// What friction turns the free discs with, over what it would if all of it turned one way; means after the start-up.
+struct Flow {
+  double torque{};
+  double spin{}, rate{};  ///< mean [1/T]
+  double layers{};        ///< spin over half the shear rate, of layers inside
+  double ratio{}, sliding{}, rubbed{};
+};
+
+/// Where the drive's work has gone, as it adds up: in units of the kinetic energy of all free discs at the block's
+/// speed.
+class Accounts {
+ public:
+  explicit Accounts(const ShearCell& cell)
+      : unit_{0.5 * cell.mass * cell.block_speed * cell.block_speed * static_cast<double>(cell.free_discs())} {}
+
+  long looks() const { return static_cast<long>(series_[0].x.size()); }
+  void look(CellRun& run) {
+    const CellRun::Ledger ledger = run.ledger();
+    if (looks() == 0) held_ = ledger.held();
+    const double kept = ledger.dissipated - ledger.rubbed;
+    const std::array<double, 4> numbers{ledger.driven, kept, ledger.rubbed, ledger.held() - held_};
+    for (std::size_t i = 0; i < series_.size(); ++i) {
+      series_[i].x.push_back(1e3 * static_cast<double>(run.steps()) * run.plan().step);
+      series_[i].y.push_back(numbers[i] / unit_);
+    }
+  }
+  void draw(Findings& findings) const {
+    findings.figure(
+        {.name = "accounts",
+         .title = "Where the work of the drive goes",
+         .caption =
+             "The block's work, what dashpots and friction have kept of it, and what moves, turns and is stored more "
+             "than at the first look, as they add up; over the kinetic energy of all free discs at the block's speed.",
+         .x = {"time", "ms"},
+         .y = {.label = "energy", .unit = "1"},
+         .series = {series_.begin(), series_.end()}});
+  }
+
+ private:
+  double unit_{}, held_{};
+  std::array<Series, 4> series_{Series{.label = "drive", .x = {}, .y = {}, .style = Style::lines},
+                                Series{.label = "dashpots", .x = {}, .y = {}, .style = Style::lines},
+                                Series{.label = "friction", .x = {}, .y = {}, .style = Style::lines},
+                                Series{.label = "held", .x = {}, .y = {}, .style = Style::lines}};
+};
+
+/// Draws spins over the height beside half of how fast the layers pass each other; their ratio in layers that are two
+/// diameters from both walls. Above them the block rises and falls through layers of few discs.
+double spins_over_rates(Findings& findings, const CellRun& run, double depth) {
+  Series spins{.label = "-spin", .x = {}, .y = {}}, rates{.label = "half the shear rate", .x = {}, .y = {}};
+  const std::vector<CellProfile::Layer> layers = run.profile().layers();
+  const double d = run.cell().diameter, unit = run.cell().block_speed / d;
+  double spin = 0.0, turning = 0.0;
+  for (std::size_t k = 1; k + 1 < layers.size() && layers[k].y < depth; ++k) {
+    const double rate =
+        0.5 * (layers[k + 1].velocity.value - layers[k - 1].velocity.value) / (layers[k + 1].y - layers[k - 1].y);
+    spins.x.push_back(layers[k].y / d), spins.y.push_back(-layers[k].spin.value / unit);
+    rates.x.push_back(layers[k].y / d), rates.y.push_back(rate / unit);
+    if (layers[k].y > 2.0 * d && layers[k].y < depth - 2.0 * d) spin -= layers[k].spin.value, turning += rate;
+  }
+  findings.figure({.name = "spins",
+                   .title = "Spins and the flow that turns the discs",
+                   .caption = "Mean spin, clockwise, and half of the rate at which layers of half a diameter pass each "
+                              "other, over the height above the base up to the block's mean; after the start-up.",
+                   .x = {"height", "d"},
+                   .y = {.label = "rate", .unit = "speed of the block / d"},
+                   .series = {spins, rates}});
+  return spin / turning;
+}
+
+Flow flow(Findings& findings, const Setup& setup, bool rough) {
+  ShearCell cell = cell_with(setup);
+  if (!rough) cell.friction.reset();
+  CellRun run{cell, cell_plan(cell, setup.coarse ? 0.1 : 0.2)};
+  std::array<double, 2> turning{}, all{};  // in each half of what is looked at
+  Accounts accounts{cell};
+  while (!run.finished() && run.failure().empty()) {
+    run.advance();
+    if (100 * run.steps() >= accounts.looks() * run.last_step()) accounts.look(run);
+    if (4 * run.steps() < run.last_step()) continue;
+    const std::size_t half = 8 * run.steps() < 5 * run.last_step() ? 0 : 1;
+    for (const CellRun::ActingContact& contact : run.acting_contacts()) {
+      for (const std::size_t disc : {contact.a, contact.b}) {
+        if (disc >= cell.free_discs() && !setup.has("walls_turn")) continue;
+        const double sign = setup.has("one_way_torque") && disc == contact.b ? -1.0 : 1.0;
+        turning[half] += sign * 0.5 * contact.distance * contact.friction;
+        all[half] += 0.5 * contact.distance * std::abs(contact.friction);
+      }
+    }
+  }
+  if (rough) accounts.draw(findings);
+  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  using Q = CellQuantity;
+  const CellRun::Ledger ledger = run.ledger();
+  const double apart = run.mean(Q::depth).value + cell.diameter;
+  const auto torque = [&](std::size_t half) { return all[half] > 0.0 ? turning[half] / all[half] : 0.0; };
+  return {std::abs(torque(0)) > std::abs(torque(1)) ? torque(0) : torque(1),
+          run.mean(Q::spin).value,
+          cell.block_speed / apart,
+          rough ? spins_over_rates(findings, run, run.mean(Q::depth).value) : 0.0,
+          run.ratio(Q::top_shear, Q::top_normal).value,
+          run.ratio(Q::sliding, Q::contacts).value,
+          ledger.rubbed / ledger.dissipated};
+}
+
+void run(Findings& findings, const Setup& setup) {
+  // What a planted fault has no part in need not be run again.
+  const bool of_flow = setup.has("one_way_torque") || setup.has("walls_turn") || setup.has("smooth_discs");
+  if (!of_flow) expect_balances(findings, setup);
+  if (!of_flow && !setup.fault.empty()) return;
+  const Flow rough = flow(findings, setup, true);
+  findings.expect(
+      "torque of friction on the free discs, over what it would be one way", rough.torque, 0.0,
+      Tolerance::model(0.005,
+                       "the larger of two halves: 12,000 looks at some 25 contacts, each seen about twice: "
+                       "a random sum is 1/sqrt(1.5e5) = .0026 of its parts, and twice that; what is left by "
+                       "the change of spin from start to end is less"));
+  findings.expect_between(
+      "mean spin over half the shear rate between the walls", -2.0 * rough.spin / rough.rate, 0.8, 1.5,
+      "1 if contacts lie all around, 2 <n_y^2> else: discs in rows touch those above and below more "
+      "than those beside, at most three times as often; slip at the walls takes some of the rate");
+  findings.expect("spin over half the shear rate of layers inside, all together", rough.layers, 1.0,
+                  Tolerance::model(0.2,
+                                   "contacts lie all around a disc inside, and a disc turns as it rolls between its "
+                                   "neighbours; the layers' own ratios scatter by that much in this time"));
+  findings.expect_between("share of contact time in contacts that slide", rough.sliding, 0.15, 0.65,
+                          "impacts at all angles: one slides from its start where its angle exceeds some "
+                          "atan(2 mu (1 + 1/e)), and any slides at its end, where the normal force falls to nought; "
+                          "neither none nor most");
+  findings.expect_between(
+      "friction's share of what contacts keep", rough.rubbed, 0.35, 0.75,
+      "dashpots take 1 - e^2, half of the energy across the contact, sliders at most a third of "
+      "that along it (discs that stick take the rest along as spin), of which a sheared cell has more");
+  const Flow smooth = flow(findings, setup, false);
+  findings.expect_between("stress ratio of rough discs over that of smooth ones", rough.ratio / smooth.ratio, 1.0, 1.4,
+                          "friction adds to the shear that contacts carry, and walls of discs hold smooth ones too");
+}
+
+}  // namespace
+
+Case rough_cell() {
+  return {.id = "rough_cell",
+          .title = "Sheared cell of rough discs: momentum, energy and spin",
+          .family = "the shear cell",
+          .requirements = {{"mechanism.contact_damping", {"energy unaccounted for"}},
+                           {"mechanism.friction", {"friction's share"}}},
+          .main_checks = {"momentum of the discs less the walls' impulses",
+                          "energy unaccounted for over what contacts kept",
+                          "torque of friction on the free discs, over what it would be one way",
+                          "mean spin over half the shear rate between the walls",
+                          "spin over half the shear rate of layers inside, all together"},
+          .source = "Cundall & Strack 1979; balances and spin, derived here",
+          .page = page,
+          .faults = {{"friction_off_the_base", "a millionth of the base's shear left out",
+                      "momentum of the discs less the walls' impulses"},
+                     {"spin_without_energy", "kinetic energy without that of spin",
+                      "energy unaccounted for over what contacts kept"},
+                     {"friction_not_booked", "the slider's work left out",
+                      "energy unaccounted for over what contacts kept"},
+                     {"one_way_torque", "friction's torque on the second disc of a pair turned round",
+                      "torque of friction on the free discs, over what it would be one way"},
+                     {"walls_turn", "torques on the walls' discs, which do not turn, counted",
+                      "torque of friction on the free discs, over what it would be one way"},
+                     {"smooth_discs", "no friction", "mean spin over half the shear rate between the walls"}},
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,332 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "solver/io/cell/write_cell.hpp"
+#include "verification/check/case.hpp"
+#include "verification/problems/cell/cell_runs.hpp"
+
+namespace talus::verification::problems {
+
+Case shear_cell();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Discs fill the gap between a row of fixed discs and a block of them, which is pressed down by its weight and
+driven along x; the field repeats itself along x, gravity acts on the block alone. Once the flow is steady, what do the
+walls feel, and does what is measured inside agree with it?
+
+```
+   VXT -> (O)(O)(O)(O)(O)(O)  block: mass, weight, rigid      S = -F_x/(TWID D^2)   on the block
+             o   o  o   o                                      N =  F_y/(TWID D^2)
+          o   o   o    o  o   free discs, latching springs     P =  MTOP G/(TWID D^2)
+          (O)(O)(O)(O)(O)(O)  base, held
+```
+
+**Equations.** All are exact for any motion, up to what is left of a sum over a finite time $T$. Momentum of the free
+discs: $\int(F_\text{block} + F_\text{base})\,dt = -\Delta\sum m v$, so that the shear on both walls differs by at most
+$N m\,\mathrm{VXT}/T$ in the mean. Moment of momentum: with $r_y$ and $F_x$ of each contact,
+
+$$\langle\textstyle\sum F_x r_y + \sum m v_x v_y\rangle = -\langle F_{\text{block},x}\,Y\rangle - \Delta(\sum m v_x y)/T$$
+
+with the block's height $Y$: the stress inside against the force on the wall. It is the mean of a product: a block that
+bounces is high when it is hardly pressed. Energy: with $K_1 = K_2$ nothing is lost, and what drives the block has put in
+what the discs and the block have.
+
+**Source.** Lacy 1989, "Data Input and Parameters", for the cell and $P$; the balances are textbook mechanics
+(the virial theorem, Clausius 1870). Diameter, mass and stiffness are Talus's own (ice of a millimetre): the thesis's
+are not known, and no number of its figures is quoted.
+
+| symbol | meaning | value |
+|:--|:-----|:-----|
+| $D$, $M$ | discs | 1 mm, 7.2e-7 kg |
+| $K_1$, $K_1/K_2$ | latching spring | 17 kN/m, .49 |
+| NHT, NWID, TWID | rows, columns, discs in a wall | 8, 10, 11 |
+| VXT, $P$ | drive, overburden | 5 m/s; 8 and 32 kPa |
+| $h$, $T$ | velocity Verlet, 20 steps in a contact | .62 us, .8 s, a quarter left out |
+
+**What would break it.** A wall's force that misses a contact or counts one twice; a block that is moved by part of its
+force; contacts that forget what they were pressed; a mean over time of factors where that of the product is due; an
+inertial number of the depth of the array where that of the field is due; discs that pass through each other, which a stress ratio does not show.
+)";
+
+struct Balance {
+  double top{}, bottom{};  ///< shear [Pa]
+  double inside{};         ///< of contacts and motion, over the block's
+};
+
+double value(const CellRun& run, CellQuantity quantity) { return run.mean(quantity).value; }
+
+Balance balance(const CellRun& run, const Setup& setup) {
+  using Q = CellQuantity;
+  Balance found{value(run, Q::top_shear), value(run, Q::bottom_shear), 0.0};
+  const double inside = value(run, Q::shear_virial) + (value(run, Q::kinetic_shear));
+  // The centre lines are a diameter further apart than the depth says.
+  const double separate = value(run, Q::top_shear) * (value(run, Q::depth) + run.cell().diameter);
+  found.inside = inside / (setup.has("product_of_means") ? separate : value(run, Q::top_moment));
+  return found;
+}
+
+void expect_limits(Findings& findings, const CellRun& run, const std::string& where) {
+  findings.expect_true("no disc passed another, " + where,
+                       run.failure().empty() && run.largest_fraction() <= CellRun::fullest,
+                       "equal discs fill at most pi/sqrt(12) = .9069 of the plane");
+  // The deepest of millions of contacts: in runs of .25 s with six seeds .042 to .057 at 8 kPa, .075 to .104 at 32 kPa,
+  // where chains press more.
+  const bool heavy = run.cell().overburden() > 16e3;
+  findings.expect_between(
+      "largest overlap over a diameter, " + where, run.largest_overlap() / run.cell().diameter, heavy ? 0.05 : 0.025,
+      heavy ? 0.14 : 0.1,
+      "beyond a tenth discs are no hard ones: kept at 8 kPa; at 32 kPa two of six seeds reach .10, and a third more is "
+      "admitted. Below the least they would hardly have met at 5 m/s (a head-on impact at a fifth of the drive presses "
+      "1 "
+      "m/s over sqrt(2 K1/M), .0046 of a diameter, and chains press more)");
+}
+
+void expect_walls(Findings& findings, const CellRun& run, const Setup& setup, const std::string& where) {
+  const Balance found = balance(run, setup);
+  const ShearCell& cell = run.cell();
+  const double time = 0.75 * run.plan().end;
+  const double carried = static_cast<double>(cell.free_discs()) * cell.mass * cell.block_speed /
+                         (time * cell.wall_discs * cell.diameter * cell.diameter);
+  findings.expect(
+      "shear on the base over that on the block, " + where, found.bottom / found.top, 1.0,
+      Tolerance::model(std::min(0.02, carried / found.top),
+                       "they differ by the change of the discs' momentum over the time: at most that of all at "
+                       "the block's speed, and 2 %"));
+  findings.expect("shear inside over that on the block, " + where, found.inside, 1.0,
+                  Tolerance::model(0.01,
+                                   "the change of the moment of momentum over the time, half of the bound for the "
+                                   "walls, and what is not seen between two samples in a contact"));
+}
+
+/// Depth by which the discs' area has the mean solid fraction [L].
+double depth_of_fraction(const CellRun& run) {
+  const ShearCell& cell = run.cell();
+  const double area = 0.25 * std::numbers::pi * cell.diameter * cell.diameter * static_cast<double>(cell.free_discs());
+  return area / (cell.width() * value(run, CellQuantity::solid_fraction));
+}
+
+/// I is of the depth that the field has, not of the array that it was filled with.
+void expect_inertial_number(Findings& findings, CellRun& run, const Setup& setup, const std::string& where) {
+  const ShearCell& cell = run.cell();
+  const auto inertial_number = [&](double depth) {
+    return cell.block_speed / depth * cell.diameter * std::sqrt(cell.density() / cell.overburden());
+  };
+  const std::vector<CellNumber> groups = cell_groups({.title = "", .units = {}, .cell = cell, .plan = run.plan()}, run);
+  const auto told =
+      std::find_if(groups.begin(), groups.end(), [](const auto& of) { return of.name == "inertial_number"; });
+  const double nominal = inertial_number(cell.rows * cell.diameter);
+  findings.expect(
+      "inertial number told over that of the solid fraction, " + where,
+      (setup.has("nominal_depth") ? nominal : told->estimate.value) / inertial_number(depth_of_fraction(run)), 1.0,
+      Tolerance::model(0.02,
+                       "the mean of 1/H is above one over the mean of H by the square of the depth's "
+                       "deviation, .1 of it at most"));
+}
+
+/// Momentum of the free discs and the block against impulses; of the first over N m VXT, of the second over the
+/// weight's.
+void expect_momentum(Findings& findings, const Setup& setup, const std::string& integrator) {
+  const ShearCell cell = ice_cell(8e3, 5e3);
+  CellPlan plan = cell_plan(cell, setup.coarse ? 5e-3 : 2e-2);
+  plan.integrator = integrator;
+  CellRun run{cell, plan};
+  const Discs before = run.discs();
+  run_to_end(run);
+  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  const Discs after = run.discs();
+  // Of the last force a velocity Verlet has given half; the first, of discs apart, is nought.
+  const double ahead = integrator == "velocity_verlet" ? 0.5 * plan.step : 0.0;
+  const Vec2 on_block = run.impulse_on_block() - ahead * run.wall_force(block_wall);
+  const Vec2 on_base = run.impulse_on_base() - ahead * run.wall_force(base_wall);
+  Vec2 gained;
+  for (std::size_t i = 0; i < cell.free_discs(); ++i)
+    gained += cell.mass * Vec2{after.vx[i] - before.vx[i], after.vy[i] - before.vy[i]};
+  const double scale = static_cast<double>(cell.free_discs()) * cell.mass * cell.block_speed;
+  const Tolerance tolerance = Tolerance::round_off(
+      1e-10,
+      "some 1e5 impulses of up to a hundredth of the whole, each rounded to 1e-16 of it, add like a walk to 3e-16; "
+      "the speeds they end in are rounded a thousand times coarser");
+  const double left_out = setup.has("base_left_out") ? 0.0 : 1.0;
+  findings.expect("momentum of the discs less the walls' impulses, " + integrator,
+                  norm(gained + on_block + left_out * on_base) / scale, 0.0, tolerance);
+  const double weight = cell.block_mass * cell.gravity * (setup.has("weight_off") ? 1.0 + 1e-6 : 1.0) * after.t;
+  findings.expect("momentum of the block less its impulse and weight, " + integrator,
+                  (cell.block_mass * after.vy.back() - (on_block.y - weight)) / weight, 0.0, tolerance);
+}
+
+/// Without loss the drive's work is there.
+void expect_energy(Findings& findings, const Setup& setup) {
+  ShearCell cell = ice_cell(8e3, 5e3);
+  auto& law = std::get<LatchingSpring>(cell.law);
+  law.unloading_stiffness = law.stiffness;
+  const double steps = setup.has("few_steps") ? 10.0 : 80.0;
+  CellRun run{cell, cell_plan(cell, 1e-2, steps)};
+  run_to_end(run);
+  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  const CellRun::Ledger ledger = run.ledger();
+  const double swing = 3.0 * std::pow(std::numbers::pi / 80.0, 2) / 8.0;
+  findings.expect(
+      "energy gained over the drive's work, springs that lose nothing", ledger.gained / ledger.driven, 0.0,
+      Tolerance::truncation(swing, 1.5,
+                            "a leapfrog's energy swings by (w h)^2/8 of itself, w h = pi/80 in a contact of two "
+                            "and (w h)^2 three times that of a disc among six; onset at any phase adds some "
+                            "of it, of both signs"));
+}
+
+Series history(const CellRun& run, const char* label, CellQuantity shear, CellQuantity normal, int panel) {
+  Series series{.label = label, .x = {}, .y = {}, .style = Style::lines, .panel = panel};
+  for (std::size_t k = 0; k < run.intervals(); ++k) {
+    const double pressed = run.interval_mean(k, normal);
+    if (!(pressed > 0.0)) continue;
+    series.x.push_back(static_cast<double>(k + 1) * run.plan().every);
+    series.y.push_back(run.interval_mean(k, shear) / pressed);
+  }
+  return series;
+}
+
+Figure ratio_figure(const CellRun& loose, const CellRun& dense) {
+  using Q = CellQuantity;
+  Figure figure{.name = "stress_ratio",
+                .title = "Stress ratio from the start on",
+                .caption =
+                    "Shear over normal stress on the block (blue) and the base (orange), each a mean over 16 ms. The "
+                    "first quarter (left of "
+                    "the thin line) is left out of all means.",
+                .x = {"time", "s"},
+                .y = {.label = "S/N", .min = 0.15, .max = 0.4},
+                .series = {history(loose, "block", Q::top_shear, Q::top_normal, 0),
+                           history(loose, "base", Q::bottom_shear, Q::bottom_normal, 0),
+                           history(dense, "block", Q::top_shear, Q::top_normal, 1),
+                           history(dense, "base", Q::bottom_shear, Q::bottom_normal, 1)}};
+  figure.lines = {{'x', 0.25 * dense.plan().end, ""}};
+  figure.panels = {"8 kPa", "32 kPa"};
+  figure.columns = 2;
+  return figure;
+}
+
+Figure profile_figure(const CellRun& loose, const CellRun& dense) {
+  Figure figure{
+      .name = "profiles",
+      .title = "Velocity and solid fraction across the field",
+      .caption =
+          "Layers of half a diameter, heights from the base's centre line: mean velocity (blue) over the "
+          "block's, and area of free discs over that of the layer (orange; beside the walls less, for wall discs "
+          "fill part of it). The discs slip past both walls, and the fraction shows rows.",
+      .x = {"height over D", "1"},
+      .y = {.label = "velocity over VXT, solid fraction", .min = 0.0, .max = 1.0},
+      .series = {}};
+  int panel = 0;
+  for (const CellRun* run : {&loose, &dense}) {
+    Series velocity{.label = "velocity", .x = {}, .y = {}, .panel = panel}, fraction = velocity;
+    fraction.label = "solid fraction";
+    for (const CellProfile::Layer& layer : run->profile().layers()) {
+      if (!(layer.fraction.value > 0.01)) continue;
+      velocity.x.push_back(layer.y / run->cell().diameter),
+          velocity.y.push_back(layer.velocity.value / run->cell().block_speed);
+      fraction.x.push_back(velocity.x.back()), fraction.y.push_back(layer.fraction.value);
+    }
+    figure.series.push_back(velocity), figure.series.push_back(fraction);
+    ++panel;
+  }
+  figure.panels = {"8 kPa", "32 kPa"};
+  figure.columns = 2;
+  return figure;
+}
+
+Table numbers(const CellRun& loose, const CellRun& dense) {
+  using Q = CellQuantity;
+  Table table{.name = "cell",
+              .caption = "What the two cells measure, means of .6 s with the standard error of a block bootstrap.",
+              .columns = {"quantity", "8 kPa", "32 kPa"},
+              .rows = {}};
+  const auto words = [](const Estimate& of, double unit) {
+    return fmt::format("{:.4g} +- {:.2g}", of.value / unit, of.error / unit);
+  };
+  const auto row = [&](const char* name, auto&& of) { table.rows.push_back({name, of(loose), of(dense)}); };
+  row("S/N on the block", [&](const CellRun& run) { return words(run.ratio(Q::top_shear, Q::top_normal), 1.0); });
+  row("depth over D", [&](const CellRun& run) { return words(run.mean(Q::depth), run.cell().diameter); });
+  row("solid fraction", [&](const CellRun& run) { return words(run.mean(Q::solid_fraction), 1.0); });
+  row("contacts of a disc", [&](const CellRun& run) { return words(run.mean(Q::coordination), 1.0); });
+  row("multiple contacts' share of contact time",
+      [&](const CellRun& run) { return words(run.ratio(Q::multiple, Q::contacts), 1.0); });
+  row("their share of the contacts' shear (M/S)",
+      [&](const CellRun& run) { return words(run.ratio(Q::multiple_shear_virial, Q::shear_virial), 1.0); });
+  row("mean of S times mean of Y over mean of S Y", [&](const CellRun& run) {
+    const double apart = value(run, Q::top_shear) * (value(run, Q::depth) + run.cell().diameter);
+    return fmt::format("{:.4f}", apart / value(run, Q::top_moment));
+  });
+  row("I of the array's depth over that of the field's", [&](const CellRun& run) {
+    return fmt::format("{:.4f}", value(run, Q::depth) / (run.cell().rows * run.cell().diameter));
+  });
+  return table;
+}
+
+void run(Findings& findings, const Setup& setup) {
+  if (setup.concerns({"base_left_out", "weight_off"})) {
+    for (const char* integrator : {"velocity_verlet", "euler_cromer"})
+      expect_momentum(findings, setup, integrator);
+  }
+  if (setup.concerns({"few_steps"})) expect_energy(findings, setup);
+  if (!setup.concerns({"product_of_means", "nominal_depth", "stopped_early", "soft_discs"})) return;
+  std::vector<CellRun> runs;
+  for (const double pressure : {8e3, 32e3}) {
+    if (pressure > 10e3 ? setup.has("product_of_means") : setup.has("soft_discs") || setup.has("nominal_depth"))
+      continue;
+    // The momentum that the means' difference is made of counts for more where the walls press less.
+    const double time = setup.has("stopped_early") ? 0.02 : setup.coarse && pressure > 10e3 ? 0.2 : 0.8;
+    ShearCell cell = ice_cell(pressure, 5e3);
+    auto& law = std::get<LatchingSpring>(cell.law);
+    if (setup.has("soft_discs")) law.stiffness /= 30.0, law.unloading_stiffness /= 30.0;
+    runs.emplace_back(cell, cell_plan(cell, time));
+    run_to_end(runs.back());
+    findings.count(static_cast<std::uint64_t>(runs.back().evaluations()));
+    const std::string where = fmt::format("{:.0f} kPa", pressure / 1e3);
+    expect_limits(findings, runs.back(), where);
+    expect_walls(findings, runs.back(), setup, where);
+    expect_inertial_number(findings, runs.back(), setup, where);
+  }
+  if (runs.size() < 2) return;
+  findings.figure(ratio_figure(runs[0], runs[1]));
+  findings.figure(profile_figure(runs[0], runs[1]));
+  findings.table(numbers(runs[0], runs[1]));
+}
+
+}  // namespace
+
+Case shear_cell() {
+  return {.id = "shear_cell",
+          .title = "Sheared cell of discs: what the walls feel and what is inside",
+          .family = "the shear cell",
+          .requirements = {{"F4", {"shear inside over that on the block"}}},
+          .main_checks = {"shear on the base over that on the block, 32 kPa",
+                          "shear inside over that on the block, 8 kPa", "shear inside over that on the block, 32 kPa",
+                          "momentum of the discs less the walls' impulses, velocity_verlet",
+                          "momentum of the block less its impulse and weight, velocity_verlet",
+                          "energy gained over the drive's work, springs that lose nothing",
+                          "largest overlap over a diameter, 32 kPa"},
+          .source = "Lacy 1989, Data Input and Parameters; virial theorem (Clausius 1870)",
+          .page = page,
+          .faults = {{"product_of_means", "mean shear times mean height for the mean of their product",
+                      "shear inside over that on the block, 8 kPa"},
+                     {"stopped_early", "means of the first 20 ms, while the discs are still brought to speed",
+                      "shear inside over that on the block, 8 kPa"},
+                     {"nominal_depth", "the inertial number by the depth of the array",
+                      "inertial number told over that of the solid fraction, 32 kPa"},
+                     {"soft_discs", "stiffness a thirtieth", "largest overlap over a diameter, 32 kPa"},
+                     {"base_left_out", "the base's impulse left out",
+                      "momentum of the discs less the walls' impulses, velocity_verlet"},
+                     {"weight_off", "weight 1e-6 too large",
+                      "momentum of the block less its impulse and weight, velocity_verlet"},
+                     {"few_steps", "10 steps in a contact, not 80",
+                      "energy gained over the drive's work, springs that lose nothing"}},
+          .time_limit = 150.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

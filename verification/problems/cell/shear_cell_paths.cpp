@@ -1,0 +1,289 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "solver/io/cell/cell_restart.hpp"
+#include "verification/check/case.hpp"
+#include "verification/problems/cell/cell_runs.hpp"
+#include "verification/reference/virtual_discs.hpp"
+
+namespace talus::verification::problems {
+
+Case shear_cell_paths();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** One cell, several ways through it. The program of 1989 gave each disc a virtual one beside the field and tried
+all pairs; here pairs come from a list by cells and each has the image of its second disc that is near. A cell that is
+mirrored, stopped and taken on, or passed over where nothing touches must move as it did.
+
+```
+   virtual discs:  id -i                 the field                    image:  x_j - W of disc j acts across the border
+        (-3)                 |  (1)            (2)        (3)|
+                             0                               W
+```
+
+**Equations.** None but the cell's own: forces are sums over the same pairs, and a sum in another order, or of places that
+are $W$ further on, differs by rounding. What differs grows as neighbouring paths part, tenfold in some ten contacts of a
+disc, so that only a beginning can be compared. A mirror image changes signs and no digit.
+
+**Source.** Lacy 1989, "Virtual Elements and Periodic Boundaries", for the virtual discs. They stand here twice: as the solver's
+own way of running a cell (`images = "virtual"`), which shares laws, walls and memory with its usual way and so compares nothing
+but which images act, also of rough discs; and as a reference that is written from those words, with a table of all pairs,
+and shares nothing with the solver: what both ways of the solver have wrong it would show.
+
+| symbol | meaning | value |
+|:--|:-----|:-----|
+| cell | 80 discs of ice, 8 kPa, 5000 diameters a second | see case `shear_cell` |
+| $h$ | semi-implicit Euler, 40 steps in a contact | .31 us |
+| steps | compared from a start that touches early, also across the border | 20,000 |
+
+**What would break it.** An image on the wrong side, or two of one pair; a pair that the list misses; memory of a contact
+that is lost where a disc crosses the border, where the list is made anew, or at a restart; forces that depend on the
+order of discs; a jump over a contact.
+)";
+
+/// A cell in which discs meet from the first steps on: random velocities so many times what they are, 60 times is as
+/// large as the drive.
+FilledCell lively(const ShearCell& cell, double times = 60.0) {
+  FilledCell filled = fill(cell);
+  for (std::size_t i = 0; i < cell.free_discs(); ++i)
+    filled.discs.vy[i] *= times, filled.discs.vx[i] += 20.0 * filled.discs.vy[(i + 7) % cell.free_discs()] / 60.0;
+  return filled;
+}
+
+double apart(const Discs& one, const std::vector<double>& x, const std::vector<double>& y, double width) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const double across = one.x[i] - x[i];
+    most = std::max({most, std::abs(across - width * std::round(across / width)), std::abs(one.y[i] - y[i])});
+  }
+  return most;
+}
+
+/// Contacts that act across the border of the field, which is wider than two discs.
+long across_border(CellRun& run) {
+  const Discs now = run.discs();
+  const std::vector<CellRun::ActingContact> contacts = run.acting_contacts();
+  return std::count_if(contacts.begin(), contacts.end(), [&](const CellRun::ActingContact& contact) {
+    return std::abs(now.x[contact.a] - now.x[contact.b]) > 2.0 * run.cell().diameter;
+  });
+}
+
+/// The solver beside virtual discs and all pairs.
+void expect_virtual(Findings& findings, const Setup& setup) {
+  const ShearCell cell = ice_cell(8e3, 5e3, 4);
+  const FilledCell start = lively(cell, 5.0);
+  CellPlan plan = cell_plan(cell, 1.0);
+  plan.integrator = "euler_cromer";
+  plan.step *= 0.5;
+  const long steps = setup.coarse ? 16000 : 20000;
+  plan.end = static_cast<double>(steps) * plan.step, plan.every = plan.end;
+  CellRun run{cell, plan, start};
+  const auto& law = std::get<LatchingSpring>(cell.law);
+  reference::VirtualDiscs discs{.k1 = law.stiffness,
+                                .k2 = law.unloading_stiffness,
+                                .diameter = cell.diameter,
+                                .mass = cell.mass,
+                                .left = -0.5 * cell.width(),
+                                .width = cell.width() * (setup.has("field_too_wide") ? 1.0 + 1e-7 : 1.0),
+                                .gravity = cell.gravity,
+                                .block_mass = cell.block_mass,
+                                .free = cell.free_discs(),
+                                .wall = static_cast<std::size_t>(cell.wall_discs),
+                                .x = start.discs.x,
+                                .y = start.discs.y,
+                                .vx = start.discs.vx,
+                                .vy = start.discs.vy};
+  if (setup.has("latch_weaker")) discs.k2 *= 1.0 - 1e-9;
+  Series difference{.label = "places", .x = {}, .y = {}, .style = Style::lines};
+  double most = 0.0, early = 0.0;  // `early`: of the first half
+  long across = 0;
+  for (long n = 0; !run.finished();) {
+    run.advance();
+    for (; n < run.steps(); ++n)
+      discs.step(plan.step);
+    if (2 * n <= steps) across += across_border(run);
+    if (n % 100 != 0) continue;
+    const double now = apart(run.discs(), discs.x, discs.y, cell.width()) / cell.diameter;
+    most = std::max(most, now);
+    if (2 * n <= steps) early = most;
+    difference.x.push_back(static_cast<double>(n));
+    difference.y.push_back(std::max(now, 1e-17));
+  }
+  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  findings.expect_true("contacts across the border were seen in the first half", across >= 10,
+                       fmt::format("without them no virtual disc acts; seen {} times, each about twice", across));
+  findings.expect("places beside virtual discs and all pairs, over a diameter", early, 0.0,
+                  Tolerance::round_off(
+                      1e-12,
+                      "places of some diameters are rounded to 1e-15 of one at each of thousands of "
+                      "steps, in boxes whose borders discs cross at other times; what contacts make of it hangs on the "
+                      "paths: 1.6e-13 here, 0 to 2.8e-12 from six seeds"));
+  findings.expect("the same after twice as many steps", most, 0.0,
+                  Tolerance::round_off(3e-9,
+                                       "neighbouring paths part: 1.6e-13 grows to 2.9e-10, and tenfold that is "
+                                       "admitted"));
+  findings.figure({.name = "difference",
+                   .title = "Minimum image beside virtual discs",
+                   .caption =
+                       "Largest difference of places over a diameter between the solver (list of pairs, nearest image) "
+                       "and the reference (all pairs, a virtual disc beside the field for each); dashed: the bound "
+                       "for the first half of the steps.",
+                   .x = {"step", "1"},
+                   .y = {.label = "difference over D", .log = true, .min = 1e-16, .max = 1e-8},
+                   .series = {difference},
+                   .lines = {{'y', 1e-12, "bound"}}});
+}
+
+/// The solver by its list beside itself by virtual discs, rough and with dashpots.
+void expect_own_virtual(Findings& findings, const Setup& setup) {
+  ShearCell cell = ice_cell(8e3, 5e3);
+  cell.law = LinearSpringDashpot{2e4, 0.02};
+  cell.friction = CoulombFriction{0.5, 1.4e4};
+  const FilledCell start = lively(cell);
+  CellPlan plan = cell_plan(cell, 200.0 * cell.contact_time(), 20.0, 1);
+  CellRun nearest{cell, plan, start};
+  plan.images = Images::virtual_discs;
+  if (setup.has("friction_less")) cell.friction->coefficient *= 1.0 - 1e-8;
+  CellRun virtual_discs{cell, plan, start};
+  run_to_end(nearest);
+  long across = 0;
+  while (!virtual_discs.finished()) {
+    virtual_discs.advance();
+    across += across_border(virtual_discs);
+  }
+  findings.count(static_cast<std::uint64_t>(nearest.evaluations() + virtual_discs.evaluations()));
+  const Discs end = virtual_discs.discs();
+  findings.expect("places of rough discs, list of pairs beside virtual discs, over a diameter",
+                  apart(nearest.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0,
+                  Tolerance::round_off(1e-12,
+                                       "as beside the reference; none at all as long as what a disc is taken back into "
+                                       "the field by rounds nothing, and tenfold in some contacts from then on"));
+  findings.expect_true("rough discs slid, and touched across the border", nearest.ledger().rubbed > 0.0 && across > 20,
+                       "else neither friction nor virtual discs are compared");
+}
+
+void expect_mirror(Findings& findings, const Setup& setup) {
+  ShearCell cell = ice_cell(8e3, 5e3);
+  const FilledCell start = lively(cell);
+  const CellPlan plan = cell_plan(cell, setup.coarse ? 2e-3 : 6e-3, 20.0, 1);
+  CellRun one{cell, plan, start};
+  FilledCell mirrored = start;
+  for (std::size_t i = 0; i < mirrored.discs.size(); ++i)
+    mirrored.discs.x[i] = -mirrored.discs.x[i], mirrored.discs.vx[i] = -mirrored.discs.vx[i];
+  if (setup.has("one_disc_off")) mirrored.discs.y[17] = std::nextafter(mirrored.discs.y[17], 1.0);
+  cell.block_speed = -cell.block_speed;
+  CellRun other{cell, plan, mirrored};
+  run_to_end(one), run_to_end(other);
+  const double shear = one.impulse_on_block().x, mirror = other.impulse_on_block().x;
+  findings.expect("impulse along x on the block of the mirrored cell, over the first's", mirror / shear, -1.0,
+                  Tolerance::exact("signs change and no digit does"));
+  findings.expect_true("heights of all discs in the mirrored cell are the same bits", one.discs().y == other.discs().y,
+                       "no sum along y sees the mirror");
+}
+
+void expect_restart(Findings& findings, const Setup& setup) {
+  const ShearCell cell = ice_cell(8e3, 5e3);
+  const CellPlan plan = cell_plan(cell, setup.coarse ? 2e-3 : 6e-3, 20.0, 1);
+  CellRun whole{cell, plan, lively(cell)};
+  while (3 * whole.steps() < whole.last_step())
+    whole.advance();
+  Memory saved;
+  whole.remember(saved);
+  CellRun rest{cell, plan};
+  if (setup.has("restart_of_1989")) {
+    // Discs alone; the block too is put back, so that contacts' memory is all that is missing.
+    FilledCell discs =
+        read_cell_restart(cell_restart_text(cell, whole.discs(), whole.steps()), "RESTART.DAT", cell).start;
+    discs.discs = whole.discs();
+    CellPlan less = plan;
+    less.end -= static_cast<double>(whole.steps()) * plan.step, less.every = less.end;
+    CellRun forgetful{cell, less, discs};
+    run_to_end(forgetful), run_to_end(whole);
+    findings.expect_true("a run taken on from its memory ends in the same bits", forgetful.discs().x == whole.discs().x,
+                         "planted");
+    return;
+  }
+  Memory putting_back{saved.items()};
+  rest.remember(putting_back);
+  run_to_end(whole), run_to_end(rest);
+  findings.expect_true("a run taken on from its memory ends in the same bits",
+                       whole.discs() == rest.discs() &&
+                           whole.mean(CellQuantity::top_shear).value == rest.mean(CellQuantity::top_shear).value,
+                       "all that a step reads is remembered");
+}
+
+/// Few discs, a hundred times as stiff, so that most time is free of contacts.
+void expect_jump(Findings& findings, const Setup& setup) {
+  ShearCell cell = ice_cell(2e3, 5e3);
+  cell.rows = 4, cell.columns = 4, cell.wall_discs = 6;
+  auto& law = std::get<LatchingSpring>(cell.law);
+  law.stiffness *= 100.0, law.unloading_stiffness *= 100.0;
+  cell.block_mass = 2e3 * 6e-6 / cell.gravity;
+  CellPlan plan = cell_plan(cell, 500.0 * cell.contact_time(), 20.0, 4);
+  const FilledCell start = lively(cell);
+  CellRun step_by_step{cell, plan, start};
+  plan.jump = true;
+  if (setup.has("stiffer_discs")) law.stiffness *= 1.0 + 1e-6;
+  CellRun jumping{cell, plan, start};
+  run_to_end(step_by_step), run_to_end(jumping);
+  const Discs end = step_by_step.discs();
+  findings.expect("places after jumps over free time, over a diameter",
+                  apart(jumping.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0,
+                  Tolerance::round_off(1e-9,
+                                       "free flights of thousands of steps at once and one by one, rounded to 1e-13, "
+                                       "and its growth over the contacts of 500 contact times"));
+  findings.expect_between("share of the steps that were jumped over",
+                          static_cast<double>(jumping.jumped()) / static_cast<double>(jumping.steps()), 0.3, 0.999,
+                          "16 discs at 100 times the stiffness touch a tenth as long and fly the rest");
+  findings.note(fmt::format(
+      "Of {} steps of the small stiff cell {} were passed at once; those that were taken are {} times "
+      "fewer. In the cell of 80 discs of the thesis's kind something touches nearly always (share of "
+      "time above), and nothing is to be gained.",
+      jumping.steps(), jumping.jumped(), jumping.steps() / std::max(1L, jumping.steps() - jumping.jumped())));
+}
+
+void run(Findings& findings, const Setup& setup) {
+  expect_virtual(findings, setup);
+  expect_own_virtual(findings, setup);
+  expect_mirror(findings, setup);
+  expect_restart(findings, setup);
+  expect_jump(findings, setup);
+}
+
+}  // namespace
+
+Case shear_cell_paths() {
+  return {.id = "shear_cell_paths",
+          .title = "Sheared cell: virtual discs, mirror, restart and jumps move it alike",
+          .family = "the shear cell",
+          .requirements = {{"F3", {"places beside virtual discs and all pairs", "places of rough discs"}},
+                           {"F5", {"taken on from its memory"}}},
+          .main_checks = {"places beside virtual discs and all pairs, over a diameter",
+                          "places of rough discs, list of pairs beside virtual discs, over a diameter",
+                          "impulse along x on the block of the mirrored cell, over the first's",
+                          "heights of all discs in the mirrored cell are the same bits",
+                          "a run taken on from its memory ends in the same bits",
+                          "places after jumps over free time, over a diameter"},
+          .source = "Lacy 1989, Virtual Elements and Periodic Boundaries",
+          .page = page,
+          .faults = {{"field_too_wide", "virtual discs 1e-7 of the field too far away",
+                      "places beside virtual discs and all pairs, over a diameter"},
+                     {"latch_weaker", "K2 of the reference 1e-9 smaller",
+                      "places beside virtual discs and all pairs, over a diameter"},
+                     {"friction_less", "friction of the cell by virtual discs 1e-8 smaller",
+                      "places of rough discs, list of pairs beside virtual discs, over a diameter"},
+                     {"one_disc_off", "one disc of the mirrored cell a last place higher",
+                      "heights of all discs in the mirrored cell are the same bits"},
+                     {"restart_of_1989", "contacts forget their largest overlap at the restart",
+                      "a run taken on from its memory ends in the same bits"},
+                     {"stiffer_discs", "K1 of the cell with jumps 1e-6 larger",
+                      "places after jumps over free time, over a diameter"}},
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,261 @@
+#include "solver/study/shear_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "solver/base/error.hpp"
+#include "solver/cell/cell_run.hpp"
+#include "verification/check/case.hpp"
+#include "verification/problems/cell/cell_runs.hpp"
+
+namespace talus::verification::problems {
+
+Case shear_study();
+
+namespace {
+
+using Q = StudyQuantity;
+
+constexpr const char* page = R"(
+**Problem.** Large avalanches and rockfalls run further than small ones. Dent (1986, as the thesis tells it) supposed that
+under more overburden the discs of a sheared layer meet more than one at a time, that such contacts form short-lived chains
+which carry load but little shear, and that the ratio of shear to normal stress falls by them. The thesis of 1989 tested
+this with the cell of case `shear_cell`. Does it hold?
+
+**Predictions.** 1. The layer compresses as overburden is added. 2. Multiple contacts form. 3. They carry a lower ratio of
+shear to normal stress than binary ones. 4. They form often enough to lower the ratio of the whole. The thesis's
+conclusion, as far as it is known: multiple contacts become more frequent, and do not lower the shear strength.
+
+**Method.** Eighty discs of ice (Talus's choice; the thesis's numbers are not known, and none of its figures is quoted),
+$e = .7$, velocity Verlet with 20 steps in a contact, .5 s of flow for each of five seeds, the first quarter left out. A
+contact is multiple when one of its free discs has another; its share of the shear is that of its $F_x r_y$ (M/S is not
+defined in the text at hand: read so here). Errors are standard errors over seeds; a difference counts when Welch's $t$
+gives it a chance of a hundredth at most. Stiffness alone is varied, too, at one load and speed: that changes how long
+contacts last and how often they are multiple, and nothing else.
+
+**What it cannot tell.** Discs are all alike, smooth, two-dimensional and eighty: they order themselves in rows as they
+are pressed. The last figure shows it; polydisperse discs do not (case `dense_flow`).
+
+**What would break it.** Means over the start; contacts counted as multiple for their walls; a flow that is not steady;
+discs pressed through each other.
+)";
+
+const StudyMean* find(const std::vector<StudyMean>& study, const std::string& series, double kilopascals, double speed,
+                      double stiffness = 1.0) {
+  for (const StudyMean& point : study) {
+    if (point.point.series == series && point.point.overburden == 1e3 * kilopascals && point.point.speed == speed &&
+        point.point.stiffness == stiffness)
+      return &point;
+  }
+  throw std::logic_error{"no such point of the study: " + series};
+}
+
+enum class Over { load, speed };
+
+Series curve(const std::vector<StudyMean>& study, const std::string& series, Q quantity, Over over,
+             const std::string& label, int panel = 0) {
+  Series made{.label = label, .x = {}, .y = {}, .style = Style::errorbars, .panel = panel};
+  for (const StudyMean& point : study) {
+    if (point.point.series != series || point.seeds < 2) continue;
+    const Estimate of = point.of(quantity);
+    made.x.push_back(over == Over::load ? point.point.overburden / 1e3 : point.point.speed);
+    made.y.push_back(of.value);
+    made.y_low.push_back(of.value - of.error), made.y_high.push_back(of.value + of.error);
+  }
+  return made;
+}
+
+void add_figures(Findings& findings, const std::vector<StudyMean>& study) {
+  Figure ratio{.name = "ratio",
+               .title = "Stress ratio against load and against speed",
+               .caption =
+                   "S/N on the block, means of five seeds with standard errors. Left: at 5000 d/s (blue) the load does "
+                   "not lower it, at 1000 d/s (orange) it does. Right: 2 kPa (blue), 15 (orange), 32 (green).",
+               .x = {.label = "overburden [kPa]; speed [100 d/s]", .log = true},
+               .y = {.label = "S/N", .min = 0.0, .max = 0.35},
+               .series = {curve(study, "5000 d/s", Q::stress_ratio, Over::load, "5000 d/s"),
+                          curve(study, "1000 d/s", Q::stress_ratio, Over::load, "1000 d/s")}};
+  for (const char* load : {"2 kPa", "15 kPa", "32 kPa"}) {
+    Series speeds = curve(study, load, Q::stress_ratio, Over::speed, load, 1);
+    for (double& x : speeds.x)
+      x /= 100.0;
+    ratio.series.push_back(std::move(speeds));
+  }
+  ratio.panels = {"over load", "over speed"};
+  ratio.columns = 2;
+  findings.figure(std::move(ratio));
+  Figure shares{.name = "shares",
+                .title = "What load changes",
+                .caption =
+                    "At 5000 d/s: share of time with contacts, share of contact time that is multiple, share of the "
+                    "contacts' shear that multiple ones carry (M/S), depth over ten diameters.",
+                .x = {.label = "overburden", .unit = "kPa", .log = true},
+                .y = {.label = "share; depth/(10 D)", .min = 0.3, .max = 1.05},
+                .series = {curve(study, "5000 d/s", Q::touching, Over::load, "time with contacts"),
+                           curve(study, "5000 d/s", Q::multiple_share, Over::load, "multiple"),
+                           curve(study, "5000 d/s", Q::multiple_shear_share, Over::load, "M/S"),
+                           curve(study, "5000 d/s", Q::depth, Over::load, "depth/(10 D)")}};
+  for (std::vector<double>* values : {&shares.series[3].y, &shares.series[3].y_low, &shares.series[3].y_high})
+    for (double& value : *values)
+      value /= 10.0;
+  findings.figure(std::move(shares));
+}
+
+/// Discs at the end of a run, as outlines.
+Series outlines(double kilopascals, double speed, double time, int panel, const std::string& label) {
+  const ShearCell cell = study_cell({"", 1e3 * kilopascals, speed, 1.0}, 1);
+  CellRun run{cell, cell_plan(cell, time)};
+  run_to_end(run);
+  const Discs discs = run.discs();
+  Series made{.label = label, .x = {}, .y = {}, .style = Style::outlines, .panel = panel};
+  constexpr int corners = 24;
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    for (int k = 0; k <= corners; ++k) {
+      const double angle = 2.0 * std::numbers::pi * (k % corners) / corners;
+      made.x.push_back((discs.x[i] / cell.diameter) + 0.5 * std::cos(angle));
+      made.y.push_back((discs.y[i] / cell.diameter) + 0.5 * std::sin(angle));
+    }
+  }
+  return made;
+}
+
+void add_picture(Findings& findings, double time) {
+  findings.figure({.name = "order",
+                   .title = "The same load at two speeds",
+                   .caption =
+                       "Discs at the end of a run under 32 kPa. At 1000 d/s they stand in rows, and the block's discs "
+                       "slip along one of them; at 5000 d/s rows are broken up.",
+                   .x = {"x/D", "1"},
+                   .y = {"y/D", "1"},
+                   .series = {outlines(32.0, 1000.0, time, 0, "1000 d/s"), outlines(32.0, 5000.0, time, 1, "5000 d/s")},
+                   .panels = {"1000 d/s", "5000 d/s"},
+                   .columns = 2});
+}
+
+void add_verdicts(Findings& findings, const std::vector<Verdict>& found) {
+  Table table{.name = "verdicts",
+              .caption =
+                  "The hypothesis's predictions and what the cells say: t of the difference, and the chance of one so "
+                  "large where there is none.",
+              .columns = {"prediction", "measured", "t", "chance", "verdict"},
+              .rows = {}};
+  for (const Verdict& verdict : found)
+    table.rows.push_back({verdict.prediction, verdict.measured, fmt::format("{:+.1f}", verdict.significance),
+                          fmt::format("{:.1g}", verdict.chance), std::string{words(verdict.outturn)}});
+  findings.table(std::move(table));
+  std::string words = "What the cells say:";
+  for (const Verdict& verdict : found) {
+    words += fmt::format(" *{}* This {}: {}.", verdict.prediction, talus::words(verdict.outturn), verdict.measured);
+  }
+  findings.note(words);
+}
+
+void add_numbers(Findings& findings, const std::vector<StudyMean>& study) {
+  Table table{.name = "study",
+              .caption =
+                  "All cells: means over seeds with standard errors. I: inertial number; order: six-fold, 1 in a "
+                  "triangular array; overlap: the largest of a seed, mean of seeds (.1 and above: no hard discs).",
+              .columns = {"P [kPa]", "d/s", "k", "S/N", "multiple", "M/S", "S/N multiple", "S/N binary", "I", "order",
+                          "overlap/D"},
+              .rows = {}};
+  std::vector<std::array<double, 3>> seen;
+  for (const StudyMean& point : study) {
+    const std::array key{point.point.overburden, point.point.speed, point.point.stiffness};
+    if (std::find(seen.begin(), seen.end(), key) != seen.end()) continue;
+    seen.push_back(key);
+    const auto of = [&](Q quantity) {
+      const Estimate estimate = point.of(quantity);
+      return point.seeds == 0 ? std::string{"failed"}
+                              : fmt::format("{:.3f}({:.0f})", estimate.value, 1e3 * estimate.error);
+    };
+    const auto bare = [&](Q quantity) {
+      return point.seeds == 0 ? std::string{"-"} : fmt::format("{:.3f}", point.of(quantity).value);
+    };
+    table.rows.push_back({fmt::format("{:g}", key[0] / 1e3), fmt::format("{:g}", key[1]), fmt::format("{:g}", key[2]),
+                          of(Q::stress_ratio), bare(Q::multiple_share), bare(Q::multiple_shear_share),
+                          of(Q::multiple_stress_ratio), of(Q::binary_stress_ratio), bare(Q::inertial_number),
+                          bare(Q::order), bare(Q::largest_overlap)});
+  }
+  findings.table(std::move(table));
+}
+
+void run(Findings& findings, const Setup& setup) {
+  StudyPlan plan{.time = setup.coarse ? 0.15 : 0.5, .seeds = setup.coarse ? 3 : 5, .threads = 1};
+  if (!setup.coarse) plan.threads = std::clamp(std::thread::hardware_concurrency(), 1U, 2U);
+  std::vector<StudyPoint> points = shear_study_points(setup.coarse);
+  for (StudyPoint& point : points)
+    if (setup.has("one_speed") && point.series == "1000 d/s") point.speed = 5000.0;
+  std::vector<StudyMean> study = shear_study(points, plan);
+  for (StudyMean& point : study) {
+    if (setup.has("one_speed") && point.point.series == "1000 d/s") point.point.speed = 1000.0;
+    // 2 kPa for 32 and back.
+    if (setup.has("loads_exchanged")) point.point.overburden = 1e3 * std::round(64e3 / point.point.overburden);
+  }
+  const std::vector<Verdict> found = verdicts(study);
+  findings.expect_true("the field compresses", found[0].outturn == Outturn::holds,
+                       "prediction 1; chance of a hundredth at most");
+  findings.expect_true("multiple contacts form", found[1].outturn == Outturn::holds,
+                       "prediction 2; chance of a hundredth at most");
+  const auto ratio = [&](const char* series, double load, double speed) {
+    return find(study, series, load, speed)->of(Q::stress_ratio).value;
+  };
+  const double fast = ratio("5000 d/s", 32.0, 5000.0) / ratio("5000 d/s", 2.0, 5000.0);
+  const double slow = ratio("1000 d/s", 32.0, 1000.0) / ratio("1000 d/s", 2.0, 1000.0);
+  findings.expect_between(
+      "S/N at 32 kPa over that at 2 kPa, 5000 d/s", fast, 0.85, 1.15,
+      "sixteen times the load changes the ratio by less than a seventh: prediction 4 would have it fall "
+      "as multiple contacts grow to nine tenths");
+  findings.expect_between("S/N at 32 kPa over that at 2 kPa, 1000 d/s", slow, 0.3, 0.8,
+                          "it falls to about a half: discs that stand in rows slip along them");
+  if (setup.coarse) return;
+  double overlap = 0.0;
+  for (const StudyMean& point : study) {
+    if (point.point.overburden > 15e3 || point.point.speed > 5000.0 || point.point.stiffness < 1.0) continue;
+    for (const StudyMean::Run& run : point.runs)
+      overlap = std::max(overlap, run.numbers[static_cast<std::size_t>(Q::largest_overlap)]);
+  }
+  findings.expect_between("largest overlap over D of all runs to 15 kPa and 5000 d/s", overlap, 0.03, 0.1,
+                          "discs are hard: less than a tenth; the table shows where they are not (32 kPa in some "
+                          "seeds, 64 kPa, 10,000 d/s and more)");
+  const auto stiff = [&](double k, Q quantity) {
+    return find(study, "stiffness", 15.0, 5000.0, k)->of(quantity).value;
+  };
+  findings.expect_between("multiple share at four times the stiffness over that at one",
+                          stiff(4.0, Q::multiple_share) / stiff(1.0, Q::multiple_share), 0.6, 0.97,
+                          "contacts last half as long, so fewer are multiple");
+  findings.expect_between("S/N at four times the stiffness over that at one",
+                          stiff(4.0, Q::stress_ratio) / stiff(1.0, Q::stress_ratio), 0.92, 1.1,
+                          "fewer multiple contacts at the same load and speed do not change the ratio by a tenth");
+  add_figures(findings, study);
+  add_picture(findings, plan.time);
+  add_verdicts(findings, found);
+  add_numbers(findings, study);
+}
+
+}  // namespace
+
+Case shear_study() {
+  return {.id = "shear_study",
+          .title = "Sheared cell: do multiple contacts lower the stress ratio?",
+          .family = "the shear cell",
+          .requirements = {{"law.latching_spring", {"S/N at 32 kPa over that at 2 kPa, 5000 d/s"}}},
+          .main_checks = {"the field compresses", "multiple contacts form",
+                          "S/N at 32 kPa over that at 2 kPa, 5000 d/s", "S/N at 32 kPa over that at 2 kPa, 1000 d/s",
+                          "multiple share at four times the stiffness over that at one",
+                          "S/N at four times the stiffness over that at one"},
+          .source = "Lacy 1989, The Problem; Welch 1947 for the test",
+          .page = page,
+          .faults = {{"one_speed", "the series at 1000 d/s run at 5000", "S/N at 32 kPa over that at 2 kPa, 1000 d/s"},
+                     {"loads_exchanged", "the lightest load taken for the heaviest", "multiple contacts form"}},
+          .tier = Tier::full,
+          .time_limit = 900.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

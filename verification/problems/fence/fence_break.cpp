@@ -1,0 +1,203 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verification/check/case.hpp"
+#include "verification/study/weak_hangers.hpp"
+
+namespace talus::verification::problems {
+
+Case fence_break();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** The fence of Table 2 (13 columns of 14.92 slug, bottom cable with .5 ft slack) is hit by the rock of 600 lb
+at 65 ft/s, and its hangers hold 25 000 lb. The report (section 1.1) wants hangers to be the weak link: a column that
+lost its hanger is replaced, the cables stay. What breaks, when, and where does the energy go?
+
+```
+   o-----T-----o-----T-----o        o-----------T-----------o     behind a broken hanger the two segments
+         |           |                    |                       go on as one: straight, one tension
+        | |         | | <- (M)           | |   | | <- (M)         the column keeps the bottom cable, and falls
+```
+
+**Equations.** A hanger breaks when the sum of its segments' pulls reaches its strength. The joint has no mass, so that
+the segments then have one tension $T = (l - \sum(l_{0i} + p_i))/\sum(1/k_i)$ along the straight line of length $l$
+between the next joints that hold. The energy that the segments lose in that moment is booked as `hanger_break`. In the
+half model the central segment's image lies behind the plane of symmetry: the joined cable runs straight along the fence
+and pulls nothing in the plane of motion.
+
+**Source.** Mustoe & Huttelmaier 1993, sections 1.1 and 2, deck `table_2.DAT`; the strength is ours (the report gives
+none), within the joint forces of its Table 2. Contacts are clamped and one resultant a pair, the integrator is velocity
+Verlet, columns touch the ground.
+
+**What would break it.** Energy of a break not booked; a strength just above the largest force; a column that goes on
+hanging; a half model that treats its central hanger as any other.
+)";
+
+constexpr double strength = 25000.0;  // [lb]
+constexpr double end = 0.12;          // [s]
+constexpr double step = 2e-6;         // [s]
+
+void check_two_sides(Findings& findings, const Setup& setup) {
+  // Of the run whose hangers hold.
+  const WeakFenceRun whole = run_weak_fence(weak_fence(1e9), 2e-5, end);
+  const auto broken = [&](double share) {
+    const WeakFenceRun run = run_weak_fence(weak_fence(share * whole.largest_joint_force), 2e-5, end);
+    findings.count(static_cast<std::uint64_t>(run.evaluations));
+    return std::ranges::count_if(run.failures, [](const Failure& f) { return f.part == "hanger 'hanger1'"; });
+  };
+  findings.expect("breaks of a hanger .1 % weaker than the largest force", static_cast<double>(broken(0.999)), 1.0,
+                  Tolerance::exact("a count"));
+  findings.expect("breaks of a hanger .1 % stronger than the largest force",
+                  static_cast<double>(broken(setup.has("strength_unread") ? 0.5 : 1.001)), 0.0,
+                  Tolerance::exact("a count"));
+}
+
+constexpr double closure_constant = 126.0;  // [1/s], measured
+/// No step is a whole part of another: an event has another place in the steps of each.
+constexpr std::array<double, 4> steps{1.54e-5, 0.79e-5, 0.377e-5, 0.193e-5};
+
+void check_ledger(Findings& findings, const Setup& setup) {
+  Convergence closures;
+  for (const double h : steps) {
+    const WeakFenceRun run = run_weak_fence(weak_fence(strength), h, end);
+    findings.count(static_cast<std::uint64_t>(run.evaluations));
+    const double closure = run.closure - (setup.has("break_not_booked") ? run.hanger_loss : 0.0);
+    closures.add(h, std::abs(closure) / run.scale);
+  }
+  const PowerLaw fit = closures.fit();
+  findings.expect("closure of the energy ledger at the smallest step, of the largest energy", closures.errors().back(),
+                  0.0,
+                  Tolerance::truncation(closure_constant * steps.back(), 1.5,
+                                        "first order with events; 126/s is the mean over these steps, half as much "
+                                        "again for the places of the events in their steps"));
+  findings.expect_between("order of the ledger's closure", fit.order, 0.6, 1.5,
+                          "1 for a scheme that steps over its events, each at another place of its step");
+  if (setup.coarse) return;
+  findings.figure({.name = "closure",
+                   .title = "Closure of the energy ledger against the step",
+                   .caption = "Energy and losses at .12 s less the energy at the start, over the largest energy.",
+                   .x = {.label = "step", .unit = "s", .log = true},
+                   .y = {.label = "closure", .log = true},
+                   .series = {{.label = "broken hangers", .x = closures.steps(), .y = closures.errors()}},
+                   .slopes = {{1.0, steps[0], closures.errors()[0], "h"}}});
+}
+
+/// Largest distance between the bodies of the half model and the same ones of the full one [ft].
+double half_from_full(const Setup& setup) {
+  scenes::Fence fence = weak_fence(10000.0);
+  const WeakFenceRun half = run_weak_fence(fence, 1e-5, 0.06);
+  fence.options.symmetry = scenes::FenceSymmetry::full;
+  if (setup.has("other_strength")) fence.options.hanger_strength = 11000.0;
+  const WeakFenceRun full = run_weak_fence(fence, 1e-5, 0.06);
+  double largest = 0.0;
+  for (const Body& body : half.made.scene.model.bodies) {
+    const Pose a = pose(half.made.scene.model, half.end, *find_body(half.made.scene.model, body.name));
+    const Pose b = pose(full.made.scene.model, full.end, *find_body(full.made.scene.model, body.name));
+    largest = std::max(largest, norm(a.p_WB - b.p_WB));
+  }
+  return largest;
+}
+
+/// Change of the central column's velocity [ft/s] over a time in which nothing touches it, without a bottom cable.
+struct Flight {
+  Vec2 change;
+  double time{};
+  double gravity{};
+};
+Flight free_flight(const Setup& setup) {
+  scenes::Fence fence = weak_fence(setup.has("hangs_on") ? 1e9 : 10000.0);
+  fence.connections = 1;
+  const double from = 0.02, to = 0.15;  // it flies ahead of the rock, and reaches the ground at .165 s
+  const WeakFenceRun a = run_weak_fence(fence, 1e-5, from), b = run_weak_fence(fence, 1e-5, to);
+  const auto velocity = [](const WeakFenceRun& run) {
+    return pose(run.made.scene.model, run.end, *find_body(run.made.scene.model, "column1")).v_WB;
+  };
+  return {velocity(b) - velocity(a), to - from, fence.gravity};
+}
+
+void tell(Findings& findings, const WeakFenceRun& run) {
+  Table table{.name = "breaks",
+              .caption = "What yielded and broke, in order.",
+              .columns = {"time [s]", "part", "what"},
+              .rows = {}};
+  for (const Failure& failure : run.failures)
+    table.rows.push_back({fmt::format("{:.5f}", failure.time), failure.part, std::string{failure.what}});
+  findings.table(table);
+  Figure figure{.name = "energy",
+                .title = "Where the energy is",
+                .caption =
+                    "Kinetic energy of rock and columns, what cables, contacts and weights hold more than at the "
+                    "start, and what was lost. Vertical lines: a hanger breaks.",
+                .x = {.label = "time", .unit = "s"},
+                .y = {.label = "energy", .unit = "lb ft"},
+                .series = {}};
+  const auto add = [&](const char* label, double EnergySample::*member) {
+    Series series{.label = label, .x = {}, .y = {}, .style = Style::lines};
+    for (const EnergySample& sample : run.history) {
+      series.x.push_back(sample.time);
+      series.y.push_back(sample.*member);
+    }
+    figure.series.push_back(series);
+  };
+  add("rock, kinetic", &EnergySample::rock);
+  add("columns, kinetic", &EnergySample::fence);
+  add("held by cables, contacts, weights", &EnergySample::held);
+  add("lost in contacts and cables", &EnergySample::lost);
+  add("lost by breaking hangers", &EnergySample::hangers);
+  for (const Failure& failure : run.failures)
+    figure.lines.push_back({'x', failure.time, ""});
+  findings.figure(figure);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_two_sides(findings, setup);
+  check_ledger(findings, setup);
+  findings.expect("half model from the full one after several breaks, largest distance", half_from_full(setup), 0.0,
+                  Tolerance::exact("cables are summed first: T + T is 2 T to the last bit, and behind a broken central "
+                                   "hanger nothing pulls in either"),
+                  "ft");
+  const Flight flight = free_flight(setup);
+  findings.expect(
+      "acceleration of the column without hanger and bottom cable, down", -flight.change.y / flight.time,
+      flight.gravity,
+      Tolerance::round_off(1e-9, "13 000 steps, each adding 1e-16 of 5 ft/s to the sum of a constant force"), "ft/s^2");
+  findings.expect("acceleration of the same, across", flight.change.x / flight.time, 0.0,
+                  Tolerance::round_off(1e-9, "no force"), "ft/s^2");
+  const WeakFenceRun shown = run_weak_fence(weak_fence(strength), step, end, 100);
+  findings.expect_true("a hanger breaks in the run that is shown", !shown.failures.empty(),
+                       "else it would show nothing");
+  if (setup.coarse) return;
+  tell(findings, shown);
+}
+
+}  // namespace
+
+Case fence_break() {
+  return {.id = "fence_break",
+          .title = "A fence whose hangers break",
+          .family = "the fence",
+          .requirements = {{"law.elastic_plastic", {"closure of the energy ledger"}},
+                           {"integrator.velocity_verlet", {"order of the ledger's closure"}}},
+          .main_checks = {"closure of the energy ledger at the smallest step, of the largest energy",
+                          "half model from the full one after several breaks, largest distance",
+                          "acceleration of the column without hanger and bottom cable, down"},
+          .source = "Mustoe & Huttelmaier 1993, section 1.1, Table 2",
+          .page = page,
+          .faults = {{"break_not_booked", "the energy lost by breaking hangers is left out of the ledger",
+                      "closure of the energy ledger at the smallest step, of the largest energy"},
+                     {"strength_unread", "hangers half as strong as they should be",
+                      "breaks of a hanger .1 % stronger than the largest force"},
+                     {"hangs_on", "hangers that never break",
+                      "acceleration of the column without hanger and bottom cable, down"},
+                     {"other_strength", "the full model's hangers a tenth stronger",
+                      "half model from the full one after several breaks, largest distance"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

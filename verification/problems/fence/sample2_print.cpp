@@ -1,0 +1,145 @@
+#include "verification/problems/fence/sample2_print.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+
+#include "solver/io/file/fortran.hpp"
+#include "solver/io/file/toml_document.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+constexpr std::array quantities{"x", "y", "theta", "vx", "vy", "omega"};
+constexpr double round_off_of_1993 = 1e-11;  // [ft/s, rad/s]
+
+std::string published(const char* file) { return read_text(std::filesystem::path{TALUS_CASES} / "published" / file); }
+
+/// Lines that are no comments, each with one blank between words and none around.
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in{text};
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind("# ", 0) == 0) continue;
+    std::istringstream words{line};
+    std::string joined;
+    for (std::string word; words >> word;)
+      joined += joined.empty() ? word : " " + word;
+    if (!joined.empty()) lines.push_back(joined);
+  }
+  return lines;
+}
+
+/// Rows of a CSV after its head.
+std::vector<std::vector<std::string>> rows_of(const char* file) {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& line : lines_of(published(file))) {
+    std::istringstream in{line};
+    rows.emplace_back();
+    for (std::string field; std::getline(in, field, ',');)
+      rows.back().push_back(field);
+  }
+  rows.erase(rows.begin());
+  return rows;
+}
+
+/// What the listing says of a quantity: after its name and " = ", or in the table of masses.
+std::string listed(const std::vector<std::string>& lines, const std::string& quantity, const std::string& element) {
+  bool masses = false;
+  for (const std::string& line : lines) {
+    if (line == "element mass m.o.i.") {
+      masses = true;
+    } else if (element.empty()) {
+      const std::size_t at = line.find(quantity + " = ");
+      if (at != std::string::npos) return line.substr(at + quantity.size() + 3);
+    } else if (masses && line.rfind(element + " ", 0) == 0) {
+      const std::size_t second = line.rfind(' ');
+      const std::size_t first = line.find(' ') + 1;
+      return quantity == "mass" ? line.substr(first, second - first) : line.substr(second + 1);
+    }
+  }
+  return "missing";
+}
+
+/// The size of the last digit of ".490E+02": .1.
+double last_digit(const std::string& printed) {
+  const std::size_t point = printed.find('.'), mark = printed.find('E');
+  const double digits = static_cast<double>(mark - point - 1);
+  return std::pow(10.0, std::strtod(printed.c_str() + mark + 1, nullptr) - digits);
+}
+
+}  // namespace
+
+std::vector<DerivedNumber> derived_numbers(const Sample2Run& run) {
+  const std::vector<std::string> lines = lines_of(run.listing);
+  std::vector<DerivedNumber> numbers;
+  for (const auto& row : rows_of("sample2_derived.csv")) {
+    const std::string &quantity = row.at(0), &element = row.at(1);
+    DerivedNumber number{element.empty() ? quantity : fmt::format("{} of element {}", quantity, element), row.at(3),
+                         row.at(2), ""};
+    if (quantity == "initial height") {
+      const auto member = static_cast<std::size_t>(std::atoi(element.c_str()) - 1);
+      number.ours = fortran_e(run.made.members.at(member).position.y, 3);
+    } else {
+      number.ours = listed(lines, quantity, element);
+    }
+    numbers.push_back(std::move(number));
+  }
+  return numbers;
+}
+
+HeadLines head_lines(const Sample2Run& run) {
+  const std::vector<std::string> ours = lines_of(run.listing), printed = lines_of(published("sample2_head.txt"));
+  HeadLines lines{printed.size(), 0};
+  for (std::size_t i = 0; i < std::min(ours.size(), printed.size()); ++i)
+    lines.same += ours[i] == printed[i] ? 1 : 0;
+  return lines;
+}
+
+std::vector<Deviation> deviations(const Sample2Run& run) {
+  std::vector<Deviation> all;
+  const auto rows = rows_of("sample2_states.csv");
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const std::size_t print = rows[r].at(0) == rows.front().at(0) ? 0 : 1;
+    const int element = std::atoi(rows[r].at(1).c_str());
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+      const std::string& text = rows[r].at(i + 2);
+      const double value = std::strtod(text.c_str(), nullptr);
+      const double speed = std::strtod(rows[r].at(i % 3 + 5).c_str(), nullptr);
+      const bool slow = std::abs(speed) < round_off_of_1993;
+      // What hardly moves is at its initial place, which is a derived number.
+      if (value == 0.0 || slow) continue;
+      const double ours = print < run.states.size() ? run.states[print].at(static_cast<std::size_t>(element - 1))[i]
+                                                    : std::numeric_limits<double>::quiet_NaN();
+      all.push_back({print, element, quantities[i], text, ours, (ours - value) / last_digit(text)});
+    }
+  }
+  return all;
+}
+
+double largest_deviation(const std::vector<Deviation>& all, std::size_t print, int first, int last) {
+  double largest = std::numeric_limits<double>::quiet_NaN();
+  for (const Deviation& d : all) {
+    if (d.print != print || d.element < first || d.element > last) continue;
+    if (!(std::abs(d.units) <= largest)) largest = std::abs(d.units);
+  }
+  return largest;
+}
+
+double mean_deviation(const std::vector<Deviation>& all, std::size_t print, int first, int last) {
+  double sum = 0.0;
+  int count = 0;
+  for (const Deviation& d : all) {
+    if (d.print != print || d.element < first || d.element > last) continue;
+    sum += std::abs(d.units);
+    ++count;
+  }
+  return sum / count;
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,284 @@
+#include "verification/problems/founding/pivoted_swing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "solver/run/turning_point.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/problems/founding/leapfrog_swing.hpp"
+#include "verification/reference/restitution.hpp"
+#include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/pivoted_impact.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+const reference::PivotedCylinder problem{};
+constexpr double swing_time = 1.2;  // [s]: nearly half a period; the rock has long fallen past the column
+
+double small_frequency() {
+  return std::sqrt(0.5 * problem.mass * problem.gravity * problem.length / reference::inertia_about_pin(problem));
+}
+
+/// The exact pendulum through a state of the column: by energy it passes the bottom with `rate`, and has the state's
+/// angle a time `since` later.
+struct SwingThrough {
+  reference::PendulumMotion motion;
+  double since{};
+
+  explicit SwingThrough(double angle, double rate)
+      : motion{reference::swing(
+            problem, std::sqrt(rate * rate + std::pow(2.0 * small_frequency() * std::sin(0.5 * angle), 2)))} {
+    since = angle / rate;
+    for (int i = 0; i < 6;
+         ++i)  // Newton: the angle is a few hundredths of the largest, 6 steps are twice what it takes
+      since += (angle - motion.at(since).angle) / motion.at(since).rate;
+  }
+};
+
+/// Angle and rate of the column over time, and the rock's speed.
+struct Track {
+  std::vector<double> t, angle, rate, rock;
+  double turned{};  ///< largest angle, between steps
+};
+
+/// Goes on from `start` in equal steps until `swing_time`; calls see(state) after each.
+template <class See>
+bool go_on(const PivotedRun& run, const State& start, const Integrator& method, double step, const Setup& setup,
+           Findings& findings, See see) {
+  const Scene scene = scene_of(run, setup);
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, false};
+  State state = start;
+  Integrator integrator = method;
+  const Observer watch = [&see](const State& seen, const StepInfo&) { see(seen); };
+  const Outcome outcome = simulate(system, integrator, state, {step, swing_time, swing_time, false}, {&watch, 1});
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  return static_cast<bool>(outcome);
+}
+
+/// Largest error of the angle over the swing in steps of that length, from the exact motion through `start`.
+double largest_angle_error(const PivotedRun& run, const State& start, double step, const Setup& setup,
+                           Findings& findings) {
+  const SwingThrough exact{start.q[0], start.v[0]};
+  double largest = 0.0;
+  const Integrator method = setup.has("euler_cromer") ? Integrator{EulerCromer{}} : Integrator{VelocityVerlet{}};
+  const bool whole = go_on(run, start, method, step, setup, findings, [&](const State& seen) {
+    largest = std::max(largest, std::abs(seen.q[0] - exact.motion.at(exact.since + seen.t - start.t).angle));
+  });
+  return whole ? largest : std::nan("");
+}
+
+/// Largest error of the angle that velocity Verlet is predicted to make from that state until `swing_time`, over
+/// (w0 h)^2 [rad].
+///
+/// Its steps lie on the motion of H + (w0 h)^2 D (leapfrog_swing.hpp), in units w0 = 1 D = p^2 cos x/12 - sin^2 x/24,
+/// from the same x and p. To first order their distance (a, b) from the exact motion obeys
+///   a' = b + dD/dp = b + p cos x/6,   b' = -cos(x) a - dD/dx = -cos(x) a + (p^2 + cos x) sin x/12,   a = b = 0 at
+///   first.
+double predicted_error_constant(const State& start) {
+  using Vector = std::array<double, 4>;  // x, p, a, b
+  const auto rates = [](const Vector& y) {
+    const double sine = std::sin(y[0]), cosine = std::cos(y[0]);
+    return Vector{y[1], -sine, y[3] + y[1] * cosine / 6.0, -cosine * y[2] + (y[1] * y[1] + cosine) * sine / 12.0};
+  };
+  const auto moved = [](Vector y, const Vector& rate, double h) {
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] += h * rate[i];
+    return y;
+  };
+  constexpr int steps = 1000;  // of Runge-Kutta 4, 3e-3 each: error 1e-10
+  const double h = (swing_time - start.t) * small_frequency() / steps;
+  Vector y{start.q[0], start.v[0] / small_frequency(), 0.0, 0.0};
+  double largest = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const Vector k1 = rates(y), k2 = rates(moved(y, k1, 0.5 * h)), k3 = rates(moved(y, k2, 0.5 * h)),
+                 k4 = rates(moved(y, k3, h));
+    y = moved(moved(moved(moved(y, k1, h / 6.0), k2, h / 3.0), k3, h / 3.0), k4, h / 6.0);
+    largest = std::max(largest, std::abs(y[2]));
+  }
+  return largest;
+}
+
+void check_order(const PivotedRun& run, const State& start, double production_step, Findings& findings,
+                 const Setup& setup) {
+  Convergence errors;
+  for (const double n : doublings(20.0, setup.coarse ? 3 : 5))
+    errors.add(swing_time / (n + 0.38), largest_angle_error(run, start, swing_time / (n + 0.38), setup, findings));
+  findings.expect_order("order of the swing after the impact", errors, 1.98, 2.02,
+                        "smooth motion under velocity Verlet: even powers of the step only");
+  if (setup.coarse) return;
+  findings.expect("largest error of the angle over the swing, production step",
+                  largest_angle_error(run, start, production_step, setup, findings),
+                  predicted_error_constant(start) * std::pow(small_frequency() * production_step, 2),
+                  Tolerance::model(1.5e-5,
+                                   "predicted from velocity Verlet's modified Hamiltonian, nothing fitted; the next "
+                                   "even power of the step is 1e-6 of it, 4600 roundings of 1e-16 add up to 1e-5")
+                      .relative(),
+                  "rad");
+  findings.expect("largest error of the angle over the swing, 160 steps", errors.errors()[3],
+                  predicted_error_constant(start) * std::pow(small_frequency() * errors.steps()[3], 2),
+                  Tolerance::model(1e-3,
+                                   "the same prediction; the next even power is (w0 h)^2 = 3e-4 of it, and the largest "
+                                   "error lies between two steps")
+                      .relative(),
+                  "rad");
+}
+
+/// Central difference from touch to `swing_time`; every step is kept until `dense`, every 40th later.
+Track whole_run(const PivotedRun& run, double step, double dense, const Setup& setup, Findings& findings) {
+  Track track;
+  TurningPointFinder finder{0};
+  const Scene scene = scene_of(run, setup);
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, false};
+  State state = scene.initial;
+  Integrator integrator = CentralDifference{};
+  const Observer watch = [&](const State& seen, const StepInfo& info) {
+    finder(seen, info);
+    if (seen.t >= dense && info.step % 40 != 0) return;
+    track.t.push_back(seen.t);
+    track.angle.push_back(seen.q[0]);
+    track.rate.push_back(seen.v[0]);
+    track.rock.push_back(seen.v[1]);
+  };
+  const Outcome outcome = simulate(system, integrator, state, {step, swing_time, swing_time, false}, {&watch, 1});
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  track.turned = outcome && finder.found() ? finder.found()->value : std::nan("");
+  return track;
+}
+
+/// Speeds of rock and column's centre until `end`; every fourth sample of the solver is drawn.
+Figure velocities(const std::string& name, const std::string& title, const std::string& caption, double end,
+                  const Track& track, const reference::PivotedSoftImpact& soft) {
+  const reference::PivotedImpact rigid = reference::rigid_impact(problem);
+  Figure figure{.name = name,
+                .title = title,
+                .caption = caption,
+                .x = {.label = "time", .unit = "s", .min = 0.0, .max = end},
+                .y = {.label = "horizontal velocity", .unit = "ft/s"},
+                .series = {{"column, soft reference", {}, {}, Style::lines},
+                           {"rock, soft reference", {}, {}, Style::lines},
+                           {"column, solver", {}, {}, Style::points},
+                           {"rock, solver", {}, {}, Style::points}},
+                .lines = {{'y', rigid.column, "4.857"}, {'y', rigid.rock, "2.357"}}};
+  const double h = 0.5 * problem.length;
+  const auto add = [&figure](std::size_t series, double t, double value) {
+    figure.series[series].x.push_back(t);
+    figure.series[series].y.push_back(value);
+  };
+  for (std::size_t i = 0; i < track.t.size() && track.t[i] <= end; ++i) {
+    add(0, track.t[i], h * soft.samples[i].rate * std::cos(soft.samples[i].angle));
+    add(1, track.t[i], soft.samples[i].rock_vx);
+    if (i % 4 != 0) continue;
+    add(2, track.t[i], h * track.rate[i] * std::cos(track.angle[i]));
+    add(3, track.t[i], track.rock[i]);
+  }
+  return figure;
+}
+
+/// What the step makes of the production run, predicted.
+struct Expected {
+  reference::PivotedContact contact;
+  double error_of_v1{};     ///< largest [ft/s]
+  double error_of_angle{};  ///< largest [rad]
+  std::string why;
+};
+
+/// The whole run against the soft reference, and its figures. `end` is the state after the contact, `exact` the swing
+/// through it.
+void compare_over_time(Findings& findings, const Track& track, const State& end, const SwingThrough& exact,
+                       const Expected& expected) {
+  const reference::PivotedSoftImpact soft = reference::soft_impact(problem, expected.contact, track.t);
+  double worst_angle = 0.0, worst_rate = 0.0;
+  Series exact_angle{.label = "elliptic functions", .x = {}, .y = {}, .style = Style::lines};
+  Series angle{.label = "solver", .x = {}, .y = {}, .style = Style::points};
+  for (std::size_t i = 0; i < track.t.size(); ++i) {
+    worst_angle = std::max(worst_angle, std::abs(track.angle[i] - soft.samples[i].angle));
+    if (track.t[i] < end.t) continue;
+    worst_rate = std::max(worst_rate, std::abs(track.rate[i] - soft.samples[i].rate));
+    exact_angle.x.push_back(track.t[i]);
+    exact_angle.y.push_back(exact.motion.at(exact.since + track.t[i] - end.t).angle);
+    if (i % 4 != 0) continue;
+    angle.x.push_back(track.t[i]);
+    angle.y.push_back(track.angle[i]);
+  }
+  findings.expect(
+      "largest distance of the angle to the soft reference over 1.2 s", worst_angle, 0.0,
+      Tolerance::truncation(expected.error_of_angle, 1.0,
+                            expected.why + "; before the swing's end an error of the rate grows no further than to "
+                                           "that of the largest angle"),
+      "rad");
+  findings.expect(
+      "largest distance of the rate to the soft reference after the contact", worst_rate, 0.0,
+      Tolerance::truncation(expected.error_of_v1 / (0.5 * problem.length), 1.0, expected.why + ", over l/2"), "rad/s");
+  const std::string lines =
+      "Points: central difference at 100 steps per contact; lines: soft reference; dashed: "
+      "velocities after the rigid impact.";
+  findings.figure(velocities("velocities", "Horizontal velocities of rock and column",
+                             "As Fig. 11 of the report. " + lines, 0.7, track, soft));
+  findings.figure(velocities("contact", "The contact enlarged", lines, 0.05, track, soft));
+  findings.figure({.name = "angle",
+                   .title = "Swing of the column after the impact",
+                   .caption = "Solver (points) and the elliptic functions that pass through the solver's own state at "
+                              "the end of the contact.",
+                   .x = {.label = "time", .unit = "s"},
+                   .y = {.label = "angle", .unit = "rad"},
+                   .series = {exact_angle, angle},
+                   .lines = {{'y', exact.motion.amplitude(), "largest angle"}}});
+}
+
+}  // namespace
+
+void check_swing(Findings& findings, const Setup& setup) {
+  const PivotedRun run;
+  const reference::PivotedContact contact = contact_of(run);
+  const reference::PivotedSoftImpact first = reference::soft_impact(problem, contact);
+  const double step = incommensurate_step(first.at_end.t, 100.0);
+  const AfterImpact after = impact(run, CentralDifference{}, step, setup, findings);
+  const SwingThrough exact{after.at_end.q[0], after.at_end.v[0]};
+
+  // Largest errors at 100 steps per contact: the run starts at touch, so only the end's jump, +-1/2 of 2 xi w h e, and
+  // the lag remain.
+  const double xi = contact.damping / (2.0 * std::sqrt(contact.stiffness * impact_mass()));
+  const double wh = std::sqrt(run.stiffness / impact_mass()) * step;
+  const double error_of_e =
+      problem.restitution * wh * (xi + std::abs(leapfrog_restitution_shift(xi, reference::EndRule::attractive)));
+  const double error_of_v1 =
+      error_of_e * problem.approach_speed * impact_mass() / reference::effective_column_mass(problem);
+  const std::string why =
+      "largest first-order error of e at 100 steps per contact from touch: half the jump at the end "
+      "and the lag";
+  findings.expect("v1, production run", after.column, first.column_speed, Tolerance::truncation(error_of_v1, 1.0, why),
+                  "ft/s");
+  findings.expect(
+      "V1, production run", after.rock, first.at_end.rock_vx,
+      Tolerance::truncation(error_of_v1 * reference::effective_column_mass(problem) / problem.rock_mass, 1.0, why),
+      "ft/s");
+
+  const Track track = whole_run(run, step, 2.0 * first.at_end.t, setup, findings);
+  const double turned = track.turned;
+  // From energy, w1 dw1 = w0^2 sin(A) dA: dA = dw1/(w0 cos(A/2)).
+  const double error_of_angle =
+      error_of_v1 / (0.5 * problem.length) / (small_frequency() * std::cos(0.5 * first.largest_angle));
+  findings.expect("largest angle of the swing, production run", turned, first.largest_angle,
+                  Tolerance::truncation(error_of_angle, 1.0, why + "; through energy"), "rad");
+  findings.expect(
+      "largest angle against elliptic functions from the run's own state", turned, exact.motion.amplitude(),
+      Tolerance::truncation(std::pow(small_frequency() * step, 2) * std::tan(0.5 * exact.motion.amplitude()) *
+                                std::abs(verlet_energy_swing(exact.motion.amplitude())) /
+                                (1.0 - std::cos(exact.motion.amplitude())),
+                            3.0,
+                            "energy of the steps swings by h^2 (sin^2 A/24 + (1 - cos A)/6) w0^2; the angle "
+                            "follows with 1/sin A"),
+      "rad");
+  check_order(run, after.at_end, step, findings, setup);
+  if (setup.coarse) return;
+
+  compare_over_time(findings, track, after.at_end, exact, {contact, error_of_v1, error_of_angle, why});
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,104 @@
+#include "verification/problems/founding/swing_period_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "verification/problems/founding/leapfrog_swing.hpp"
+#include "verification/study/swing.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double per_small_swing = 128.0;  // steps
+
+/// A decimal number of 45 digits, rounded to 14 places by way of a long double, which carries 18 digits.
+std::string rounded(const std::string& decimal) { return fmt::format("{:.14f}", std::stold(decimal)); }
+
+/// Periods over that of small swings, beside the elliptic integral.
+Figure period_figure(const Series& ratio) {
+  Series elliptic{.label = "2 K/pi", .x = {}, .y = {}, .style = Style::lines};
+  for (double degrees = 1.0; degrees <= 179.0; degrees += 1.0) {
+    elliptic.x.push_back(degrees);
+    elliptic.y.push_back(bob_motion(degrees * degree).period() * bob_frequency() / (2.0 * pi));
+  }
+  return {.name = "period",
+          .title = "Period against amplitude",
+          .caption =
+              "Period over that of small swings: simulated by the pinned body, and the elliptic "
+              "integral. At this scale they cannot be told apart; the next figure shows the difference.",
+          .x = {"amplitude", "deg"},
+          .y = {"T w0/(2 pi)", "1"},
+          .series = {elliptic, ratio}};
+}
+
+/// Relative errors of the period over (w0 h)^2, beside the constant of the modified Hamiltonian.
+Figure constant_figure(const Series& measured) {
+  Series theory{.label = "modified Hamiltonian", .x = {}, .y = {}, .style = Style::lines};
+  for (double degrees = 1.0; degrees <= 179.0; degrees += 1.0) {
+    theory.x.push_back(degrees);
+    theory.y.push_back(verlet_period_constant(degrees * degree));
+  }
+  return {.name = "period_constant",
+          .title = "Error constant of velocity Verlet's period",
+          .caption =
+              "Relative error of the period over $(w_0 h)^2$, 128 steps per small swing, and the constant "
+              "that follows from the modified Hamiltonian: -1/24 for small swings, zero near 158 "
+              "degrees, positive beyond.",
+          .x = {"amplitude", "deg"},
+          .y = {"(T_h/T - 1)/(w0 h)^2", "1"},
+          .series = {theory, measured},
+          .lines = {{'y', -1.0 / 24.0, "-1/24"}}};
+}
+
+}  // namespace
+
+void check_amplitudes(Findings& findings, const Setup& setup) {
+  const double h = 2.0 * pi / bob_frequency() / per_small_swing;
+  const double z = bob_frequency() * h;
+  Series measured{.label = "velocity_verlet", .x = {}, .y = {}, .style = Style::points};
+  Series ratio{.label = "solver", .x = {}, .y = {}, .style = Style::points};
+  Table table{.name = "periods",
+              .caption =
+                  "Period of the pinned body: reference (computed at 50 digits, 15 shown), as simulated by "
+                  "velocity Verlet with 128 steps per small swing, and the relative error "
+                  "with its prediction.",
+              .columns = {"A [deg]", "T [s]", "simulated [s]", "relative error", "predicted"},
+              .rows = {}};
+  double worst = 0.0;
+  for (const double degrees : {0.1, 1.0, 10.0, 30.0, 60.0, 90.0, 120.0, 140.0, 150.0, 170.0, 175.0, 179.0}) {
+    if (setup.coarse && degrees != 60.0) continue;
+    const double amplitude = degrees * degree;
+    const double reference = bob_motion(amplitude).period();
+    const double period = period_of(scenes::pendulum(bob(setup, amplitude)), verlet(setup), h, 3.0 * reference);
+    const double constant = verlet_period_constant(amplitude);
+    worst = std::max(worst, std::abs((period / reference - 1.0) / (z * z) - constant));
+    findings.expect(fmt::format("period at {:g} degrees", degrees), period, reference,
+                    Tolerance::truncation(std::abs(constant) * z * z, 1.05,
+                                          "the second-order error of velocity Verlet's period as derived, times h^2; "
+                                          "the next term is below 5 % of it")
+                        .relative(),
+                    "s");
+    measured.x.push_back(degrees);
+    measured.y.push_back((period / reference - 1.0) / (z * z));
+    ratio.x.push_back(degrees);
+    ratio.y.push_back(period * bob_frequency() / (2.0 * pi));
+    table.rows.push_back({fmt::format("{:g}", degrees), rounded(bob_motion(amplitude).period_45_digits()),
+                          fmt::format("{:.10f}", period), fmt::format("{:.4e}", period / reference - 1.0),
+                          fmt::format("{:.4e}", constant * z * z)});
+  }
+  if (setup.coarse) return;
+  findings.expect("velocity Verlet's period constant, largest deviation", worst, 0.0,
+                  Tolerance::truncation(17.0 / 5760.0 * z * z, 1.05,
+                                        "next term of the expansion, largest for small swings: z/(2 asin(z/2)) = 1 - "
+                                        "z^2/24 - 17 z^4/5760 ..."));
+  findings.table(table);
+  findings.figure(period_figure(ratio));
+  findings.figure(constant_figure(measured));
+}
+
+}  // namespace talus::verification::problems

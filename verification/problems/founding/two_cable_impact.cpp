@@ -1,0 +1,110 @@
+#include "verification/problems/founding/two_cable_impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/laws/restitution.hpp"
+#include "solver/run/energy_ledger.hpp"
+#include "solver/scenes/two_cable.hpp"
+#include "verification/reference/restitution.hpp"
+#include "verification/study/followed_impact.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+const reference::TwoCable problem{};
+
+/// Follows the particle: when the contact has ended, and how far Eq. 27 holds from there on.
+class ParticleWatch {
+ public:
+  explicit ParticleWatch(const Dynamics& dynamics) : dynamics_{&dynamics}, work_{dynamics.workspace()} {}
+
+  void operator()(const State& state, const StepInfo&) {
+    dynamics_->update_all(state, work_);
+    const bool acts = state.mode[0] == UnilateralSpring::acting && work_.gaps[0].depth >= 0.0;
+    touched_ = touched_ || acts;
+    const double x = state.q[0], v = state.v[0];
+    if (touched_ && !acts && !ended_) {
+      ended_ = true;
+      speed_after = v;
+      energy_ = v * v + 2.0 * stretch_energy(x);
+    }
+    if (ended_ && v > 0.0) curve_error = std::max(curve_error, std::abs(v * v + 2.0 * stretch_energy(x) - energy_));
+  }
+
+  bool ended() const { return ended_; }
+  double speed_after{std::nan("")};
+  double curve_error{};
+
+ private:
+  /// k l^2 (1 - cos theta)^2/(m cos^2 theta), the right-hand side of Eq. 27 over two.
+  static double stretch_energy(double x) {
+    const double theta = std::atan(x / problem.length);
+    const double s = problem.length * (1.0 - std::cos(theta)) / std::cos(theta);
+    return problem.stiffness * s * s / problem.mass;
+  }
+
+  const Dynamics* dynamics_;
+  Workspace work_;
+  bool touched_{false}, ended_{false};
+  double energy_{};
+};
+
+}  // namespace
+
+double reduced_mass() { return problem.mass * problem.striker_mass / (problem.mass + problem.striker_mass); }
+
+double particle_share() { return problem.striker_mass / (problem.mass + problem.striker_mass); }
+
+double cable_pull(double x) {
+  return 2.0 * problem.stiffness * (1.0 - problem.length / std::sqrt(problem.length * problem.length + x * x)) * x;
+}
+
+LinearSpringDashpot solver_contact(double stiffness, TwoCableEnd end, const Setup& setup) {
+  const double mass = effective_mass({problem.mass, {}, 0.0, false}, {problem.striker_mass, {}, 0.0, false});
+  const double c = damping(damping_ratio(problem.restitution, end.formula), stiffness, mass);
+  return {stiffness, setup.has("dashpot_halved") ? 0.5 * c : c,
+          setup.has("wrong_end_rule") ? EndRule::clamped : end.rule};
+}
+
+reference::SoftContact soft_contact(double stiffness, TwoCableEnd end) {
+  const double xi = reference::damping_ratio(problem.restitution, same(end.formula));
+  return {stiffness, 2.0 * xi * std::sqrt(stiffness * reduced_mass()), same(end.rule)};
+}
+
+Scene scene_of(const LinearSpringDashpot& law, const Setup& setup) {
+  scenes::TwoCable parameters{.contact = law};
+  if (setup.has("mass_halved")) parameters.mass *= 0.5;
+  if (setup.has("cable_stiffness_per_length")) parameters.cable_stiffness /= parameters.cable_length;
+  return scenes::two_cable(parameters);
+}
+
+TwoCableRun simulated(Scene scene, double gap, double step, bool to_the_turn, Findings& findings) {
+  scene.initial.q[2] -= gap;
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, to_the_turn};
+  EnergyLedger ledger{dynamics, scene.initial};
+  TurningPointFinder finder{0};
+  ParticleWatch watch{dynamics};
+  TwoCableRun run;
+  const Observer observer = [&](const State& state, const StepInfo& info) {
+    finder(state, info);
+    watch(state, info);
+    if (!to_the_turn) return;
+    const Accounts accounts = ledger.accounts(state);
+    run.energy_closure = accounts.energy_closure;
+    run.momentum_closure = std::max(run.momentum_closure, std::abs(accounts.momentum_closure.x));
+  };
+  State state = scene.initial;
+  const StopCondition stop = [&](const State&) { return to_the_turn ? finder.found().has_value() : watch.ended(); };
+  const Outcome outcome =
+      simulate(system, scene.integrator, state, {step, 5.0, 5.0, to_the_turn}, {&observer, 1}, stop);
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  run.speed_after = outcome ? watch.speed_after : std::nan("");
+  run.curve_error = watch.curve_error;
+  run.turning = outcome && finder.found() ? *finder.found() : TurningPoint{std::nan(""), std::nan("")};
+  run.momentum_closure /= problem.striker_mass * problem.approach_speed;
+  return run;
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,137 @@
+#include "verification/problems/founding/work_precision_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "verification/check/convergence.hpp"
+#include "verification/study/swing.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double amplitude = 60.0 * degree;
+
+/// The swing that all methods run.
+struct Swing {
+  Scene scene;
+  reference::PendulumMotion motion{bob_motion(amplitude)};
+  double duration{0.8 * motion.period()};
+
+  SwingError error(const Integrator& integrator, long steps) const {
+    return swing_error(scene, integrator, duration, steps, bob_frequency(), motion);
+  }
+};
+
+/// The order of one method; its error against force evaluations.
+Series study(const MethodRange& method, const Swing& swing, Findings& findings, const Setup& setup) {
+  const Integrator integrator = method.name == "velocity_verlet" ? verlet(setup) : make_integrator(method.name);
+  Convergence convergence;
+  Series series{.label = std::string(method.name), .x = {}, .y = {}};
+  const double ratio = setup.coarse ? 8.0 : std::pow(2.0, method.order < 3 ? 1.0 : 0.5);
+  // Three steps have to do when coarse: four times shorter ones, where the tilt is a sixteenth.
+  for (double n = static_cast<double>(method.first) * (setup.coarse ? 4.0 : 0.125); n < 2.5e5; n *= ratio) {
+    const long steps = std::lround(n);
+    if (steps < 5) continue;
+    const SwingError run = swing.error(integrator, steps);
+    findings.count(static_cast<std::uint64_t>(run.evaluations));
+    if (steps >= method.first && steps <= method.last) convergence.add(1.0 / static_cast<double>(steps), run.error);
+    if (!(run.error > 1.0)) {
+      series.x.push_back(static_cast<double>(run.evaluations));
+      series.y.push_back(run.error);
+    }
+    if (run.evaluations > 170000 || run.error < 2e-14 || (setup.coarse && steps >= 4096)) break;
+  }
+  findings.expect_order("order of " + std::string(method.name), convergence, method.order - method.admitted(),
+                        method.order + method.admitted(),
+                        fmt::format("declared order {}; the next two terms of the expansion, taken from the errors "
+                                    "at three coarser steps, tilt the line fitted between {} and {} steps by "
+                                    "{:+.2g}: that and half of it again, for the terms after, either way",
+                                    method.order, method.first, method.last, method.tilt));
+  return series;
+}
+
+/// odeint_bulirsch_stoer, which has no fixed step, by its tolerance.
+Series study_tolerance(const Swing& swing, Findings& findings) {
+  Series stepless{.label = "odeint_bulirsch_stoer", .x = {}, .y = {}};
+  Convergence kept;
+  for (double tolerance = 1e-3; tolerance > 5e-14; tolerance *= 0.1) {
+    const SwingError run = swing.error(make_integrator("odeint_bulirsch_stoer", tolerance), 1);
+    kept.add(tolerance, run.error);
+    stepless.x.push_back(static_cast<double>(run.evaluations));
+    stepless.y.push_back(run.error);
+  }
+  findings.expect_order("error of odeint_bulirsch_stoer against tolerance", kept, 0.8, 1.2,
+                        "order and step are chosen so that the error of a step stays below the tolerance: "
+                        "proportional, with the scatter of the choices");
+  return stepless;
+}
+
+/// Error against force evaluations, without curves.
+Figure chart(const char* name, const char* title, const std::string& caption) {
+  return {.name = name,
+          .title = title,
+          .caption = "Error at the end of 0.8 period (60 degrees) against force evaluations, " + caption +
+                     " Dashed: the declared orders. The line is half a unit of the last place of the angle: round-off "
+                     "of n steps gathers above it.",
+          .x = {"force evaluations", "1", true},
+          .y = {"error", "rad", true},
+          .series = {},
+          .slopes = {},
+          .lines = {{'y', 0.5 * epsilon, "round-off of one operation"}}};
+}
+
+/// Where the slope of a method's order is drawn to compare with, so that slopes and labels stand clear of the curves.
+struct SlopePlace {
+  double share;   ///< of the curve's points before it
+  double height;  ///< over the curve there; 0: the method has no slope
+};
+SlopePlace slope_place(std::string_view method) {
+  if (method == "euler_cromer") return {0.75, 0.2};
+  if (method == "velocity_verlet") return {0.95, 0.1};
+  if (method == "rk4") return {0.75, 0.1};
+  if (method == "odeint_dopri5") return {0.5, 20.0};
+  return {0.5, method == "odeint_fehlberg78" ? 0.05 : 0.0};
+}
+
+/// Adds a method's curve to a chart of error against work and, for some methods, the slope of its order.
+void draw(const MethodRange& method, const Series& series, Figure& chart) {
+  chart.series.push_back(series);
+  const SlopePlace place = slope_place(method.name);
+  if (place.height == 0.0 || series.x.empty()) return;
+  const auto at = static_cast<std::size_t>(place.share * static_cast<double>(series.x.size()));
+  chart.slopes.push_back({-static_cast<double>(method.order), series.x[at], place.height * series.y[at],
+                          fmt::format("order {}", method.order)});
+}
+
+}  // namespace
+
+void check_work_and_precision(Findings& findings, const Setup& setup) {
+  const Swing swing{.scene = scenes::pendulum(bob(setup, amplitude))};
+  Figure own = chart("work_precision", "Work and precision on a smooth swing: the solver's own methods",
+                     "for the solver's own methods: steps halved from point to point for orders 1 and 2, divided by "
+                     "the square root of 2 for order 4. The next figure has odeint's steppers.");
+  Figure odeint = chart("work_precision_odeint", "Work and precision on a smooth swing: odeint's steppers",
+                        "for odeint's steppers, and rk4 again to compare with: steps divided by the square root of 2 "
+                        "from point to point, and tolerances divided by ten for odeint_bulirsch_stoer, which has no "
+                        "fixed step. Charts against time, and other scenes: case `work_precision`.");
+  Series rk4;
+  for (const auto& method : method_ranges) {
+    if (setup.coarse && method.name != "velocity_verlet") continue;
+    const Series series = study(method, swing, findings, setup);
+    draw(method, series, method.is_odeint() ? odeint : own);
+    if (method.name == "rk4") rk4 = series;
+  }
+  if (setup.coarse) return;
+  odeint.series.push_back(study_tolerance(swing, findings));
+  rk4.style = Style::lines;
+  odeint.series.push_back(rk4);
+  findings.figure(own);
+  findings.figure(odeint);
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "verification/check/case.hpp"
+#include "verification/study/swing.hpp"
+
+namespace talus::verification::problems {
+
+/// The order of every integrator on a swing of 60 degrees, and its error against force evaluations: checks and a
+/// figure. Faults of bob() and verlet().
+void check_work_and_precision(Findings& findings, const Setup& setup);
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,222 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "verification/problems/friction/friction_findings.hpp"
+#include "verification/study/sliding_scenes.hpp"
+
+namespace talus::verification::problems {
+
+Case friction();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Bodies touch with friction: a disc that slides until it rolls, discs and blocks on slopes, oblique impacts,
+a block drawn to and fro. The friction is a spring and a slider in series.
+
+```
+          u0                      /|            v_n \   ( )
+     ( )----->                 ( ) |                 \  /
+   =====[k_s]==[mu N]====     /____|   tan =3mu    ====v=====  -v'
+```
+
+**Equations.** With the slip rate $v$ of the contact point, the spring's stretch $s$ and the normal force $N$,
+$$F = k_s s \;\text{ while }\; k_s|s| < \mu N \text{ (sticks)}, \qquad F = \mu N\,\mathrm{sign}(s) \text{ (slips)}.$$
+A force along the plane changes $v$ at the rate $n F/m$, $n = 1 + m r^2/I$: 3 for a disc, 1 for a block.
+
+| setting | exact |
+|:-----------|:-------------------|
+| disc set down with $u_0$ | rolls from $u_0/(3\mu g)$ on at $2u_0/3$; then swings with $v = \mu g\sqrt{3m/k_s}$ |
+| disc on a slope | $a = \frac23 g\sin\theta$ while $\tan\theta \le 3\mu$, else $g(\sin\theta-\mu\cos\theta)$ |
+| block on a slope | holds while $\tan\theta \le \mu$, else $g(\sin\theta-\mu\cos\theta)$ |
+| block let go, spring slack | swings to $2mg\sin\theta$: slips once if $\mu/2 < \tan\theta < \mu$ |
+| impact, slides all through | loses $\mu(1+e)v_n$ along the plane, gains the spin $2\mu(1+e)v_n/r$ |
+| impact, $k_s = k_n/3$, $v < 3\mu v_n$ | both springs swing in step, nothing slips: $v' = -v$ |
+| drawn by $\pm A$ | loses $4\mu N(A - \mu N/k_s)$ in a cycle |
+
+All other impacts are solved phase by phase: swings while the contact sticks; $v$ changes by $n\mu$ times the normal's
+change of speed while it slips.
+
+**Energy.** The slider's work is booked with the normal force at the end of each step. Through an impact that slides,
+the ledger is open by
+$\frac h2\int\mu\dot N(v - \mu\dot N/k_s)\,dt = \frac\pi4\mu^2 m\omega v_n^2(n - k_n/k_s)\,h$:
+first order, constant known.
+
+**Source.** Mustoe & Huttelmaier 1993, section 3.5, Eq. 18, with the sign of the stretch that the report leaves out (E11
+in the list of errata, shown in the case `fence_equations`); Cundall & Strack 1979. Closed forms: textbook mechanics,
+derived in the references' own comments.
+
+| symbol | meaning | value |
+|:--|:-----------|:--|
+| $\mu$ | coefficient of friction | .3 |
+| $g$, $m$, $r$ | on table and slopes | 10, 2, .5 |
+| $k_n$, $k_s$ | there | $2\cdot10^6$ |
+| $k_n$, $m$, $v_n$ | impacts | 1, 1, 1 |
+
+**What would break it.** A contact whose spring starts unstretched at the first step that sees it (order 1 where it
+sticks: so it was until this case was written); a slider without direction; friction on the centre instead of the rim;
+a spring that is not let off as the normal force falls.
+)";
+
+constexpr double loop_friction = 0.25, loop_stiffness = 64.0, loop_normal = 4.0, loop_amplitude = 0.0625;
+
+/// A block of unit mass pressed by a constant force and drawn along a path, all numbers powers of two.
+class DrawnBlock {
+ public:
+  explicit DrawnBlock(double friction)
+      : scene_{oblique_scene({.normal = {normal_stiffness, 0.0, 1.0, 1.0},
+                              .tangential_stiffness = loop_stiffness,
+                              .friction = friction,
+                              .mobility = 1.0,
+                              .slip_rate = 0.0},
+                             EndRule::clamped)},
+        dynamics_{scene_.model},
+        system_{dynamics_},
+        state_{scene_.initial} {
+    state_.q[1] -= loop_normal / normal_stiffness;
+    state_.v = {0.0, 0.0};
+    force_ = drag();
+  }
+
+  /// Draws it to x; forces meanwhile go to `loop`.
+  void draw(double to, Series& loop) {
+    constexpr double step = 0x1p-12;
+    const double way = to > state_.q[0] ? 1.0 : -1.0;
+    state_.v[0] = way;
+    for (long count = std::lround(std::abs(to - state_.q[0]) / step); count > 0; --count) {
+      system_.drift(state_, step);
+      const double now = drag();
+      work_ -= 0.5 * (force_ + now) * way * step;
+      force_ = now;
+      if (count % 16 != 0) continue;
+      loop.x.push_back(state_.q[0]);
+      loop.y.push_back(-force_);
+    }
+  }
+
+  double work() const { return work_; }  ///< put in so far
+  double lost() const { return state_.work[static_cast<std::size_t>(Mechanism::friction)]; }
+
+ private:
+  static constexpr double normal_stiffness = 1024.0;
+
+  /// Force along the plane on the block: its acceleration.
+  double drag() {
+    Rates rates{state_};
+    system_.evaluate(state_, rates);
+    return rates.v[0];
+  }
+
+  Scene scene_;
+  Dynamics dynamics_;
+  RigidBodySystem system_;
+  State state_;
+  double force_{}, work_{};
+};
+
+Figure loop_figure(const Series& loop) {
+  const double limit = loop_friction * loop_normal, turn = 2.0 * limit / loop_stiffness, reach = loop_amplitude;
+  return {.name = "loop",
+          .title = "A block drawn to and fro",
+          .caption =
+              "Force against place over two cycles of $\\pm A$ after the first draw from 0: the solver (points) and "
+              "the exact parallelogram (line), whose area is $4\\mu N(A - \\mu N/k_s)$.",
+          .x = {.label = "place", .unit = "m"},
+          .y = {.label = "force that draws", .unit = "N"},
+          .series = {{"exact",
+                      {0.0, 0.5 * turn, reach, reach - turn, -reach, -reach + turn, reach},
+                      {0.0, limit, limit, -limit, -limit, limit, limit},
+                      Style::lines},
+                     loop}};
+}
+
+}  // namespace
+
+void check_shear_loop(Findings& findings, const Setup& setup) {
+  DrawnBlock block{setup.has("friction_halved") ? 0.5 * loop_friction : loop_friction};
+  Series loop{"solver", {}, {}, Style::points};
+  block.draw(loop_amplitude, loop);
+  const double work = block.work(), lost = block.lost();
+  for (int half = 0; half < 4; ++half)
+    block.draw(half % 2 == 0 ? -loop_amplitude : loop_amplitude, loop);
+  const double limit = loop_friction * loop_normal;
+  const double exact = 4.0 * limit * (loop_amplitude - limit / loop_stiffness);
+  findings.expect("area of the shear loop", (block.work() - work) / 2.0, exact,
+                  Tolerance::exact("all lengths and forces are small multiples of powers of two, and so are their sums "
+                                   "and products"),
+                  "J");
+  findings.expect("work of the slider in a shear loop", (block.lost() - lost) / 2.0, exact,
+                  Tolerance::exact("as the area; a closed path leaves the spring as it was"), "J");
+  if (!setup.coarse) findings.figure(loop_figure(loop));
+}
+
+namespace {
+
+void run(Findings& findings, const Setup& setup) {
+  if (!setup.coarse) check_rolling(findings, setup);
+  check_slopes(findings, setup);
+  check_oblique_impacts(findings, setup);
+  check_shear_loop(findings, setup);
+  if (setup.coarse) return;
+  check_rebounds(findings, setup);
+  check_grazing(findings, setup);
+}
+
+}  // namespace
+
+Case friction() {
+  return {
+      .id = "friction",
+      .title = "Friction by spring and slider",
+      .requirements =
+          {{"Eq. 18", {"disc rolls", "slopes", "slid", "sticks", "shear loop", "slip rate after the impact"}},
+           {"C1", {"disc rolls"}},
+           {"C2", {"of the threshold, disc", "disc on slopes"}},
+           {"C3", {"of the threshold, block"}},
+           {"C4", {"sliding all through", "by sliding", "sliding impact"}},
+           {"C5", {"sticks all through"}},
+           {"C6", {"4 stiffnesses x 6 obliquities"}},
+           {"C7", {"grazing"}},
+           {"C10", {"shear loop"}},
+           {"C12", {"order of the speed along the plane"}},
+           {"law.linear_spring_dashpot", {"sliding all through", "sticks all through", "grazing", "with a dashpot"}},
+           {"end_rule.clamped", {"speed lost by sliding, e = .5", "let go by a contact"}},
+           {"mechanism.contact_damping", {"eaten by the dashpot of a contact"}},
+           {"mechanism.contact_release", {"let go by a contact"}},
+           {"method.resultant", {"speed along the plane", "slip rate after the impact"}},
+           {"shape.circle", {"disc rolls", "spin gained"}},
+           {"shape.half_plane", {"disc rolls", "slopes"}},
+           {"mechanism.friction", {"work of the slider", "energy lost by the slider", "closure of the energy"}},
+           {"integrator.velocity_verlet", {"velocity_verlet"}},
+           {"integrator.central_difference", {"central_difference"}},
+           {"regime.friction.sticking", {"sticks all through", "sticking all through"}},
+           {"regime.friction.slipping_forward", {"sliding all through", "shear loop"}},
+           {"regime.friction.slipping_backward", {"shear loop"}},
+           {"pair.circle.half_plane", {"disc rolls", "disc on slopes"}}},
+      .main_checks = {"time at which the disc rolls, over u0/(3 mu g)",
+                      "work of the slider at .999 of the threshold, disc",
+                      "work of the slider at 1.001 of the threshold, disc",
+                      "-v'/v of an impact that sticks all through, k_s/k_n = 1/3, rms error",
+                      "order of the speed along the plane, sticking, then sliding, velocity_verlet",
+                      "area of the shear loop"},
+      .source = "Mustoe & Huttelmaier 1993, section 3.5, Eq. 18; Cundall & Strack 1979",
+      .page = page,
+      .faults = {{"friction_halved", "half the coefficient of friction", "area of the shear loop"},
+                 {"disc_that_cannot_spin", "a particle for the disc",
+                  "acceleration of a disc on slopes, farthest from the reference"},
+                 {"slope_too_flat", "slopes .2 % flatter", "work of the slider at 1.001 of the threshold, disc"},
+                 {"slope_too_steep", "slopes .2 % steeper", "work of the slider at .999 of the threshold, block"},
+                 {"slip_stiffness_doubled", "twice the stiffness along the plane",
+                  "-v'/v of an impact that sticks all through, k_s/k_n = 1/3, rms error"},
+                 {"commensurate_step", "the step divides the contact time",
+                  "order of the speed along the plane, sticking all through, velocity_verlet"},
+                 {"slider_without_account", "the slider's work is left out of the ledger",
+                  "closure of the energy over its prediction, sliding impact"}},
+      .tier = Tier::quick,
+      .time_limit = 60.0,
+      .run = run};
+}
+
+}  // namespace talus::verification::problems

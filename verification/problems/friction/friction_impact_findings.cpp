@@ -1,0 +1,217 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "verification/check/convergence.hpp"
+#include "verification/problems/friction/friction_findings.hpp"
+#include "verification/study/oblique_runs.hpp"
+#include "verification/study/phase_sweep.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+constexpr double mu = oblique_friction;
+
+/// Order of the speed along the plane after the impact, and its error at 128 steps a contact times 128^2.
+double check_order(Findings& findings, const Setup& setup, const std::string& name, double kappa, double ratio,
+                   const char* method, double width, std::vector<Convergence>& shown) {
+  const reference::ObliqueImpact impact = oblique_disc(kappa, ratio);
+  const reference::ObliqueRebound exact = reference::rebound(impact, reference::EndRule::clamped);
+  const PhasedImpact phased{
+      oblique_scene_told(impact, setup), std::numbers::pi, 1.2, 0, go_back, [&](std::span<const double> times) {
+        return std::vector<double>(times.size(), impact.slip_rate - exact.speed_lost);
+      }};
+  const std::vector<double> counts = doublings(16.0, setup.coarse ? 3 : 4);
+  const Offset offset = setup.has("commensurate_step") ? Offset::none : Offset::own;
+  const Sweep found = sweep(phased, make_integrator(method), counts, offset);
+  findings.expect_order("order of the speed along the plane, " + name + ", " + method, found.rms, 2.0 - width,
+                        2.0 + width,
+                        "onset and end of the contact, of the stick and of the slip lie within a step each, and cost "
+                        "its square");
+  shown.push_back(found.rms);
+  return found.rms.errors().back() * found.steps.back() * found.steps.back();
+}
+
+void check_orders(Findings& findings, const Setup& setup) {
+  struct Kind {
+    const char* name;
+    double kappa, ratio;
+    double width;  ///< of the order's interval: phases of stick and slip that do not fit the steps scatter
+  };
+  const std::array kinds{Kind{"sliding all through", 0.8, 5.0, 0.008},
+                         Kind{"sticking all through", 1.0 / 3.0, 0.6, 0.008},
+                         Kind{"sticking, then sliding", 0.25, 0.5, 0.1}};
+  std::vector<Convergence> shown;
+  Figure figure{.name = "orders",
+                .title = "Convergence of oblique impacts",
+                .caption =
+                    "Relative error of the speed along the plane after an oblique impact, root mean square over "
+                    "64 phases: velocity Verlet (lines with points) and central difference (crosses).",
+                .x = {.label = "step over contact time", .log = true},
+                .y = {.label = "relative error", .log = true},
+                .series = {}};
+  for (const Kind& kind : kinds) {
+    for (const char* method : {"velocity_verlet", "central_difference"}) {
+      if (setup.coarse && (kind.kappa != 1.0 / 3.0 || method != std::string{"velocity_verlet"})) continue;
+      const double constant =
+          check_order(findings, setup, kind.name, kind.kappa, kind.ratio, method, kind.width, shown);
+      const bool crosses = std::string{method} == "central_difference";
+      figure.series.push_back({fmt::format("{}, {}", kind.name, crosses ? "central difference" : "Verlet"),
+                               shown.back().steps(), shown.back().errors(),
+                               crosses ? Style::crosses : Style::linespoints});
+      if (kind.kappa != 1.0 / 3.0 || crosses) continue;
+      const double predicted = std::numbers::pi * std::numbers::pi / (2.0 * std::sqrt(90.0));
+      findings.expect("rms error of the speed along the plane, sticking all through, over its prediction",
+                      constant / predicted, 1.0,
+                      Tolerance::model(0.02,
+                                       "both springs swing in step, so that the error is that of the normal "
+                                       "impact, pi^2/(2 sqrt(90) N^2); the next power of the step and 64 uneven "
+                                       "phases at the end leave 1 %"));
+    }
+  }
+  if (setup.coarse) return;
+  figure.slopes = {{2.0, shown[2].steps().front(), 2.0 * shown[2].errors().front(), "h^2"}};
+  findings.figure(figure);
+}
+
+/// Sliding all through: what the friction takes is mu times what the normal force gives, step by step.
+void check_gross_sliding(Findings& findings, const Setup& setup) {
+  const reference::ObliqueImpact impact = oblique_disc(0.8, 5.0);
+  const Scene scene = oblique_scene_told(impact, setup);
+  double ratio = 0.0, spin = 0.0;
+  PhaseError lost;
+  const double radius = oblique_radius;
+  for (std::size_t i = 0; i < fewest_phases; ++i) {
+    const ObliqueRun run = run_oblique(scene, std::numbers::pi, 100.0, i, findings);
+    const double along = impact.slip_rate - run.end.v[0], across = run.end.v[1] + 1.0;
+    ratio = std::max(ratio, std::abs(along / across / mu - 1.0));
+    const double turned = run.end.v.size() > 2 ? -run.end.v[2] * radius : 0.0;
+    spin = std::max(spin, std::abs(turned / (2.0 * along) - 1.0));
+    lost.add(along / reference::speed_lost_by_gross_sliding(oblique_friction, 1.0, 1.0) - 1.0);
+  }
+  findings.expect("speed lost by sliding over mu times the speed gained along the normal, farthest of 64 phases", ratio,
+                  0.0,
+                  Tolerance::round_off(2e-14,
+                                       "each step takes mu times what it gives, from the first on: 100 sums of "
+                                       "numbers up to 5, half a unit of the last place each, over .6"));
+  findings.expect("spin gained by sliding over twice the speed lost and the radius, farthest of 64 phases", spin, 0.0,
+                  Tolerance::model(3e-7, "friction acts on the arm r - d/2, d/r <= 2.5e-7"));
+  const double wh = std::numbers::pi / 100.5;
+  findings.expect("rms error of the speed lost by sliding over its prediction",
+                  lost.rms() / (0.5 * wh * wh / (2.0 * std::sqrt(90.0))), 1.0,
+                  Tolerance::model(0.05,
+                                   "half the error of the normal impact, (w h)^2/(2 sqrt(90)): of 1 + e only e is "
+                                   "off; the end's 64 uneven phases leave 5 %"));
+}
+
+/// The slip comes back as it came in where both springs swing in step.
+void check_full_stick(Findings& findings, const Setup& setup) {
+  const reference::ObliqueImpact impact = oblique_disc(1.0 / 3.0, 0.9);
+  const Scene scene = oblique_scene_told(impact, setup);
+  PhaseError error;
+  double work = 0.0;
+  for (std::size_t i = 0; i < fewest_phases; ++i) {
+    const ObliqueRun run = run_oblique(scene, std::numbers::pi, 100.0, i, findings);
+    error.add(-run.slip_rate / impact.slip_rate - 1.0);
+    work = std::max(work, run.end.work[static_cast<std::size_t>(Mechanism::friction)]);
+  }
+  const double wh = std::numbers::pi / 100.5;
+  findings.expect("-v'/v of an impact that sticks all through, k_s/k_n = 1/3, rms error", error.rms(), 0.0,
+                  Tolerance::truncation(wh * wh / (2.0 * std::sqrt(90.0)), 1.1,
+                                        "the error of the normal impact, (w h)^2/(2 sqrt(90)), with a tenth more for "
+                                        "the end's 64 uneven phases"));
+}
+
+/// The ledger of sliding impacts: the slider's work is booked with the force of the end of each step.
+void check_ledger(Findings& findings, const Setup& setup) {
+  const double kappa = 0.8;
+  const reference::ObliqueImpact impact = oblique_disc(kappa, 5.0);
+  const Scene scene = oblique_scene_told(impact, setup);
+  Convergence closures;
+  double ratio = 0.0;
+  for (const double count : doublings(setup.coarse ? 512.0 : 128.0, setup.coarse ? 1 : 3)) {
+    PhaseError closure;
+    double predicted = 0.0;
+    for (std::size_t i = 0; i < fewest_phases; ++i) {
+      const double step = offset_step(std::numbers::pi, count, i);
+      ObliqueRun run = run_oblique_at_step(scene, std::numbers::pi, step, i, findings);
+      if (setup.has("slider_without_account"))
+        run.closure -= run.end.work[static_cast<std::size_t>(Mechanism::friction)];
+      closure.add(run.closure);
+      predicted += std::pow(std::numbers::pi / 4.0 * mu * mu * (3.0 - 1.0 / kappa) * step, 2) / fewest_phases;
+    }
+    closures.add(std::numbers::pi / (count + 0.5), closure.rms());
+    ratio = closure.rms() / std::sqrt(predicted);
+  }
+  if (!setup.coarse)
+    findings.expect_order("order of the energy's closure, sliding impact", closures, 0.95, 1.05,
+                          "the slider's work is booked with the normal force of the end of each step");
+  findings.expect("closure of the energy over its prediction, sliding impact", ratio, 1.0,
+                  Tolerance::model(0.02,
+                                   "h/2 times the integral of mu N' (v - mu N'/k_s): pi/4 mu^2 m w v_n^2 (n - "
+                                   "k/k_s) h; the next power of the step, w h = .012, is 1 % of it"));
+}
+
+/// Sliding through a contact with a dashpot: what the plane takes, what the dashpot eats and lets go.
+void check_damped_sliding(Findings& findings) {
+  const double xi = reference::damping_ratio(0.5, reference::EndRule::clamped);
+  reference::ObliqueImpact impact = oblique_disc(0.8, 8.0);
+  impact.normal.damping = 2.0 * xi;
+  const reference::ImpactEvents exact = reference::impact_events(impact.normal, reference::EndRule::clamped);
+  const double lost = reference::rebound(impact, reference::EndRule::clamped).speed_lost;
+  const double held = 0.5 * exact.depth_at_end * exact.depth_at_end;
+  const double eaten = 0.5 * (1.0 - 0.25) - held;
+  const Scene scene = oblique_scene(impact, EndRule::clamped);
+  PhaseError along, let_go, damped;
+  for (std::size_t i = 0; i < fewest_phases; ++i) {
+    const ObliqueRun run = run_oblique(scene, exact.contact_time, 100.0, i, findings);
+    const auto booked = [&run](Mechanism which) { return run.end.work[static_cast<std::size_t>(which)]; };
+    along.add(impact.slip_rate - run.end.v[0] - lost);
+    let_go.add(booked(Mechanism::contact_release) / held - 1.0);
+    damped.add(booked(Mechanism::contact_damping) / eaten - 1.0);
+  }
+  const double wh = exact.contact_time / 100.5;
+  // Until the spring has been drawn to the limit mu c v_n, at once there, the contact sticks.
+  const double c = impact.normal.damping, stick = mu * c / (impact.tangential_stiffness * impact.slip_rate);
+  findings.expect(
+      "speed lost by sliding, e = .5, over that of a rigid impact, mu (1 + e) v_n",
+      lost / reference::speed_lost_by_gross_sliding(mu, 0.5, 1.0), 1.0,
+      Tolerance::model(1.2 * 0.5 * c * stick / 1.5,
+                       "the dashpot's force is there at touch, the spring along the plane is drawn in time t "
+                       "= mu c v_n/(k_s v) only: mu c v_n t/2 less, and a fifth for the next power of t"));
+  const double jump = 1.5 * c * wh / std::sqrt(12.0);
+  const double lag = 0.5 * xi * xi * (reference::contact_angle(xi) - xi) / (1.0 - xi * xi) * wh;
+  findings.expect(
+      "rms error of the speed lost by sliding, e = .5, over its prediction", along.rms() / (mu * std::hypot(jump, lag)),
+      1.0,
+      Tolerance::model(0.04,
+                       "the force's jump at touch, resolved to +-h/2, changes what comes after by (1 + e) c v "
+                       "h u, u even, while the contact still sticks; the half-step lag of the dashpot changes "
+                       "e as in `restitution`; the next power of the step is 4 % of both"));
+  findings.expect("energy let go by a contact with a dashpot, rms relative error", let_go.rms(),
+                  wh / (xi * std::sqrt(3.0)),
+                  Tolerance::model(0.04,
+                                   "let go up to a step late, evenly, while the overlap falls at e v: w h/(xi "
+                                   "sqrt(3)); the next power of the step is 4 % of it")
+                      .relative());
+  findings.expect("energy eaten by the dashpot of a contact, rms relative error", damped.rms(), 0.0,
+                  Tolerance::truncation(wh * 2.0 * xi / std::sqrt(12.0) / eaten, 1.1,
+                                        "its power jumps to c v^2 at touch, which a step resolves to +-h/2 evenly; the "
+                                        "half-step lag of its velocity takes some of that back"));
+}
+
+}  // namespace
+
+void check_oblique_impacts(Findings& findings, const Setup& setup) {
+  check_full_stick(findings, setup);
+  check_orders(findings, setup);
+  check_ledger(findings, setup);
+  if (setup.coarse) return;
+  check_gross_sliding(findings, setup);
+  check_damped_sliding(findings);
+}
+
+}  // namespace talus::verification::problems

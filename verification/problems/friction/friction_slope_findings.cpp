@@ -1,0 +1,277 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/run/energy_ledger.hpp"
+#include "solver/run/simulate.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/problems/friction/friction_findings.hpp"
+#include "verification/study/sliding_scenes.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+constexpr double mu = 0.3;
+constexpr double stiffness = 2e6;  // along the normal and along the plane
+
+/// Round-off of the normal force: the overlap is the difference of two lengths of half a metre.
+double normal_round_off(const Slope& slope) {
+  const double overlap = slope_mass * slope_gravity * std::cos(slope.angle) / slope.normal_stiffness;
+  return 0.5 * 0x1p-53 / overlap;
+}
+
+struct SlopeRun {
+  State end;
+  std::vector<double> time, speed, rim;  ///< of every step, if it is watched: centre, and minus radius times spin
+  double largest_closure{};              ///< of the energy, over the energy at the start
+};
+
+SlopeRun run_slope(const Slope& slope, const Setup& setup, double step, double end, bool watched, Findings& findings) {
+  Slope told = slope;
+  if (setup.has("friction_halved")) told.friction *= 0.5;
+  Scene scene = slope_scene(told);
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics};
+  SlopeRun run{.end = scene.initial, .time = {}, .speed = {}, .rim = {}, .largest_closure = 0.0};
+  system.begin(run.end);
+  EnergyLedger ledger{dynamics, run.end};
+  const Observer observers[] = {[&](const State& state, const StepInfo&) {
+    run.time.push_back(state.t);
+    run.speed.push_back(state.v[0]);
+    run.rim.push_back(state.v.size() > 2 ? -slope_radius * state.v[2] : 0.0);
+    (void)ledger.accounts(state);
+  }};
+  Integrator verlet = VelocityVerlet{};
+  const Outcome outcome = simulate(system, verlet, run.end, {step, end, end, true},
+                                   watched ? std::span{observers} : std::span<const Observer>{});
+  if (!outcome) run.end.v[0] = std::nan("");
+  run.largest_closure = ledger.largest_energy_closure();
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  return run;
+}
+
+/// Time at which the slip rate first falls to zero, linear between steps: while the disc slides it is.
+double end_of_slip(const SlopeRun& run, double arm) {
+  for (std::size_t i = 1; i < run.time.size(); ++i) {
+    const double before = run.speed[i - 1] - run.rim[i - 1] * arm / slope_radius;
+    const double now = run.speed[i] - run.rim[i] * arm / slope_radius;
+    if (now <= 0.0) return run.time[i - 1] + (run.time[i] - run.time[i - 1]) * before / (before - now);
+  }
+  return std::nan("");
+}
+
+Figure rolling_figure(const SlopeRun& run, const reference::DraggedSlider& slider, double speed) {
+  Series centre{"speed of the centre, solver", {}, {}, Style::points}, rim{"r omega, solver", {}, {}, Style::points};
+  for (std::size_t i = 0; i < run.time.size(); i += run.time.size() / 48) {
+    centre.x.push_back(run.time[i]);
+    centre.y.push_back(run.speed[i]);
+    rim.x.push_back(run.time[i]);
+    rim.y.push_back(run.rim[i]);
+  }
+  const double meets = speed / (3.0 * slider.friction * slope_gravity);
+  const double last = run.time.back();
+  return {.name = "rolling",
+          .title = "From sliding to rolling",
+          .caption =
+              "Speed of the centre and of the rim of a disc set down on a table with 3 m/s. Lines: a rigid disc, "
+              "speeds meeting at $u_0/(3\\mu g)$ and two thirds of $u_0$.",
+          .x = {.label = "time", .unit = "s"},
+          .y = {.label = "speed", .unit = "m/s"},
+          .series = {{"centre, exact", {0.0, meets, last}, {speed, 2.0 / 3.0 * speed, 2.0 / 3.0 * speed}, Style::lines},
+                     {"rim, exact", {0.0, meets, last}, {0.0, 2.0 / 3.0 * speed, 2.0 / 3.0 * speed}, Style::lines},
+                     centre,
+                     rim}};
+}
+
+/// Acceleration over .05 s from rest, the spring preloaded.
+struct SlopeSweep {
+  std::vector<double> tangents, accelerations;
+  double farthest{};  ///< relative error against the reference
+  double rigid{};     ///< relative difference to a rigid body
+};
+
+double rigid_acceleration(const Slope& slope) {
+  const double sine = std::sin(slope.angle), cosine = std::cos(slope.angle);
+  const double sliding = slope_gravity * (sine - slope.friction * cosine);
+  return std::max(slope.rolls ? slope_gravity * sine * 2.0 / 3.0 : 0.0, sliding);
+}
+
+SlopeSweep sweep_slopes(bool rolls, const Setup& setup, Findings& findings) {
+  SlopeSweep sweep;
+  const double threshold = (rolls ? 3.0 : 1.0) * mu;
+  for (int i = 1; i <= (setup.coarse ? 6 : 24); ++i) {
+    const double tangent = threshold * i / (setup.coarse ? 3.0 : 12.0) * 1.02;
+    Slope slope{rolls, std::atan(tangent), mu, stiffness, stiffness, 0.0, true};
+    const double time = 0.05;
+    const reference::DraggedSliderMotion exact{dragged_slider(slope), time};
+    Slope told = slope;
+    if (setup.has("disc_that_cannot_spin")) told.rolls = false;
+    const SlopeRun run = run_slope(told, setup, 2e-5, time, false, findings);
+    const double a = run.end.v[0] / time, reference = exact.at(time).speed_gain / time;
+    sweep.tangents.push_back(tangent);
+    sweep.accelerations.push_back(a);
+    // A block that holds has no acceleration: its error counts against gravity along the slope.
+    const double scale = reference == 0.0 ? slope_gravity * std::sin(slope.angle) : reference;
+    sweep.farthest = std::max(sweep.farthest, std::abs(a - reference) / scale);
+    sweep.rigid = std::max(sweep.rigid, std::abs(reference - rigid_acceleration(slope)) / scale);
+  }
+  return sweep;
+}
+
+Figure slope_figure(const SlopeSweep& disc, const SlopeSweep& block) {
+  Series rolls{"disc, exact", {}, {}, Style::lines}, holds{"block, exact", {}, {}, Style::lines};
+  for (int i = 0; i <= 200; ++i) {
+    const double tangent = 1.9 * i / 200.0;
+    Slope slope{true, std::atan(tangent), mu, stiffness, stiffness, 0.0, true};
+    rolls.x.push_back(tangent);
+    rolls.y.push_back(rigid_acceleration(slope));
+    slope.rolls = false;
+    if (tangent > 2.1 * mu) continue;
+    holds.x.push_back(tangent);
+    holds.y.push_back(rigid_acceleration(slope));
+  }
+  return {.name = "slopes",
+          .title = "Acceleration down a slope",
+          .caption =
+              "A disc rolls until $\\tan\\theta = 3\\mu$ and slides beyond, a block holds until "
+              "$\\tan\\theta = \\mu$; $\\mu$ = .3. Lines: rigid bodies.",
+          .x = {.label = "tan of the slope"},
+          .y = {.label = "acceleration", .unit = "m/s^2"},
+          .series = {rolls,
+                     holds,
+                     {"disc, solver", disc.tangents, disc.accelerations, Style::points},
+                     {"block, solver", block.tangents, block.accelerations, Style::crosses}},
+          .slopes = {},
+          .lines = {{'x', 3.0 * mu, "3 mu"}, {'x', mu, "mu"}}};
+}
+
+/// The two sides of a threshold, a thousandth apart.
+void check_threshold(Findings& findings, const Setup& setup, bool rolls, const std::string& name) {
+  for (const double share : {0.999, 1.001}) {
+    Slope slope{rolls, 0.0, mu, stiffness, stiffness, 0.0, true};
+    slope.angle = std::atan(share * mu * dragged_slider(slope).mobility);
+    Slope told = slope;
+    if (setup.has("slope_too_flat")) told.angle *= 0.998;
+    if (setup.has("slope_too_steep")) told.angle *= 1.002;
+    const double time = 0.2;
+    const SlopeRun run = run_slope(told, setup, 2e-5, time, false, findings);
+    const double lost = run.end.work[static_cast<std::size_t>(Mechanism::friction)];
+    if (share < 1.0) {
+      findings.expect("work of the slider at .999 of the threshold, " + name, lost, 0.0,
+                      Tolerance::exact("below its limit the slider does not move"), "J");
+      continue;
+    }
+    const reference::DraggedSlider slider = dragged_slider(slope);
+    const double slipped = reference::DraggedSliderMotion{slider, time}.at(time).slipped;
+    findings.expect("work of the slider at 1.001 of the threshold, " + name, lost,
+                    slider.friction * slider.normal_force * slipped,
+                    Tolerance::round_off(2e3 * normal_round_off(slope),
+                                         "constant forces, which Verlet integrates exactly; the slip's acceleration is "
+                                         "a thousandth of what the normal force's round-off (an overlap of 1e-5 by "
+                                         "difference of two lengths of half a metre) goes into: 1000 times that, and "
+                                         "twice for its swing")
+                        .relative(),
+                    "J");
+  }
+}
+
+/// From an unstretched spring a block between mu/2 and mu slips once and then holds: order of the path of its slider.
+void check_first_slip(Findings& findings, const Setup& setup) {
+  Slope slope{false, std::atan(0.8 * mu), mu, stiffness, stiffness, 0.0, false};
+  const reference::DraggedSlider slider = dragged_slider(slope);
+  const double period = 2.0 * std::numbers::pi / std::sqrt(slider.tangential_stiffness / slider.mass);
+  const double slipped = reference::DraggedSliderMotion{slider, 3.0 * period}.at(3.0 * period).slipped;
+  // Let go at t = 0, a run has no onset to vary: the steps spread over a tenth, which spreads the phases of the slip.
+  const std::vector<double> spread = golden_phases(fewest_phases);
+  Convergence errors;
+  for (const double count : doublings(64.0, 3)) {
+    PhaseError error;
+    for (const double phase : spread) {
+      const SlopeRun run =
+          run_slope(slope, setup, period / (count * (0.95 + 0.1 * phase)), 3.0 * period, false, findings);
+      const double lost = run.end.work[static_cast<std::size_t>(Mechanism::friction)];
+      error.add(lost / (slider.friction * slider.normal_force * slipped) - 1.0);
+    }
+    errors.add(1.0 / count, error.rms());
+  }
+  findings.expect_order("order of the path slipped by a block let go on a slope", errors, 1.8, 2.2,
+                        "velocity Verlet; the slider is taken back to its limit within the step in which it passes it, "
+                        "which costs the square of the step");
+}
+
+}  // namespace
+
+void check_rolling(Findings& findings, const Setup& setup) {
+  const double speed = 3.0, step = 2e-5, end = 0.6;
+  const Slope slope{true, 0.0, mu, stiffness, stiffness, speed, true};
+  const reference::DraggedSlider slider = dragged_slider(slope);
+  const reference::DraggedSliderMotion exact{slider, end};
+  Slope told = slope;
+  if (setup.has("disc_that_cannot_spin")) told.rolls = false;
+  const SlopeRun run = run_slope(told, setup, step, end, true, findings);
+  const double arm = slope_radius - 0.5 * slope_mass * slope_gravity / stiffness;
+  const double slip_ends = end_of_slip(run, arm);
+  findings.expect(
+      "time at which the disc rolls, over that of the reference", slip_ends / exact.phases()[1].begin, 1.0,
+      Tolerance::round_off(2.0 * normal_round_off(slope),
+                           "constant forces, which Verlet integrates exactly: the round-off of the overlap, "
+                           "2e-5 m by difference of two lengths of half a metre, and its swing"));
+  findings.expect(
+      "time at which the disc rolls, over u0/(3 mu g)", slip_ends * 3.0 * mu * slope_gravity / speed, 1.0,
+      Tolerance::model(2.0 * slope_mass * slope_gravity / stiffness / slope_radius / 3.0 * 1.05,
+                       "friction acts on the arm r - d/2: n = 3 - 2 d/r for 3, and 5 % for the next power"));
+  const double swing = reference::swing_after_slip(slider);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < run.time.size(); ++i) {
+    if (run.time[i] > exact.phases()[1].begin + step)
+      largest = std::max(largest, std::abs(run.speed[i] - run.rim[i] * arm / slope_radius));
+  }
+  const double wh = std::sqrt(3.0 * stiffness / slope_mass) * step;
+  findings.expect("slip rate of the swing that is left, over mu g sqrt(3 m/k_s)", largest / swing, 1.0,
+                  Tolerance::truncation(0.125 * wh * wh, 2.0,
+                                        "the largest of samples a step apart misses the peak by up to (w h)^2/8, and "
+                                        "Verlet's swing is off by as much"));
+  findings.expect("speed of the rolling disc", run.end.v[0], 2.0 / 3.0 * speed,
+                  Tolerance::model(swing / 3.0,
+                                   "the swing of the spring, mu g sqrt(3 m/k_s), of which a third is in the "
+                                   "speed of the centre"),
+                  "m/s");
+  const double lost = run.end.work[static_cast<std::size_t>(Mechanism::friction)];
+  const double energy = 0.5 * slope_mass * speed * speed;
+  findings.expect(
+      "energy lost by the slider, over a third of that at the start", lost / (energy / 3.0), 1.0,
+      Tolerance::model(slope_mass * slope_gravity / stiffness / slope_radius / 1.5 * 1.05,
+                       "friction acts on the arm r - d/2: n = 3 - 2 d/r for 3, and 5 % for the next power"));
+  const double spring = 0.5 * stiffness * slider.stretch * slider.stretch;
+  findings.expect(
+      "closure of the energy, disc from sliding to rolling", run.largest_closure / energy, 0.0,
+      Tolerance::truncation(0.25 * wh * wh * spring / energy, 1.2,
+                            "constant forces close to round-off; Verlet lets the energy of the swing that is "
+                            "left, mu^2 N^2/(2 k_s), breathe by (w h)^2/4 of it"));
+  findings.figure(rolling_figure(run, slider, speed));
+}
+
+void check_slopes(Findings& findings, const Setup& setup) {
+  const SlopeSweep disc = sweep_slopes(true, setup, findings), block = sweep_slopes(false, setup, findings);
+  const Slope steepest{true, std::atan(6.2 * mu), mu, stiffness, stiffness, 0.0, true};
+  const std::string words =
+      "constant forces, which Verlet integrates exactly; the round-off of the overlap, and its swing, against forces "
+      "of "
+      "which as much is left as friction takes";
+  findings.expect("acceleration of a disc on slopes, farthest from the reference", disc.farthest, 0.0,
+                  Tolerance::round_off(3.0 * normal_round_off(steepest), words));
+  findings.expect("acceleration of a block on slopes, farthest from the reference", block.farthest, 0.0,
+                  Tolerance::round_off(30.0 * normal_round_off(steepest), words));
+  findings.expect("acceleration of a disc on slopes, reference against a rigid disc", disc.rigid, 0.0,
+                  Tolerance::model(slope_mass * slope_gravity / stiffness / slope_radius / 3.0,
+                                   "the arm r - d/2: n = 3 - 2 d/r moves 1 - 1/n by d/(3 r)"));
+  check_threshold(findings, setup, true, "disc");
+  check_threshold(findings, setup, false, "block");
+  if (setup.coarse) return;
+  check_first_slip(findings, setup);
+  findings.figure(slope_figure(disc, block));
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,347 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "solver/io/read_scene_file.hpp"
+#include "solver/io/scene/read_scene.hpp"
+#include "solver/run/history.hpp"
+#include "solver/run/simulate.hpp"
+#include "verification/check/case.hpp"
+#include "verification/reference/resting_contact.hpp"
+
+namespace talus::verification::problems {
+
+Case resting_contacts();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** A block slides to rest on rough ground; a disc that is at rest in an incline rolls down; a block at rest is
+nudged. Such contacts are stiff: they could oscillate 2,000 times while hardly anything moves. A method of located events
+must not follow these oscillations, and a body at rest must come to rest.
+
+```
+      ______  v_0                    ( )                 ______  v_0 small
+     |      | -->                      \  `.            |      | ->
+     |______|                            \   `.         |______|
+    ------------- x = v_0^2/(2 mu g)       \    `.     -------------
+```
+
+**Equations.** Both corners of the block slip with $F = \mu N$ until it stops at $T = v_0/(\mu g)$. Then its springs
+recover what friction had stretched, with $d = m g/(2 k)$ (two corners, each $k$ along the normal and $k_s$ along the
+ground; half sides $b$, $h$):
+
+$$x = \frac{v_0^2}{2 \mu g} + \mu d \left(1 - \frac{k}{k_s} - \frac{h^2}{b^2}\right).$$
+
+The disc rolls: $(1 + q)\,x = \frac{1}{2} g t^2 \sin\alpha + q s$, $q = I/(m r_a^2)$, with the arm $r_a = r - d/2$ of
+friction and the stretch $s = q m g \sin\alpha/((1 + q) k_s)$. The nudged block cannot turn and sticks: all of its kinetic
+energy, $\frac{1}{2} m v_0^2$, goes to the dashpot along the ground.
+
+**Evaluations.** A slide is one smooth motion: what it costs grows with the digits wanted, not with $k$. A body at rest
+costs nothing.
+
+| symbol | meaning | value |
+|:--|:--|:--|
+| block | mass, half sides, $v_0$, $\mu$ | 10 kg, 0.25 m, 3 m/s, 0.3 |
+| disc | mass, radius, $\alpha$, $\mu$ | 2 kg, 0.1 m, 20 degrees, 0.4 |
+| $k = k_s$ | stiffness | $10^6$ N/m |
+
+**Source.** Coulomb friction; the springs are derived in `verification/reference/resting_contact.hpp`. Implicit steps:
+Kennedy & Carpenter 2003. Scenes: `cases/sliding_block.toml`, `cases/rolling_disc.toml`, with the defaults of scenes.
+
+**What would break it.** Friction without a dashpot while it sticks (a block that cannot turn oscillates for ever, one that rocks until its normal dashpots stop it); a method
+that follows stiff springs explicitly; force that moves from corner to corner of a side; a scale of the error that is
+zero for a body at rest; the work of the tangential dashpot left out; friction work accumulated with the limit at the
+end of each step (0.045 % of the energy at 1e-6).
+)";
+
+constexpr double gravity = 9.81;
+constexpr reference::SlidingBlock block{10.0, 0.25, 0.25, 1e6, 1e6, 0.3, gravity, 3.0};
+constexpr reference::RollingDisc disc{2.0, 0.01, 0.1, 1e6, 1e6, gravity, std::numbers::pi / 9.0};
+constexpr double nudge = 1e-3;  ///< [m/s]: it stretches the springs to 15 % of the limit of friction
+
+Scene scene_of(const char* file, const Setup& setup) {
+  Scene scene = read_scene(std::filesystem::path{TALUS_CASES} / file);
+  Contact& contact = scene.model.contacts[0];
+  if (setup.has("no_shear_dashpot")) contact.friction->follows_normal = false;
+  if (setup.has("inertia_too_large")) scene.model.bodies[1].inertia *= 1.0 + 1e-5;
+  if (setup.has("friction_too_large")) contact.friction->coefficient *= 1.0 + 1e-6;
+  return scene;
+}
+
+/// The block at its height at rest, nudged; it cannot turn, so that nothing but friction stops it.
+Scene nudged_block(const Setup& setup) {
+  Scene scene = scene_of("sliding_block.toml", setup);
+  scene.model.bodies[1].mobility = Mobility::particle;
+  scene.model.bodies[1].inertia = 0.0;
+  scene.initial = rest_state(scene.model);
+  scene.initial.q[1] -= block.mass * gravity / (2.0 * block.normal_stiffness);
+  scene.initial.v[0] = nudge;
+  scene.plan.end = 1.0;
+  return scene;
+}
+
+struct Ended {
+  State state;
+  long evaluations{};
+  Accounts accounts;
+  double balance{};  ///< largest error of the energy balance [N m]
+  std::vector<double> time, speed;
+};
+
+/// The scene as `talus run` runs it.
+Ended ended(Scene scene, double tolerance, Findings& findings) {
+  scene.integrator = make_integrator("stormer_cowell", tolerance);
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics};
+  State state = scene.initial;
+  system.begin(state);
+  Recorder recorder{dynamics, state};
+  Ended found;
+  const Observer observer = [&](const State& seen, const StepInfo& info) {
+    recorder(seen, info);
+    if (!info.due) return;
+    found.time.push_back(seen.t);
+    found.speed.push_back(std::hypot(seen.v[0], seen.v[1]));
+  };
+  const Outcome outcome = simulate(system, scene.integrator, state, scene.plan, {&observer, 1});
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  if (!outcome) state.q.assign(state.q.size(), NAN);
+  found.state = state;
+  found.evaluations = system.evaluations();
+  found.accounts = recorder.accounts();
+  found.balance = recorder.ledger()->largest_energy_closure();
+  return found;
+}
+
+/// A system that does not say which springs act, so that all steps are explicit.
+struct ExplicitSystem : RigidBodySystem {
+  using RigidBodySystem::RigidBodySystem;
+  void linearization(const State&, AffinePiece&) = delete;
+};
+
+/// Evaluations of a scene by explicit steps alone; at most 20,000 are made.
+long explicit_evaluations(const Scene& scene, double tolerance, Findings& findings) {
+  const Dynamics dynamics{scene.model};
+  ExplicitSystem system{dynamics};
+  system.allow(20'000);
+  StormerCowell method;
+  method.tolerance = tolerance;
+  State state = scene.initial;
+  system.begin(state);
+  try {
+    method.start(system, state, scene.plan.step);
+    while (state.t < scene.plan.end && method.failure().empty())
+      method.step(system, state, scene.plan.step);
+  } catch (const TooManyEvaluations&) {
+    // More than a hundred times what is allowed.
+  }
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  return system.evaluations();
+}
+
+/// What scenes cost at several tolerances.
+struct Costs {
+  Series block{"block that slides to rest", {}, {}, Style::linespoints};
+  Series disc{"disc that rolls", {}, {}, Style::linespoints};
+};
+
+void sliding_block(Findings& findings, const Setup& setup, Costs& costs) {
+  const Scene scene = scene_of("sliding_block.toml", setup);
+  const double expected = reference::stopped_displacement(block);
+  for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
+    if (setup.coarse && tolerance != 1e-6 && tolerance != 1e-10) continue;
+    const bool explicitly = setup.has("explicit_steps");
+    if (explicitly && tolerance != 1e-6) continue;
+    const Ended found = explicitly ? Ended{} : ended(scene, tolerance, findings);
+    const long evaluations = explicitly ? explicit_evaluations(scene, tolerance, findings) : found.evaluations;
+    costs.block.x.push_back(tolerance);
+    costs.block.y.push_back(static_cast<double>(evaluations));
+    const std::string name = fmt::format("block, tolerance {:.0e}: ", tolerance);
+    findings.expect_between(
+        name + "evaluations", static_cast<double>(evaluations), 100.0, 300.0 * (-std::log10(tolerance) - 3.0),
+        "a step of order 4 at 1e-6 spans the slide in tens of steps of five stages, and the start and the stop are "
+        "transients of some 15 periods; each decimal adds a fixed number: 300 a decimal beyond three");
+    if (explicitly) continue;
+    findings.expect(name + "displacement", found.state.q[0], expected,
+                    Tolerance::truncation(0.1 * tolerance, 3.0,
+                                          "a tenth of the tolerance times the displacement is what is measured at 1e-6 "
+                                          "and 1e-10"),
+                    "m");
+    findings.expect(
+        name + "speed at rest", std::hypot(found.state.v[0], found.state.v[1]), 0.0,
+        Tolerance::truncation(0.3 * tolerance * block.speed, 1.0,
+                              "errors of the method are relative to the largest speed, 3 m/s; a third is seen"),
+        "m/s");
+    findings.expect(name + "largest error of the energy balance", found.balance, 0.0,
+                    Tolerance::truncation(4.0 * tolerance * 0.5 * block.mass * block.speed * block.speed, 3.0,
+                                          "speeds err by the tolerance at every step; the work of friction is the "
+                                          "integral of its power; four times the tolerance is what is measured"),
+                    "N m");
+  }
+  if (setup.coarse) return;
+  Scene longer = scene;
+  longer.plan.end *= 10.0;
+  const Ended rested = ended(longer, 1e-6, findings);
+  findings.expect_between("block: evaluations of 18 s at rest",
+                          static_cast<double>(rested.evaluations) - costs.block.y.front(), 0.0, 100.0,
+                          "steps that grow five times each pass any time in a few, six evaluations each");
+}
+
+void rolling_disc(Findings& findings, const Setup& setup, Costs& costs) {
+  const Scene scene = scene_of("rolling_disc.toml", setup);
+  const double cosine = std::cos(disc.angle), sine = std::sin(disc.angle), end = scene.plan.end;
+  for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
+    if (setup.coarse && tolerance != 1e-8) continue;
+    const Ended found = ended(scene, tolerance, findings);
+    costs.disc.x.push_back(tolerance);
+    costs.disc.y.push_back(static_cast<double>(found.evaluations));
+    const std::string name = fmt::format("disc, tolerance {:.0e}: ", tolerance);
+    const double along =
+        (found.state.q[0] - scene.initial.q[0]) * cosine - (found.state.q[1] - scene.initial.q[1]) * sine;
+    const std::string why =
+        "the disc starts 0.3 and not 18 micrometres in the incline: the arm of friction is longer by half of that "
+        "during the oscillation of 5 ms, 9e-5 of the arm for 0.5 % of the time";
+    findings.expect(name + "displacement", along, reference::rolled_displacement(disc, end),
+                    Tolerance::model(9e-5 * 5e-3 / 10.0, why), "m");
+    findings.expect(name + "spin", found.state.v[2], -reference::rolled_spin(disc, end),
+                    Tolerance::model(9e-5 * 5e-3 / 10.0, why).relative(), "rad/s");
+    findings.expect_between(name + "evaluations", static_cast<double>(found.evaluations), 100.0,
+                            300.0 * (-std::log10(tolerance) - 3.0), "as for the block");
+  }
+}
+
+void nudged(Findings& findings, const Setup& setup) {
+  const Ended found = ended(nudged_block(setup), 1e-10, findings);
+  const double energy = 0.5 * block.mass * nudge * nudge;
+  const double friction = found.accounts.lost[static_cast<std::size_t>(Mechanism::friction)];
+  findings.expect("nudged block: friction work over its kinetic energy", friction / energy, 1.0,
+                  Tolerance::truncation(1e-10, 1.0,
+                                        "the power of the dashpot is integrated to the tolerance, 1e-10, over "
+                                        "some 10 periods"));
+  findings.expect("nudged block: speed at rest", std::hypot(found.state.v[0], found.state.v[1]), 0.0,
+                  Tolerance::truncation(1e-10 * nudge, 3.0, "errors of the method are relative to the largest speed"),
+                  "m/s");
+}
+
+/// A disc that spins and bounces, with a dashpot along the ground so strong that it carries most of the friction: its
+/// spring goes beyond the limit while the dashpot pulls back.
+void strong_dashpot(Findings& findings) {
+  const Scene scene = read_scene(R"(
+title = "Disc with a strong dashpot along the ground"
+units = "SI"
+[[body]]
+name = "disc"
+mobility = "free"
+mass = "10 kg"
+inertia = "1.25 kg m^2"
+shape = { kind = "circle", radius = "0.5 m" }
+position = ["0 m", "0.51 m"]
+velocity = ["0 m/s", "-2 m/s"]
+spin = "2 rad/s"
+[[body]]
+name = "ground"
+mobility = "fixed"
+shape = { kind = "half_plane" }
+position = ["0 m", "0 m"]
+[[contact]]
+name = "impact"
+between = ["disc", "ground"]
+law = "linear_spring_dashpot"
+stiffness = "200 kN/m"
+restitution = 0.6
+friction = 1.0
+shear_damping = "30000 N s/m"
+[run]
+end = "0.2 s"
+)",
+                                 "strong_dashpot");
+  const double energy = 0.5 * 10.0 * 2.0 * 2.0 + 0.5 * 1.25 * 2.0 * 2.0;
+  const Ended found = ended(scene, 1e-10, findings);
+  findings.expect(
+      "strong dashpot: error of the energy balance at the end", found.accounts.energy_closure / energy, 0.0,
+      Tolerance::truncation(1e-10, 1.0, "the powers are integrated to the tolerance, 1e-10, in some 100 steps"));
+  const double lost = found.accounts.lost[static_cast<std::size_t>(Mechanism::friction)];
+  findings.expect_between("strong dashpot: friction work over the energy of the start", lost / energy, 0.0, 0.3,
+                          "friction takes no more than the energy of the spin and what it gives the centre");
+}
+
+/// Speed of the block with and without the dashpot of friction.
+void draw_speeds(Findings& findings, const Setup& setup) {
+  Scene scene = scene_of("sliding_block.toml", setup);
+  scene.plan.interval = scene.plan.step;
+  const auto curve = [&](const char* label) {
+    const Ended found = ended(scene, 1e-10, findings);
+    Series series{label, {}, {}, Style::lines};
+    for (std::size_t i = 0; i < found.time.size(); ++i) {
+      if (found.time[i] < 1.015 || found.time[i] > 1.1) continue;
+      series.x.push_back(found.time[i]);
+      series.y.push_back(std::max(found.speed[i], 1e-12));
+    }
+    return series;
+  };
+  const Series damped = curve("with a tangential dashpot");
+  scene.model.contacts[0].friction->follows_normal = false;
+  const Series undamped = curve("without");
+  findings.figure({.name = "rest",
+                   .title = "Speed of the block when it stops",
+                   .caption = "The block stops at 1.0194 s and its springs recover. Without a dashpot along the ground "
+                              "only its rocking is damped.",
+                   .x = {.label = "time", .unit = "s"},
+                   .y = {.label = "speed of the centre", .unit = "m/s", .log = true},
+                   .series = {damped, undamped},
+                   .lines = {{'x', reference::stopping_time(block), "stop"}}});
+}
+
+void run(Findings& findings, const Setup& setup) {
+  Costs costs;
+  if (setup.concerns({"friction_too_large", "explicit_steps"})) sliding_block(findings, setup, costs);
+  if (setup.concerns({"inertia_too_large"})) rolling_disc(findings, setup, costs);
+  if (setup.concerns({"no_shear_dashpot"})) nudged(findings, setup);
+  if (setup.fault.empty()) strong_dashpot(findings);
+  if (setup.coarse) return;
+  draw_speeds(findings, setup);
+  findings.figure({.name = "cost",
+                   .title = "Force evaluations",
+                   .caption = "Force evaluations of the whole run against the tolerance. Explicit steps alone take "
+                              "1.6 million for the block at 1e-6.",
+                   .x = {.label = "tolerance", .log = true},
+                   .y = {.label = "force evaluations", .log = true, .min = 100.0, .max = 1e4},
+                   .series = {costs.block, costs.disc}});
+}
+
+}  // namespace
+
+Case resting_contacts() {
+  return {.id = "resting_contacts",
+          .title = "Sliding to rest and resting contacts",
+          .family = "C: friction and rotation",
+          .requirements = {{"Eq. 18", {"block, tolerance 1e-10: displacement"}},
+                           {"integrator.stormer_cowell", {"block, tolerance 1e-10: evaluations"}},
+                           {"mechanism.friction", {"nudged block: friction work"}},
+                           {"regime.friction.sticking", {"disc, tolerance 1e-08: displacement", "nudged block"}},
+                           {"regime.friction.slipping_forward", {"block, tolerance 1e-10: displacement"}},
+                           {"pair.rectangle.half_plane", {"block, tolerance 1e-10: displacement"}},
+                           {"pair.circle.half_plane", {"disc, tolerance 1e-08: spin"}}},
+          .main_checks = {"block, tolerance 1e-10: displacement", "block, tolerance 1e-06: evaluations",
+                          "block, tolerance 1e-10: speed at rest", "disc, tolerance 1e-08: displacement",
+                          "nudged block: friction work over its kinetic energy"},
+          .source = "Kennedy & Carpenter 2003 (implicit steps); the springs of bodies at rest are derived here",
+          .page = page,
+          .faults = {{"friction_too_large", "a coefficient of friction that is too large by 1e-6",
+                      "block, tolerance 1e-10: displacement"},
+                     {"inertia_too_large", "an inertia of the disc that is too large by 1e-5",
+                      "disc, tolerance 1e-08: spin"},
+                     {"explicit_steps", "a system that does not say which springs act",
+                      "block, tolerance 1e-06: evaluations"},
+                     {"no_shear_dashpot", "friction without a dashpot while it sticks", "nudged block: speed at rest"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,212 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/model/model_builder.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/scene.hpp"
+#include "verification/check/case.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/reference/oblique_impact.hpp"
+#include "verification/study/oblique_runs.hpp"
+
+namespace talus::verification::problems {
+
+Case spinning_discs();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Two discs of unlike size meet head-on; the first one spins. Friction carries spin across, and throws both
+discs aside. Two equal discs with opposite spins roll on each other: nothing slips.
+
+```
+      w1
+     ( 1 )-->   (2)         ( 1 )^         v(2)
+```
+
+**Equations.** With the impulse $J$ of friction, each disc gains the speed $J/m_i$ along the touching surfaces, one up
+and one down, and $r_i\omega_i$ changes by $2J/m_i$, with the same sign for both. The slip rate
+$v = r_1\omega_1 + r_2\omega_2 + \dots$ changes three times as fast as without spin,
+$$\dot v = -3F\,(1/m_1 + 1/m_2) = -3F/m,$$
+so that the impact is that of one disc of the reduced mass $m$ on a plane: stick and slip in closed form, phase by
+phase, in the reference `oblique_impact`.
+
+**Source.** Chung & Ooi 2011, tests 7 and 8, and LAMMPS's test of head-on spins without slip, both for spheres;
+here discs, 3 for 7/2.
+
+| symbol | meaning | value |
+|:--|:-----------|:--|
+| $m_1$, $m_2$ | masses | 1, 1/4 |
+| $r_1 : r_2$ | radii | 2 : 1 |
+| $\mu$, $k_s/k_n$ | friction | .3, 2/7 |
+
+**What would break it.** Friction on one of the discs only, or at its centre; a reduced mass without the spins; a spin
+counted with the wrong sign at the second disc.
+)";
+
+constexpr double first_mass = 1.0, second_mass = 0.25;
+constexpr double reduced_mass = first_mass * second_mass / (first_mass + second_mass);
+constexpr double kappa = 2.0 / 7.0, mu = oblique_friction;
+constexpr double first_radius = oblique_radius, second_radius = 0.5 * oblique_radius;
+
+/// Two discs that touch at the origin at t = 0, the first moving to the right at unit speed. Spins as speeds of the
+/// rim.
+Scene met_discs(double second, double second_r, double first_rim, double second_rim, const Setup& setup) {
+  ModelBuilder builder;
+  const auto disc = [&](const char* name, double mass, double radius, double x) {
+    return builder.add(Body{.name = name,
+                            .mass = mass,
+                            .inertia = 0.5 * mass * radius * radius,
+                            .shape = Circle{radius},
+                            .p_WB = {x, 0.0}});
+  };
+  const BodyId a = disc("first", first_mass, first_radius, -first_radius);
+  const BodyId b = disc("second", second, second_r, second_r);
+  builder.add(Contact{.name = "impact",
+                      .a = a,
+                      .b = b,
+                      .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
+                      .friction = CoulombFriction{setup.has("friction_halved") ? 0.5 * mu : mu, kappa}});
+  Scene scene;
+  scene.model = builder.build();
+  scene.initial = rest_state(scene.model);
+  const double sense = setup.has("second_spin_reversed") ? -1.0 : 1.0;
+  set_velocity(scene.model, scene.initial, a, {1.0, 0.0}, first_rim / first_radius);
+  set_velocity(scene.model, scene.initial, b, {0.0, 0.0}, sense * second_rim / second_r);
+  return scene;
+}
+
+reference::ObliqueImpact equivalent(double slip_rate) {
+  return {.normal = {1.0, 0.0, reduced_mass, 1.0},
+          .tangential_stiffness = kappa,
+          .friction = mu,
+          .mobility = 3.0,
+          .slip_rate = slip_rate};
+}
+
+State end_of(const Scene& scene, double contact_time, double step, std::size_t phase, Findings& findings) {
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics};
+  State state = scene.initial;
+  go_back(state, even_phases(fewest_phases)[phase] * step);
+  Integrator verlet = VelocityVerlet{};
+  const double steps = std::ceil(1.2 * contact_time / step) + 2.0;
+  if (!simulate(system, verlet, state, {step, step * steps, 1e9, false})) state.v[0] = std::nan("");
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  return state;
+}
+
+/// The slip rate, positive as at the touch: the first rim goes up past the second.
+double slip_rate(const State& end) { return end.v[1] + first_radius * end.v[2] - end.v[4] + second_radius * end.v[5]; }
+
+const double contact_time = std::numbers::pi * std::sqrt(reduced_mass);
+
+struct Met {
+  double mean{};
+  double error{};   ///< of the slip rate, root mean square over the phases
+  double shares{};  ///< farthest of what the discs' spins and speeds gain from what J gives, over J/m_i
+};
+
+Met meet(double ratio, double count, const Setup& setup, Findings& findings) {
+  const double before = ratio * mu / kappa;
+  const reference::ObliqueRebound exact = reference::rebound(equivalent(before), reference::EndRule::clamped);
+  const Scene scene = met_discs(second_mass, second_radius, 0.75 * before, 0.25 * before, setup);
+  Met met;
+  for (std::size_t phase = 0; phase < fewest_phases; ++phase) {
+    const State end = end_of(scene, contact_time, offset_step(contact_time, count, phase), phase, findings);
+    const double found = slip_rate(end), error = found - exact.slip_rate;
+    met.mean += found / static_cast<double>(fewest_phases);
+    met.error += error * error / static_cast<double>(fewest_phases);
+    const double first = first_mass * end.v[1], second = second_mass * end.v[4];
+    const double turned_first = 0.5 * first_mass * first_radius * (scene.initial.v[2] - end.v[2]);
+    const double turned_second = 0.5 * second_mass * second_radius * (scene.initial.v[5] - end.v[5]);
+    for (const double other : {-first, turned_first, turned_second})
+      met.shares = std::max(met.shares, std::abs(other / second - 1.0));
+  }
+  met.error = std::sqrt(met.error);
+  return met;
+}
+
+void check_unlike(Findings& findings, const Setup& setup) {
+  Table table{.name = "spins",
+              .caption =
+                  "Slip rate after the impact of unlike discs over that before: exact and solver (velocity Verlet, "
+                  "100 steps in a contact, mean of 64 phases). The unit of $v$ is $\\mu v_n k_n/k_s$.",
+              .columns = {"v", "exact", "solver", "rms error over v_n"},
+              .rows = {}};
+  double farthest = 0.0, shares = 0.0;
+  for (const double ratio : {0.25, 0.75, 1.5, 2.5, 4.0}) {
+    const Met met = meet(ratio, 100.0, setup, findings);
+    farthest = std::max(farthest, met.error), shares = std::max(shares, met.shares);
+    const double before = ratio * mu / kappa;
+    const double exact = reference::rebound(equivalent(before), reference::EndRule::clamped).slip_rate;
+    table.rows.push_back({fmt::format("{:g}", ratio), fmt::format("{:.5f}", exact / before),
+                          fmt::format("{:.5f}", met.mean / before), fmt::format("{:.1e}", met.error)});
+  }
+  const double h = std::numbers::pi / 100.0;
+  findings.expect(
+      "rms error of the slip rate of unlike discs, largest of 5 spins", farthest, 0.0,
+      Tolerance::truncation(0.054 * h * h, 1.2, "measured constant .054 (w h)^2, and a fifth for other phases"));
+  findings.expect("speeds and spins of both discs from one impulse, farthest", shares, 0.0,
+                  Tolerance::model(0.5 * std::sqrt(reduced_mass) * (1.0 / first_radius + 1.0 / second_radius),
+                                   "friction acts half-way through the overlap, at r - d/2 of each disc; d is at most "
+                                   "that of the undamped impact"));
+  Convergence convergence;
+  for (const double count : {50.0, 100.0, 200.0, 400.0})
+    convergence.add(std::numbers::pi / count, meet(0.75, count, setup, findings).error);
+  findings.expect_order("order of the slip rate of unlike discs", convergence, 1.85, 2.35,
+                        "second order: stick and slip follow one another within the contact, and their ends are kinks");
+  if (!setup.coarse) findings.table(table);
+}
+
+void check_rolling(Findings& findings, const Setup& setup) {
+  const Scene scene = met_discs(first_mass, first_radius, 2.0, -2.0, setup);
+  const double time = std::numbers::pi * std::sqrt(0.5);
+  const State end = end_of(scene, time, offset_step(time, 100.0, 5), 5, findings);
+  const double changed = std::max({std::abs(end.v[1]), std::abs(end.v[4]), std::abs(end.v[2] - scene.initial.v[2]),
+                                   std::abs(end.v[5] - scene.initial.v[5])});
+  findings.expect("what opposite spins of equal discs change", changed, 0.0,
+                  Tolerance::round_off(8.0 * 2.2e-16,
+                                       "rim speeds of 2, each a rounded product: slip of 2 eps times 2 for "
+                                       "the 2.2 of the contact, at k_s = 2/7, on each of the masses"));
+  findings.expect(
+      "speed that the struck one of equal discs takes over", end.v[3], 1.0,
+      Tolerance::truncation(0.06 * std::pow(std::numbers::pi / 100.0, 2), 1.2,
+                            "undamped leapfrog contact: |e - 1| up to .12 (w h)^2, half of it for each disc"));
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_unlike(findings, setup);
+  check_rolling(findings, setup);
+}
+
+}  // namespace
+
+Case spinning_discs() {
+  return {.id = "spinning_discs",
+          .title = "Discs that meet spinning",
+          .requirements = {{"C6", {"slip rate of unlike discs"}},
+                           {"Eq. 18", {"slip rate of unlike discs", "opposite spins"}},
+                           {"law.linear_spring_dashpot", {"slip rate of unlike discs"}},
+                           {"shape.circle", {"unlike discs", "equal discs"}},
+                           {"pair.circle.circle", {"unlike discs", "equal discs"}},
+                           {"integrator.velocity_verlet", {"order of the slip rate"}}},
+          .main_checks = {"rms error of the slip rate of unlike discs, largest of 5 spins",
+                          "speeds and spins of both discs from one impulse, farthest",
+                          "order of the slip rate of unlike discs", "what opposite spins of equal discs change"},
+          .source = "Chung & Ooi 2011, tests 7 and 8 (for spheres)",
+          .page = page,
+          .faults = {{"friction_halved", "half the coefficient of friction",
+                      "rms error of the slip rate of unlike discs, largest of 5 spins"},
+                     {"second_spin_reversed", "the second spin with the wrong sign",
+                      "what opposite spins of equal discs change"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/problems/many_bodies/dense_runs.hpp"
+
+namespace talus::verification::problems {
+
+Case dense_flow();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Discs of unlike size without friction, packed as densely as they still flow, are sheared slowly without walls.
+Their resistance is not nought: what is it, over the pressure?
+
+**Equations.** By dimensions, stiff discs at the solid fraction $\phi$ have $p = \dot\gamma^2\rho\,d^2 f(\phi)$; turned
+round, $\mu = S/p$ and $\phi$ are functions of the inertial number
+$$I = \dot\gamma\,d\sqrt{\rho/p}, \qquad \rho = \frac{4m}{\pi d^2},$$
+and of the discs' softness $p/K_1$ if it is not small. $S = -P_{xy}$ and $p$ are those of the virial, motion and contacts.
+Here $\phi$ is given and $I$ is measured.
+
+**What is expected.** However slow the flow is, friction stays, as contacts stand against the shear, and grows as a
+power of $I$ (Peyneau & Roux 2008, of beads). For $I = .003$ and sizes within 20 % an
+independent code's runs gave .10 to .13. Equal discs would order themselves, and slip along their rows.
+
+| symbol | meaning | value |
+|:--|:-----|:------|
+| $N$ | discs; diameters $d(1 \mp .2)$, masses as areas | 200 (full tier 600) |
+| $e$ | latching spring, $K_1/K_2 = e^2$ | .7 |
+| $\dot\gamma$ | shear rate | $10^{-4}\sqrt{K_1/m}$ |
+| $h$ | step, leapfrog | a tenth of a contact of the middle size |
+| strain | to forget the start; measured | 1; 4 (full tier 7) |
+
+**Source.** The numbers $\mu$ and $I$: da Cruz et al. 2005.
+
+**What would break it.** Memory of contacts lost when the list is made anew; images of the sliding box that push with another
+velocity; a contact counted once in a while only; pressure without one of its parts.
+)";
+
+void draw(Findings& findings, const std::vector<DenseFlow>& all) {
+  Table table{.name = "flow",
+              .caption =
+                  "Friction, with its standard error from ten blocks, at the inertial number that the solid "
+                  "fraction gives; softness $p/K_1$; contacts of a disc; mean overlap of a contact over $d$.",
+              .columns = {"phi", "I", "mu", "error", "p/K1", "contacts", "overlap"},
+              .rows = {}};
+  Series points{"discs", {}, {}, Style::errorbars};
+  for (const DenseFlow& flow : all) {
+    const auto [mu, error] = flow.friction;
+    table.rows.push_back({fmt::format("{:.3f}", flow.fraction), fmt::format("{:.4f}", flow.inertial.value),
+                          fmt::format("{:.4f}", mu), fmt::format("{:.4f}", error),
+                          fmt::format("{:.1e}", flow.pressure.value), fmt::format("{:.2f}", flow.coordination),
+                          fmt::format("{:.1e}", flow.overlap)});
+    points.x.push_back(flow.inertial.value), points.y.push_back(mu);
+    points.y_low.push_back(mu - 3.0 * error), points.y_high.push_back(mu + 3.0 * error);
+  }
+  findings.table(table);
+  findings.figure({.name = "friction",
+                   .title = "Friction of discs without friction",
+                   .caption =
+                       "$\\mu$ against the inertial number; bars: three standard errors; lines: the range expected "
+                       "at I = .003.",
+                   .x = {.label = "I", .log = true},
+                   .y = {.label = "mu", .min = 0.0},
+                   .series = {points},
+                   .lines = {{'y', 0.10, ""}, {'y', 0.13, ""}}});
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const bool full = setup.tier == Tier::full && !setup.coarse;
+  const std::vector<double> fractions = setup.coarse ? std::vector<double>{0.843}
+                                        : full       ? std::vector<double>{0.76, 0.80, 0.82, 0.83, 0.843}
+                                                     : std::vector<double>{0.80, 0.83, 0.843};
+  DensePlan plan{.shear_rate = 1e-4, .discs = full ? std::size_t{600} : std::size_t{200}};
+  plan.strain = full ? 7.0 : setup.coarse ? 2.5 : 4.0;
+  if (setup.has("equal_discs")) plan.spread = 0.0;
+  plan.still_box = setup.has("still_box"), plan.motion_alone = setup.has("motion_alone");
+  std::vector<DenseFlow> all;
+  for (const double fraction : fractions) {
+    plan.fraction = fraction;
+    all.push_back(run_dense(plan));
+    findings.count(all.back().steps);
+  }
+  const DenseFlow& slow = all.back();
+  const double twice = 2.0 * slow.friction.error;
+  findings.expect_between(
+      "friction at the slowest flow", slow.friction.value, 0.10 - twice, 0.13 + twice,
+      fmt::format("what an independent code's runs gave at I = .003, .10 to .13, and two standard errors "
+                  "of {:.4f} beyond",
+                  slow.friction.error));
+  findings.expect_between("inertial number of the slowest flow", slow.inertial.value, 0.0025, 0.0040,
+                          "so that the friction is that of I about .003");
+  if (!setup.coarse) draw(findings, all);
+}
+
+}  // namespace
+
+Case dense_flow() {
+  return {.id = "dense_flow",
+          .title = "A dense flow of discs of unlike size",
+          .requirements = {{"F7", {"friction at the slowest flow", "inertial number"}}},
+          .main_checks = {"friction at the slowest flow", "inertial number of the slowest flow"},
+          .source = "da Cruz et al. 2005; Peyneau & Roux 2008",
+          .page = page,
+          .faults = {{"equal_discs", "discs of one size, which order themselves", "friction at the slowest flow"},
+                     {"still_box", "images that do not slide", "inertial number of the slowest flow"},
+                     {"motion_alone", "stress by the motion alone", "inertial number of the slowest flow"}},
+          .tier = Tier::quick,
+          .time_limit = 600.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,392 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/problems/many_bodies/dense_runs.hpp"
+#include "verification/reference/power_fit.hpp"
+
+namespace talus::verification::problems {
+
+Case dense_rheology();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Discs of unlike size flow at a kept volume, without walls, from fast to very slow. How does their friction
+$\mu = S/p$ go with the inertial number $I$, how the solid fraction $\phi$, and what is left of friction when the flow is
+infinitely slow: without friction between discs, and with it?
+
+**Equations.** Stiff discs have no time of their own but that of the shear: at each $\phi$, $p/\dot\gamma^2$ and $\mu$ are
+numbers, whatever the stiffness, and so
+$$I = \dot\gamma\,d\sqrt{\rho/p}, \qquad \rho = \frac{4m}{\pi d^2}$$
+is one, too; turned round, $\mu(I)$ and $\phi(I)$. ($\dot\gamma\sqrt{m/p}$ of other authors is $.886\,I$.)
+Measured are $\mu$ and $I$ at given $\phi$.
+
+**What is expected.** What could be read of published runs with round grains, each in its abstract:
+
+| who | what ran | what is said |
+|:--|:-----|:-----|
+| Clark et al. 2017 | no friction, in two and in three dimensions, simple shear at small $I$ | no packing of many bears more than $S/p \approx .11$ |
+| Vagberg et al. 2015 | discs of two sizes without friction, soft, at kept volume | $p/\dot\gamma^2 \propto (\phi_J-\phi)^{-\beta}$, $\beta = 5.0 \pm .4$, with a correction |
+| Peyneau & Roux 2008 | beads without friction | $\mu$ and volume grow as powers of $I$ |
+| DeGiuli et al. 2015 | spheres, with friction | $\mu(I)-\mu(0) \propto I^{1-2b}$, $b \approx .2$, from $I = 10^{-2.5}$ on, where friction slides |
+
+The first gives $\mu \to .11$ for smooth discs, and the second $\phi_J - \phi \propto I^{2/\beta}$, $2/\beta = .40 \pm .03$.
+Of rough discs in two dimensions no number could be read; they must resist more, and be looser, than smooth ones.
+
+| symbol | meaning | value |
+|:--|:-----|:------|
+| $N$ | discs; diameters $d(1 \mp .2)$, masses as areas | 200 (full tier: 400 without friction) |
+| $e$ | latching spring, $K_1/K_2 = e^2$ | .7 |
+| $\mu_p$, $k_s$ | friction between discs, its spring | 0; .5, $K_1/2$ |
+| $\dot\gamma$ | shear rate, slower where it is denser | $4\cdot10^{-5}$ to $2\cdot10^{-3} \sqrt{K_1/m}$ |
+| $h$ | step, leapfrog | a tenth of a contact of the middle size |
+| strain | to forget the start; measured, in ten blocks | 1; 3 |
+| starts | packings, each of its own seed | 2 (full tier 3) |
+
+Errors are standard errors, the larger of what blocks and what starts tell. Discs go by the fast system, whose
+stress is compared with that of the plain one to the last bit.
+
+**Source.** $\mu$ and $I$: da Cruz et al. 2005; expectations: the works of the table.
+
+**What would break it.** Images of the sliding box that push with another velocity; contacts that forget; soft discs, whose
+$p/K_1$ is one more number; friction that does not act, or acts on discs that do not turn.
+)";
+
+struct Step {
+  double fraction, shear_rate;
+};
+
+/// What is run. Discs of `smooth` and of its stiffer twin are as many.
+struct Plan {
+  DensePlan smooth_base, rough_base;
+  std::vector<Step> smooth, rough;
+  Step stiffer;  ///< one of `smooth`
+};
+
+Plan plan_of(const Setup& setup) {
+  const bool full = setup.tier == Tier::full && !setup.coarse;
+  Plan plan;
+  DensePlan& base = plan.smooth_base;
+  base.discs = full ? 400 : 200;
+  base.starts = setup.coarse ? 1 : full ? 3 : 2;
+  base.strain = setup.coarse ? 2.0 : 3.0;
+  base.still_box = setup.has("still_box");
+  plan.rough_base = base;
+  plan.rough_base.discs = 200;
+  plan.rough_base.friction = setup.has("smooth_discs") ? 0.0 : 0.5;
+  if (setup.coarse) {
+    plan.smooth = {{0.75, 2e-3}, {0.80, 6e-4}, {0.82, 4e-4}};
+    plan.rough = {{0.77, 1e-3}};
+  } else if (full) {
+    plan.smooth = {{0.76, 1e-3},    {0.78, 1e-3}, {0.80, 6e-4},  {0.81, 4e-4},  {0.82, 2.5e-4},
+                   {0.825, 1.5e-4}, {0.83, 1e-4}, {0.835, 5e-5}, {0.8375, 4e-5}};
+    plan.rough = {{0.70, 2e-3}, {0.75, 1e-3}, {0.77, 5e-4}, {0.785, 2.5e-4}, {0.795, 1.2e-4}, {0.80, 1e-4}};
+  } else {
+    plan.smooth = {{0.78, 1e-3}, {0.80, 6e-4}, {0.82, 2.5e-4}, {0.83, 1.5e-4}, {0.8425, 1e-4}};
+    plan.rough = {{0.75, 1e-3}, {0.785, 4e-4}};
+  }
+  plan.stiffer = full ? plan.smooth[4] : plan.smooth[1];
+  return plan;
+}
+
+std::vector<DenseFlow> run_all(DensePlan base, const std::vector<Step>& steps, Findings& findings) {
+  std::vector<DenseFlow> all;
+  for (const Step& step : steps) {
+    base.fraction = step.fraction, base.shear_rate = step.shear_rate;
+    all.push_back(run_dense(base));
+    findings.count(all.back().steps);
+  }
+  return all;
+}
+
+double over_error(double difference, double error_a, double error_b) {
+  return difference / std::hypot(error_a, error_b);
+}
+
+/// What must hold of any mu(I), phi(I): as phi is given, I falls where phi falls with I.
+void check_slopes(Findings& findings, const std::vector<DenseFlow>& flows) {
+  double least_rise = 1e9, least_fall = 1e9;
+  for (std::size_t i = 1; i < flows.size(); ++i) {
+    const DenseFlow &loose = flows[i - 1], &dense = flows[i];
+    least_rise = std::min(least_rise, over_error(loose.friction.value - dense.friction.value, loose.friction.error,
+                                                 dense.friction.error));
+    least_fall = std::min(least_fall, over_error(loose.inertial.value - dense.inertial.value, loose.inertial.error,
+                                                 dense.inertial.error));
+  }
+  findings.expect_between("friction grows with the inertial number, least step over its error", least_rise, 3.0, 100.0,
+                          "three standard errors between any two neighbours; above 100 errors would be too small for "
+                          "flows of this length");
+  findings.expect_between("solid fraction falls with the inertial number, least step over its error", least_fall, 3.0,
+                          100.0, "as for friction: each denser flow has a smaller I by three standard errors");
+}
+
+/// Stiffer discs: only p/K1 changes.
+void check_stiffness(Findings& findings, const Plan& plan, const std::vector<DenseFlow>& flows, const Setup& setup) {
+  const auto known = std::find_if(flows.begin(), flows.end(),
+                                  [&](const DenseFlow& flow) { return flow.fraction == plan.stiffer.fraction; });
+  // The rate in units of the discs' own sqrt(K1/m): half of it is four times the stiffness.
+  const double rate = plan.stiffer.shear_rate * (setup.has("soft_discs") ? 16.0 : 0.5);
+  const DenseFlow other = run_all(plan.smooth_base, {{plan.stiffer.fraction, rate}}, findings).front();
+  const double error = std::hypot(known->inertial.error, other.inertial.error);
+  findings.expect("inertial number of discs four times as stiff", other.inertial.value, known->inertial.value,
+                  Tolerance::model(3.0 * error,
+                                   "three standard errors of the difference; overlaps of 3e-4 d "
+                                   "or less shift phi by 5e-4 and I by some 2e-3"));
+  findings.expect("friction of discs four times as stiff", other.friction.value, known->friction.value,
+                  Tolerance::model(3.0 * std::hypot(known->friction.error, other.friction.error),
+                                   "three standard errors of the difference"));
+}
+
+/// The densest smooth flow that is still faster than this one: its friction is not below that at the same I, and its
+/// solid fraction not above.
+const DenseFlow& faster(const std::vector<DenseFlow>& smooth, double inertial) {
+  const DenseFlow* found = &smooth.front();
+  for (const DenseFlow& flow : smooth)
+    if (flow.inertial.value >= inertial) found = &flow;
+  return *found;
+}
+
+void check_rough(Findings& findings, const std::vector<DenseFlow>& smooth, const std::vector<DenseFlow>& rough) {
+  std::vector<double> excess, loss;
+  for (const DenseFlow& flow : rough) {
+    const DenseFlow& beside = faster(smooth, flow.inertial.value);
+    if (beside.inertial.value < flow.inertial.value) continue;  // faster than all smooth ones
+    excess.push_back(
+        over_error(flow.friction.value - beside.friction.value, flow.friction.error, beside.friction.error));
+    loss.push_back(beside.fraction - flow.fraction);
+  }
+  const auto least = [](const std::vector<double>& all) {
+    return all.empty() ? 0.0 : *std::min_element(all.begin(), all.end());
+  };
+  findings.expect_between("rough discs resist more, excess over its error", least(excess), 3.0, 100.0,
+                          "three standard errors above the next faster smooth flow, whose friction is above that of "
+                          "smooth discs at the same I");
+  findings.expect_between("rough discs are looser at the same inertial number", least(loss), 0.005, 0.1,
+                          "the next faster smooth flow is looser than smooth discs at the same I, and still denser; "
+                          "solid fractions are chosen in steps of .005");
+}
+
+using Points = std::vector<reference::FitPoint>;
+
+Points frictions(const std::vector<DenseFlow>& flows) {
+  constexpr double fastest = 0.25;  // beyond, mu bends: discs meet and part
+  Points points;
+  for (const auto& flow : flows) {
+    if (flow.inertial.value < fastest)
+      points.push_back({flow.inertial.value, flow.inertial.error, flow.friction.value, flow.friction.error});
+  }
+  return points;
+}
+
+/// phi is given; but discs that overlap act as somewhat smaller ones, which shifts it by no more than what is taken as
+/// its error here.
+Points fractions(const std::vector<DenseFlow>& flows) {
+  constexpr double fastest = 0.15;  // where one correction to the published power is enough
+  Points points;
+  for (const auto& flow : flows) {
+    if (flow.inertial.value < fastest)
+      points.push_back({flow.inertial.value, flow.inertial.error, flow.fraction, 2.0 * flow.fraction * flow.overlap});
+  }
+  return points;
+}
+
+constexpr double fraction_power = 0.4;        ///< 2/beta of Vagberg et al.
+constexpr double rough_friction_power = 0.6;  ///< 1 - 2 b of DeGiuli et al., of spheres
+
+void check_slow_friction(Findings& findings, const std::vector<DenseFlow>& smooth) {
+  const auto fit = reference::fit_power(frictions(smooth));
+  findings.expect("friction of an infinitely slow flow", fit.limit, 0.11,
+                  Tolerance::model(0.005 + 2.0 * fit.limit_error,
+                                   fmt::format("half a unit of the last printed digit of .11, and two standard errors "
+                                               "of {:.4f} of the fit's limit",
+                                               fit.limit_error)));
+  findings.note(
+      fmt::format("Smooth discs slower than $I = .25$: $\\mu = {:.3f} + {:.3f}\\,I^{{{:.2f}}}$; limit {:.3f} "
+                  "$\\pm$ {:.3f}, power {:.2f} $\\pm$ {:.2f}.",
+                  fit.limit, fit.factor, fit.power, fit.limit, fit.limit_error, fit.power, fit.power_error));
+}
+
+/// Too few points are slow enough for a power of their own.
+void check_slow_rough_friction(Findings& findings, const std::vector<DenseFlow>& smooth,
+                               const std::vector<DenseFlow>& rough) {
+  const Points points = frictions(rough);
+  const auto without = reference::fit_power(frictions(smooth));
+  const auto fit = reference::fit_given_power(points, rough_friction_power);
+  const int freedom = static_cast<int>(points.size()) - 2;
+  findings.expect_between("friction of an infinitely slow rough flow, excess over its error",
+                          over_error(fit.limit - without.limit, fit.limit_error, without.limit_error), 3.0, 100.0,
+                          "three standard errors above that of smooth discs, the power .6 given");
+  findings.expect_between("chi squared of the published power of rough friction", fit.chi_squared, 0.0,
+                          reference::rare_chi_squared(freedom, 1e-3),
+                          fmt::format("mu - mu(0) = c I^.6, as spheres have it; {} degrees of freedom exceed the upper "
+                                      "end once in a thousand",
+                                      freedom));
+  findings.note(
+      fmt::format("Rough discs slower than $I = .25$: $\\mu = {:.3f} + {:.3f}\\,I^{{{:.1f}}}$ with the power "
+                  "given; limit {:.3f} $\\pm$ {:.3f}, $\\chi^2 = {:.1f}$. With the power sought it would be {:.2f} "
+                  "$\\pm$ {:.2f}: these points hardly tell it.",
+                  fit.limit, fit.factor, fit.power, fit.limit, fit.limit_error, fit.chi_squared,
+                  reference::fit_power(points).power, reference::fit_power(points).power_error));
+}
+
+/// The published power of phi, and whether these points can tell it from a parabola of as many coefficients.
+void check_fraction_power(Findings& findings, const std::vector<DenseFlow>& smooth) {
+  const Points points = fractions(smooth);
+  const auto fit = reference::fit_corrected_power(points, fraction_power);
+  const auto parabola = reference::fit_corrected_power(points, 2.0);
+  const int freedom = static_cast<int>(points.size()) - 3;
+  findings.expect_between("chi squared of the published power of the solid fraction", fit.chi_squared, 0.0,
+                          reference::rare_chi_squared(freedom, 1e-3),
+                          fmt::format("phi_J - phi = c I^(2/beta) + c' I with beta = 5.0; {} degrees of freedom exceed "
+                                      "the upper end once in a thousand",
+                                      freedom));
+  findings.expect_between("chi squared that a parabola adds to that", parabola.chi_squared - fit.chi_squared, 9.0, 1e3,
+                          "as many coefficients without the power: worse by what is three standard errors for one "
+                          "coefficient");
+  findings.note(fmt::format(
+      "Smooth discs slower than $I = .15$: $\\phi = {:.4f} - {:.4f}\\,I^{{{:.2f}}} - {:.4f}\\,I$, $\\chi^2 = {:.1f}$; "
+      "a "
+      "parabola has {:.1f}. The power is that of Vagberg et al.; the first power of $I$ as its correction is a choice "
+      "made here. The points alone do not tell the power.",
+      fit.limit, -fit.factor, fit.power, -fit.linear, fit.chi_squared, parabola.chi_squared));
+}
+
+void add_rows(Table& table, const char* kind, const std::vector<DenseFlow>& flows) {
+  for (const DenseFlow& flow : flows)
+    table.rows.push_back({kind, fmt::format("{:.4f}", flow.fraction), fmt::format("{:.4f}", flow.inertial.value),
+                          fmt::format("{:.4f}", flow.inertial.error), fmt::format("{:.4f}", flow.friction.value),
+                          fmt::format("{:.4f}", flow.friction.error), fmt::format("{:.1e}", flow.pressure.value),
+                          fmt::format("{:.2f}", flow.coordination), fmt::format("{:.1e}", flow.overlap)});
+}
+
+Series friction_points(const char* label, const std::vector<DenseFlow>& flows) {
+  Series out{label, {}, {}, Style::errorbars};
+  for (const DenseFlow& flow : flows) {
+    const auto [mu, error] = flow.friction;
+    out.x.push_back(flow.inertial.value), out.y.push_back(mu);
+    out.y_low.push_back(mu - 3.0 * error), out.y_high.push_back(mu + 3.0 * error);
+  }
+  return out;
+}
+
+/// Here I is what was measured: its error is drawn as what it makes of phi by the slope to the neighbours.
+Series fraction_points(const char* label, const std::vector<DenseFlow>& flows) {
+  Series out{label, {}, {}, Style::errorbars};
+  for (std::size_t i = 0; i < flows.size(); ++i) {
+    const DenseFlow &left = flows[i > 0 ? i - 1 : i], &right = flows[std::min(i + 1, flows.size() - 1)];
+    const double slope = (right.fraction - left.fraction) / (right.inertial.value - left.inertial.value);
+    const double error = std::abs(slope) * flows[i].inertial.error, phi = flows[i].fraction;
+    out.x.push_back(flows[i].inertial.value), out.y.push_back(phi);
+    out.y_low.push_back(phi - 3.0 * error), out.y_high.push_back(phi + 3.0 * error);
+  }
+  return out;
+}
+
+/// Over the points that were fitted.
+Series curve(const char* label, const reference::PowerFit& fit, const Points& points) {
+  Series out{label, {}, {}, Style::lines};
+  const double slowest = points.back().x, fastest = points.front().x;
+  for (int k = 0; k <= 60; ++k) {
+    const double x = slowest * std::pow(fastest / slowest, k / 60.0);
+    out.x.push_back(x), out.y.push_back(fit.at(x));
+  }
+  return out;
+}
+
+void draw(Findings& findings, const std::vector<DenseFlow>& smooth, const std::vector<DenseFlow>& rough, bool full) {
+  Table table{.name = "flows",
+              .caption =
+                  "Discs without friction (smooth) and with $\\mu_p = .5$ (rough): what was measured at each "
+                  "solid fraction, with standard errors; contacts of a disc; mean overlap of a contact over $d$.",
+              .columns = {"discs", "phi", "I", "error", "mu", "error", "p/K1", "contacts", "overlap"},
+              .rows = {}};
+  add_rows(table, "smooth", smooth), add_rows(table, "rough", rough);
+  findings.table(table);
+  const Points slow = frictions(smooth);
+  Figure friction{
+      .name = "friction",
+      .title = "Friction of dense flows",
+      .caption =
+          "Bars: three standard errors. Line across: .11, above which no packing of many smooth grains bears "
+          "shear (Clark et al. 2017). Curve through smooth discs: the fitted power.",
+      .x = {.label = "I", .log = true},
+      .y = {.label = "mu", .min = 0.0},
+      .series = {friction_points("smooth discs", smooth), friction_points("rough discs", rough),
+                 curve("smooth, fitted power", reference::fit_power(slow), slow)},
+      .lines = {{'y', 0.11, "Clark et al."}}};
+  Figure fraction{.name = "solid_fraction",
+                  .title = "Solid fraction of dense flows",
+                  .caption = "Bars: what three standard errors of I make of the solid fraction.",
+                  .x = {.label = "I", .log = true},
+                  .y = {.label = "phi"},
+                  .series = {fraction_points("smooth discs", smooth), fraction_points("rough discs", rough)}};
+  if (full) {
+    const Points rough_slow = frictions(rough), dense = fractions(smooth);
+    friction.series.push_back(
+        curve("rough, power .6", reference::fit_given_power(rough_slow, rough_friction_power), rough_slow));
+    friction.caption +=
+        " Through rough ones: the power that DeGiuli et al. 2015 found for spheres, limit and factor "
+        "fitted.";
+    fraction.series.push_back(curve("smooth, power .4", reference::fit_corrected_power(dense, fraction_power), dense));
+    fraction.caption +=
+        " Curve: the power of Vagberg et al. 2015 and a correction by the first power of I, limit and "
+        "factors fitted.";
+  }
+  findings.figure(friction), findings.figure(fraction);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const bool full = setup.tier == Tier::full && !setup.coarse;
+  const Plan plan = plan_of(setup);
+  const auto smooth = run_all(plan.smooth_base, plan.smooth, findings);
+  const auto rough = run_all(plan.rough_base, plan.rough, findings);
+  check_slopes(findings, smooth);
+  check_stiffness(findings, plan, smooth, setup);
+  check_rough(findings, smooth, rough);
+  if (setup.coarse) return;
+  const BothStresses both = stress_by_both({.fraction = 0.83, .shear_rate = 1e-3, .discs = 200}, 3000);
+  findings.expect("shear stress by the plain system", both.fast.xy, both.plain.xy,
+                  Tolerance::exact("the same pairs in the same order, by the same expressions"));
+  findings.expect("pressure by the plain system", both.fast.pressure(), both.plain.pressure(),
+                  Tolerance::exact("the same pairs in the same order, by the same expressions"));
+  check_slow_friction(findings, smooth);
+  if (full) {
+    check_slow_rough_friction(findings, smooth, rough);
+    check_fraction_power(findings, smooth);
+  }
+  draw(findings, smooth, rough, full);
+}
+
+}  // namespace
+
+Case dense_rheology() {
+  return {.id = "dense_rheology",
+          .title = "Friction and solid fraction of dense flows of discs",
+          .requirements = {{"F7",
+                            {"friction grows", "solid fraction falls", "friction of an infinitely slow flow",
+                             "four times as stiff", "rough discs"}}},
+          .main_checks = {"friction of an infinitely slow flow",
+                          "friction grows with the inertial number, least step over its error",
+                          "solid fraction falls with the inertial number, least step over its error",
+                          "friction of discs four times as stiff", "rough discs resist more, excess over its error"},
+          .source =
+              "da Cruz et al. 2005; Clark et al. 2017; Vagberg et al. 2015; Peyneau & Roux 2008; DeGiuli et al. "
+              "2015",
+          .page = page,
+          .faults = {{"still_box", "images that do not slide",
+                      "friction grows with the inertial number, least step over its error"},
+                     {"soft_discs", "discs 256 times as soft for those four times as stiff",
+                      "inertial number of discs four times as stiff"},
+                     {"smooth_discs", "no friction between the rough discs",
+                      "rough discs resist more, excess over its error"}},
+          .tier = Tier::quick,
+          .time_limit = 600.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

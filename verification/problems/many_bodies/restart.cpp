@@ -1,0 +1,220 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/output/checkpoint.hpp"
+#include "solver/run/simulate.hpp"
+#include "verification/check/case.hpp"
+#include "verification/study/lively_scenes.hpp"
+#include "verification/study/moved_scene.hpp"
+#include "verification/study/scaled_scene.hpp"
+
+namespace talus::verification::problems {
+
+Case restart();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** A run is stopped at half time and written to a file; another program reads the file and goes on. Its end
+must be that of the run that never stopped, to the last bit, for every method and in the middle of anything: contacts
+that stick, cables that have yielded, hangers that have broken.
+
+```
+   0 ------------------------ T/2 ------------------------ T
+   0 ------------------------ T/2 | checkpoint | T/2 ----- T     same bits?
+```
+
+**Equations.** A step depends on the state $(t, q, v, z, \text{modes}, \text{work}, \text{impulse})$ and on what the
+method carries from step to step: nothing (`euler_cromer`, `central_difference`, whose stagger is in the state), the
+last accelerations (`velocity_verlet`), the last velocities (`lagged_central_difference`), the history of a multistep
+method, the present internal step of a controlled one. If all of it is kept the rest follows by the same operations.
+
+**Source.** IEEE 754; a decimal number of 17 digits, or the shortest that reads back as the same double, loses nothing
+(Steele & White 1990).
+
+| scene | what is in it | $T$ |
+|:--|:--------------|:--|
+| yard | bodies of every shape, friction, cables, rails, pin, hanger | .8 s |
+| fence | rock, columns, friction, cables that yield, hangers that break | .06 s |
+
+**What would break it.** A method that begins anew; numbers with too few digits; a law that keeps something outside
+of the state; a time that is summed up instead of counted.
+)";
+
+struct Half {
+  State end;
+  long evaluations{};
+};
+
+/// How a run is interrupted.
+enum class Interrupted { never, by_checkpoint, from_state_alone };
+
+std::string rounded_digits(const std::string& text) {
+  // A number with a decimal point keeps eight digits behind it.
+  std::string out;
+  int behind = -1;
+  for (const char c : text) {
+    const bool digit = c >= '0' && c <= '9';
+    if (c == '.') behind = 0;
+    if (behind >= 0 && digit && ++behind > 8) continue;
+    if (!digit && c != '.') behind = -1;
+    out += c;
+  }
+  return out;
+}
+
+/// Saves the standing run to a file, and puts it back from there into one that has not begun.
+Standing through_file(Standing& standing, const Scene& scene, const Integrator& method, const Setup& setup) {
+  namespace fs = std::filesystem;
+  Memory saving;
+  standing.remember(saving);
+  const Checkpoint kept{.scene_file = "scene",
+                        .scene_fnv1a = fnv1a("scene"),
+                        .integrator = std::string{name(method)},
+                        .tolerance = tolerance(method),
+                        .step = 1.0,
+                        .end = 1.0,
+                        .steps = standing.step,
+                        .memory = saving.items()};
+  std::string text = checkpoint_text(kept, "case");
+  if (setup.has("few_digits")) {
+    const auto from = text.find("\"memory\""), last = text.rfind("\"fnv1a\"");
+    text = text.substr(0, from) + rounded_digits(text.substr(from, last - from));
+    text += fmt::format("\"fnv1a\": \"{}\"\n}}\n", fnv1a(text));
+  }
+  const fs::path file = fs::temp_directory_path() / fmt::format("talus_restart_{}.json", ::getpid());
+  write_whole(file, text);
+  const Checkpoint read = read_checkpoint(file, "case");
+  fs::remove(file);
+  Standing other = standing_at_start(method, scene.initial);
+  Memory restoring{read.memory};
+  other.remember(restoring);
+  if (setup.has("stretch_forgotten")) std::fill(other.state.z.begin(), other.state.z.end(), 0.0);
+  return other;
+}
+
+Half run_in_halves(const Scene& scene, const Integrator& method, double step, long steps, Interrupted how,
+                   const Setup& setup, Findings& findings) {
+  const Dynamics first{scene.model}, second{scene.model};
+  RigidBodySystem system{first}, other_system{second};
+  Standing standing = standing_at_start(method, scene.initial);
+  const auto plan = [&](long count) {
+    const double end = step * static_cast<double>(count);
+    return RunPlan{step, end, end, true};
+  };
+  const auto ended = [&](Standing& run, RigidBodySystem& on) {
+    const bool good = static_cast<bool>(simulate(on, run, plan(steps)));
+    Half half{synchronized(run, on, plan(steps)), run.evaluations};
+    if (!good) half.end.q[0] = std::nan("");
+    findings.count(static_cast<std::uint64_t>(run.evaluations));
+    return half;
+  };
+  if (how == Interrupted::never) return ended(standing, system);
+  (void)simulate(system, standing, plan(steps / 2));
+  if (how == Interrupted::by_checkpoint && !setup.has("method_begins_anew")) {
+    Standing other = through_file(standing, scene, method, setup);
+    return ended(other, other_system);
+  }
+  Standing other = standing_at_start(method, synchronized(standing, system, plan(steps)));
+  other.start = 0.0;
+  Integrator fresh = method;
+  std::visit([&](auto& m) { m.start(other_system, other.state, step); }, fresh);
+  other.integrator = fresh;
+  other.step = standing.step;
+  return ended(other, other_system);
+}
+
+struct Named {
+  std::string name;
+  Integrator method;
+};
+
+std::vector<Named> methods() {
+  std::vector<Named> all;
+  for (const std::string& name : integrator_names()) {
+    const bool controlled = needs_tolerance(name);
+    all.push_back({controlled ? name + ", tolerance 1e-6" : name, make_integrator(name, controlled ? 1e-6 : 0.0)});
+  }
+  all.push_back({"odeint_dopri5, tolerance 1e-6", make_integrator("odeint_dopri5", 1e-6)});
+  return all;
+}
+
+void check_restart(Findings& findings, const Setup& setup, const std::string& scene_name, const Scene& scene,
+                   const Named& method, double step, long steps, Table& table) {
+  const Half whole = run_in_halves(scene, method.method, step, steps, Interrupted::never, setup, findings);
+  const Half halves = run_in_halves(scene, method.method, step, steps, Interrupted::by_checkpoint, setup, findings);
+  findings.expect(fmt::format("numbers that differ after a restart, {}, {}", scene_name, method.name),
+                  differing_numbers(whole.end, halves.end), 0.0,
+                  Tolerance::exact("all that a step depends on is in the file, digit by digit"));
+  if (setup.coarse) return;
+  const Half anew = run_in_halves(scene, method.method, step, steps, Interrupted::from_state_alone, setup, findings);
+  const Difference change = difference(whole.end, anew.end);
+  table.rows.push_back({scene_name, method.name, fmt::format("{}", whole.evaluations),
+                        fmt::format("{}", halves.evaluations), fmt::format("{:.1e}", change.place)});
+}
+
+void run(Findings& findings, const Setup& setup) {
+  Table table{.name = "anew",
+              .caption =
+                  "Force evaluations of the whole run and of that taken on, and the largest change of a coordinate "
+                  "at the end when the method begins anew from the state alone, as one would from a listing.",
+              .columns = {"scene", "method", "whole", "taken on", "begun anew"},
+              .rows = {}};
+  const Scene yard = crowded_yard();
+  const double step = 1e-3;
+  const long steps = std::lround(0.8 / step);
+
+  for (const Named& method : methods()) {
+    if (setup.coarse && method.name != "velocity_verlet") continue;
+    check_restart(findings, setup, "yard", yard, method, step, steps, table);
+  }
+  if (setup.coarse) return;
+  const scenes::FenceScene fence = scenes::fence_scene(rough_fence());
+  for (const char* name : {"velocity_verlet", "lagged_central_difference"})
+    check_restart(findings, setup, "fence", fence.scene, {name, make_integrator(name)}, 2e-5, 3000, table);
+  bool same_cost = true;
+  for (const auto& row : table.rows)
+    same_cost = same_cost && row[2] == row[3];
+  findings.expect_true("a run taken on costs as many evaluations as the whole", same_cost,
+                       "nothing is worked out again");
+  findings.table(table);
+}
+
+std::vector<Claim> claims() {
+  std::vector<Claim> all{{"F5", {"numbers that differ"}},
+                         {"law.linear_spring_dashpot", {"yard", "fence"}},
+                         {"law.tension_only", {"yard"}},
+                         {"law.elastic_plastic", {"yard", "fence"}},
+                         {"Eq. 18", {"yard", "fence"}}};
+  for (const std::string& name : integrator_names())
+    all.push_back({"integrator." + name, {"yard, " + name}});
+  return all;
+}
+
+}  // namespace
+
+Case restart() {
+  return {.id = "restart",
+          .title = "Stopped at half time and taken on",
+          .requirements = claims(),
+          .main_checks = {"numbers that differ after a restart, yard, velocity_verlet",
+                          "numbers that differ after a restart, yard, odeint_abm8",
+                          "numbers that differ after a restart, fence, lagged_central_difference"},
+          .source = "IEEE 754; Steele & White 1990",
+          .page = page,
+          .faults = {{"few_digits", "numbers written with eight digits behind the point",
+                      "numbers that differ after a restart, yard, velocity_verlet"},
+                     {"stretch_forgotten", "the memory of friction and cables is left out",
+                      "numbers that differ after a restart, yard, velocity_verlet"},
+                     {"method_begins_anew", "the method's own memory is left out",
+                      "numbers that differ after a restart, yard, velocity_verlet"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

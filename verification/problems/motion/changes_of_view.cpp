@@ -1,0 +1,278 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "solver/run/simulate.hpp"
+#include "verification/check/case.hpp"
+#include "verification/study/lively_scenes.hpp"
+#include "verification/study/moved_scene.hpp"
+
+namespace talus::verification::problems {
+
+Case changes_of_view();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** A motion does not depend on who looks at it. Scenes are mirrored, turned, moved elsewhere, watched in
+passing, and their bodies and contacts listed in another order; each time the end must be that of the first run, seen
+the same way.
+
+```
+      o ->  [/]        |        [\]  <- o           run ---> end
+     a       b         |         b       a           |        |   seen
+   ________________    |    ________________        seen     seen
+        scene        mirror       scene             run ---> end?
+```
+
+**Equations.** Newton's laws are the same after $p' = R M p + d + V t$: $R$ a rotation, $M$ a mirror ($M = 1$ or
+$x \to -x$), $d$ a shift, $V$ a constant velocity (of scenes held by nothing). Under a mirror spins, moments and the
+stretch of friction change sign.
+
+No operation of a mirror image rounds otherwise, nor do those of a list in another order as long as each body's forces
+are summed in the same one, nor those of round bodies that do not spin when turned by 90 degrees: the ends must be
+**equal to the last bit**. Everything else rounds otherwise, and what was rounded grows as the motion makes any
+difference grow. That growth $G$ is measured: the largest change of the end over that of the start, of four small
+changes of all coordinates and velocities. Each of $n$ steps rounds a coordinate by up to $u = 2^{-53}$ of the
+largest, in flight every time by the same (the same increment goes to numbers of the same binade), so that the ends
+differ by up to $n\,u\,G$.
+
+**Source.** Galilei 1638; metamorphic testing: Chen, Cheung & Yiu 1998.
+
+| scene | what is in it | time |
+|:--|:--------------|:--|
+| group | three discs and a plate that meet in flight, friction, a cable | .8 s |
+| yard | bodies of every shape, terrain, wall, rails, pin, cables, hanger | .5 s |
+| level yard | the same on level ground, without contacts by nodes | 1.5 s |
+
+**What would break it.** A rule that prefers a side (the first of two equal corners, a node list that begins
+somewhere), an axis taken for another, friction that remembers its direction in the world's frame, a contact that
+treats its two bodies unlike, a sum over bodies where a sum over contacts belongs.
+)";
+
+constexpr double step = 2.5e-4;
+
+State run_to(const Scene& scene, const Integrator& method, double end, Findings& findings) {
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics};
+  State state = scene.initial;
+  Integrator integrator = method;
+  if (!simulate(system, integrator, state, {step, end, end, true})) state.q[0] = std::nan("");
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  return state;
+}
+
+Scene seen_scene(const Scene& scene, const Viewpoint& view, const Setup& setup) {
+  Scene other = scene;
+  other.model = seen(scene.model, view);
+  other.initial = seen(scene.model, scene.initial, view);
+  if (setup.has("gravity_not_turned")) other.model.gravity = scene.model.gravity;
+  if (setup.has("spin_not_mirrored")) other.initial.v[2] = scene.initial.v[2];
+  if (setup.has("one_body_left_behind")) other.initial.v[0] = scene.initial.v[0];
+  return other;
+}
+
+/// The yard without contacts by nodes, whose order a mirror changes, and on level ground: a piece of terrain is
+/// measured from its first point, which in a mirror is its last.
+Scene level_yard() {
+  Scene scene = crowded_yard();
+  Body& field = scene.model.bodies[index(*find_body(scene.model, "field"))];
+  field.shape = HalfPlane{};
+  field.p_WB = {0.0, 0.31};
+  field.angle = -0.03;
+  std::erase_if(scene.model.contacts, [](const Contact& c) { return c.method == ContactMethod::nodes; });
+  State rest = rest_state(scene.model);
+  rest.q = scene.initial.q, rest.v = scene.initial.v;
+  scene.initial = rest;
+  return scene;
+}
+
+/// The group's discs as particles on cables at their centres, under a weight.
+Scene round_particles() {
+  const Scene group = free_group();
+  Scene scene{.title = "Round particles", .model = group.model};
+  scene.model.gravity = {0.4, -3.1};
+  for (Body& body : scene.model.bodies) {
+    body.mobility = Mobility::particle;
+    body.angle = 0.0;
+    if (std::holds_alternative<Rectangle>(body.shape)) body.shape = Circle{0.43};
+  }
+  scene.model.cables[0].a.p = scene.model.cables[0].b.p = {};
+  scene.initial = rest_state(scene.model);
+  for (std::size_t i = 0; i < scene.model.bodies.size(); ++i) {
+    scene.initial.v[2 * i] = group.initial.v[3 * i];
+    scene.initial.v[2 * i + 1] = group.initial.v[3 * i + 1];
+  }
+  return scene;
+}
+
+/// What the two ways round a change of view gave.
+struct Compared {
+  State expected, found;
+};
+
+Compared compare(const Scene& scene, const Viewpoint& view, const Integrator& method, double end, const Setup& setup,
+                 Findings& findings) {
+  return {seen(scene.model, run_to(scene, method, end, findings), view),
+          run_to(seen_scene(scene, view, setup), method, end, findings)};
+}
+
+/// Growth of small changes of the start: over 1e-9 of all coordinates and velocities.
+double growth(const Scene& scene, double end, Findings& findings) {
+  constexpr double change = 1e-9;
+  std::mt19937_64 random{7};
+  std::uniform_real_distribution<double> any{-change, change};
+  const State first = run_to(scene, VelocityVerlet{}, end, findings);
+  double most = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    Scene other = scene;
+    for (double& q : other.initial.q)
+      q += any(random);
+    for (double& v : other.initial.v)
+      v += any(random);
+    const Difference end_change = difference(first, run_to(other, VelocityVerlet{}, end, findings));
+    most = std::max({most, end_change.place / change, end_change.velocity / change});
+  }
+  return most;
+}
+
+/// Views that round otherwise, and how far their ends may differ.
+class RoundedViews {
+ public:
+  RoundedViews(Findings& findings, const Setup& setup, std::string name, Scene scene, double end)
+      : findings_{&findings}, setup_{&setup}, name_{std::move(name)}, scene_{std::move(scene)}, end_{end} {
+    growth_ = growth(scene_, end_, findings);
+    first_ = run_to(scene_, VelocityVerlet{}, end_, findings);
+  }
+
+  void look(const std::string& how, const Viewpoint& view) {
+    const State found = run_to(seen_scene(scene_, view, *setup_), VelocityVerlet{}, end_, *findings_);
+    expect(how, seen(scene_.model, first_, view), found);
+  }
+  void swap_contacts() {
+    expect("its contacts the other way round", first_,
+           run_to(with_contacts_swapped(scene_), VelocityVerlet{}, end_, *findings_));
+  }
+  const Table& table() const { return table_; }
+
+ private:
+  void expect(const std::string& how, const State& expected, const State& found) {
+    double largest = 0.0;
+    for (const State* state : {&expected, &found, static_cast<const State*>(&first_)}) {
+      for (const double q : state->q)
+        largest = std::max(largest, std::abs(q));
+    }
+    const double rounding = end_ / step * 0x1p-53 * largest * growth_;
+    const Difference found_difference = difference(expected, found);
+    const double most = std::max(found_difference.place, found_difference.velocity);
+    findings_->expect(fmt::format("difference of the end, {}, {}", name_, how), most, 0.0,
+                      Tolerance::round_off(rounding,
+                                           "n u G: each step rounds each coordinate once, by at most u, and what is "
+                                           "rounded grows as the motion makes differences grow"));
+    table_.rows.push_back(
+        {name_, how, fmt::format("{:.1f}", growth_), fmt::format("{:.1e}", most), fmt::format("{:.1e}", rounding)});
+  }
+
+  Findings* findings_;
+  const Setup* setup_;
+  std::string name_;
+  Scene scene_;
+  double end_;
+  double growth_{};
+  State first_;
+  Table table_{.name = "views",
+               .caption =
+                   "Largest difference of a coordinate or velocity at the end, where the two runs round otherwise, "
+                   "beside what rounding and the growth of differences explain.",
+               .columns = {"scene", "seen", "growth G", "difference", "n u G"},
+               .rows = {}};
+};
+
+void check_bits(Findings& findings, const Setup& setup) {
+  const char* const mirrored = "a change of sign rounds nothing, and no rule prefers a side";
+  const Scene group = free_group(), yard = level_yard();
+  const Viewpoint mirror{.mirrored = true};
+  const auto expect = [&](const std::string& name, const Compared& two, const char* why) {
+    findings.expect("numbers that differ, " + name, differing_motion(two.expected, two.found), 0.0,
+                    Tolerance::exact(why));
+  };
+  expect("group in a mirror", compare(group, mirror, VelocityVerlet{}, 0.8, setup, findings), mirrored);
+  expect("round particles turned by 90 degrees",
+         compare(round_particles(), {.turn = quarter_turn}, VelocityVerlet{}, 0.8, setup, findings),
+         "axes change places and signs; sums of two squares and of two products do not depend on their order");
+  if (setup.coarse) return;
+  const Compared two = compare(yard, mirror, VelocityVerlet{}, 1.5, setup, findings);
+  expect("level yard in a mirror", two, mirrored);
+  findings.expect_true("all of the state is mirrored, level yard: memory, modes, work, impulse",
+                       two.expected == two.found, mirrored);
+  for (const char* name : {"central_difference", "rk4", "odeint_dopri5"})
+    expect(fmt::format("level yard in a mirror, {}", name),
+           compare(yard, mirror, make_integrator(name), 0.8, setup, findings), mirrored);
+  const Scene crowd = crowded_yard();
+  Scene reversed = with_bodies_reversed(crowd);
+  reversed.initial = run_to(reversed, VelocityVerlet{}, 1.5, findings);
+  expect("yard with its bodies in the opposite order",
+         {run_to(crowd, VelocityVerlet{}, 1.5, findings), with_bodies_reversed(reversed).initial},
+         "forces are summed contact by contact, in the contacts' order");
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_bits(findings, setup);
+  RoundedViews group{findings, setup, "group", free_group(), 0.8};
+  group.look("in passing", {.boost = {3.7, -1.9}});
+  if (setup.coarse) return;
+  group.look("elsewhere", {.shift = {37.1, -11.9}});
+  group.look("turned by .7 rad", {.turn = rotation(0.7), .angle = 0.7});
+  group.look("turned by 90 degrees", {.turn = quarter_turn, .angle = 0.5 * std::numbers::pi});
+  group.swap_contacts();
+  RoundedViews yard{findings, setup, "yard", crowded_yard(), 0.5};
+  yard.look("elsewhere", {.shift = {37.1, -11.9}});
+  yard.look("turned by 90 degrees", {.turn = quarter_turn, .angle = 0.5 * std::numbers::pi});
+  yard.look("in a mirror", {.mirrored = true});
+  yard.swap_contacts();
+  Table table = group.table();
+  table.rows.insert(table.rows.end(), yard.table().rows.begin(), yard.table().rows.end());
+  findings.table(table);
+}
+
+}  // namespace
+
+Case changes_of_view() {
+  return {.id = "changes_of_view",
+          .title = "A motion does not depend on who looks at it",
+          .requirements = {{"A6", {"numbers that differ", "difference of the end"}},
+                           {"law.linear_spring_dashpot", {"group", "yard"}},
+                           {"law.tension_only", {"group", "yard"}},
+                           {"law.elastic_plastic", {"yard"}},
+                           {"Eq. 18", {"group", "yard"}},
+                           {"shape.superquadric", {"yard"}},
+                           {"shape.rectangle", {"group", "yard"}},
+                           {"shape.terrain", {"yard"}},
+                           {"shape.circle", {"group", "yard"}},
+                           {"method.resultant", {"group", "level yard in a mirror"}},
+                           {"method.nodes", {"difference of the end, yard"}},
+                           {"integrator.velocity_verlet", {"group in a mirror"}},
+                           {"integrator.central_difference", {"central_difference"}},
+                           {"integrator.rk4", {"rk4"}},
+                           {"integrator.odeint_dopri5", {"odeint_dopri5"}}},
+          .main_checks = {"numbers that differ, level yard in a mirror",
+                          "numbers that differ, yard with its bodies in the opposite order",
+                          "numbers that differ, round particles turned by 90 degrees",
+                          "difference of the end, group, in passing", "difference of the end, group, turned by .7 rad"},
+          .source = "Galilei 1638; Chen, Cheung & Yiu 1998 (metamorphic testing)",
+          .page = page,
+          .faults = {{"gravity_not_turned", "gravity keeps its direction",
+                      "numbers that differ, round particles turned by 90 degrees"},
+                     {"spin_not_mirrored", "one body spins the same way in the mirror",
+                      "numbers that differ, group in a mirror"},
+                     {"one_body_left_behind", "one body's velocity is not that seen in passing",
+                      "difference of the end, group, in passing"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "solver/model/model_builder.hpp"
+#include "verification/check/case.hpp"
+#include "verification/reference/constant_force.hpp"
+#include "verification/study/scene_run.hpp"
+
+namespace talus::verification::problems {
+
+Case free_flight();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** A body flies under its weight, a constant force and a constant moment, spinning. Every method but two
+follows a parabola exactly; those that do not, Euler's explicit and semi-implicit ones, are off by a known amount.
+
+```
+         .  *  .
+      *    [/]   *        x, y: parabolas
+    *              *      angle: parabola
+```
+
+**Equations.** $q'' = a$ for each of $x$, $y$ and the angle, $a = g_x + F_x/m$, $g_y + F_y/m$, $M/I$, so that
+$q = q_0 + v_0 t + a t^2/2$. Semi-implicit Euler moves with the speed of each step's end, $v_0 + i h a$ in step $i$:
+$$q_n = q_0 + v_0 t + h^2 a\,\tfrac{n(n+1)}2 = q(t) + \tfrac12 a h t ,$$
+explicit Euler with that of each step's start, $v_0 + (i-1) h a$, and comes out short by as much. Leapfrog moves with the speed of each step's middle, which is exact; the methods of higher order integrate $t^2$
+exactly. What is left is one rounding a step, at most $u = 2^{-53}$ of the largest coordinate (a step of Runge-Kutta
+rounds once for each of its $s$ stages).
+
+**Source.** Galilei 1638; Hairer, Lubich & Wanner 2006, section I.1.
+
+| symbol | meaning | value |
+|:--|:-----------|:--|
+| $m$, $I$ | mass, moment of inertia | 2.3, .71 |
+| $g$ | gravity | (.31, -9.81) |
+| $F$, $M$ | force, moment | (1.7, .9), .37 |
+| $h$, $n$ | step, steps | .00137, 1000 |
+
+**What would break it.** Half a step of gravity left out at the start of a staggered method, or read at the wrong
+time; a moment divided by the mass; a time that is summed up.
+)";
+
+constexpr double mass = 2.3, inertia = 0.71, moment = 0.37;
+constexpr Vec2 gravity{0.31, -9.81}, force{1.7, 0.9};
+constexpr long steps = 1000;
+constexpr double production_step = 0.00137;
+
+constexpr std::array<reference::ConstantForce, 3> flights{
+    reference::ConstantForce{0.3, 4.7, gravity.x + force.x / mass},
+    reference::ConstantForce{-0.7, 6.1, gravity.y + force.y / mass},
+    reference::ConstantForce{0.2, -3.9, moment / inertia}};
+
+Scene flight_scene(const Setup& setup) {
+  ModelBuilder builder{si};
+  builder.gravity(setup.has("gravity_a_millionth_off") ? 1.000001 * gravity : gravity);
+  const BodyId body = builder.add(Body{.name = "body",
+                                       .mass = mass,
+                                       .inertia = inertia,
+                                       .p_WB = {flights[0].place, flights[1].place},
+                                       .angle = flights[2].place,
+                                       .force = force,
+                                       .moment = setup.has("moment_left_out") ? 0.0 : moment});
+  Scene scene{.title = "Free flight", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, body, {flights[0].speed, flights[1].speed}, flights[2].speed);
+  return scene;
+}
+
+/// Errors of the three coordinates and their rates at the end.
+struct FlightErrors {
+  std::array<double, 3> place{}, speed{};
+  double largest{};  ///< coordinate, the angle included
+
+  double worst_place() const { return std::max({std::abs(place[0]), std::abs(place[1]), std::abs(place[2])}); }
+  double worst_speed() const { return std::max({std::abs(speed[0]), std::abs(speed[1]), std::abs(speed[2])}); }
+};
+
+FlightErrors fly(const Integrator& method, double step, long count, const Setup& setup, Findings& findings) {
+  const Integrator told = setup.has("euler_for_verlet") && name(method) == "velocity_verlet" ? EulerCromer{} : method;
+  const RunEnd run = run_steps(flight_scene(setup), told, step, count);
+  findings.count(static_cast<std::uint64_t>(run.evaluations));
+  const double t = step * static_cast<double>(count);
+  FlightErrors errors;
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    const double place = place_at(flights[i], t), speed = speed_at(flights[i], t);
+    errors.place[i] = run.state.q[i] - place;
+    errors.speed[i] = run.state.v[i] - speed;
+    errors.largest = std::max({errors.largest, std::abs(place), std::abs(speed), std::abs(flights[i].speed)});
+  }
+  return errors;
+}
+
+/// Additions to a coordinate in a step.
+double roundings(const std::string& method) {
+  if (method == "velocity_verlet" || method == "taylor") return 2.0;  // two half kicks
+  if (method == "blanes_moan4") return 7.0;                           // kicks
+  if (method == "rk4") return 4.0;
+  if (method == "odeint_abm8") return 16.0;
+  if (method == "odeint_bulirsch_stoer") return 20.0;
+  return method.starts_with("odeint") ? 10.0 : 1.0;
+}
+
+void check_method(Findings& findings, const Setup& setup, const std::string& method, Table& table) {
+  const double tolerance = needs_tolerance(method) ? 1e-10 : 0.0;
+  const FlightErrors errors = fly(make_integrator(method, tolerance), production_step, steps, setup, findings);
+  const double rounding = roundings(method) * steps * 0x1p-53 * errors.largest;
+  const std::string words = "one rounding for each addition to a coordinate in a step, u of the largest";
+  table.rows.push_back({method, fmt::format("{:.1e}", errors.worst_place()),
+                        fmt::format("{:.1e}", errors.worst_speed()), fmt::format("{:.1e}", rounding)});
+  findings.expect(method + ", error of the velocities", errors.worst_speed(), 0.0,
+                  Tolerance::round_off(rounding, words));
+  if (method != "euler_cromer" && method != "euler") {
+    findings.expect(method + ", error of the coordinates", errors.worst_place(), 0.0,
+                    Tolerance::round_off(rounding, words));
+    return;
+  }
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    const double late = reference::semi_implicit_euler_error(flights[i], production_step, steps);
+    const bool early = method == "euler";
+    findings.expect(
+        fmt::format("{}, error of {} over {}a h t/2", method, std::array{"x", "y", "the angle"}[i], early ? "-" : ""),
+        errors.place[i] / (early ? -late : late), 1.0, Tolerance::round_off(rounding / std::abs(late), words));
+  }
+}
+
+void draw_steps(Findings& findings, const Setup& setup) {
+  Figure figure{.name = "steps",
+                .title = "Errors of free flight",
+                .caption =
+                    "Error of y at t = 1 s against the step: both Euler methods on the line $a h t/2$, leapfrog and "
+                    "Runge-Kutta at round-off.",
+                .x = {.label = "step", .unit = "s", .log = true},
+                .y = {.label = "error of y", .unit = "m", .log = true},
+                .series = {}};
+  for (const char* method : {"euler_cromer", "euler", "velocity_verlet", "central_difference", "rk4"}) {
+    Series series{method, {}, {}, Style::points};
+    for (long count = 10; count <= 10000; count *= 10) {
+      const double step = 1.0 / (static_cast<double>(count) + 0.381966);
+      series.x.push_back(step);
+      const FlightErrors errors = fly(make_integrator(method), step, count, setup, findings);
+      series.y.push_back(std::max(std::abs(errors.place[1]), 1e-17));
+    }
+    figure.series.push_back(series);
+  }
+  const double a = std::abs(flights[1].acceleration);
+  figure.series.push_back({"a h t/2", {1e-4, 0.1}, {0.5e-4 * a, 0.05 * a}, Style::lines});
+  findings.figure(figure);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  Table table{.name = "methods",
+              .caption = "Largest error of a coordinate and of a rate after 1000 steps, and what rounding explains.",
+              .columns = {"method", "coordinates", "rates", "rounding"},
+              .rows = {}};
+  for (const std::string& method : integrator_names())
+    check_method(findings, setup, method, table);
+  if (setup.coarse) return;
+  findings.table(table);
+  draw_steps(findings, setup);
+}
+
+std::vector<Claim> claims() {
+  std::vector<Claim> all{{"A1", {"error of"}},
+                         {"Eq. 2", {"central_difference, error of the coordinates"}},
+                         {"Eq. 3", {"central_difference, error of the coordinates"}},
+                         {"Eq. 23", {"central_difference, error of the velocities"}},
+                         {"Eq. 24", {"central_difference, error of the coordinates"}}};
+  for (const std::string& method : integrator_names())
+    all.push_back({"integrator." + method, {method + ", error"}});
+  return all;
+}
+
+}  // namespace
+
+Case free_flight() {
+  return {.id = "free_flight",
+          .title = "Free flight with spin",
+          .requirements = claims(),
+          .main_checks = {"velocity_verlet, error of the coordinates", "euler_cromer, error of y over a h t/2",
+                          "rk4, error of the coordinates"},
+          .source = "Galilei 1638; Hairer, Lubich & Wanner 2006, section I.1",
+          .page = page,
+          .faults = {{"gravity_a_millionth_off", "gravity a millionth too large",
+                      "velocity_verlet, error of the velocities"},
+                     {"moment_left_out", "no moment acts", "central_difference, error of the coordinates"},
+                     {"euler_for_verlet", "semi-implicit Euler under another name",
+                      "velocity_verlet, error of the coordinates"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,243 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "solver/model/model_builder.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/bouncing_disc.hpp"
+#include "solver/scenes/pendulum.hpp"
+#include "verification/check/case.hpp"
+#include "verification/study/moved_scene.hpp"
+
+namespace talus::verification::problems {
+
+Case time_reversal();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Motion without losses can be run backwards: turn all velocities round and it returns to where it came
+from. Leapfrog methods do the same, step for step, whatever the step: 10 000 steps forth, the velocities turned, 10
+000 back.
+
+```
+   (q0, v0) ---- n steps ----> (q, v)
+   (q0, v0)?  <--- n steps --- (q, -v)
+```
+
+**Equations.** Let $\rho$ turn the velocities. A step $\Phi_h$ of leapfrog, half a kick, drift, half a kick, is
+symmetric and $\rho\Phi_h\rho = \Phi_h^{-1}$: it returns but for round-off, which grows as differences of the motion
+grow. With $G$ their growth over the way back, and a rounding $u = 2^{-53}$ of the largest number, at random, in
+each of $2n$ steps, the return misses by about $\sqrt{2n}\,u\,G$.
+
+For other methods $\rho\Phi_h\rho = \Phi_{-h}$, so that $\Phi_{-h}^n\Phi_h^n$ is left, the flow of
+$f_h - f_{-h}$: twice the odd part in $h$ of the method's error. Semi-implicit Euler (order 1) misses by order 1,
+Runge-Kutta of order 4 by order **5**, as its errors of order 4 are the same both ways.
+
+**Source.** Hairer, Lubich & Wanner 2006, chapters V and IX.
+
+| scene | what is in it | $h$ |
+|:--|:-------------------|:--|
+| pendulum | rigid, amplitude 2.2 rad | .004 |
+| bounce | disc on a spring under gravity, one-sided | .0007 |
+| cables | two bobs between three taut cables, in the plane | .002 |
+| rolling | disc pressed on a plane, swinging on the spring of its friction | .001 |
+
+**What would break it.** Memory of friction moved by the kick instead of by the drift; modes settled at another time
+going back; a force evaluated at the velocity of one side; a sum of times for a count of steps.
+)";
+
+constexpr long reversal_steps = 10000;
+
+struct Reversible {
+  const char* name;
+  Scene scene;
+  double step;
+};
+
+Scene bobs_on_cables() {
+  ModelBuilder builder{si};
+  builder.gravity({0.0, -9.81});
+  const auto bob = [&](const char* name, double mass, Vec2 place) {
+    return builder.add(Body{.name = name, .mobility = Mobility::particle, .mass = mass, .p_WB = place});
+  };
+  const BodyId one = bob("one", 1.1, {1.0, -0.1}), two = bob("two", 0.8, {2.1, 0.05});
+  const auto cable = [&](const char* name, CableEnd a, CableEnd b) {
+    builder.add(Cable{.name = name, .a = a, .b = b, .rest_length = 0.7, .law = TensionOnly{300.0, 0.0}});
+  };
+  cable("left", {std::nullopt, {}}, {one, {}});
+  cable("middle", {one, {}}, {two, {}});
+  cable("right", {two, {}}, {std::nullopt, {3.0, 0.2, 0.0}});
+  Scene scene{.title = "Bobs on cables", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, one, {0.3, 0.5}, 0.0);
+  return scene;
+}
+
+Scene disc_on_friction_spring() {
+  ModelBuilder builder{si};
+  builder.gravity({0.4, -9.81});
+  const BodyId disc =
+      builder.add(Body{.name = "disc", .mass = 1.0, .inertia = 0.125, .shape = Circle{0.5}, .p_WB = {0.0, 0.5 - 1e-3}});
+  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  builder.add(
+      Contact{.name = "touch", .a = disc, .b = plane, .law = LinearSpringDashpot{1e4, 0.0}, .friction = {{50.0, 3e3}}});
+  Scene scene{.title = "Disc on its friction", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, disc, {0.02, 0.004}, -0.05);
+  return scene;
+}
+
+std::vector<Reversible> reversible_scenes() {
+  scenes::BouncingDisc bounce{.gap = 0.3, .gravity = 9.81, .contact = LinearSpringDashpot{1e4, 0.0}};
+  return {{"pendulum", scenes::pendulum({.amplitude = 2.2}), 0.004},
+          {"bounce", scenes::bouncing_disc(bounce), 0.0007},
+          {"cables", bobs_on_cables(), 0.002},
+          {"rolling", disc_on_friction_spring(), 0.001}};
+}
+
+/// Goes on from a state for `steps` steps; what is not finite is what a diverged run ends with.
+State go_on(const Scene& scene, State state, const Integrator& method, double step, long steps, Findings& findings) {
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, false};
+  state.t = 0.0;
+  Integrator integrator = method;
+  const double end = step * static_cast<double>(steps);
+  if (!simulate(system, integrator, state, {step, end, end, false})) state.q[0] = std::nan("");
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  return state;
+}
+
+State turned(State state) {
+  for (double& v : state.v)
+    v = -v;
+  return state;
+}
+
+/// How far from its start a scene returns, and what the growth of differences on the way back explains.
+struct Return {
+  double missed{}, rounding{}, growth{};
+};
+
+Return there_and_back(const Reversible& one, const Integrator& method, double step, long steps, bool explain,
+                      Findings& findings) {
+  const State start = one.scene.initial;
+  const State there = go_on(one.scene, start, method, step, steps, findings);
+  const State back = turned(go_on(one.scene, turned(there), method, step, steps, findings));
+  const Difference missed = difference(start, back);
+  Return found{std::max(missed.place, missed.velocity), 0.0, 1.0};
+  if (!explain) return found;
+  double largest = 0.0;
+  for (const State* state : {&start, &there}) {
+    for (std::size_t i = 0; i < state->q.size(); ++i)
+      largest = std::max({largest, std::abs(state->q[i]), std::abs(state->v[i])});
+  }
+  constexpr double change = 1e-8;
+  std::mt19937_64 random{3};
+  std::uniform_real_distribution<double> any{-change, change};
+  for (int i = 0; i < 2; ++i) {
+    State other = turned(there);
+    for (std::size_t k = 0; k < other.q.size(); ++k)
+      other.q[k] += any(random), other.v[k] += any(random);
+    const Difference grown = difference(back, turned(go_on(one.scene, other, method, step, steps, findings)));
+    found.growth = std::max({found.growth, grown.place / change, grown.velocity / change});
+  }
+  found.rounding = std::sqrt(2.0 * static_cast<double>(steps)) * 0x1p-53 * largest * found.growth;
+  return found;
+}
+
+Integrator told(const char* name, const Setup& setup) {
+  if (setup.has("runge_kutta_for_verlet")) return RungeKutta4{};
+  if (setup.has("euler_for_verlet")) return EulerCromer{};
+  return make_integrator(name);
+}
+
+Reversible with_fault(Reversible one, const Setup& setup) {
+  if (!setup.has("a_little_damping")) return one;
+  for (Contact& contact : one.scene.model.contacts)
+    std::get<LinearSpringDashpot>(contact.law).damping = 1e-6;
+  return one;
+}
+
+void check_orders(Findings& findings, const Reversible& pendulum) {
+  Figure figure{
+      .name = "orders",
+      .title = "There and back",
+      .caption = "How far a pendulum (2.2 rad) is from its start after 4 s forth and 4 s back, against the step.",
+      .x = {.label = "step", .unit = "s", .log = true},
+      .y = {.label = "missed by", .unit = "rad, rad/s", .log = true},
+      .series = {}};
+  for (const char* method : {"velocity_verlet", "central_difference", "euler_cromer", "rk4"}) {
+    Series series{method, {}, {}, Style::linespoints};
+    Convergence errors;
+    for (const double steps : {160.0, 320.0, 640.0, 1280.0, 2560.0, 5120.0}) {
+      const double step = 4.0 / steps;
+      const Return found =
+          there_and_back(pendulum, make_integrator(method), step, static_cast<long>(steps), false, findings);
+      series.x.push_back(step);
+      series.y.push_back(std::max(found.missed, 1e-17));
+      errors.add(step, found.missed);
+    }
+    figure.series.push_back(series);
+    if (std::string{method} == "euler_cromer")
+      findings.expect_order("order of the return, euler_cromer", errors.last(3), 0.9, 1.1,
+                            "its error is odd in the step; the next order still shows");
+    if (std::string{method} == "rk4")
+      findings.expect_order("order of the return, rk4", errors.between(0.003, 0.03), 4.97, 5.02,
+                            "the error of order 4 is even in the step and cancels; that of order 5 stays");
+  }
+  findings.figure(figure);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const long steps = setup.coarse ? 1000 : reversal_steps;
+  Table table{.name = "returns",
+              .caption =
+                  "How far from its start each scene returns after 10 000 steps forth and back, and sqrt(2n) u G, the "
+                  "rounding of all steps with the measured growth of differences.",
+              .columns = {"scene", "method", "missed by", "sqrt(2n) u G", "G"},
+              .rows = {}};
+  for (const Reversible& one : reversible_scenes()) {
+    for (const char* method : {"velocity_verlet", "central_difference"}) {
+      const Return found = there_and_back(with_fault(one, setup), told(method, setup), one.step, steps, true, findings);
+      findings.expect(fmt::format("return of {}, {}", one.name, method), found.missed, 0.0,
+                      Tolerance::round_off(4.0 * found.rounding,
+                                           "sqrt(2n) u G, four times for the several roundings of a step and the worst "
+                                           "of the numbers"));
+      table.rows.push_back({one.name, method, fmt::format("{:.1e}", found.missed),
+                            fmt::format("{:.1e}", found.rounding), fmt::format("{:.0f}", found.growth)});
+    }
+  }
+  if (setup.coarse) return;
+  findings.table(table);
+  check_orders(findings, reversible_scenes().front());
+}
+
+}  // namespace
+
+Case time_reversal() {
+  return {.id = "time_reversal",
+          .title = "There and back: time reversal",
+          .requirements = {{"A5", {"return of"}},
+                           {"law.linear_spring_dashpot", {"return of bounce"}},
+                           {"law.tension_only", {"return of cables"}},
+                           {"Eq. 18", {"return of rolling"}},
+                           {"integrator.velocity_verlet", {"velocity_verlet"}},
+                           {"integrator.central_difference", {"central_difference"}},
+                           {"integrator.euler_cromer", {"order of the return, euler_cromer"}},
+                           {"integrator.rk4", {"order of the return, rk4"}}},
+          .main_checks = {"return of bounce, velocity_verlet", "return of cables, velocity_verlet",
+                          "return of rolling, velocity_verlet", "order of the return, rk4"},
+          .source = "Hairer, Lubich & Wanner 2006, chapters V and IX",
+          .page = page,
+          .faults = {{"runge_kutta_for_verlet", "Runge-Kutta for leapfrog", "return of bounce, velocity_verlet"},
+                     {"euler_for_verlet", "semi-implicit Euler for leapfrog", "return of pendulum, velocity_verlet"},
+                     {"a_little_damping", "a dashpot of 1e-6 N s/m", "return of bounce, velocity_verlet"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,296 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "solver/run/energy_ledger.hpp"
+#include "solver/run/simulate.hpp"
+#include "verification/check/case.hpp"
+#include "verification/study/lively_scenes.hpp"
+#include "verification/study/scaled_scene.hpp"
+
+namespace talus::verification::problems {
+
+Case unit_scaling();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** The solver knows no units: a scene told in other units of mass, length and time must give the same
+motion. Units that are powers of two move no digit of any number, so the answer must be the same to the last bit.
+Two scenes in which much goes on are run in several systems of units.
+
+```
+   yard: disc, plates, superellipse, bar,      fence: rock, columns, friction,
+   carriage, bob; terrain, wall, cables        cables that yield, hangers that break
+        o  []  (=)  |                               o -> ||==||==||
+   ---.____.----------.___|
+```
+
+**Equations.** With new units every quantity is multiplied by $2^{ai+bj+ck}$, $i, j, k$ its powers of mass, length and
+time. Sums, products, quotients and comparisons of such numbers scale exactly, and so does $\sqrt x$, as roots are
+taken of squares of lengths alone; powers and sines are taken of pure numbers. What breaks the rule is a number with
+a unit hidden in the code (a smallest length, a tolerance, a count of bits), a field with a wrong dimension in the
+solver's own tables, by which the scenes are converted here, or a number too large or too small for the format.
+
+**Source.** Metamorphic testing: Chen, Cheung & Yiu 1998. Exact scaling: IEEE 754, section 3.
+
+| symbol | meaning | value |
+|:--|:-------|:--|
+| $2^a$ | unit of mass | $2^{43}$ |
+| $2^b$ | unit of length | $2^{-31}$ |
+| $2^c$ | unit of time | $2^{-17}$ |
+
+**What would break it.** An absolute tolerance anywhere: odeint's steppers with step control have one, and are the
+only method that notices its units (table).
+)";
+
+constexpr UnitScale all_units{0x1p43, 0x1p-31, 0x1p-17};
+
+/// A run as the case compares it: its last state, and the accounts, in the scene's own units.
+struct UnitRun {
+  State end;
+  std::array<double, 9> accounts{};
+};
+
+struct UnitPlan {
+  double step{}, end{};
+};
+
+UnitRun run_in_units(const Scene& scene, const Integrator& method, UnitPlan plan, const UnitScale& scale,
+                     const Setup& setup, Findings& findings) {
+  Model told = scaled(scene.model, scale);
+  if (setup.has("gravity_overlooked")) told.gravity = scene.model.gravity;
+  if (setup.has("strength_overlooked") && !told.hangers.empty())
+    told.hangers[0].strength = scene.model.hangers[0].strength;
+  if (setup.has("slip_stiffness_overlooked")) told.contacts[0].friction->stiffness *= scale.length / scale.mass;
+  const Dynamics dynamics{told};
+  RigidBodySystem system{dynamics};
+  State state = scaled(scene.model, scene.initial, scale);
+  system.settle(state);
+  EnergyLedger ledger{dynamics, state};
+  Integrator integrator = method;
+  const double end = plan.end * scale.time;
+  const Outcome outcome = simulate(system, integrator, state, {plan.step * scale.time, end, end, true});
+  if (!outcome) state.q[0] = std::nan("");
+  const Accounts sums = ledger.accounts(state);
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  UnitRun run{
+      scaled(scene.model, state, scale.inverse()),
+      {sums.energies.kinetic, sums.energies.gravity, sums.energies.contacts, sums.energies.cables, sums.energy_closure,
+       sums.momenta.linear.x, sums.momenta.linear.y, sums.momenta.angular, sums.angular_momentum_closure}};
+  const UnitScale back = scale.inverse();
+  for (std::size_t i = 0; i < run.accounts.size(); ++i)
+    run.accounts[i] *= back.of(i < 5 ? dimension::energy : i < 7 ? dimension::momentum : dimension::angular_momentum);
+  return run;
+}
+
+int differing(const UnitRun& one, const UnitRun& other) {
+  int count = differing_numbers(one.end, other.end);
+  for (std::size_t i = 0; i < one.accounts.size(); ++i)
+    count += one.accounts[i] == other.accounts[i] ? 0 : 1;
+  return count;
+}
+
+const char* const same_bits = "powers of two move no digit: the same operations on the same digits";
+
+/// The scene in its own and in other units.
+class Units {
+ public:
+  Units(Findings& findings, const Setup& setup, std::string name, const Scene& scene, const Integrator& method,
+        UnitPlan plan)
+      : findings_{&findings}, setup_{&setup}, name_{std::move(name)}, scene_{&scene}, method_{method}, plan_{plan} {
+    own_ = run_in_units(scene, method, plan, {}, Setup{}, findings);
+  }
+  void check(const std::string& how, UnitScale scale) const {
+    if (setup_->has("units_of_three")) scale = {3.0, 1.0, 1.0};
+    const UnitRun other = run_in_units(*scene_, method_, plan_, scale, *setup_, *findings_);
+    findings_->expect(fmt::format("numbers that differ, {}, {}, {}", name_, name(method_), how), differing(own_, other),
+                      0.0, Tolerance::exact(same_bits));
+  }
+  const UnitRun& own() const { return own_; }
+
+ private:
+  Findings* findings_;
+  const Setup* setup_;
+  std::string name_;
+  const Scene* scene_;
+  Integrator method_;
+  UnitPlan plan_;
+  UnitRun own_;
+};
+
+/// Numbers that differ in units of length of 2^exponent, until the format's range ends.
+void draw_range(Findings& findings, const Scene& scene) {
+  Figure figure{.name = "range",
+                .title = "How far units reach",
+                .caption =
+                    "Numbers of the yard's state after .15 s that are not the same to the last bit, against the unit: "
+                    "a double's range ends where squares and energies fall below $2^{-1074}$ or pass $2^{1024}$.",
+                .x = {.label = "log2 of the new unit"},
+                .y = {.label = "numbers that differ"},
+                .series = {}};
+  const UnitPlan plan{1e-3, 0.15};
+  const UnitRun one = run_in_units(scene, VelocityVerlet{}, plan, {}, Setup{}, findings);
+  int widest = 0;
+  for (const char unit : {'M', 'L', 'T'}) {
+    Series series{fmt::format("unit of {}", unit == 'M'   ? "mass"
+                                            : unit == 'L' ? "length"
+                                                          : "time"),
+                  {},
+                  {},
+                  Style::linespoints};
+    int reach = 0;
+    for (int exponent = -600; exponent <= 600; exponent += 50) {
+      const double value = std::ldexp(1.0, exponent);
+      const UnitScale scale{unit == 'M' ? value : 1.0, unit == 'L' ? value : 1.0, unit == 'T' ? value : 1.0};
+      const int count = differing(one, run_in_units(scene, VelocityVerlet{}, plan, scale, Setup{}, findings));
+      series.x.push_back(exponent);
+      series.y.push_back(count);
+      if (count == 0 && exponent > reach) reach = exponent;
+    }
+    widest = widest == 0 ? reach : std::min(widest, reach);
+    figure.series.push_back(series);
+  }
+  findings.figure(figure);
+  findings.expect_between("log2 of the largest unit, of mass, length or time alone, that moves no bit", widest, 200.0,
+                          600.0,
+                          "energies hold the square of a length: half of the format's 1023 powers, less a few tens for "
+                          "the numbers themselves and for what products of them pass through; a quarter where a "
+                          "square is squared");
+}
+
+/// Steppers with step control compare errors with a pure number: their steps depend on the units.
+void tabulate_step_control(Findings& findings, const Scene& scene) {
+  Table table{.name = "step_control",
+              .caption =
+                  "Largest change of a coordinate, over the largest coordinate, of the yard at .1 s when the unit of "
+                  "length is changed, for odeint's steppers with tolerance 1e-8: the tolerance is absolute as well "
+                  "as relative, and so a number with a unit.",
+              .columns = {"method", "unit of length 1/1024", "unit of length 1024"},
+              .rows = {}};
+  for (const char* name : {"odeint_dopri5", "odeint_bulirsch_stoer"}) {
+    const Integrator method = make_integrator(name, 1e-8);
+    const UnitPlan plan{2e-3, 0.1};
+    const UnitRun one = run_in_units(scene, method, plan, {}, Setup{}, findings);
+    std::vector<std::string> row{name};
+    for (const double unit : {0x1p10, 0x1p-10}) {
+      const UnitRun other = run_in_units(scene, method, plan, {1.0, unit, 1.0}, Setup{}, findings);
+      double change = 0.0, largest = 0.0;
+      for (std::size_t i = 0; i < one.end.q.size(); ++i) {
+        change = std::max(change, std::abs(one.end.q[i] - other.end.q[i]));
+        largest = std::max(largest, std::abs(one.end.q[i]));
+      }
+      row.push_back(fmt::format("{:.1e}", change / largest));
+    }
+    table.rows.push_back(row);
+  }
+  findings.table(table);
+}
+
+/// A fence built from a deck in its own and in other units: numbers that differ.
+int differing_fences(const scenes::Fence& fence, const Setup& setup) {
+  const scenes::FenceScene made = scenes::fence_scene(fence);
+  scenes::Fence told = scaled(fence, all_units);
+  if (setup.has("sag_overlooked")) told.sag *= 1.0 + 0x1p-40;
+  const scenes::FenceScene other = scenes::fence_scene(told);
+  const UnitScale back = all_units.inverse();
+  return differing_numbers(scaled(other.scene.model, back), made.scene.model) +
+         differing_numbers(scaled(made.scene.model, other.scene.initial, back), made.scene.initial) +
+         (other.critical_step == made.critical_step * all_units.time ? 0 : 1) +
+         (other.horizontal_tension == made.horizontal_tension * all_units.of(dimension::force) ? 0 : 1);
+}
+
+void check_decks(Findings& findings, const Setup& setup) {
+  const char* const why =
+      "static shape, stiffnesses and dashpots follow from the deck by sums, products and roots of numbers whose units "
+      "are squares; balance is sought to a share of the forces";
+  scenes::Fence fence = rough_fence();
+  findings.expect("numbers that differ, fence built from a deck in other units", differing_fences(fence, setup), 0.0,
+                  Tolerance::exact(why));
+  fence.options.symmetry = scenes::FenceSymmetry::full;
+  fence.stretched_cables = {{"top1", 0.03}, {"top-2", 0.02}, {"bottom1", 0.1}};
+  findings.expect("numbers that differ, fence after a first rock built from a deck in other units",
+                  differing_fences(fence, setup), 0.0, Tolerance::exact(why));
+}
+
+void check_fence(Findings& findings, const Setup& setup) {
+  const scenes::FenceScene made = scenes::fence_scene(rough_fence());
+  const UnitPlan plan{2e-5, 0.04};
+  for (const char* name : {"velocity_verlet", "lagged_central_difference"}) {
+    const Units fence{findings, setup, "fence", made.scene, make_integrator(name), plan};
+    fence.check("all units", all_units);
+    if (std::string{name} != "velocity_verlet") continue;
+    findings.expect("mechanisms of loss at work in the fence", mechanisms_at_work(fence.own().end), 5.0,
+                    Tolerance::exact("contact and its release, cables drawn out, a hanger, friction"));
+  }
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const Scene yard = crowded_yard();
+  const Units verlet{findings, setup, "yard", yard, VelocityVerlet{}, {1e-3, setup.coarse ? 1.0 : 1.5}};
+  verlet.check("all units", all_units);
+  check_decks(findings, setup);
+  if (setup.coarse) return;
+  findings.expect("mechanisms of loss at work in the yard", mechanisms_at_work(verlet.own().end), 8.0,
+                  Tolerance::exact("the scene is to use every one that there is"));
+  verlet.check("unit of mass", {0x1p-11, 1.0, 1.0});
+  verlet.check("unit of length", {1.0, 0x1p7, 1.0});
+  verlet.check("unit of time", {1.0, 1.0, 0x1p-5});
+  for (const std::string& name : integrator_names()) {
+    // The tolerance of odeint's method is a number with a unit: see below.
+    if (name == "velocity_verlet" || name == "odeint_bulirsch_stoer") continue;
+    const Integrator method = make_integrator(name, needs_tolerance(name) ? 1e-8 : 0.0);
+    Units{findings, setup, "yard", yard, method, {1e-3, 0.5}}.check("all units", all_units);
+  }
+  check_fence(findings, setup);
+  draw_range(findings, yard);
+  tabulate_step_control(findings, yard);
+}
+
+}  // namespace
+
+Case unit_scaling() {
+  return {.id = "unit_scaling",
+          .title = "The same scene in other units",
+          .requirements = {{"A7", {"numbers that differ"}},
+                           {"law.linear_spring_dashpot", {"yard", "fence"}},
+                           {"law.tension_only", {"yard"}},
+                           {"law.elastic_plastic", {"yard", "fence"}},
+                           {"Eq. 18", {"yard", "fence"}},
+                           {"shape.superquadric", {"yard"}},
+                           {"shape.rectangle", {"yard"}},
+                           {"shape.terrain", {"yard"}},
+                           {"method.nodes", {"yard"}},
+                           {"method.resultant", {"yard", "fence"}},
+                           {"integrator.velocity_verlet", {"velocity_verlet"}},
+                           {"integrator.central_difference", {"yard, central_difference"}},
+                           {"integrator.lagged_central_difference", {"lagged_central_difference"}},
+                           {"integrator.euler_cromer", {"euler_cromer"}},
+                           {"integrator.rk4", {"rk4"}},
+                           {"integrator.odeint_dopri5", {"odeint_dopri5"}},
+                           {"integrator.odeint_cash_karp54", {"odeint_cash_karp54"}},
+                           {"integrator.odeint_fehlberg78", {"odeint_fehlberg78"}},
+                           {"integrator.odeint_abm8", {"odeint_abm8"}}},
+          .main_checks = {"numbers that differ, yard, velocity_verlet, all units",
+                          "numbers that differ, fence built from a deck in other units",
+                          "mechanisms of loss at work in the yard"},
+          .source = "IEEE 754; Chen, Cheung & Yiu 1998 (metamorphic testing)",
+          .page = page,
+          .faults = {{"gravity_overlooked", "gravity keeps its number",
+                      "numbers that differ, yard, velocity_verlet, all units"},
+                     {"strength_overlooked", "the strength of the hanger keeps its number",
+                      "numbers that differ, yard, velocity_verlet, all units"},
+                     {"slip_stiffness_overlooked", "the spring of one friction has another dimension",
+                      "numbers that differ, yard, velocity_verlet, all units"},
+                     {"units_of_three", "a unit of three for a power of two",
+                      "numbers that differ, yard, velocity_verlet, all units"},
+                     {"sag_overlooked", "the sag a part in 1e12 off",
+                      "numbers that differ, fence built from a deck in other units"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,199 @@
+#include "verification/problems/normal_contact/effective_mass_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/velocity_verlet.hpp"
+#include "solver/model/model_builder.hpp"
+#include "verification/problems/normal_contact/struck_bar.hpp"
+#include "verification/study/disc_bounce.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+Scene two_discs(double mass, double other, double frame, const LinearSpringDashpot& law, double gap) {
+  ModelBuilder builder;
+  const Body like{.name = "left", .mobility = Mobility::particle, .mass = mass, .shape = Circle{4.0}};
+  Body right = like;
+  right.name = "right";
+  right.mass = other;
+  right.p_WB = {8.0 + gap, 0.0};
+  const BodyId a = builder.add(like);
+  const BodyId b = builder.add(right);
+  builder.add(Contact{.name = "impact", .a = a, .b = b, .law = law});
+  Scene scene{.title = "Two discs", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, a, {1.0 + frame, 0.0}, 0.0);
+  set_velocity(scene.model, scene.initial, b, {frame, 0.0}, 0.0);
+  return scene;
+}
+
+/// Two discs whose forces see the second one's velocity with that sign: -1 makes the overlap's rate the sum of the
+/// velocities, as Eq. 20 is printed. Forces depend on the velocities by that rate alone.
+struct SignedDiscs {
+  RigidBodySystem* system{};
+  double sign{1.0};
+
+  [[nodiscard]] State seen(State state) const {
+    state.v[2] *= sign;
+    state.v[3] *= sign;
+    return state;
+  }
+  void drift(State& state, double h) const { drift_coordinates(state, h); }
+  void settle(State& state) const {
+    State turned = seen(state);
+    system->settle(turned);
+    state.mode = turned.mode;
+  }
+  void derivative(const State& state, Rates& rates) const { system->derivative(seen(state), rates); }
+  void evaluate(State& state, Rates& rates) const {
+    settle(state);
+    derivative(state, rates);
+  }
+};
+
+/// Speed at which two discs of masses 1 and 2 part in a frame that moves, over that of approach.
+double restitution_in_frame(double frame, bool plus, Findings& findings) {
+  const LinearSpringDashpot law =
+      dashpot_of(reference::damping_ratio(0.5, reference::EndRule::attractive), 1.0, 2.0 / 3.0, EndRule::attractive);
+  const Scene scene = two_discs(1.0, 2.0, frame, law, 0.01);
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem discs{dynamics, false};
+  SignedDiscs system{&discs, plus ? -1.0 : 1.0};
+  VelocityVerlet method;
+  State state = scene.initial;
+  constexpr double step = 1.0 / 37.0;  // some 100 a contact
+  method.start(system, state, step);
+  while (state.t < 6.0)
+    method.step(system, state, step);
+  findings.count(static_cast<std::uint64_t>(discs.evaluations()));
+  return state.v[2] - state.v[0];
+}
+
+/// Effective mass of disc and bar when the line of impact passes at that distance from the pin or the centre of mass.
+double mass_at(const StruckBar& bar, double distance) {
+  const double about_pin = inertia(bar) + bar.mass * bar.half_height * bar.half_height;
+  return reference::effective_mass(1.0 / bar.disc_mass,
+                                   bar.pinned ? reference::pivoted_mobility(about_pin, distance)
+                                              : reference::free_mobility(bar.mass, inertia(bar), distance));
+}
+
+/// Of two errors the one farther from the predicted one; a NaN stays.
+double farther(double error, double other, double predicted) {
+  return std::abs(other - predicted) < std::abs(error - predicted) ? error : other;
+}
+
+/// What Eq. 21 as printed takes.
+double two_masses(const StruckBar& bar) { return reference::effective_mass(1.0 / bar.disc_mass, 1.0 / bar.mass); }
+
+/// Errors of e = .5 with a dashpot made for `mass`.
+ImpactErrors bar_errors(StruckBar bar, double mass, Findings& findings) {
+  constexpr double stiffness = 1e12;  // overlap 1e-6 of the bar's size: what is left is the step
+  const double xi = reference::damping_ratio(0.5, reference::EndRule::attractive);
+  const double true_mass = mass_at(bar, arm(bar));
+  bar.law = dashpot_of(xi, stiffness, mass, EndRule::attractive);
+  const auto exact = reference::impact_events(
+      {stiffness, dashpot_of(xi, stiffness, true_mass, EndRule::attractive).damping, true_mass, 1.0},
+      reference::EndRule::attractive);
+  const auto at = [bar](double gap) mutable {
+    bar.gap = gap;
+    return struck_bar(bar);
+  };
+  return impact_errors(at, exact, production_steps, VelocityVerlet{}, findings);
+}
+
+Series closed_form_of_two_masses(bool pinned, const std::string& kind) {
+  Series line{.label = kind + ", closed form of the two masses", .x = {}, .y = {}, .style = Style::lines};
+  const double xi = reference::damping_ratio(0.5, reference::EndRule::attractive);
+  const StruckBar bar{.pinned = pinned};
+  for (double a = 0.0; a <= (pinned ? 8.0 : 4.0); a += 0.25) {
+    line.x.push_back(a);
+    line.y.push_back(
+        reference::restitution(xi * std::sqrt(two_masses(bar) / mass_at(bar, a)), reference::EndRule::attractive));
+  }
+  return line;
+}
+
+}  // namespace
+
+void check_masses(Findings& findings, const Setup& setup) {
+  const double predicted = predicted_restitution_error(bounce(0.5, EndRule::clamped, {}), production_steps);
+  double worst = predicted, drift = 0.0;
+  for (const double ratio : {0.01, 0.1, 1.0, 10.0, 100.0}) {
+    const double mass = ratio / (1.0 + ratio);  // effective mass of masses 1 and ratio
+    const Bounce b = bounce(0.5, EndRule::clamped, setup);
+    const LinearSpringDashpot law = dashpot_of(b.xi, mass, setup.has("masses_added") ? 1.0 + ratio : mass, b.rule);
+    double centre = 0.0;
+    const auto at = [&](double gap) { return two_discs(1.0, ratio, 3.0, law, gap); };
+    const ImpactErrors found = impact_errors(at, b.exact, production_steps, VelocityVerlet{}, findings);
+    const FollowedImpact impact =
+        impact_at_phase(at, VelocityVerlet{}, b.exact.contact_time,
+                        offset_step(b.exact.contact_time, production_steps, 0), 0.5, findings);
+    const State& end = impact.at_end;
+    centre = (end.v[0] + ratio * end.v[2]) / (1.0 + ratio);
+    worst = farther(worst, found.restitution.rms(), predicted);
+    drift = std::max(drift, std::abs(centre - (3.0 + 1.0 / (1.0 + ratio))));
+  }
+  findings.expect("rms relative error of e, mass ratios 1/100 ... 100", worst, predicted,
+                  near_prediction(EndRule::clamped));
+  findings.expect("velocity of the common centre of mass", drift, 0.0,
+                  Tolerance::round_off(2e-14,
+                                       "110 equal and opposite kicks, each rounded at speeds up to 5: sqrt(110) "
+                                       "x 4.4e-16 = 5e-15, four times that for the worst"));
+}
+
+void check_frames(Findings& findings, const Setup& setup) {
+  const bool plus = setup.has("closing_rate_with_plus");
+  const Pose left{.p_WB = {-4.0, 0.0}, .R_WB = {}, .v_WB = {3.0, -7.0}};
+  Pose right{.p_WB = {4.0, 0.0}, .R_WB = {}, .v_WB = left.v_WB};
+  if (plus) right.v_WB = -right.v_WB;
+  findings.expect("closing rate of two discs that move together", depth_rate({0.0, {1.0, 0.0}, {}}, left, right), 0.0,
+                  Tolerance::exact("Eq. 20 with the minus sign: the difference of two equal numbers"));
+  const double at_rest = restitution_in_frame(0.0, plus, findings);
+  double change = 0.0;
+  for (const double frame : {-7.0, 3.0, 20.0}) {
+    const double found = restitution_in_frame(frame, plus, findings) - at_rest;
+    if (!(std::abs(found) <= std::abs(change))) change = found;
+  }
+  findings.expect("closing rate seen from moving frames, change of e", change, 0.0,
+                  Tolerance::round_off(4e-13,
+                                       "220 steps that round positions up to 130 to 1.4e-14 and speeds up to 21 to "
+                                       "1.8e-15: sqrt(220) x 1.4e-14 = 2e-13, twice that for the worst"));
+}
+
+void check_levers(Findings& findings, const Setup& setup) {
+  Figure figure{.name = "levers",
+                .title = "Off-centre and pivoted impacts",
+                .caption =
+                    "Restitution for the wanted .5. Filled: damping from the effective mass at the contact point. "
+                    "Crosses: Eq. 21 with the two masses; the lines are what its damping ratio gives there.",
+                .x = {.label = "lever arm from the centre of mass or the pin"},
+                .y = {.label = "restitution", .min = 0.4},
+                .series = {},
+                .lines = {{'y', 0.5, "wanted"}}};
+  for (const bool pinned : {false, true}) {
+    const std::string kind = pinned ? "pivoted" : "off centre";
+    Series right{.label = kind + ", effective mass", .x = {}, .y = {}, .style = Style::points};
+    Series naive{.label = kind + ", two masses", .x = {}, .y = {}, .style = Style::crosses};
+    const double predicted = predicted_restitution_error(bounce(0.5, EndRule::attractive, {}), production_steps);
+    double worst = predicted;
+    for (const double height : {-3.5, -2.0, -0.5, 1.0, 2.5}) {
+      const StruckBar bar{.pinned = pinned, .height = height};
+      const bool forgotten = setup.has(pinned ? "pin_forgotten" : "arm_forgotten");
+      const ImpactErrors found = bar_errors(bar, forgotten ? two_masses(bar) : mass_at(bar, arm(bar)), findings);
+      worst = farther(worst, found.restitution.rms(), predicted);
+      if (setup.coarse) continue;
+      right.x.push_back(arm(bar));
+      right.y.push_back(found.mean_restitution);
+      naive.x.push_back(arm(bar));
+      naive.y.push_back(bar_errors(bar, two_masses(bar), findings).mean_restitution);
+    }
+    // The overlap is 1e-6 of the bar: its turning during contact is not seen, and the error is a central impact's.
+    findings.expect("rms relative error of e, " + kind, worst, predicted, near_prediction(EndRule::attractive));
+    figure.series.insert(figure.series.end(), {right, naive, closed_form_of_two_masses(pinned, kind)});
+  }
+  if (!setup.coarse) findings.figure(figure);
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,326 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "verification/check/case.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/reference/hertz_impact.hpp"
+#include "verification/reference/hurwitz_zeta.hpp"
+#include "verification/reference/restitution.hpp"
+#include "verification/study/followed_impact.hpp"
+#include "verification/study/plane_impact.hpp"
+
+namespace talus::verification::problems {
+
+Case hertz();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** A ball meets a plane by Hertz's law, which stiffens with the overlap, without and with a dashpot made for
+it. How deep, how long, and which share of the speed is left? The law is the recipe's proof: one file and one line of
+the list. In a plane scene the balls' radius is a parameter of the law.
+
+```
+       |v            F = k x^(3/2) + c (x/R)^(1/4) x'
+      ( )  m         k = 4/3 E sqrt(R)
+   ////////////      c = xi sqrt(20/3 E R m)
+```
+
+**Equations.** $m\ddot x = -k x^{3/2} - c\,(x/R)^{1/4}\dot x$. With $y = \sqrt{4k/5m}\,x^{5/4}$ and the angle $du =
+\sqrt{5k/4m}\,x^{1/4}dt$ this is $y' = \dot x$, $\dot x' = -y - 2\xi\dot x$: the linear spring and dashpot, so $e$ is
+the same function of $\xi$ and of the end rule, at every speed. Undamped,
+$$x_{max} = \Big(\frac{5 m v^2}{4k}\Big)^{2/5}, \qquad T = \tfrac45 B(\tfrac25, \tfrac12)\,\frac{x_{max}}v =
+2.9433\,\frac{x_{max}}v \sim v^{-1/5}.$$
+
+**Error of a step.** A force that begins like $\kappa t^p$ at the share $u$ of a step before the first sample inside
+leaves a leapfrog with the impulse $\kappa h^{p+1}\zeta(-p, u)$ too much (Hurwitz' zeta; $p = 0$: the jump $\frac12 -
+u$ of a linear dashpot, $p = 1$: the kink of a linear spring). Inside it keeps $\frac12v^2 + V + h^2(\frac1{12}v^2V''
+- \frac1{24}V'^2)$, and the second derivative of this potential $V$ vanishes at the touch. With $u'$ for the end, $s$
+for half a step before the turn:
+$$\frac{\delta e}e = \tfrac km\sqrt v\,h^{5/2}[\zeta(-\tfrac32,u') - \zeta(-\tfrac32,u)], \quad
+\frac{\delta T}T = -\tfrac{5}{64}\,\frac{B(3/5,1/2)}{B(2/5,1/2)}\Big(\frac{v h}{x_{max}}\Big)^2, \quad
+\frac{\delta x_{max}}{x_{max}} = \tfrac58\Big(\frac{v h}{x_{max}}\Big)^2[s(1-s) - \tfrac16]:$$
+order 5/2 for $e$, 2 for the others. With a dashpot: it sees the velocity of half a step before, so that all forces
+grow by the share $\xi\dot u h$, a shift of $e$ of first order (found by integrating the equation so changed), and it
+begins like $t^{1/4}$, which costs $2\xi\dot u\,h\,\zeta(-\frac14,u)$ with $\dot u$ at the depth $vh$: order 5/4, at
+both ends when the contact pulls.
+
+**Source.** Hertz, J. reine angew. Math. 92 (1882) 156; Tsuji, Tanaka & Ishida, Powder Technol. 71 (1992) 239; Antypov
+& Elliott, EPL 94 (2011) 50004; errors derived here. Codes that write the dashpot $2\sqrt{5/6}\,\xi\sqrt{S m}$ with
+the tangent $S = \frac32 k\sqrt x$ have the same. The setting is that of the first tests of Chung & Ooi, Granular
+Matter 13 (2011) 643.
+
+| symbol | meaning | value |
+|:--|:-----|:------|
+| $m$, $v$, $E$, $R$ | mass, speed, modulus, radius | 1, 1, 3/4, 4: $k = 2$ (no units) |
+| $\xi$ | damping ratio | 0; .05, .2, .5 |
+| $h$ | step | $T/(100 + f)$, an $f$ of its own for each of 64 phases |
+
+**What would break it.** The square root of $R$ left out; a linear spring under another name; a dashpot with the
+constant of a linear one ($2\sqrt{km}$, without $\sqrt{5/4}$), which gives $e = .57$ for .53 at $\xi = .2$. A step
+that divides $T$ is harmless here: $\zeta(-\frac32, u)$ is not even about $u = \frac12$, and touch and end do not
+cancel.
+)";
+
+constexpr double modulus = 0.75, radius = 4.0, stiffness = 2.0, production_steps = 100.0;
+
+/// A wanted impact with unit mass: what the solver is told, and how it should go.
+struct Ball {
+  double xi{}, speed{1.0};
+  EndRule rule{EndRule::attractive};
+  ContactLaw law;
+  reference::HertzEvents exact;
+};
+
+Ball ball(double xi, EndRule rule, const Setup& setup) {
+  Ball made{.xi = xi, .rule = rule, .law = {}, .exact = {}};
+  made.exact = reference::hertz_events({stiffness, xi, 1.0, 1.0}, same(rule));
+  const double damping =
+      (setup.has("constant_of_linear_dashpot") ? 2.0 : std::sqrt(5.0)) * xi * std::sqrt(4.0 / 3.0 * modulus * radius);
+  const double told = setup.has("radius_forgotten") ? 1.0 : radius;
+  made.law = Hertz{modulus, told, damping * std::pow(told / radius, 0.25), rule};
+  if (setup.has("linear_spring")) made.law = LinearSpringDashpot{stiffness, 0.0, rule};
+  return made;
+}
+
+/// Relative errors of one impact.
+struct ImpactError {
+  double restitution{}, contact_time{}, largest{};
+};
+
+/// Relative change of e for each unit of step by the dashpot's velocity of half a step before: the equations in y and
+/// u with forces larger by the share xi du/dt h, by a fourth-order method of its own. Only the end needs care: the last
+/// step is a linear one to y = 0 or y + 2 xi x' = 0.
+double lag_shift(const Ball& b) {
+  const double unit = std::sqrt(1.25 * stiffness) * std::pow(1.25 / stiffness, 0.1);
+  const auto exit = [&](double h) {
+    double y = 0.0, v = b.speed;
+    constexpr double du = 1e-3;
+    const auto rate = [&](double at, double speed) {
+      const double grown = 1.0 + b.xi * h * unit * std::pow(std::max(at, 0.0), 0.2);
+      return -(at + 2.0 * b.xi * speed) * grown;
+    };
+    const auto end = [&](double at, double speed) { return b.rule == EndRule::clamped ? at + 2.0 * b.xi * speed : at; };
+    for (;;) {
+      const double k1 = rate(y, v), v2 = v + 0.5 * du * k1, k2 = rate(y + 0.5 * du * v, v2);
+      const double v3 = v + 0.5 * du * k2, k3 = rate(y + 0.5 * du * v2, v3);
+      const double v4 = v + du * k3, k4 = rate(y + du * v3, v4);
+      const double next_y = y + du / 6.0 * (v + 2.0 * v2 + 2.0 * v3 + v4);
+      const double next_v = v + du / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+      if (v < 0.0 && end(next_y, next_v) <= 0.0)
+        return v + (next_v - v) * end(y, v) / (end(y, v) - end(next_y, next_v));
+      y = next_y;
+      v = next_v;
+    }
+  };
+  return std::log(exit(1e-3) / exit(-1e-3)) / 2e-3;
+}
+
+ImpactError predicted_error(const Ball& b, double shift, double step, double phase) {
+  const double touch = 1.0 - phase;
+  const double end = fraction(phase + b.exact.contact_time / step);
+  const double turn = fraction(phase + 0.5 * b.exact.contact_time / step + 0.5);
+  const double per_depth = b.speed * step / b.exact.largest_depth;
+  ImpactError error;
+  error.largest = 0.625 * per_depth * per_depth * (turn * (1.0 - turn) - 1.0 / 6.0);
+  error.contact_time = -5.0 / 64.0 * std::beta(0.6, 0.5) / std::beta(0.4, 0.5) * per_depth * per_depth;
+  const auto zeta = [](double p, double u) { return reference::hurwitz_zeta_of_minus(p, u); };
+  if (b.xi == 0.0) {
+    const double begins = stiffness * std::sqrt(b.speed) * std::pow(step, 2.5);
+    error.restitution = begins * (zeta(1.5, end) - zeta(1.5, touch));
+    error.largest -= 0.8 * begins * zeta(1.5, touch);  // x_max grows with the speed to the power 4/5
+    return error;
+  }
+  const auto begins = [&](double speed, double share) {
+    return 2.0 * b.xi * std::sqrt(1.25 * stiffness) * std::pow(speed * step, 0.25) * step * zeta(0.25, share);
+  };
+  error.restitution = shift * step - begins(b.speed, touch);
+  if (b.rule == EndRule::attractive) error.restitution -= begins(b.exact.restitution * b.speed, end);
+  return error;
+}
+
+ImpactError impact_error(const Ball& b, double step, double phase, Findings& findings) {
+  const PlaneRebound seen =
+      plane_rebound(b.law, {b.speed, 8.0, step, phase, 3.0 * b.exact.contact_time + 4.0 * step}, findings);
+  if (!seen.ended()) return {NAN, NAN, NAN};
+  const std::size_t last = seen.depth.size() - 1;
+  const double end = seen.time[last - 1] + step * seen.depth[last - 1] / (seen.depth[last - 1] - seen.depth[last]);
+  return {seen.speed / (b.exact.restitution * b.speed) - 1.0, end / b.exact.contact_time - 1.0,
+          *std::max_element(seen.depth.begin(), seen.depth.end()) / b.exact.largest_depth - 1.0};
+}
+
+struct ImpactErrors {
+  PhaseError restitution, contact_time, largest;
+  double mean_time{};  ///< of contact, over the exact one
+  void add(const ImpactError& error) {
+    restitution.add(error.restitution);
+    contact_time.add(error.contact_time);
+    largest.add(error.largest);
+    mean_time += (1.0 + error.contact_time) / static_cast<double>(fewest_phases);
+  }
+};
+struct Comparison {
+  ImpactErrors found, predicted;
+};
+
+Comparison compare(const Ball& b, double steps, Findings& findings) {
+  Comparison all;
+  const double shift = b.xi > 0.0 ? lag_shift(b) : 0.0;
+  for (std::size_t i = 0; i < fewest_phases; ++i) {
+    const double phase = even_phases(fewest_phases)[i];
+    const double step = offset_step(b.exact.contact_time, steps, i);
+    all.found.add(impact_error(b, step, phase, findings));
+    all.predicted.add(predicted_error(b, shift, step, phase));
+  }
+  return all;
+}
+
+struct Curve {
+  Convergence found;
+  Series points, line;
+};
+
+Curve curve(const Ball& b, const std::string& label, Findings& findings, const Setup& setup) {
+  Curve made{{}, {label, {}, {}, Style::points}, {label + ", predicted", {}, {}, Style::lines}};
+  for (const double n : doublings(16.0, setup.coarse ? 3 : 6)) {
+    const Comparison c = compare(b, n, findings);
+    made.found.add(1.0 / n, c.found.restitution.rms());
+    made.line.x.push_back(1.0 / n);
+    made.line.y.push_back(c.predicted.restitution.rms());
+  }
+  made.points.x = made.found.steps();
+  made.points.y = made.found.errors();
+  return made;
+}
+
+void check_undamped(Findings& findings, const Setup& setup) {
+  const Comparison c = compare(ball(0.0, EndRule::attractive, setup), production_steps, findings);
+  const auto expect = [&](const char* name, const PhaseError& found, const PhaseError& predicted, const char* why) {
+    findings.expect(fmt::format("rms error of {}, undamped, over the predicted", name), found.rms() / predicted.rms(),
+                    1.0, Tolerance::model(0.005, why));
+  };
+  const char* next =
+      "predicted impact by impact; the next power of the step, v h/x_max = .03 of it squared, and a few times that";
+  expect("e", c.found.restitution, c.predicted.restitution, next);
+  expect("the contact time", c.found.contact_time, c.predicted.contact_time, next);
+  expect("the largest overlap", c.found.largest, c.predicted.largest, next);
+}
+
+void check_damped(Findings& findings, const Setup& setup) {
+  Table table{
+      .name = "damped",
+      .caption = "With the dashpot at 100 steps per contact, 64 phases: relative error of $e$, root mean square.",
+      .columns = {"end rule", "xi", "e", "error of e", "predicted"},
+      .rows = {}};
+  for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
+    const char* word = rule == EndRule::attractive ? "attractive" : "clamped";
+    double worst = 1.0;
+    for (const double xi : {0.05, 0.2, 0.5}) {
+      const Ball b = ball(xi, rule, setup);
+      const Comparison c = compare(b, production_steps, findings);
+      const double found = c.found.restitution.rms(), predicted = c.predicted.restitution.rms();
+      worst = farther_from_one(worst, found / predicted);
+      table.rows.push_back({word, fmt::format("{:g}", xi), fmt::format("{:.4f}", b.exact.restitution),
+                            fmt::format("{:.2e}", found), fmt::format("{:.2e}", predicted)});
+    }
+    findings.expect(fmt::format("rms error of e over the predicted, farthest of three dampings, {}", word), worst, 1.0,
+                    Tolerance::model(0.06,
+                                     "lag and onset predicted impact by impact; the next powers of the step, "
+                                     "3/2 and 2, are 3 % of it at 100 steps"));
+  }
+  findings.table(table);
+}
+
+void check_orders(Findings& findings, const Setup& setup) {
+  const Curve elastic = curve(ball(0.0, EndRule::attractive, setup), "undamped", findings, setup);
+  findings.expect_order(
+      "order of e, undamped", elastic.found, 2.4, 2.6,
+      "the force begins like t^(3/2), which costs h^(5/2); 64 uneven phases of the end tilt the line");
+  const Curve damped = curve(ball(0.2, EndRule::attractive, setup), "xi = .2, pulls at the end", findings, setup);
+  findings.figure({.name = "error_of_e",
+                   .title = "Error of the restitution against the step",
+                   .caption = "Root mean square over 64 phases with a step of its own each. Lines: predicted, nothing "
+                              "is fitted. Undamped the order is 5/2: between that of a kink (2) and of a smooth force. "
+                              "With the dashpot it goes from 5/4, its onset, to 1, its velocity of half a step before.",
+                   .x = {.label = "step / contact time", .log = true},
+                   .y = {.label = "relative error of e", .log = true},
+                   .series = {elastic.points, elastic.line, damped.points, damped.line},
+                   .slopes = {{2.5, 1.0 / 64.0, 2e-6, "h^(5/2)"}, {1.0, 1.0 / 64.0, 2e-3, "h"}}});
+}
+
+/// A speed times 2^5 makes depths 2^4 and the time 2^-1 of what they were: the same bits.
+void check_speeds(Findings& findings) {
+  const auto rebound = [&](int j) {
+    const double speed = std::ldexp(1.0, 5 * j), depth = std::ldexp(1.0, 4 * j);
+    Ball b = ball(0.2, EndRule::clamped, {});
+    const double step = std::ldexp(b.exact.contact_time / 50.4, -j);
+    return plane_rebound(b.law, {speed, 8.0 * depth, step, 0.25, 3.0 * 50.4 * step}, findings).speed / speed;
+  };
+  double change = 0.0;
+  for (int j = -3; j <= 3; ++j)
+    change = std::max(change, std::abs(rebound(j) - rebound(0)));
+  findings.expect("change of e with the dashpot, speeds 2^-15 ... 2^15", change, 0.0,
+                  Tolerance::exact("roots of powers of two that are powers of two: every operation rounds alike"));
+}
+
+void show_contact_times(Findings& findings, const Setup& setup) {
+  Series points{"solver, mean of 64 phases", {}, {}, Style::points}, line{"closed form", {}, {}, Style::lines};
+  for (const double speed : {0.01, 0.1, 1.0, 10.0}) {
+    Ball b = ball(0.0, EndRule::attractive, setup);
+    b.speed = speed;
+    b.exact = reference::hertz_events({stiffness, 0.0, 1.0, speed}, reference::EndRule::attractive);
+    const Comparison c = compare(b, production_steps, findings);
+    points.x.push_back(speed);
+    points.y.push_back(b.exact.contact_time * c.found.mean_time);
+    line.x.push_back(speed);
+    line.y.push_back(b.exact.contact_time);
+  }
+  findings.figure({.name = "contact_times",
+                   .title = "Faster impacts are shorter",
+                   .caption = "Contact time against speed: falls like $v^{-1/5}$; that of a linear spring would not.",
+                   .x = {.label = "speed of approach", .log = true},
+                   .y = {.label = "contact time", .log = true},
+                   .series = {line, points}});
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_undamped(findings, setup);
+  check_damped(findings, setup);
+  check_orders(findings, setup);
+  if (setup.coarse) return;
+  check_speeds(findings);
+  show_contact_times(findings, setup);
+}
+
+}  // namespace
+
+Case hertz() {
+  return {.id = "hertz",
+          .title = "Impact by Hertz's law",
+          .family = "B: normal contact",
+          .requirements = {{"law.hertz", {"undamped", "three dampings", "change of e with the dashpot"}},
+                           {"method.resultant", {"undamped", "three dampings"}},
+                           {"end_rule.attractive", {"three dampings, attractive"}},
+                           {"end_rule.clamped", {"three dampings, clamped"}},
+                           {"integrator.velocity_verlet", {"order of e"}},
+                           {"regime.hertz.touching", {"undamped"}},
+                           {"regime.hertz.released", {"three dampings, clamped"}}},
+          .main_checks = {"rms error of the contact time, undamped, over the predicted",
+                          "rms error of the largest overlap, undamped, over the predicted", "order of e, undamped",
+                          "rms error of e over the predicted, farthest of three dampings, attractive"},
+          .source = "Hertz 1882; Tsuji, Tanaka & Ishida 1992; Antypov & Elliott, EPL 94 (2011) 50004",
+          .page = page,
+          .faults = {{"radius_forgotten", "the square root of the radius is left out",
+                      "rms error of the largest overlap, undamped, over the predicted"},
+                     {"linear_spring", "a linear spring of the same number", "order of e, undamped"},
+                     {"constant_of_linear_dashpot", "the dashpot of a linear spring",
+                      "rms error of e over the predicted, farthest of three dampings, attractive"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

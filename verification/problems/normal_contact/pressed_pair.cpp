@@ -1,0 +1,278 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "solver/model/model_builder.hpp"
+#include "verification/check/case.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/reference/pressed_discs.hpp"
+#include "verification/study/plane_impact.hpp"
+#include "verification/study/scene_run.hpp"
+
+namespace talus::verification::problems {
+
+Case pressed_pair();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Two discs are squeezed between a floor and a ceiling, so that all three contacts stay closed, and let go
+out of balance. Nothing opens or closes: the motion is linear, and a method shows its own order.
+
+```
+   ///////////
+      ( )  y2      k = stiffness of all three contacts,  c = b k
+      ( )  y1      pressed by D before they are let go
+   ///////////
+```
+
+**Equations.** With $y$ from where the three forces are equal, $m_1\ddot y_1 = -k(2y_1 - y_2) - bk(2\dot y_1 - \dot
+y_2) - m_1 g$ and its mirror image. Damping in proportion to stiffness leaves the modes of the undamped pair:
+$$m_1m_2\omega^4 - 2k(m_1+m_2)\omega^2 + 3k^2 = 0, \qquad m_1 = m_2:\; \omega^2 = k/m,\; 3k/m, \qquad
+\xi_j = \tfrac12 b\,\omega_j.$$
+
+**Error of a step.** Undamped, velocity Verlet from rest follows $\cos\Omega t$ with $\sin\frac12\Omega h =
+\frac12\omega h$ exactly: the solver is compared with that to round-off, and with the motion itself at order 2, phase
+error $\frac1{24}\omega^3h^2t$. Damped, the dashpot sees the velocity of half a step before, which turns $m$ into $m -
+\frac12 c h$ for each mode: $\xi$ grows by $\frac12\xi^2\omega h$ and $\omega$ by $\frac12\xi\omega^2h$: order 1,
+constant known.
+
+| symbol | meaning | value |
+|:--|:-----|:------|
+| $k$, $D$, radius | contacts, squeeze of each contact, discs | 1024, 1/8, 1 (no units) |
+| $m_1$, $m_2$; $g$ | equal pair; unlike pair (upper disc half) | 1, 1; 1, 1/2; 9.81 |
+| $b$ | $c/k$ | 0; 1/256: $\xi = .06, .11$ |
+| $t$ | compared over | 0 ... 1: 5 and 9 swings |
+
+**Source.** Textbook vibrations; the setting is that of MFiX's verification case DEM03 (two particles stacked between
+walls, compressed, unlike densities), its closed form derived here.
+
+**What would break it.** A contact evaluated twice; a weight left out; the lever of one disc on the other with the
+wrong sign (then both modes have the same frequency); a dashpot that takes the velocity of one disc only.
+)";
+
+constexpr double stiffness = 1024.0, squeeze = 0.125, end_time = 1.0;
+
+struct Pair {
+  double above{1.0};
+  double lag{};
+  double gravity{};
+  reference::PressedPair exact() const { return {1.0, above, stiffness, lag, gravity}; }
+};
+
+constexpr reference::PairState start{{0.03125, -0.015625}, {0.0, 0.0}};
+
+Scene pair_scene(const Pair& pair, const Setup& setup) {
+  ModelBuilder builder;
+  builder.gravity({0.0, -pair.gravity});
+  const LinearSpringDashpot law{stiffness, pair.lag * stiffness, EndRule::attractive};
+  const double first = 1.0 - squeeze, second = first + 2.0 - squeeze, top = second + 1.0 - squeeze;
+  const auto add_disc = [&](const char* name, double mass, double y) {
+    return builder.add(
+        Body{.name = name, .mobility = Mobility::particle, .mass = mass, .shape = Circle{1.0}, .p_WB = {0.0, y}});
+  };
+  const double above = setup.has("upper_heavier") ? 1.01 * pair.above : pair.above;
+  const BodyId floor = builder.add(Body{.name = "floor", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  const BodyId ceiling = builder.add(Body{.name = "ceiling",
+                                          .mobility = Mobility::fixed,
+                                          .shape = HalfPlane{},
+                                          .p_WB = {0.0, top},
+                                          .angle = std::numbers::pi});
+  const BodyId lower = add_disc("lower", 1.0, first + start.height[0]);
+  const BodyId upper = add_disc("upper", above, second + start.height[1]);
+  LinearSpringDashpot middle = law;
+  if (setup.has("dashpot_between_off")) middle.damping = 0.0;
+  builder.add(Contact{.name = "on_floor", .a = floor, .b = lower, .law = law});
+  builder.add(Contact{.name = "between", .a = lower, .b = upper, .law = middle});
+  builder.add(Contact{.name = "on_ceiling", .a = ceiling, .b = upper, .law = law});
+  Scene scene{.title = "Two discs between walls", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  return scene;
+}
+
+/// Largest difference of both heights from `expected(t)` over the run, over the first displacement.
+template <class Expected>
+double largest_error(const Pair& pair, const Integrator& method, long steps, const Expected& expected,
+                     Findings& findings, const Setup& setup, Series* heights = nullptr) {
+  double largest = 0.0;
+  const double lower = 1.0 - squeeze, upper = 3.0 - 2.0 * squeeze;
+  const Observer observer = [&](const State& state, const StepInfo&) {
+    const auto exact = expected(state.t);
+    const double error =
+        std::max(std::abs(state.q[1] - lower - exact[0]), std::abs(state.q[3] - upper - exact[1])) / start.height[0];
+    if (!(error <= largest)) largest = error;
+    if (!heights) return;
+    heights[0].x.push_back(state.t);
+    heights[0].y.push_back(state.q[1] - lower);
+    heights[1].x.push_back(state.t);
+    heights[1].y.push_back(state.q[3] - upper);
+  };
+  const RunEnd end =
+      run_steps(pair_scene(pair, setup), method, end_time / static_cast<double>(steps), steps, {&observer, 1});
+  findings.count(static_cast<std::uint64_t>(end.evaluations));
+  return std::isfinite(end.state.q[1]) ? largest : NAN;
+}
+
+/// Heights of the undamped pair from rest as velocity Verlet has them: each mode at its own numerical frequency.
+auto leapfrog_heights(const Pair& pair, double step) {
+  const auto modes = reference::pair_frequencies(pair.exact());
+  const auto rest = reference::pair_at_rest(pair.exact());
+  return [=](double t) {
+    std::array<double, 2> found = rest;
+    for (const double w : modes) {
+      const double mass = pair.above, p0 = stiffness, p1 = 2.0 * stiffness - w * w;
+      const double q =
+          (p0 * (start.height[0] - rest[0]) + mass * p1 * (start.height[1] - rest[1])) / (p0 * p0 + mass * p1 * p1);
+      const double turned = q * std::cos(2.0 / step * std::asin(0.5 * w * step) * t);
+      found[0] += p0 * turned;
+      found[1] += p1 * turned;
+    }
+    return found;
+  };
+}
+
+/// Heights with the damping of which velocity Verlet takes the velocity of half a step before: mode by mode the
+/// frequency grows by xi w h/2 and the damping ratio by xi/2 w h, to first order in the step. Scaled to a small step,
+/// the difference to the exact motion is the predicted error.
+double predicted_damped_error(const Pair& pair, double step) {
+  const auto modes = reference::pair_frequencies(pair.exact());
+  const auto rest = reference::pair_at_rest(pair.exact());
+  double largest = 0.0;
+  for (double t = 0.0; t <= end_time; t += 1e-3) {
+    std::array<double, 2> change{};
+    for (const double w : modes) {
+      const double mass = pair.above, p0 = stiffness, p1 = 2.0 * stiffness - w * w;
+      const double q =
+          (p0 * (start.height[0] - rest[0]) + mass * p1 * (start.height[1] - rest[1])) / (p0 * p0 + mass * p1 * p1);
+      // x'' (1 - xi w h) + 2 xi w x' + w^2 x = 0 against h = 0, both from rest.
+      const auto swing = [&](double h) {
+        const double xi = 0.5 * pair.lag * w, share = 1.0 - xi * w * h;
+        const double frequency = w / std::sqrt(share), ratio = xi / std::sqrt(share);
+        const double s = std::sqrt(1.0 - ratio * ratio), angle = s * frequency * t;
+        return std::exp(-ratio * frequency * t) * (std::cos(angle) + ratio / s * std::sin(angle));
+      };
+      const double difference = q * (swing(step) - swing(0.0));
+      change[0] += p0 * difference;
+      change[1] += p1 * difference;
+    }
+    largest = std::max({largest, std::abs(change[0]), std::abs(change[1])});
+  }
+  return largest / start.height[0];
+}
+
+std::string name_of(const Pair& pair) {
+  return fmt::format("{}{}", pair.above == 1.0 ? "equal discs" : "unlike discs with weight",
+                     pair.lag > 0.0 ? ", damped" : "");
+}
+
+auto exact_heights(const Pair& pair) {
+  return [pair](double t) { return reference::pair_at(pair.exact(), start, t).height; };
+}
+
+constexpr Pair undamped_pairs[] = {{1.0, 0.0, 0.0}, {0.5, 0.0, 9.81}};
+constexpr Pair damped_pairs[] = {{1.0, 1.0 / 256.0, 0.0}, {0.5, 1.0 / 256.0, 9.81}};
+
+void check_undamped(Figure& figure, Findings& findings, const Setup& setup) {
+  for (const Pair& pair : undamped_pairs) {
+    const long steps = 400;
+    const double found = largest_error(pair, VelocityVerlet{}, steps,
+                                       leapfrog_heights(pair, end_time / static_cast<double>(steps)), findings, setup);
+    findings.expect("heights against the leapfrog's own swings, " + name_of(pair), found, 0.0,
+                    Tolerance::round_off(4e-13,
+                                         "400 steps that round heights of 1 and 3 to 2.2e-16, summed twice: "
+                                         "400^1.5/sqrt(3) x 2.2e-16/.03 = 3e-11 at most, a hundredth of it where "
+                                         "swings turn the sums"));
+    Convergence order;
+    for (const double n : doublings(200.0, setup.coarse ? 2 : 4))
+      order.add(end_time / n,
+                largest_error(pair, VelocityVerlet{}, std::lround(n), exact_heights(pair), findings, setup));
+    findings.expect_order("order, " + name_of(pair), order, 1.99, 2.01,
+                          "no contact opens: the order is the method's own; the next power, (w h)^2 = .08 at 200 "
+                          "steps, tilts the line by .005");
+    figure.series.push_back({name_of(pair), order.steps(), order.errors(), Style::points});
+  }
+}
+
+void check_damped(Figure& figure, Findings& findings, const Setup& setup) {
+  for (const Pair& pair : damped_pairs) {
+    Convergence order;
+    Series line{name_of(pair) + ", predicted", {}, {}, Style::lines};
+    for (const double n : doublings(800.0, setup.coarse ? 2 : 4)) {
+      order.add(end_time / n,
+                largest_error(pair, VelocityVerlet{}, std::lround(n), exact_heights(pair), findings, setup));
+      line.x.push_back(end_time / n);
+      line.y.push_back(predicted_damped_error(pair, end_time / n));
+    }
+    findings.expect("error over the predicted at the finest step, " + name_of(pair),
+                    order.errors().back() / line.y.back(), 1.0,
+                    Tolerance::model(setup.coarse ? 0.1 : 0.02, "the next power of the step: w h^2 t/24 over xi h/2"));
+    findings.expect_order("order, " + name_of(pair), order, 0.9, 1.1,
+                          "the dashpot's velocity of half a step before; the next power tilts the line");
+    figure.series.push_back({name_of(pair), order.steps(), order.errors(), Style::points});
+    figure.series.push_back(line);
+  }
+}
+
+void run(Findings& findings, const Setup& setup) {
+  Figure figure{.name = "error",
+                .title = "Error of the heights against the step",
+                .caption = "Largest over the run, over the first displacement. Lines: predicted from the lag.",
+                .x = {.label = "step", .log = true},
+                .y = {.label = "error / y1(0)", .log = true},
+                .series = {},
+                .slopes = {{2.0, 2e-3, 2e-3, "h^2"}, {1.0, 5e-4, 1.5e-2, "h"}}};
+  check_undamped(figure, findings, setup);
+  check_damped(figure, findings, setup);
+  findings.figure(figure);
+  if (setup.coarse) return;
+  const Pair pair = damped_pairs[1];
+  Series heights[2] = {{"lower, solver", {}, {}, Style::points}, {"upper, solver", {}, {}, Style::points}};
+  (void)largest_error(pair, VelocityVerlet{}, 150, exact_heights(pair), findings, setup, heights);
+  Series exact[2] = {{"lower", {}, {}, Style::lines}, {"upper", {}, {}, Style::lines}};
+  for (double t = 0.0; t <= end_time; t += 0.004) {
+    const auto height = exact_heights(pair)(t);
+    for (std::size_t i = 0; i < 2; ++i) {
+      exact[i].x.push_back(t);
+      exact[i].y.push_back(height[i]);
+    }
+  }
+  findings.figure({.name = "heights",
+                   .title = "Two discs between walls",
+                   .caption = "Heights of the unlike damped pair under its weight, from where the contacts' forces are "
+                              "equal; 150 steps.",
+                   .x = {.label = "time"},
+                   .y = {.label = "height"},
+                   .series = {exact[0], exact[1], heights[0], heights[1]}});
+}
+
+}  // namespace
+
+Case pressed_pair() {
+  return {.id = "pressed_pair",
+          .title = "Two discs pressed between walls",
+          .requirements = {{"B10", {"heights against", "order, equal discs", "order, unlike discs"}},
+                           {"law.linear_spring_dashpot", {"error over the predicted"}},
+                           {"end_rule.attractive", {"order, equal discs, damped"}},
+                           {"shape.circle", {"heights against"}},
+                           {"shape.half_plane", {"heights against"}},
+                           {"integrator.velocity_verlet", {"order,"}},
+                           {"pair.circle.circle", {"heights against"}},
+                           {"pair.circle.half_plane", {"heights against"}}},
+          .main_checks = {"heights against the leapfrog's own swings, equal discs", "order, equal discs",
+                          "error over the predicted at the finest step, unlike discs with weight, damped"},
+          .source = "Textbook vibrations; the setting of MFiX's verification case DEM03",
+          .page = page,
+          .faults = {{"upper_heavier", "the upper disc 1 % heavier",
+                      "heights against the leapfrog's own swings, unlike discs with weight"},
+                     {"dashpot_between_off", "no dashpot between the discs",
+                      "error over the predicted at the finest step, equal discs, damped"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

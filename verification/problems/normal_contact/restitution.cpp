@@ -1,0 +1,273 @@
+#include "verification/reference/restitution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/scenes/bouncing_disc.hpp"
+#include "verification/check/case.hpp"
+#include "verification/problems/normal_contact/calibration_findings.hpp"
+#include "verification/problems/normal_contact/effective_mass_findings.hpp"
+#include "verification/problems/normal_contact/restitution_order_findings.hpp"
+#include "verification/study/disc_bounce.hpp"
+#include "verification/study/leapfrog_impact_error.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Two bodies meet at speed $v_0$ through a linear spring and a dashpot and part at speed $e v_0$. Which
+dashpot gives a wanted $e$, for free, off-centre and pivoted bodies and for both rules by which the contact may end?
+The solver runs each impact step by step; it is never told $e$.
+
+```
+        m1            m2             |  off centre       o pin
+      -->( )---[k]---( )             |  ( )-> | |        |
+           ---[c]---                 |        |G|        |  h
+                                     |  arm = G to line  ( )-> here
+     F = k d + c d'                  |                   |
+```
+
+**Equations.** With the effective mass $m$ along the normal, the overlap obeys $m\ddot d + c\dot d + k d = 0$ from
+$d = 0$, $\dot d = v_0$. Put $\omega = \sqrt{k/m}$, $\xi = c/(2 m\omega)$, $s = \sqrt{1-\xi^2}$ and
+$A(\xi) = \arccos(\xi)/s$ (beyond $\xi = 1$: $\mathrm{arcosh}(\xi)/\sqrt{\xi^2-1}$; at 1: 1). Then
+$d = (v_0/\omega s)\,e^{-\xi\omega t}\sin s\omega t$, and
+
+| end rule | ends when | $e$ | contact time $T$ | force at the end |
+|:--------|:--------|:----------------|:-------|:--------|
+| attractive | $d = 0$ | $\exp(-\pi\xi/s)$ | $\pi/(\omega s)$ | $-c\,e\,v_0$: it pulls |
+| clamped | $F = 0$ | $\exp(-2\xi A)$ | $2A/\omega$ | 0 |
+
+and the largest overlap is $(v_0/\omega)\exp(-\xi A)$ for both: clamped, $e = (\omega d_{max}/v_0)^2$. The
+attractive $e$ solved for $c$ is Eq. 21,
+$$c = \frac{2\ln(1/e)\sqrt{k m}}{\sqrt{\pi^2 + \ln^2(1/e)}}.$$
+A unit impulse along the normal gives a body's contact point the mobility $1/M + a^2/I$ (free, the line of impact at
+distance $a$ from the centre of mass) or $a^2/I_p$ (pivoted, $a$ from the pin); mobilities add to $1/m$. Nothing but
+$\xi$ enters $e$: not the stiffness, not the masses.
+
+**Error of a step.** Velocity Verlet and the central difference take the dashpot's velocity half a step late. That
+turns $m$ into $m - c h/2$, shifts $\ln e$ by $-(\pi/s^3)\,\xi^2\omega h/2$ (attractive) or
+$-\xi^2(A-\xi)/s^2\,\omega h$ (clamped), and likewise $T$ and the largest overlap. The force jumps by
+$2\xi m\omega v_0$ at touch, which a step resolves to $\pm h/2$: the speed after it is off by $2\xi\omega v_0 h\,u$
+with $u$ uniform in $(-\frac12, \frac12)$; the attractive contact ends with a second jump. So the first-order error is
+known beforehand, constant included. The errors found are compared with it on both sides: half the predicted error
+fails as twice does. Undamped, what is left is $e - 1 = \frac12(\omega h)^2[u'(1-u') - u(1-u)]$ with the shares $u$,
+$u'$ of a step at touch and end: root mean square $\pi^2/(2\sqrt{90}\,N^2) = .520/N^2$.
+
+**Source.** Mustoe & Huttelmaier 1993, Eqs. 17, 19-21; Schwager & Poeschel, Granular Matter 9 (2007) 465 (clamped
+rule). The closed forms are derived in the reference's own comments and tested there at 50 digits.
+
+| symbol | meaning | value |
+|:--|:-----------|:--|
+| $k$, $m$, $v_0$ | stiffness, effective mass, speed where not varied | 1, 1, 1 (no units) |
+| $e$ | wanted restitution | .05 ... 1 |
+| $h$ | step | $T/(100 + f)$ with its own $f$ for each of 64 phases |
+| bar | $M$, half sides, disc's mass | 3, .5 x 4, 2; $k = 10^{12}$ |
+
+**What would break this.** Eq. 21 under the clamped rule, or without its 2; the sum of the masses for their product
+over the sum; a lever arm left out; the sum of the velocities for their difference (Eq. 20 as printed: $e$ would
+change with the frame); a dashpot that does not grow with $\sqrt{k m}$; a force that pulls although it must not; a
+step that divides the contact time, which makes the order look better than it is.
+)";
+
+/// Errors over predicted ones; of several the one farthest from 1 stays.
+struct Ratio {
+  double farthest{1.0};
+  void add(double measured, double predicted) {
+    const double ratio = measured / predicted;
+    if (!(std::abs(ratio - 1.0) < std::abs(farthest - 1.0))) farthest = ratio;
+  }
+};
+
+/// Check of e, ratios of the others and table row of one target.
+void check_bounce(double e, EndRule rule, Ratio& time, Ratio& depth, Ratio& identity, Table& table, Findings& findings,
+                  const Setup& setup) {
+  const Bounce b = bounce(e, rule, setup);
+  const auto at = [&b](double gap) { return disc_at(b, gap); };
+  const ImpactErrors found = impact_errors(at, b.exact, production_steps, VelocityVerlet{}, findings);
+  const std::string name = fmt::format("{:g}, {}", e, word_for(rule));
+  const double wh = reduced_step(b.exact, production_steps);
+  const ImpactError predicted = leapfrog_impact_error(b.xi, same(rule));
+  findings.expect("rms relative error of e = " + name, found.restitution.rms(),
+                  predicted_restitution_error(b, production_steps), near_prediction(rule));
+  // Verlet's own period, short by (w h)^2/24, is all the error that a weak dashpot leaves.
+  const double predicted_time = predicted.contact_time * wh + wh * wh / 24.0;
+  time.add(found.contact_time.rms(), predicted_time);
+  depth.add(found.largest_depth.rms(), predicted.largest_depth * wh);
+  // ln e - 2 ln d_max: shifts add up to xi w h, and of the jump, once in e and twice in d_max^2, one is left.
+  identity.add(found.identity.rms(), 2.0 / std::sqrt(3.0) * b.xi * wh);
+  table.rows.push_back({word_for(rule), fmt::format("{:g}", e), fmt::format("{:.4f}", b.xi),
+                        fmt::format("{:.5f}", found.mean_restitution), fmt::format("{:.2e}", found.restitution.rms()),
+                        fmt::format("{:.2e}", predicted_restitution_error(b, production_steps)),
+                        fmt::format("{:.2e}", found.contact_time.rms()), fmt::format("{:.2e}", predicted_time),
+                        fmt::format("{:.2e}", found.largest_depth.rms()),
+                        fmt::format("{:.2e}", predicted.largest_depth * wh)});
+}
+
+void check_targets(Findings& findings, const Setup& setup) {
+  Table table{.name = "targets",
+              .caption =
+                  "A disc on a plane at 100 steps per contact, velocity Verlet, 64 phases: relative errors, "
+                  "root mean square, beside those predicted.",
+              .columns = {"end rule", "wanted e", "xi", "mean e", "error of e", "predicted", "error of T", "predicted",
+                          "error of d_max", "predicted"},
+              .rows = {}};
+  for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
+    Ratio time, depth, identity;
+    for (const double e : {0.9, 0.7, 0.5, 0.3, 0.1})
+      check_bounce(e, rule, time, depth, identity, table, findings, setup);
+    const std::string over = fmt::format(" over the predicted, farthest of e = 0.9 ... 0.1, {}", word_for(rule));
+    findings.expect("rms error of the contact time" + over, time.farthest, 1.0,
+                    Tolerance::model(next_power,
+                                     "predicted from the half-step lag and Verlet's own period, no jump enters; the "
+                                     "next power of the step is 4 % of it"));
+    findings.expect("rms error of the largest overlap" + over, depth.farthest, 1.0,
+                    Tolerance::model(next_power,
+                                     "predicted from the half-step lag and the jump at touch; the next power of the "
+                                     "step is 4 % of it"));
+    if (rule == EndRule::attractive) continue;
+    findings.expect("rms error of the identity e = (w d_max/v0)^2" + over, identity.farthest, 1.0,
+                    Tolerance::model(next_power, "as both of its sides; the next power of the step is 4 % of it"));
+  }
+  findings.table(table);
+}
+
+/// The force that the motion shows: attractive contacts end with a pull -c e v0, clamped ones never pull.
+void check_pull(Findings& findings, const Setup& setup) {
+  const Bounce b = bounce(0.5, EndRule::attractive, setup);
+  const ImpactErrors found = impact_errors([&b](double gap) { return disc_at(b, gap); }, b.exact, production_steps,
+                                           VelocityVerlet{}, findings);
+  // dF/dt at the end is k d' + c d'' = -k e v0 (1 - 4 xi^2); the middle of the last full step lies between half a step
+  // and one and a half before it.
+  const double slope = b.e * (1.0 - 4.0 * b.xi * b.xi);
+  const double lead = std::hypot(1.0, 1.0 / std::sqrt(12.0)) * reduced_step(b.exact, production_steps);
+  findings.expect("pull at the end, e = 0.5, attractive, rms error over c e v0",
+                  found.pull.rms() / -b.exact.force_at_end, slope * lead / -b.exact.force_at_end,
+                  Tolerance::model(uneven_end,
+                                   "mean force of the last full step: the slope of F times the distance of that "
+                                   "step's middle from the end; the next power of the step is 4 % of it, the end's "
+                                   "64 uneven phases leave 6 %")
+                      .relative());
+  double least = 0.0;
+  for (const double e : {0.9, 0.5, 0.1}) {
+    Bounce clamped = bounce(e, EndRule::clamped, setup);
+    if (setup.has("pulls")) clamped.law.end_rule = EndRule::attractive;
+    const ImpactErrors forces = impact_errors([&clamped](double gap) { return disc_at(clamped, gap); }, clamped.exact,
+                                              production_steps, VelocityVerlet{}, findings);
+    least = std::min(least, forces.least_deceleration);
+  }
+  findings.expect("largest pull of a clamped contact", least, 0.0,
+                  Tolerance::exact("each kick adds a force >= 0 or none: the speed away from the plane never falls"));
+}
+
+/// Nothing but xi enters e: the same steps per contact, phases and dashpot rule at other masses and stiffnesses.
+void check_scales(Findings& findings, const Setup& setup) {
+  const Bounce b = bounce(0.5, EndRule::attractive, setup);
+  const double step = offset_step(b.exact.contact_time, production_steps, 0);
+  const auto restitution_at = [&](double stiffness, double frequency) {
+    // All lengths and times shrink with the frequency, so that speeds stay the same.
+    scenes::BouncingDisc disc{.radius = 8.0 / frequency, .gap = 0.3 * step / frequency, .speed = 1.0, .contact = {}};
+    const double of = setup.has("dashpot_without_stiffness") ? 1.0 : frequency;
+    disc.contact = LinearSpringDashpot{stiffness, b.law.damping * of, b.rule};
+    Scene scene = scenes::bouncing_disc(disc);
+    scene.integrator = VelocityVerlet{};
+    scene.plan = {step / frequency, 20.0 / frequency, 1.0, false};
+    return follow_impact(scene, findings).restitution();
+  };
+  const double plain = restitution_at(1.0, 1.0);
+  double powers = 0.0, decades = 0.0;
+  for (int j = 1; j <= 8; ++j) {
+    const double change = restitution_at(std::ldexp(1.0, 2 * j), std::ldexp(1.0, j)) - plain;
+    if (std::abs(change) >= std::abs(powers)) powers = change;
+  }
+  for (const double k : {1e-2, 1e-1, 1e1, 1e2})
+    decades = std::max(decades, std::abs(restitution_at(k, std::sqrt(k)) - plain));
+  findings.expect("change of e, k = 4^1 ... 4^8, h = 2^-1 ... 2^-8", powers, 0.0,
+                  Tolerance::exact("powers of two change exponents only: every operation rounds alike"));
+  findings.expect("change of e over four decades of k", decades, 0.0,
+                  Tolerance::round_off(2e-13,
+                                       "110 steps of a dozen roundings of lengths ten times the overlap: "
+                                       "sqrt(1300) x 10 x 1.1e-16 = 4e-14, and five times that for the worst"));
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_targets(findings, setup);
+  check_pull(findings, setup);
+  check_restitution_orders(findings, setup);
+  check_scales(findings, setup);
+  check_masses(findings, setup);
+  check_frames(findings, setup);
+  check_levers(findings, setup);
+  if (setup.coarse) return;
+  find_calibration_curves(findings);
+  find_clamped_eq_21(findings);
+  check_solver_formulas(findings);
+  check_step_advice(findings);
+  check_scene_calibration(findings);
+}
+
+}  // namespace
+
+Case restitution() {
+  return {
+      .id = "restitution",
+      .title = "Restitution and damping",
+      .requirements =
+          {{"Eq. 17", {"pull", "overlap"}},
+           {"Eq. 19", {"pull at the end", "order of e"}},
+           {"Eq. 20", {"off centre", "pivoted", "overlap"}},
+           {"Eq. 21",
+            {"rms relative error of e =", "e of Eq. 21", "solver's damping ratio", "change of e", "mass ratios"}},
+           {"Eq. 23", {"velocity_verlet", "central_difference"}},
+           {"Eq. 24", {"velocity_verlet", "central_difference"}},
+           {"B1", {"undamped contact time", "undamped largest overlap", "order of e, undamped", "rms error of e = 1"}},
+           {"B2",
+            {"e = 0.5, attractive", "contact time over the predicted, farthest of e = 0.9 ... 0.1, attractive",
+             "order of e, attractive"}},
+           {"B3",
+            {"e = 0.5, clamped", "contact time over the predicted, farthest of e = 0.9 ... 0.1, clamped",
+             "order of e, clamped", "largest pull"}},
+           {"B4", {"largest overlap over the predicted", "solver's largest overlap", "identity"}},
+           {"B5", {"mass ratios", "common centre of mass", "moving frames"}},
+           {"law.linear_spring_dashpot", {"rms relative error of", "order of e", "pull"}},
+           {"end_rule.attractive", {"attractive"}},
+           {"end_rule.clamped", {"clamped"}},
+           {"method.resultant", {"rms relative error of e"}},
+           {"shape.circle", {"mass ratios", "off centre", "pivoted"}},
+           {"shape.half_plane", {"rms relative error of e =", "order of e"}},
+           {"shape.rectangle", {"off centre", "pivoted"}},
+           {"integrator.velocity_verlet", {"velocity_verlet"}},
+           {"integrator.central_difference", {"central_difference"}},
+           {"integrator.rk4", {"rk4"}},
+           {"regime.linear_spring_dashpot.touching", {"rms relative error of e =", "undamped largest overlap"}},
+           {"regime.linear_spring_dashpot.released", {"rms relative error of e = 0.5, clamped", "largest pull"}},
+           {"pair.circle.half_plane", {"rms relative error of e =", "order of e"}},
+           {"pair.circle.circle", {"mass ratios"}},
+           {"pair.circle.rectangle", {"off centre", "pivoted"}}},
+      .main_checks = {"rms relative error of e = 0.5, attractive", "rms relative error of e = 0.5, clamped",
+                      "e of Eq. 21 for 0.5 when clamped, three digits", "order of e, attractive, velocity_verlet",
+                      "order of e, undamped, velocity_verlet"},
+      .source = "Mustoe & Huttelmaier 1993, section 3.6, Eqs. 17-21; Schwager & Poeschel 2007",
+      .page = page,
+      .faults = {{"eq_21_halved", "Eq. 21 without its factor 2", "rms relative error of e = 0.5, attractive"},
+                 {"never_pulls", "the attractive contact is clamped",
+                  "pull at the end, e = 0.5, attractive, rms error over c e v0"},
+                 {"pulls", "the clamped contact is attractive", "largest pull of a clamped contact"},
+                 {"eq_21_under_clamping", "the clamped contact gets the damping of Eq. 21",
+                  "rms relative error of e = 0.5, clamped"},
+                 {"commensurate_step", "the step divides the contact time", "order of e, undamped, velocity_verlet"},
+                 {"dashpot_without_stiffness", "the dashpot does not grow with the square root of the stiffness",
+                  "change of e, k = 4^1 ... 4^8, h = 2^-1 ... 2^-8"},
+                 {"masses_added", "effective mass: the sum of the masses",
+                  "rms relative error of e, mass ratios 1/100 ... 100"},
+                 {"closing_rate_with_plus", "the dashpot takes the sum of the velocities, as Eq. 20 is printed",
+                  "closing rate seen from moving frames, change of e"},
+                 {"arm_forgotten", "off-centre impact with the two masses", "rms relative error of e, off centre"},
+                 {"pin_forgotten", "pivoted impact with the two masses", "rms relative error of e, pivoted"}},
+      .tier = Tier::quick,
+      .time_limit = 60.0,
+      .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,206 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/model/model_builder.hpp"
+#include "verification/check/case.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/study/moved_scene.hpp"
+#include "verification/study/scene_run.hpp"
+
+namespace talus::verification::problems {
+
+Case dropped_square();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** A square falls on its edge, on a corner, and nearly so, on a plane and on another square. Left and
+right must be alike; a square that falls flat must not begin to turn; and a fall a hair off the even one should end
+almost as that does, which depends on the kind of contact.
+
+```
+      ____        /\          /\  tilt 1e-9
+     |    |      /  \        /  \
+     |____|      \  /        \  /
+    ________   ___\/___    ___\/___
+```
+
+**Equations.** Mirrored at the vertical the tilt changes sign and with it the path's $x$, the angle and the spin; on a
+plane the sums of both corners round in the order in which they are listed, which a mirror turns round. On its
+corner the square is in balance: a tilt $\epsilon$ grows while the contact lasts by a bounded factor, so spin over
+tilt tends to a constant as $\epsilon\to0$. On its edge it depends on the contact. A force at the deeper corner alone
+would turn the square until the other is deeper, and so change side every few steps: its kicks, $k d s h/I$ each, do
+not cancel, and a fall an atom off the level would spin whatever its tilt. So a side that lies flat rests on both its
+ends, and spin over tilt is constant on the edge, too, with the contact's resultant as with nodes at the corners.
+
+**Source.** Symmetry; Housner 1963 for falls on edges.
+
+| symbol | meaning | value |
+|:--|:-----------|:--|
+| $s$ | half a side | .5 |
+| $m$, $I$ | mass, moment of inertia | 1, 1/6 |
+| $k$, $v$ | stiffness, speed of the fall | $10^4$, 1 |
+| $\epsilon$ | tilt | $10^{-12}$ to $10^{-3}$ |
+
+**What would break it.** A rule that takes the first of two equal corners; a normal chosen by the sign of nought;
+corners listed in one sense that round one way.
+)";
+
+constexpr double half_side = 0.5, stiffness = 1e4, speed = 1.0, step = 1.0371e-4;
+
+enum class Target { plane, square };
+
+/// A square turned by `angle` that falls on a plane, or on the top of a fixed square; not yet touching.
+Scene fall(double angle, Target target, ContactMethod method, double aside, const Setup& setup) {
+  ModelBuilder builder{si};
+  const double reach = half_side * (std::abs(std::cos(angle)) + std::abs(std::sin(angle)));
+  const BodyId square =
+      builder.add(Body{.name = "square",
+                       .mass = 1.0,
+                       .inertia = 1.0 / 6.0,
+                       .shape = setup.has("one_point") ? Shape{Superquadric{half_side, half_side, 4000.0}}
+                                                       : Shape{Rectangle{half_side, half_side}},
+                       .p_WB = {aside, reach + 0.01},
+                       .angle = angle});
+  const BodyId below =
+      target == Target::plane
+          ? builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}})
+          : builder.add(Body{.name = "block",
+                             .mobility = Mobility::fixed,
+                             .shape = Rectangle{setup.has("wider_to_the_left") && angle > 0.0 ? 0.2 : 0.75, 0.5},
+                             .p_WB = {0.0, -0.5}});
+  builder.add(Contact{.name = "touch",
+                      .a = square,
+                      .b = below,
+                      .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped},
+                      .method = method,
+                      .friction = {{0.2, 0.5 * stiffness}}});
+  Scene scene{.title = "A square falls", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, square, {0.0, -speed}, setup.has("a_little_spin") ? 1e-13 : 0.0);
+  return scene;
+}
+
+State after(const Scene& scene, Findings& findings) {
+  const RunEnd run = run_steps(scene, VelocityVerlet{}, step, 1500);
+  findings.count(static_cast<std::uint64_t>(run.evaluations));
+  return run.state;
+}
+
+const char* name_of(Target target) { return target == Target::plane ? "plane" : "block"; }
+const char* name_of(ContactMethod method) { return method == ContactMethod::nodes ? "nodes" : "resultant"; }
+
+/// Left against right, bit for bit, of falls at many angles, corner and edge among them.
+void check_mirror(Findings& findings, const Setup& setup) {
+  const double corner = 0.25 * std::numbers::pi;
+  for (const Target target : {Target::plane, Target::square}) {
+    for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
+      double differing = 0.0;
+      for (const double angle : {0.0, 1e-9, 1e-4, 0.3, corner - 1e-9, corner, corner + 1e-9, 1.1}) {
+        if (setup.coarse && angle != 0.3) continue;
+        for (const double aside : {0.0, 0.31, 0.75}) {
+          State left = after(fall(angle, target, method, aside, setup), findings);
+          const State right = after(fall(-angle, target, method, -aside, setup), findings);
+          left.q = {-left.q[0], left.q[1], -left.q[2]};
+          left.v = {-left.v[0], left.v[1], -left.v[2]};
+          const Difference apart = difference(left, right);
+          differing = std::max({differing, apart.place, apart.velocity});
+        }
+      }
+      findings.expect(
+          fmt::format("difference of left and right, {}, {}", name_of(target), name_of(method)), differing, 0.0,
+          Tolerance::round_off(4.0 * std::sqrt(300.0) * 0x1p-53,
+                               "corners and nodes summed in the order of their list round differently in each of some "
+                               "300 steps in contact"),
+          "m, m/s");
+    }
+  }
+}
+
+/// Falls without a tilt keep their symmetry.
+void check_even(Findings& findings, const Setup& setup) {
+  for (const Target target : {Target::plane, Target::square}) {
+    for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
+      const State end = after(fall(0.0, target, method, 0.0, setup), findings);
+      findings.expect(fmt::format("spin of a square that fell flat, {}, {}", name_of(target), name_of(method)),
+                      std::abs(end.v[2]) + std::abs(end.v[0]), 0.0,
+                      Tolerance::exact("both halves have the same digits, and their moments cancel"), "rad/s");
+    }
+  }
+}
+
+/// Spin over tilt, and the change of the rebound, as the tilt goes to nought.
+void check_offsets(Findings& findings, const Setup& setup) {
+  const double corner = 0.25 * std::numbers::pi;
+  Figure figure{.name = "offsets",
+                .title = "Spin after a fall, nearly even",
+                .caption =
+                    "Spin of the square after its fall on a plane against its tilt from even. On the corner it tends "
+                    "to zero with the tilt, and so it does on the edge, where the side rests on both ends.",
+                .x = {.label = "tilt", .unit = "rad", .log = true},
+                .y = {.label = "spin", .unit = "rad/s", .log = true},
+                .series = {}};
+  struct Fall {
+    const char* name;
+    double angle;
+    ContactMethod method;
+  };
+  const Fall falls[] = {{"on a corner, resultant", corner, ContactMethod::resultant},
+                        {"on the edge, resultant", 0.0, ContactMethod::resultant},
+                        {"on the edge, nodes", 0.0, ContactMethod::nodes}};
+  for (const Fall& one : falls) {
+    if (setup.coarse && &one != &falls[1]) continue;
+    Series series{one.name, {}, {}, Style::linespoints};
+    const double even = after(fall(one.angle, Target::plane, one.method, 0.0, setup), findings).v[2];
+    for (double tilt = 1e-12; tilt < 2e-3; tilt *= 10.0) {
+      const State end = after(fall(one.angle + tilt, Target::plane, one.method, 0.0, setup), findings);
+      series.x.push_back(tilt);
+      series.y.push_back(std::max(std::abs(end.v[2] - even), 1e-17));
+    }
+    figure.series.push_back(series);
+    Convergence spins;
+    for (std::size_t i = 1; i < 9; ++i)
+      spins.add(series.x[i], series.y[i]);
+    findings.expect_order(fmt::format("spin against tilt, {}", one.name), spins, 0.999, 1.0005, "proportional");
+  }
+  findings.figure(figure);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_mirror(findings, setup);
+  check_even(findings, setup);
+  check_offsets(findings, setup);
+}
+
+}  // namespace
+
+Case dropped_square() {
+  return {.id = "dropped_square",
+          .title = "A square that falls on edge and corner",
+          .requirements = {{"E7", {"left and right", "fell flat", "spin against tilt"}},
+                           {"shape.rectangle", {"left and right"}},
+                           {"shape.half_plane", {"plane"}},
+                           {"method.resultant", {"resultant"}},
+                           {"method.nodes", {"nodes"}},
+                           {"Eq. 18", {"left and right"}},
+                           {"pair.rectangle.half_plane", {"left and right"}}},
+          .main_checks = {"difference of left and right, plane, resultant",
+                          "spin of a square that fell flat, block, resultant",
+                          "spin against tilt, on a corner, resultant", "spin against tilt, on the edge, resultant"},
+          .source = "Housner 1963",
+          .page = page,
+          .faults = {{"wider_to_the_left", "a block of another width when the square leans left",
+                      "difference of left and right, block, resultant"},
+                     {"one_point", "a side that touches at one point, the deeper of its ends",
+                      "spin against tilt, on the edge, resultant"},
+                     {"a_little_spin", "a spin of 1e-13 at the start",
+                      "spin of a square that fell flat, plane, resultant"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

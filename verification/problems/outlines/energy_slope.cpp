@@ -1,0 +1,291 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "solver/model/model_builder.hpp"
+#include "verification/check/case.hpp"
+#include "verification/study/touching_pair.hpp"
+
+namespace talus::verification::problems {
+
+Case energy_slope();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** A contact without dashpot and friction, or a taut cable, stores an energy $V(q)$. The forces and
+moments that it exerts must be minus the slopes of $V$, for every pair of outlines and way of contact, wherever the
+bodies stand; and a body led round another's corner and back must have cost nothing.
+
+```
+      V(q)                         F(q) = -dV/dq
+       |   \                   [/]
+       |     \___ slope      ______
+```
+
+**Equations.** Central differences of the stored energy with a step $\delta$ in each coordinate,
+$$F_i(q) \;\text{against}\; -\frac{V(q + \delta e_i) - V(q - \delta e_i)}{2\delta},$$
+are off by $\frac{\delta^2}{6} V'''$ and by $u V/\delta$. With $V = \frac12 k d^2$ and a depth $d$ that bends over
+the size $\ell$ of a body, $V''' \approx 3 k/\ell$: the sum is least near $\delta = \ell\,u^{1/3}$, where it is
+about $u^{2/3}$ of $k \ell$.
+
+The depth of a point below an outline has the outline's normal as its slope, so a single force along it is the slope
+of $\frac12 k d^2$ **if it acts on the normal's line through that point**. Where the solver takes the depth of one
+point and lets the force act at another, moment and energy do not belong together. On a closed path $\oint F\,dq =
+0$ demands that $V$ does not jump, either: by trapezia a kink of $F$ costs up to a step's worth of force, $2\,ds/d$
+of the energy at the depth $d$.
+
+Rules of 1993 without a potential are measured: nodes pushed out of the nearer **side** face jump in depth where
+they pass the top; those pushed along the gradient but measured along the **ray** from the centre are off
+everywhere; that of the **smoother** outline is off where it takes the depth along the node's own normal.
+
+**Source.** Feng & Owen 2004 (energy-conserving contact of polygons).
+
+| symbol | meaning | value |
+|:--|:-----------|:--|
+| $k$ | stiffness | 1000 |
+| $\ell$ | sizes | .3 to .6 |
+| $\delta$ | step | $10^{-5}$ |
+| | places tried with each pair | 30 |
+| $ds$ | step on the closed path | .0028 |
+
+**What would break it.** A force at the middle of two shapes for one at the deepest point, a normal that does not
+belong to the depth, a stiffness that depends on the place, a moment about another point.
+)";
+
+constexpr double stiffness = 1000.0, nudge = 1e-5;
+
+std::vector<TouchingPair> pairs() {
+  const Circle disc{0.4};
+  const Rectangle box{0.5, 0.35};
+  const Superquadric ellipse{0.6, 0.35, 2.0}, stone{0.5, 0.4, 5.0};
+  const Terrain hills{{{-2.0, -0.1}, {-0.3, 0.1}, {0.4, -0.05}, {2.0, 0.2}}};
+  const auto by_nodes = ContactMethod::nodes;
+  return {{"disc, disc", disc, Circle{0.3}},
+          {"disc, rectangle", disc, box},
+          {"disc, ellipse", disc, ellipse},
+          {"disc, superellipse n = 5", disc, stone},
+          {"disc, plane", disc, HalfPlane{}},
+          {"disc, terrain", disc, hills},
+          {"rectangle, plane", box, HalfPlane{}},
+          {"superellipse n = 5, plane", stone, HalfPlane{}},
+          {"ellipse, superellipse n = 5", ellipse, stone},
+          {"superellipses n = 20", Superquadric{0.5, 0.35, 20.0}, Superquadric{0.4, 0.6, 20.0}},
+          {"rectangle, superellipse n = 5", box, stone},
+          {"rectangle, rectangle", Rectangle{0.4, 0.3}, box},
+          {"slender rectangles", Rectangle{0.7, 0.08}, Rectangle{0.1, 0.8}},
+          {"nodes: rectangle, rectangle", Rectangle{0.4, 0.3}, box, by_nodes},
+          {"nodes: superellipses", ellipse, stone, by_nodes},
+          {"nodes: disc, rectangle", disc, box, by_nodes},
+          {"nodes: superellipse, terrain", stone, hills, by_nodes},
+          {"nodes, side faces: disc, superellipse", disc, stone, by_nodes, NodeDepth::side_face},
+          {"nodes, smoother: disc, superellipse", disc, stone, by_nodes, NodeDepth::smoother},
+          {"nodes, centroid rays: superellipses", ellipse, stone, by_nodes, NodeDepth::centroid_ray}};
+}
+
+/// Whether the rule's force is meant to be the slope of an energy; the other rules of 1993 are measured.
+bool has_potential(const TouchingPair& pair) { return pair.rule == NodeDepth::nearest; }
+
+Model cable_model() {
+  ModelBuilder builder{si};
+  const auto body = [&](const char* name) {
+    return builder.add(Body{.name = name, .mass = 1.0, .inertia = 1.0, .shape = Circle{0.1}});
+  };
+  const BodyId a = body("a"), b = body("b");
+  builder.add(Cable{.name = "cable",
+                    .a = {a, {0.3, -0.2, 0.0}},
+                    .b = {b, {-0.1, 0.4, 0.3}},
+                    .rest_length = 0.2,
+                    .law = TensionOnly{stiffness, 0.0}});
+  return builder.build();
+}
+
+/// How far force and slope of the energy differ, over the largest of the forces, at the places with contact.
+struct Mismatch {
+  int places{}, mismatched{};  ///< mismatched: by more than 1e-6
+  double largest{};
+};
+
+/// A step beside a corner of V (another face, another node) is not asked: there is no slope at the corner itself.
+Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
+  Potential potential{model};
+  std::mt19937_64 random{11};
+  std::uniform_real_distribution<double> place{-reach, reach}, any{-3.0, 3.0};
+  std::vector<double> found;
+  for (int i = 0; i < (setup.coarse ? 12 : 30); ++i) {
+    State state = rest_state(model);
+    for (std::size_t k = 0; k < state.q.size(); ++k)
+      state.q[k] = k % 3 == 2 ? any(random) : place(random);
+    potential.stand(state);
+    const std::vector<double> forces = potential.forces(state);
+    double largest = 0.0;
+    for (std::size_t k = 0; k < forces.size(); ++k)
+      largest = std::max(largest, std::abs(forces[k]));
+    if (largest < 0.02 * stiffness * reach) continue;
+    double worst = 0.0;
+    bool smooth = true;
+    for (std::size_t k = 0; k < forces.size(); ++k) {
+      State other = state;
+      const auto energy_at = [&](double offset) {
+        other.q[k] = state.q[k] + offset;
+        other.mode = state.mode;
+        potential.stand(other);
+        smooth = smooth && other.mode == state.mode;
+        return potential.energy(other);
+      };
+      const double up = energy_at(nudge), down = energy_at(-nudge);
+      const double far_up = energy_at(2.0 * nudge), far_down = energy_at(-2.0 * nudge);
+      const double slope = (up - down) / (2.0 * nudge), wide = (far_up - far_down) / (4.0 * nudge);
+      // A kink within reach shows as a change of slope with the step far beyond delta^2.
+      smooth = smooth && std::abs(slope - wide) < 1e-4 * largest;
+      const double force = setup.has("moments_halved") && k % 3 == 2 ? 0.5 * forces[k] : forces[k];
+      worst = std::max(worst, std::abs(force + (setup.has("energy_off") ? 1.001 : 1.0) * slope));
+    }
+    if (smooth) found.push_back(worst / largest);
+  }
+  Mismatch sum{static_cast<int>(found.size()), 0, 0.0};
+  for (const double one : found) {
+    sum.mismatched += one > 1e-6 ? 1 : 0;
+    sum.largest = std::max(sum.largest, one);
+  }
+  return sum;
+}
+
+std::vector<TouchingPair> sliding_pairs() {
+  const Rectangle square{0.3, 0.3}, box{CornerLoop::corner.x, CornerLoop::corner.y};
+  const Superquadric rounded{0.3, 0.3, 20.0}, column{CornerLoop::corner.x, CornerLoop::corner.y, 20.0};
+  const auto by_nodes = ContactMethod::nodes;
+  return {{"rectangles", square, box},
+          {"nodes: rectangles", square, box, by_nodes},
+          {"n = 20", rounded, column},
+          {"rectangle, n = 20", square, column},
+          {"nodes: n = 20", rounded, column, by_nodes},
+          {"nodes, side faces: n = 20", rounded, column, by_nodes, NodeDepth::side_face},
+          {"nodes, smoother: n = 20", rounded, column, by_nodes, NodeDepth::smoother},
+          {"nodes, centroid rays: n = 20", rounded, column, by_nodes, NodeDepth::centroid_ray}};
+}
+
+void check_loops(Findings& findings, const Setup& setup) {
+  Table table{.name = "loops",
+              .caption =
+                  "A square led round another's corner and back, no friction, no dashpot: work of the contact over the "
+                  "largest energy stored on the way.",
+              .columns = {"outlines and rule", "work/energy", "with half the steps"},
+              .rows = {}};
+  Figure figure{.name = "loop",
+                .title = "Round the corner",
+                .caption = "Energy stored on the way round the corner by each rule.",
+                .x = {.label = "place on the loop", .unit = "degrees"},
+                .y = {.label = "energy", .unit = "J"},
+                .series = {}};
+  double worst = 0.0;
+  const double moments = setup.has("moments_halved") ? 0.5 : 1.0;
+  for (const TouchingPair& pair : sliding_pairs()) {
+    if (setup.coarse && std::holds_alternative<Superquadric>(pair.a)) continue;
+    const int steps = setup.coarse ? 500 : 800;
+    const CornerLoop loop = round_corner(pair_model(pair, stiffness), steps, moments),
+                     half = round_corner(pair_model(pair, stiffness), steps / 2, moments);
+    table.rows.push_back(
+        {pair.name, fmt::format("{:.1e}", loop.work / loop.energy), fmt::format("{:.1e}", half.work / half.energy)});
+    figure.series.push_back({pair.name, loop.angle, loop.stored, Style::lines});
+    const double step = 2.0 * std::numbers::pi * CornerLoop::radius / steps;
+    const double depth = std::sqrt(2.0 * loop.energy / stiffness);
+    if (has_potential(pair)) worst = std::max(worst, std::abs(loop.work / loop.energy) / (2.0 * step / depth));
+  }
+  findings.expect("work of a closed path round a corner, over steps of its force, farthest of three", worst, 0.0,
+                  Tolerance::truncation(2.0, 1.0,
+                                        "trapezia are off by up to half a step of the jump of the force at each of "
+                                        "the kinks of the way, some four, of either sign"));
+  if (setup.coarse) return;
+  findings.table(table);
+  findings.figure(figure);
+}
+
+void check_slopes(Findings& findings, const Setup& setup) {
+  Table table{.name = "slopes",
+              .caption =
+                  "Forces against the slope of the energy: places tried where outlines overlap, places where they "
+                  "differ by more than a millionth, and the largest difference over the largest force.",
+              .columns = {"outlines and rule", "places", "differ", "largest"},
+              .rows = {}};
+  double of_resultants = 0.0, of_nodes = 0.0, smoother = 0.0, rays = 0.0;
+  for (const TouchingPair& pair : pairs()) {
+    if (setup.coarse && std::holds_alternative<Superquadric>(pair.b)) continue;
+    const Mismatch m = mismatch(pair_model(pair, stiffness), 0.6, setup);
+    table.rows.push_back(
+        {pair.name, fmt::format("{}", m.places), fmt::format("{}", m.mismatched), fmt::format("{:.1e}", m.largest)});
+    double& worst = pair.method == ContactMethod::nodes ? of_nodes : of_resultants;
+    const double share = static_cast<double>(m.mismatched) / m.places;
+    if (pair.rule == NodeDepth::smoother) smoother = share;
+    if (pair.rule == NodeDepth::centroid_ray) rays = share;
+    if (pair.rule == NodeDepth::nearest || pair.rule == NodeDepth::side_face) worst = std::max(worst, m.largest);
+  }
+  const Mismatch cable = mismatch(cable_model(), 0.6, setup);
+  table.rows.push_back({"cable between two bodies", fmt::format("{}", cable.places),
+                        fmt::format("{}", cable.mismatched), fmt::format("{:.1e}", cable.largest)});
+  const auto bound = [](double measured) {
+    return Tolerance::truncation(measured, 3.0,
+                                 "measured: delta^2/6 times the third slope at the sharpest corners of the places "
+                                 "tried; the rounding u V/delta is below a tenth of it");
+  };
+  findings.expect("force against the slope of the energy, resultants, farthest", of_resultants, 0.0, bound(3e-8));
+  findings.expect("force against the slope of the energy, nodes, farthest", of_nodes, 0.0, bound(3e-8));
+  findings.expect("force against the slope of the energy, cable, farthest", cable.largest, 0.0, bound(7e-10));
+  if (setup.coarse) return;
+  findings.expect_between("share of places where the rule of the smoother outline has no potential", smoother, 0.1, 0.5,
+                          "those where a node's normal is used: known of the rule, and measured");
+  findings.expect("share of places where the rule of rays from the centre has no potential", rays, 1.0,
+                  Tolerance::exact("everywhere but on the axes: known of the rule of 1993"));
+  findings.table(table);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_slopes(findings, setup);
+  check_loops(findings, setup);
+}
+
+}  // namespace
+
+Case energy_slope() {
+  return {.id = "energy_slope",
+          .title = "Force as the slope of the stored energy",
+          .requirements = {{"E6", {"force against the slope", "share of places"}},
+                           {"E8", {"closed path"}},
+                           {"law.linear_spring_dashpot", {"resultants"}},
+                           {"law.tension_only", {"cable"}},
+                           {"method.resultant", {"resultants", "closed path"}},
+                           {"method.nodes", {"nodes", "closed path"}},
+                           {"shape.circle", {"resultants"}},
+                           {"shape.rectangle", {"resultants", "closed path"}},
+                           {"shape.superquadric", {"resultants", "nodes"}},
+                           {"shape.half_plane", {"resultants"}},
+                           {"shape.terrain", {"resultants"}},
+                           {"pair.circle.circle", {"energy, resultants"}},
+                           {"pair.circle.superquadric", {"energy, resultants"}},
+                           {"pair.circle.half_plane", {"energy, resultants"}},
+                           {"pair.circle.terrain", {"energy, resultants"}},
+                           {"pair.rectangle.half_plane", {"energy, resultants"}},
+                           {"pair.superquadric.half_plane", {"energy, resultants"}},
+                           {"pair.circle.rectangle", {"energy, resultants", "energy, nodes"}},
+                           {"pair.rectangle.rectangle", {"energy, resultants", "energy, nodes"}},
+                           {"pair.superquadric.superquadric", {"energy, nodes"}},
+                           {"pair.superquadric.terrain", {"energy, nodes"}}},
+          .main_checks = {"force against the slope of the energy, resultants, farthest",
+                          "force against the slope of the energy, nodes, farthest",
+                          "work of a closed path round a corner, over steps of its force, farthest of three"},
+          .source = "Feng & Owen 2004",
+          .page = page,
+          .faults = {{"moments_halved", "half the moment acts",
+                      "work of a closed path round a corner, over steps of its force, farthest of three"},
+                     {"energy_off", "the stored energy a thousandth too large",
+                      "force against the slope of the energy, nodes, farthest"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

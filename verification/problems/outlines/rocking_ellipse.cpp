@@ -1,0 +1,193 @@
+#include "verification/reference/rocking_ellipse.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/model/model_builder.hpp"
+#include "verification/check/case.hpp"
+#include "verification/study/scene_run.hpp"
+
+namespace talus::verification::problems {
+
+Case rocking_ellipse();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** An ellipse rocks on a rough plane without slipping. Its period for any amplitude follows from an
+integral; the springs of the contact change it by a known share.
+
+```
+           _______
+        .-'       '-.   /  theta
+       (      +      ) /
+        '-._______.-'
+     ==========^==========   h(theta) above the plane
+```
+
+**Equations.** The centre stands at the support $h = \sqrt{a^2\sin^2\theta + b^2\cos^2\theta}$ above the plane and
+$h'$ beside the point of contact, about which the body turns:
+$$\tfrac12\left(K^2 + h^2 + h'^2\right)\dot\theta^2 + g(h - b) = \text{const}, \qquad
+\omega^2 = g\,\frac{a^2/b - b}{b^2 + K^2}\ \text{(small swings)},\qquad K^2 = \tfrac14(a^2+b^2).$$
+With springs the contact lies $d = mg/k_n$ deep, friction acts at half of that and so on an arm shorter by $d/2$,
+and its spring yields to the force $m b \omega^2\theta$ that turns the body:
+$$\frac{\delta\omega}{\omega} = \frac{m}{2(b^2+K^2)}\left(\frac{b g}{k_n} - \frac{b^2\omega^2}{k_s}\right).$$
+Leapfrog makes the period shorter by $(\omega h)^2/24$ of it.
+
+**Source.** Textbook mechanics, derived here; the reference is tested against its equation of motion, step by step,
+and its shift against the two frequencies of the elastic body.
+
+| symbol | meaning | value |
+|:--|:-----------|:--|
+| $a$, $b$ | half axes | 1, .6 |
+| $m$, $g$ | mass, gravity | 1, 9.81 |
+| $k_n$, $k_s$ | springs | $10^5$ and softer, $k_n/3$ |
+
+**What would break it.** A normal that is not that of the ellipse at the lowest point; friction that acts at the
+height of the centre or pulls the wrong way; an inertia about another axis.
+)";
+
+constexpr double axis_a = 1.0, axis_b = 0.6, gravity = 9.81, shear_ratio = 1.0 / 3.0;
+constexpr reference::RockingEllipse ellipse{axis_a, axis_b, gravity};
+
+/// At rest at the amplitude, contact and friction loaded as they are in the swing.
+Scene rocking_scene(double amplitude, double stiffness, const Setup& setup) {
+  ModelBuilder builder{si};
+  builder.gravity({0.0, -gravity});
+  const double inertia = 0.25 * (axis_a * axis_a + axis_b * axis_b);
+  const BodyId body = builder.add(
+      Body{.name = "ellipse",
+           .mass = 1.0,
+           .inertia = setup.has("inertia_of_a_ring") ? 2.0 * inertia : inertia,
+           .shape = Superquadric{setup.has("longer_axis") ? 1.01 * axis_a : axis_a, axis_b, 2.0},
+           .p_WB = {centre_way(ellipse, amplitude), centre_height(ellipse, amplitude) - gravity / stiffness},
+           .angle = amplitude});
+  const BodyId plane = builder.add(Body{.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  builder.add(Contact{.name = "touch",
+                      .a = body,
+                      .b = plane,
+                      .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped},
+                      .friction = {{setup.has("smooth_plane") ? 0.0 : 1e3, shear_ratio * stiffness}}});
+  Scene scene{.title = "Rocking ellipse", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  const double frequency = small_rocking_frequency(ellipse);
+  // The force that turns the rolling body holds the spring stretched.
+  scene.initial.z[0] = axis_b * frequency * frequency * amplitude / (shear_ratio * stiffness);
+  return scene;
+}
+
+double solver_period(double amplitude, double stiffness, double step, const Setup& setup) {
+  return period_of(rocking_scene(amplitude, stiffness, setup), VelocityVerlet{}, step, 8.0);
+}
+
+double shift(double stiffness) { return frequency_shift(ellipse, 1.0, stiffness, shear_ratio * stiffness); }
+
+void check_amplitudes(Findings& findings, const Setup& setup) {
+  const double stiffness = 1e5, step = 2.0071e-4;
+  const double rest = 2.0 * std::numbers::pi / small_rocking_frequency(ellipse);
+  Series solver{"solver", {}, {}, Style::points}, exact{"rigid", {}, {}, Style::lines};
+  for (const double amplitude : {0.02, 0.1, 0.3, 0.6}) {
+    if (setup.coarse && amplitude > 0.02) continue;
+    const double period = solver_period(amplitude, stiffness, step, setup);
+    const double rigid = reference::rocking_period(ellipse, amplitude);
+    findings.expect(fmt::format("period at {:g} rad over that of a rigid body", amplitude), period / rigid, 1.0,
+                    Tolerance::model(1.5 * std::abs(shift(stiffness)),
+                                     "the springs of the contact: their shift of small swings, and half of it for the "
+                                     "larger angles"));
+    solver.x.push_back(amplitude);
+    solver.y.push_back(period / rest);
+  }
+  if (setup.coarse) return;
+  for (int i = 1; i <= 70; ++i) {
+    exact.x.push_back(0.01 * i);
+    exact.y.push_back(reference::rocking_period(ellipse, 0.01 * i) / rest);
+  }
+  findings.figure({.name = "amplitude",
+                   .title = "Period against amplitude",
+                   .caption = "Over the period of small swings: the solver (points) and the rigid body (line).",
+                   .x = {.label = "amplitude", .unit = "rad"},
+                   .y = {.label = "period over that of small swings"},
+                   .series = {exact, solver}});
+}
+
+void check_springs(Findings& findings, const Setup& setup) {
+  const double amplitude = 0.02;
+  const double rigid = reference::rocking_period(ellipse, amplitude);
+  Convergence shifts;
+  double ratio = 0.0;
+  Series solver{"solver", {}, {}, Style::points}, line{"predicted", {}, {}, Style::lines};
+  for (const double stiffness : doublings(1e4, 4)) {
+    const double step = 0.05 / std::sqrt(stiffness);
+    const double found = rigid / solver_period(amplitude, stiffness, step, setup) - 1.0;
+    ratio = found / shift(stiffness);
+    shifts.add(1.0 / stiffness, std::abs(found));
+    solver.x.push_back(1.0 / stiffness);
+    solver.y.push_back(std::abs(found));
+    line.x.push_back(1.0 / stiffness);
+    line.y.push_back(std::abs(shift(stiffness)));
+  }
+  findings.expect_between("shift of the frequency by the springs, over its prediction", ratio, 0.98, 1.02,
+                          "first order in the compliances; the square of the shift and of the amplitude, and the swing "
+                          "that the springs are left with");
+  findings.expect_order("order of the shift in the compliance", shifts, 0.97, 1.03, "first order in 1/k");
+  findings.figure({.name = "springs",
+                   .title = "What the springs change",
+                   .caption = "Change of the frequency against the compliance $1/k_n$, $k_s = k_n/3$.",
+                   .x = {.label = "compliance", .unit = "m/N", .log = true},
+                   .y = {.label = "change of the frequency", .log = true},
+                   .series = {line, solver}});
+}
+
+void check_steps(Findings& findings, const Setup& setup) {
+  const double amplitude = 0.02, stiffness = 1e4;
+  const double finest = solver_period(amplitude, stiffness, 2.03e-4, setup);
+  const double frequency = small_rocking_frequency(ellipse);
+  Convergence errors;
+  double ratio = 0.0;
+  for (const double step : {8.13e-3, 4.07e-3, 2.03e-3}) {
+    const double error = solver_period(amplitude, stiffness, step, setup) / finest - 1.0;
+    errors.add(step, std::abs(error));
+    ratio = error / (-frequency * frequency * step * step / 24.0);
+  }
+  findings.expect_order("order of the period in the step", errors, 1.9, 2.15, "leapfrog");
+  findings.expect_between("error of the period by the step over (w h)^2/24", ratio, 0.85, 1.15,
+                          "leapfrog's, of a body whose springs follow it at once: they and the fourth order are left "
+                          "out, and the finest step stands for none (a hundredth)");
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_amplitudes(findings, setup);
+  if (setup.coarse) return;
+  check_springs(findings, setup);
+  check_steps(findings, setup);
+}
+
+}  // namespace
+
+Case rocking_ellipse() {
+  return {
+      .id = "rocking_ellipse",
+      .title = "An ellipse that rocks on a plane",
+      .requirements = {{"E3", {"period", "shift"}},
+                       {"shape.superquadric", {"period at"}},
+                       {"Eq. 18", {"period at", "shift of the frequency"}},
+                       {"method.resultant", {"period at"}},
+                       {"integrator.velocity_verlet", {"order of the period in the step"}},
+                       {"pair.superquadric.half_plane", {"period at"}}},
+      .main_checks = {"period at 0.02 rad over that of a rigid body", "period at 0.6 rad over that of a rigid body",
+                      "shift of the frequency by the springs, over its prediction",
+                      "error of the period by the step over (w h)^2/24"},
+      .source = "textbook mechanics, derived here",
+      .page = page,
+      .faults = {{"inertia_of_a_ring", "twice the moment of inertia", "period at 0.02 rad over that of a rigid body"},
+                 {"smooth_plane", "no friction", "period at 0.02 rad over that of a rigid body"},
+                 {"longer_axis", "a lying axis 1 % too long", "period at 0.02 rad over that of a rigid body"}},
+      .tier = Tier::quick,
+      .time_limit = 60.0,
+      .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,211 @@
+#include "verification/problems/speed_accuracy/bilateral_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <variant>
+
+#include "solver/model/model_builder.hpp"
+#include "solver/scenes/fence_scene.hpp"
+#include "verification/problems/speed_accuracy/highest_mode.hpp"
+#include "verification/study/fence_table.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+constexpr double stiffness = 1e4, depth = 0x1p-10;  // of contacts between discs of mass and radius 1
+
+Body disc(const std::string& name, Mobility mobility, Vec2 place) {
+  return {.name = name, .mobility = mobility, .mass = 1.0, .inertia = 0.5, .shape = Circle{1.0}, .p_WB = place};
+}
+
+Contact closed(const std::string& name, BodyId a, BodyId b) {
+  return {.name = name, .a = a, .b = b, .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped}};
+}
+
+Scene at_rest(const ModelBuilder& builder) {
+  Scene scene{.title = "Held together", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  return scene;
+}
+
+/// A disc pressed on a plane, on which it sticks.
+Scene pressed_on_plane(double tangential) {
+  ModelBuilder builder;
+  Body body = disc("disc", Mobility::free, {0.0, 1.0 - depth});
+  body.force = {0.0, -stiffness * depth};
+  const BodyId pressed = builder.add(body);
+  const BodyId plane = builder.add({.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  Contact contact = closed("contact", pressed, plane);
+  contact.friction = CoulombFriction{.coefficient = 1e3, .stiffness = tangential};
+  builder.add(contact);
+  return at_rest(builder);
+}
+
+/// Two discs side by side: pressed together along their line, or led across it with their distance kept.
+Scene pair(bool across, double tangential) {
+  ModelBuilder builder;
+  const Mobility mobility = across ? Mobility::guided_y : Mobility::sliding_x;
+  Body left = disc("left", mobility, {0.0, 0.0}), right = disc("right", mobility, {2.0 - depth, 0.0});
+  if (!across) left.force.x = stiffness * depth, right.force.x = -stiffness * depth;
+  Contact contact = closed("contact", builder.add(left), builder.add(right));
+  if (across) contact.friction = CoulombFriction{.coefficient = 1e3, .stiffness = tangential};
+  builder.add(contact);
+  return at_rest(builder);
+}
+
+/// n discs in a row between two walls, all contacts equally deep.
+Scene row(int n) {
+  ModelBuilder builder;
+  const BodyId floor =
+      builder.add({.name = "floor", .mobility = Mobility::fixed, .shape = HalfPlane{}, .p_WB = {0.0, depth - 1.0}});
+  BodyId below = floor;
+  for (int i = 0; i < n; ++i) {
+    const BodyId next = builder.add(disc(fmt::format("disc{}", i), Mobility::sliding_y, {0.0, (2.0 - depth) * i}));
+    builder.add(closed(fmt::format("contact{}", i), below, next));
+    below = next;
+  }
+  const BodyId ceiling = builder.add({.name = "ceiling",
+                                      .mobility = Mobility::fixed,
+                                      .shape = HalfPlane{},
+                                      .p_WB = {0.0, (2.0 - depth) * (n - 1) + 1.0 - depth},
+                                      .angle = std::numbers::pi});
+  builder.add(closed("top", below, ceiling));
+  return at_rest(builder);
+}
+
+/// What runs on both sides of w h = 2 do: growth against 2 acosh(w h/2), and how many do what they should not.
+void check_growth(const std::string& name, const Dynamics& dynamics, const State& rest, const HighestMode& mode,
+                  double frequency, double start, Findings& findings) {
+  double worst = 0.0;
+  int wrong = 0;
+  for (const double share : {0.98, 0.999, 1.001, 1.02}) {
+    const double growth = mode_growth(dynamics, rest, mode, start, share * 2.0 / frequency, 250);
+    wrong += (share > 1.0 ? growth > 0.0 : growth == 0.0) ? 0 : 1;
+    if (share < 1.0) continue;
+    const double error = growth / (2.0 * std::acosh(share)) - 1.0;
+    if (!(std::abs(error) <= std::abs(worst))) worst = error;
+  }
+  findings.count(1000);
+  findings.expect(name + ": runs on the wrong side of w h = 2", wrong, 0.0,
+                  Tolerance::exact("a count: .98 and .999 of the limit keep the mode within 1.5 of its start, as the "
+                                   "leapfrog's invariant demands, 1.001 and 1.02 make it grow"));
+  findings.expect(name + ": ln growth per step at 1.001 and 1.02 of the limit, largest share of error", worst, 0.0,
+                  Tolerance::round_off(0.02,
+                                       "a frequency off by a share of 2e-5 makes 1.001 one of 1.00102: 1 % of the "
+                                       "growth; the mode that dies is 1e-4 of it where the count begins"));
+}
+
+/// A system with a closed form of its highest frequency; a row of the table.
+void check_system(const std::string& name, const std::string& formula, const Scene& scene, double exact,
+                  Findings& findings, Table& table) {
+  const Dynamics dynamics{scene.model};
+  const HighestMode mode = highest_mode(dynamics, scene.initial, 0x1p-4 * depth, 400);
+  findings.expect(name + ": highest frequency by power iteration", mode.frequency, exact,
+                  Tolerance::round_off(2e-6,
+                                       "forces are told apart at a sixteenth of the overlap, 6e-5, to 1e-15 of 1; the "
+                                       "formula leaves out the square of the overlap, 1e-6")
+                      .relative(),
+                  "rad/s");
+  check_growth(name, dynamics, scene.initial, mode, exact, 3e-11, findings);
+  table.rows.push_back({name, formula, fmt::format("{:.6g}", exact), fmt::format("{:.6g}", mode.frequency), "", ""});
+}
+
+/// The fence of Table 2 as its impact has left it at a time, without dashpots, and held there at rest by a constant
+/// force on each body.
+Scene held_fence(const scenes::FenceScene& made, double time) {
+  Scene scene = made.scene;
+  for (Contact& contact : scene.model.contacts) {
+    std::visit(
+        [](auto& law) {
+          if constexpr (requires { law.damping; }) law.damping = 0.0;
+        },
+        contact.law);
+  }
+  {
+    const Dynamics dynamics{scene.model};
+    RigidBodySystem system{dynamics, false};
+    Integrator located = make_integrator("stormer_cowell", 1e-10);
+    if (!simulate(system, located, scene.initial, {time, time, time, false})) scene.initial.q.assign(1, NAN);
+    scene.initial.t = 0.0;
+    scene.initial.v.assign(scene.initial.v.size(), 0.0);
+    Rates rates{scene.initial};
+    system.begin(scene.initial);
+    system.evaluate(scene.initial, rates);
+    for (std::size_t i = 0; i < rates.v.size(); ++i) {
+      const Coordinate& coordinate = dynamics.layout().coordinates[i];
+      Body& body = scene.model.bodies[index(coordinate.body)];
+      if (coordinate.axis == talus::Axis::x) body.force.x -= body.mass * rates.v[i];
+      if (coordinate.axis == talus::Axis::y) body.force.y -= body.mass * rates.v[i];
+      if (coordinate.axis == talus::Axis::angle) body.moment -= body.inertia * rates.v[i];
+    }
+  }
+  return scene;
+}
+
+void check_fence_limit(Findings& findings, const Setup& setup, Table& table) {
+  const scenes::FenceScene made = scenes::fence_scene(published_fence("table_2.DAT"));
+  const double rule = 2.0 * std::numbers::pi / (100.0 * made.critical_step);  // sqrt(2 k/m) of the central segment
+  double highest = 0.0;
+  for (const double time : {0.02, 0.005, 0.01, 0.03, 0.05, 0.08}) {
+    if (setup.coarse && time != 0.02) continue;
+    const Scene scene = held_fence(made, time);
+    const Dynamics dynamics{scene.model};
+    const HighestMode mode = highest_mode(dynamics, scene.initial, 1e-6, 3000);
+    highest = std::max(highest, mode.frequency);
+    Workspace work = dynamics.workspace();
+    dynamics.update_all(scene.initial, work);
+    int taut = 0;
+    for (std::size_t c = 0; c < scene.model.cables.size(); ++c)
+      taut += dynamics.elongation(work, static_cast<CableId>(c)) > 0.0 ? 1 : 0;
+    const std::string name = fmt::format("fence held at {:g} s", time);
+    check_growth(name, dynamics, scene.initial, mode, setup.has("fence_by_rule") ? rule : mode.frequency, 1e-9,
+                 findings);
+    table.rows.push_back({name, fmt::format("{} cables taut", taut), "", fmt::format("{:.0f}", mode.frequency),
+                          fmt::format("{:.2f}", mode.frequency / rule),
+                          fmt::format("1/{:.0f}", 2.0 / mode.frequency / made.critical_step)});
+  }
+  if (setup.coarse) return;
+  findings.expect_between("fence: highest frequency of six held states over that of the 1993 rule", highest / rule, 1.0,
+                          std::numbers::sqrt2,
+                          "above that of one column between its neighbours, sqrt(2 k/m), which is therefore no bound; "
+                          "below sqrt(4 k/m) of a long straight chain, from which the cables' angles take");
+}
+
+}  // namespace
+
+void check_bilateral_systems(Findings& findings, const Setup& setup) {
+  Table table{.name = "frequencies",
+              .caption =
+                  "Highest frequency by closed form and by power iteration on the solver's forces; for the fence "
+                  "of Table 2, held in balance where its impact has brought it, also over that of the 1993 rule, "
+                  "$\\sqrt{2k/m}$ (Eq. 25), and the rule's step over the limit $2/\\omega$.",
+              .columns = {"system", "formula", "exact", "power iteration", "over the rule's", "rule's step"},
+              .rows = {}};
+  const double k = stiffness;
+  // Where kt > kn/3 the tangent has the higher frequency: kt (1/m + a^2/I), the contact's point half the overlap
+  // inside.
+  const double arm = 1.0 - 0.5 * depth, turning = 1.0 + 2.0 * arm * arm;
+  const double decides = setup.has("kt_ignored") ? std::sqrt(k) : std::sqrt(0.4 * k * turning);
+  check_system("disc that sticks, kt = .4 kn", "$\\sqrt{3 k_t/m}$", pressed_on_plane(0.4 * k), decides, findings,
+               table);
+  if (!setup.coarse) {
+    check_system("disc that sticks, kt = .28 kn", "$\\sqrt{k_n/m}$", pressed_on_plane(0.28 * k), std::sqrt(k), findings,
+                 table);
+    check_system("pair, along", "$\\sqrt{2 k_n/m}$", pair(false, 0.0), std::sqrt(2.0 * k), findings, table);
+    // The force along the line pushes discs apart that have left it: 2 N/d less, of the third that the discs' ways are.
+    const double across = std::sqrt(0.5 * k * 2.0 * turning - 2.0 * k * depth / (2.0 - depth) / turning);
+    check_system("pair, across", "$\\sqrt{6 k_t/m}$", pair(true, 0.5 * k), across, findings, table);
+    for (const int n : {3, 8}) {
+      check_system(fmt::format("{} discs between walls", n), "$2\\sqrt{k/m}\\,\\sin\\frac{n\\pi}{2(n+1)}$", row(n),
+                   2.0 * std::sqrt(k) * std::sin(n * std::numbers::pi / (2.0 * (n + 1))), findings, table);
+    }
+  }
+  check_fence_limit(findings, setup, table);
+  if (!setup.coarse) findings.table(table);
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,339 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "solver/io/scene/read_scene.hpp"
+#include "solver/run/history.hpp"
+#include "solver/run/quantity.hpp"
+#include "solver/scenes/fence_summary.hpp"
+#include "solver/stability/step_advice.hpp"
+#include "verification/check/case.hpp"
+#include "verification/problems/speed_accuracy/varied_scenes.hpp"
+
+namespace talus::verification::problems {
+
+Case defaults();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** A user describes bodies and contacts and says when the run ends, and nothing of methods. Thirty scenes and
+twenty fences are run with all defaults; each named result is compared with a converged run.
+
+**Equations.** None: the reference of scenes, and in the full tier of fences, is velocity Verlet with a fixed step, one
+thousandth of the shortest contact and a hundredth of the linear limit at most; that of fences in each tier is the
+default method with the tolerance $10^{-13}$. Velocity Verlet shares the forces with the default (`auto`: closed form or located events,
+tolerance $10^{-10}$) but neither its steps, nor its events, nor its implicit steps. With $N$ steps in a contact its error
+is $0.23/N$ of the speed at the impact (case `timestep`), so below 0.1 % of what is compared.
+
+| what | of each scene | of each fence |
+|:--|:--|:--|
+| result | one number, e.g. a last position, a spin, a largest force | verdict; position, over the width of the path; kinetic energy, over that of the approach; largest tension |
+| bound | 1 % | 1 %, against fixed steps 2 % |
+| energy balance | $3 \cdot 10^{-9}$ of the largest energy | the same |
+
+**Source.** The default method: Stoermer 1907, Krogh 1974, Kennedy & Carpenter 2003. Fences: template of `talus new
+fence`.
+
+**What would break it.** A default step that is only stable; outputs too far apart for the peak of a force; a default
+tolerance that is too loose; contacts by the nodes of 1993, whose energy balance fails; friction work accumulated with
+the limit at the end of long steps.
+)";
+
+/// What a run gives, and what it took.
+struct Found {
+  double value{std::numeric_limits<double>::quiet_NaN()};  ///< the named result
+  double balance{};                                        ///< largest error over the largest energy
+  long evaluations{};
+};
+
+/// The method of the reference: velocity Verlet in steps short enough to be converged.
+void converge(Scene& scene, double step) {
+  scene.integrator = VelocityVerlet{};
+  scene.plan.step = step;
+  scene.plan.ledger = false;
+}
+
+double converged_step(Scene scene) {
+  scene.integrator = VelocityVerlet{};
+  return 0.2 * automatic_step(scene);
+}
+
+Found run_scene(const Scene& scene, const Quantity& quantity, Findings& findings) {
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, scene.plan.ledger};
+  State state = scene.initial;
+  system.begin(state);
+  Recorder recorder{dynamics, state, scene.plan.ledger};
+  Integrator integrator = scene.integrator;
+  const Observer observer = std::ref(recorder);
+  const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1});
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  Found found;
+  found.evaluations = system.evaluations();
+  if (!outcome) return found;
+  const Recorder::Extreme& extreme = recorder.extremes()[quantity.column];
+  found.value = quantity.of(extreme.least, extreme.largest, recorder.row()[quantity.column]);
+  if (recorder.ledger())
+    found.balance = recorder.ledger()->largest_energy_closure() / recorder.ledger()->energy_scale();
+  return found;
+}
+
+/// What is planted in the default run.
+void plant(Scene& scene, const Setup& setup) {
+  if (setup.has("loose_tolerance")) scene.integrator = make_integrator("stormer_cowell", 3e-2);
+  if (setup.has("outputs_far_apart")) scene.plan.step = scene.plan.end / 200.0;
+}
+
+/// The worst of several, and where it was.
+struct Worst {
+  double error{};
+  std::string where;
+  void take(double value, const std::string& name) {
+    if (!(std::abs(value) <= error)) error = std::abs(value), where = name;
+  }
+};
+
+void check_scenes(Findings& findings, const Setup& setup) {
+  Table table{.name = "scenes",
+              .caption = "Thirty scenes with all defaults beside converged runs.",
+              .columns = {"scene", "result", "default", "converged", "difference", "energy balance", "evaluations"},
+              .rows = {}};
+  Series errors{"named result", {}, {}, Style::points}, balances{"energy balance", {}, {}, Style::points};
+  Worst error, balance;
+  const std::vector<VariedScene> all = varied_scenes();
+  for (const VariedScene& varied : all) {
+    // Those that a fault is seen in.
+    const bool seen = varied.name == "Hertzian bounce" || varied.name == "stone that tumbles";
+    if (setup.coarse && !seen) continue;
+    Scene scene = read_scene(varied.text, varied.name);
+    const Quantity quantity = quantity_named(scene.model, varied.quantity);
+    Scene reference = scene;
+    converge(reference, converged_step(scene));
+    plant(scene, setup);
+    const Found found = run_scene(scene, quantity, findings), truth = run_scene(reference, quantity, findings);
+    const double difference = found.value / truth.value - 1.0;
+    error.take(difference, varied.name);
+    balance.take(found.balance, varied.name);
+    errors.x.push_back(static_cast<double>(errors.x.size()) + 1.0);
+    errors.y.push_back(std::max(std::abs(difference), 1e-12));
+    balances.x.push_back(errors.x.back());
+    balances.y.push_back(std::max(found.balance, 1e-12));
+    table.rows.push_back({varied.name, varied.quantity, fmt::format("{:.6g}", found.value),
+                          fmt::format("{:.6g}", truth.value), fmt::format("{:+.1e}", difference),
+                          fmt::format("{:.1e}", found.balance), fmt::format("{}", found.evaluations)});
+  }
+  if (!setup.coarse) {
+    findings.expect("number of scenes", static_cast<double>(table.rows.size()), 30.0,
+                    Tolerance::exact("as many as are named"));
+  }
+  findings.expect(
+      "scenes: largest difference of a named result from its converged value", error.error, 0.0,
+      Tolerance::model(0.01,
+                       "1 % is what an engineer may notice; the converged runs err by 0.1 %; worst: " + error.where));
+  findings.expect(
+      "scenes: largest error of the energy balance over the largest energy", balance.error, 0.0,
+      Tolerance::truncation(
+          1e-9, 3.0, "ten times the tolerance of the steps, over some thousand of them; worst: " + balance.where));
+  if (setup.coarse) return;
+  findings.table(table);
+  findings.figure({.name = "scenes",
+                   .title = "Defaults on thirty scenes",
+                   .caption = "Difference of the named result from its converged value, and largest error of the "
+                              "energy balance, of each scene in the order of the table.",
+                   .x = {.label = "scene"},
+                   .y = {.label = "relative error", .log = true, .min = 1e-12, .max = 0.1},
+                   .series = {errors, balances},
+                   .lines = {{'y', 0.01, "bound of results"}, {'y', 3e-9, "bound of balances"}}});
+}
+
+/// What a fence's run gives.
+struct FenceFound {
+  scenes::FenceSummary summary;
+  Vec2 position;   ///< of the rock at the end [m]
+  double width{};  ///< of its path along x [m]
+  double balance{};
+  long evaluations{};
+};
+
+FenceFound run_fence(const SceneFile& file, Findings& findings) {
+  const Scene& scene = file.scene;
+  const Dynamics dynamics{scene.model};
+  const Layout layout{scene.model};
+  RigidBodySystem system{dynamics, scene.plan.ledger};
+  State state = scene.initial;
+  system.begin(state);
+  scenes::FenceWatch watch{file.fence->fence, file.fence->made, dynamics};
+  std::optional<EnergyLedger> ledger;
+  if (scene.plan.ledger) ledger.emplace(dynamics, state);
+  const BodyId rock = *file.fence->made.members[1].body;
+  double least = std::numeric_limits<double>::infinity(), largest = -least;
+  const Observer observer = [&](const State& seen, const StepInfo& info) {
+    watch(seen, info);
+    const double x = pose(scene.model, layout, seen, rock).p_WB.x;
+    least = std::min(least, x), largest = std::max(largest, x);
+    if (ledger) static_cast<void>(ledger->accounts(seen));
+  };
+  Integrator integrator = scene.integrator;
+  const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1});
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  FenceFound found{watch.summary(), pose(scene.model, layout, state, rock).p_WB, largest - least, 0.0,
+                   system.evaluations()};
+  if (!outcome) found.position.x = std::numeric_limits<double>::quiet_NaN();
+  if (ledger) found.balance = ledger->largest_energy_closure() / ledger->energy_scale();
+  return found;
+}
+
+/// Differences of fences from runs of one kind that are converged.
+class FenceDifferences {
+ public:
+  explicit FenceDifferences(const char* reference) : reference_{reference} {}
+
+  /// Of one fence, as cells of a table.
+  std::vector<std::string> take(const std::string& name, const FenceFound& found, const FenceFound& truth) {
+    const scenes::RockPassage &rock = found.summary.rocks[0], &same = truth.summary.rocks[0];
+    const double off = norm(found.position - truth.position) / truth.width;
+    const double left = (rock.end_energy - same.end_energy) / same.approach_energy;
+    const double pull = found.summary.largest_segment()->peak / truth.summary.largest_segment()->peak - 1.0;
+    position_.take(off, name), energy_.take(left, name), tension_.take(pull, name);
+    verdicts_ += found.summary.verdict() == truth.summary.verdict() ? 1 : 0;
+    return {fmt::format("{:.1e}", off), fmt::format("{:+.1e}", left), fmt::format("{:+.1e}", pull)};
+  }
+
+  /// `bound`: of position and energy; the largest tension comes before paths part.
+  void check(Findings& findings, double bound, double tension_bound, const std::string& why) const {
+    const auto within = [&](const Worst& worst, const char* of, double most) {
+      findings.expect(fmt::format("fences: largest difference of {} from {}", of, reference_), worst.error, 0.0,
+                      Tolerance::model(most, why + "; worst: " + worst.where));
+    };
+    within(position_, "the rock's last position", bound);
+    within(energy_, "the rock's last energy", bound);
+    within(tension_, "the largest tension", tension_bound);
+    findings.expect(fmt::format("fences: verdicts equal to those of {}", reference_), verdicts_, 20.0,
+                    Tolerance::exact("no verdict may hang on the method"));
+  }
+
+ private:
+  std::string reference_;
+  Worst position_, energy_, tension_;
+  int verdicts_{};
+};
+
+void check_fences(Findings& findings, const Setup& setup) {
+  Table table{
+      .name = "fences",
+      .caption =
+          "Twenty fences with all defaults; differences from runs of tolerance $10^{-13}$: of the rock's "
+          "last position over the width of its path, of its last kinetic energy over that of its "
+          "approach, of the largest tension.",
+      .columns = {"fence", "verdict", "energy left", "position", "energy", "tension", "energy balance", "evaluations"},
+      .rows = {}};
+  Worst balance;
+  FenceDifferences tight{"runs of tolerance 1e-13"}, fixed{"runs of velocity Verlet"};
+  for (const VariedScene& varied : varied_fences()) {
+    if (setup.coarse && varied.name != "nine columns") continue;
+    std::string text = varied.text;
+    if (setup.has("rules_of_1993")) text.insert(text.find("[fence]\n") + 8, "rules = \"1993\"\n");
+    SceneFile file = read_scene_file(text, varied.name);
+    const FenceFound found = run_fence(file, findings);
+    balance.take(found.balance, varied.name);
+    if (setup.coarse) continue;
+    file.scene.integrator = make_integrator("stormer_cowell", 1e-13);
+    const std::vector<std::string> differences = tight.take(varied.name, found, run_fence(file, findings));
+    if (setup.tier == Tier::full) {
+      converge(file.scene, 2e-6);
+      static_cast<void>(fixed.take(varied.name, found, run_fence(file, findings)));
+    }
+    const scenes::RockPassage& rock = found.summary.rocks[0];
+    table.rows.push_back({varied.name, std::string{talus::name_of(found.summary.verdict())},
+                          fmt::format("{:.1f} %", 100.0 * rock.end_energy / rock.approach_energy), differences[0],
+                          differences[1], differences[2], fmt::format("{:.1e}", found.balance),
+                          fmt::format("{}", found.evaluations)});
+  }
+  findings.expect(
+      "fences: largest error of the energy balance over the largest energy", balance.error, 0.0,
+      Tolerance::truncation(
+          1e-9, 3.0, "ten times the tolerance of the steps, over some thousand of them; worst: " + balance.where));
+  if (setup.coarse) return;
+  tight.check(findings, 0.01, 5e-9,
+              "1 % is what an engineer may notice; a tension errs by some ten tolerances of the default, 1e-10");
+  if (setup.tier == Tier::full) {
+    fixed.check(
+        findings, 0.02, 0.002,
+        "steps of 2 microseconds, some 1,000 in a contact, err by 0.1 % of the speed in each of several impacts, "
+        "which later ones multiply: the rock moves on for half a second");
+  }
+  findings.table(table);
+}
+
+/// The rock hits two columns at once: each impact stops a part of it.
+void check_even(Findings& findings, const Setup& setup) {
+  std::array<FenceFound, 2> found;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const VariedScene varied = even_fences()[i];
+    SceneFile file = read_scene_file(varied.text, varied.name);
+    if (setup.has("impacts_by_themselves") && i == 1) {
+      // What each of the two contacts would be with the rock to itself.
+      for (Contact& contact : file.scene.model.contacts)
+        std::get<LinearSpringDashpot>(contact.law).damping_ratio *= 1.12;
+    }
+    found[i] = run_fence(file, findings);
+  }
+  const scenes::RockPassage &half = found[0].summary.rocks[0], &whole = found[1].summary.rocks[0];
+  findings.expect("even fence: last energy of the rock, half model against whole", half.end_energy / whole.end_energy,
+                  1.0,
+                  Tolerance::truncation(1e-7, 3.0,
+                                        "the same motion by steps of the same tolerance, 1e-10, whose "
+                                        "differences grow a thousandfold in each of two impacts"));
+  findings.expect("even fence: largest tension, half model against whole",
+                  found[0].summary.largest_segment()->peak / found[1].summary.largest_segment()->peak, 1.0,
+                  Tolerance::truncation(1e-10, 1.0, "the tolerance: it comes before differences grow"));
+}
+
+void run(Findings& findings, const Setup& setup) {
+  if (setup.concerns({"loose_tolerance", "outputs_far_apart"})) check_scenes(findings, setup);
+  if (setup.concerns({"rules_of_1993"})) check_fences(findings, setup);
+  if (setup.concerns({"impacts_by_themselves"})) check_even(findings, setup);
+}
+
+}  // namespace
+
+Case defaults() {
+  return {.id = "defaults",
+          .title = "Scenes with all defaults",
+          .family = "speed and accuracy",
+          .requirements = {{"integrator.stormer_cowell", {"scenes: largest difference", "fences: largest difference"}},
+                           {"integrator.exact", {"scenes: largest difference"}},
+                           {"law.linear_spring_dashpot", {"scenes: largest difference"}},
+                           {"law.hertz", {"scenes: largest difference"}},
+                           {"law.latching_spring", {"scenes: largest difference"}},
+                           {"law.tension_only", {"scenes: largest difference"}},
+                           {"law.elastic_plastic", {"scenes: largest difference", "fences: largest difference"}},
+                           {"mechanism.friction", {"energy balance"}}},
+          .main_checks = {"scenes: largest difference of a named result from its converged value",
+                          "scenes: largest error of the energy balance over the largest energy",
+                          "fences: largest difference of the rock's last position from runs of tolerance 1e-13",
+                          "fences: largest difference of the largest tension from runs of tolerance 1e-13",
+                          "fences: largest error of the energy balance over the largest energy",
+                          "fences: verdicts equal to those of runs of tolerance 1e-13"},
+          .source = "Krogh 1974; Kennedy & Carpenter 2003",
+          .page = page,
+          .faults = {{"loose_tolerance", "a default tolerance of 3e-2",
+                      "scenes: largest difference of a named result from its converged value"},
+                     {"outputs_far_apart", "outputs that are a 200th of the run apart",
+                      "scenes: largest difference of a named result from its converged value"},
+                     {"impacts_by_themselves", "dashpots of two impacts at once as of each by itself",
+                      "even fence: last energy of the rock, half model against whole"},
+                     {"rules_of_1993", "fences by the rules of 1993",
+                      "fences: largest error of the energy balance over the largest energy"}},
+          .tier = Tier::quick,
+          .time_limit = 120.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,306 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/model/model_builder.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/scene.hpp"
+#include "verification/check/case.hpp"
+#include "verification/problems/speed_accuracy/elastic_gas.hpp"
+#include "verification/reference/leapfrog_bounce.hpp"
+
+namespace talus::verification::problems {
+
+Case energy_gain();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** A disc meets a spring that only pushes, without a dashpot. Its leapfrog is stable up to $\eta = \omega h = 2$.
+How fast does it leave?
+
+**Why 2 is not the limit.** Inside, $u^2 + \omega^2 x_n x_{n+1}$ is kept, $u$ the speed of a step: no motion grows. But
+where the motion is cut, what is kept is not the energy. A step that enters with the share $\theta$ of it inside brings
+$v_0^2[1 - \eta^2\theta(1-\theta)]$, and the one that leaves takes as much with its own share $\phi$:
+$$e^2 = \frac{1 - \eta^2\theta(1-\theta)}{1 - \eta^2\phi(1-\phi)}, \qquad
+e \le \frac{1}{\sqrt{1 - \eta^2/4}} \approx 1 + \eta^2/8.$$
+With $\delta$ the odd part of the contact's time in steps, $\pi/(2\arcsin\frac{\eta}{2})$, $\phi \approx \theta + \delta$
+and the most is $\eta^2\delta(1-\delta)/2$.
+
+**Why it heats.** A step keeps areas of $(x, v)$. Bounces carry $v_0\,dv_0\,d\theta$ to $v\,dv\,d\phi$, thus $d\phi =
+d\theta/e^2$: over even phases the mean of $e^{-2}$ **is one**. Then the mean of $\ln e$ is never negative, and to second
+order it is its variance, $\eta^4\delta^2(1-\delta)^2/12$. In a gas of $N$ discs a collision has the share
+$1/(N + \frac12)$ of the energy, and changes it by $e^2 - 1$. At $\eta = 1$ a contact lasts three steps, $\delta = 0$, and
+nothing heats.
+
+**What is the limit then?** Accuracy: the bound admits .2 % of a speed up to $\eta = .126$, 25 steps a contact, and 1 %
+up to .28, eleven. A contact with a dashpot needs more: its errors are of first order (case `timestep`).
+
+| setup | values |
+|:--|:-----|
+| disc, plane | $\omega$ = 100, $v_0$ = 1; phases $\theta$ = 1/128, 3/128, ... |
+| gas | 24 discs of radius 1 in a box of 22, $v$ = .004 $r\omega$, all contacts of one $\omega$ |
+
+**Source.** Derived here. Area: Hairer, Lubich & Wanner 2006.
+
+**What would break it.** A force a step too early or late; damping, however small; a method that keeps no areas.
+)";
+
+constexpr double frequency = 100.0, entry = 1.0;
+
+Scene struck_plane(const Setup& setup) {
+  ModelBuilder builder{si};
+  const double k = frequency * frequency * (setup.has("stiffness_off") ? 1.0 + 1e-6 : 1.0);
+  const double c = setup.has("slight_dashpot") ? 2e-4 * frequency : 0.0;
+  const BodyId disc = builder.add({.name = "disc", .mobility = Mobility::particle, .mass = 1.0, .shape = Circle{1.0}});
+  const BodyId plane = builder.add({.name = "plane", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  builder.add(Contact{.name = "contact", .a = disc, .b = plane, .law = LinearSpringDashpot{k, c, EndRule::clamped}});
+  Scene scene{.title = "Disc against a plane", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  return scene;
+}
+
+/// One disc and its plane, struck again and again.
+class Striking {
+ public:
+  explicit Striking(const Setup& setup) : scene_{struck_plane(setup)}, dynamics_{scene_.model} {}
+
+  /// Exit over entry speed with the share theta of the step that enters inside.
+  double ratio(std::string_view method, double eta, double theta) const {
+    const double h = eta / frequency;
+    RigidBodySystem system{dynamics_, false};
+    State state = scene_.initial;
+    // Central difference holds its coordinates half a step on: it begins so much further out.
+    const double ahead = method == "central_difference" ? 0.5 : 0.0;
+    state.q[1] = 1.0 + (1.0 - theta + ahead) * h * entry;
+    state.v[1] = -entry;
+    const long steps = static_cast<long>(std::ceil(3.1416 / (2.0 * std::asin(0.5 * eta)))) + 3;
+    Integrator integrator = make_integrator(method);
+    (void)simulate(system, integrator, state, {h, h * static_cast<double>(steps), h, false});
+    return state.v[1] / entry;
+  }
+
+ private:
+  Scene scene_;
+  Dynamics dynamics_;
+};
+
+double theta(int i, int phases, const Setup& setup) {
+  return ((setup.has("bunched_phases") ? 0.25 * i : i) + 0.5) / phases;
+}
+
+/// Least, mean and largest of 64 phases against the step, and each against the closed form.
+void check_bounces(const Striking& striking, Findings& findings, const Setup& setup) {
+  Series least{"least", {}, {}, Style::points}, mean{"mean", {}, {}, Style::points},
+      most{"most", {}, {}, Style::points};
+  Series exact_least{"exact", {}, {}, Style::lines}, exact_most{"exact", {}, {}, Style::lines};
+  Series bound{"bound", {}, {}, Style::lines};
+  for (const char* method : {"velocity_verlet", "central_difference", "euler_cromer"}) {
+    const bool drawn = std::string_view{method} == "velocity_verlet";
+    if (setup.coarse && !drawn) continue;
+    double worst = 0.0, above = 0.0;
+    for (int n = setup.coarse ? 32 : 1; n <= 39; ++n) {
+      const double eta = 0.05 * n;
+      double low = 1e9, high = 0.0, sum = 0.0;
+      for (int i = 0; i < 64; ++i) {
+        const double at = theta(i, 64, setup), e = striking.ratio(method, eta, at);
+        const double error = e - reference::leapfrog_bounce(eta, at).ratio;
+        if (!(std::abs(error) <= std::abs(worst))) worst = error;
+        low = std::min(low, e), high = std::max(high, e), sum += e / 64.0;
+      }
+      const double limit = 1.0 / std::sqrt(1.0 - 0.25 * eta * eta);
+      above = std::max(above, high - limit);
+      if (drawn && (n == 2 || n == 32)) {
+        const bool fine = n == 2;
+        findings.expect_between(fmt::format("largest gain of speed at w h = {:g}", eta), high - 1.0,
+                                fine ? 0.0005 : 0.5, fine ? 0.002 : 2.0 / 3.0,
+                                fine
+                                    ? "the bound is .00125; .2 % is what is admitted of a fine step, and less than .05 "
+                                      "% would say that nothing was struck"
+                                    : "half as fast again, up to the bound 1/sqrt(1 - .64)");
+      }
+      if (!drawn) continue;
+      const reference::LeapfrogGain gain = reference::leapfrog_gain(eta, 500);
+      for (const auto& [series, value] : {std::pair{&least, low},
+                                          {&mean, sum},
+                                          {&most, high},
+                                          {&exact_least, gain.least},
+                                          {&exact_most, gain.most},
+                                          {&bound, limit}}) {
+        series->x.push_back(eta);
+        series->y.push_back(value);
+      }
+    }
+    findings.count(39 * 64 * 12);
+    findings.expect(fmt::format("exit speeds by {}, 39 steps of 64 phases, largest error", method), worst, 0.0,
+                    Tolerance::round_off(5e-13,
+                                         "a depth, a number near 1 less 1, is off by 1.1e-16 and kicks by w^2 h times "
+                                         "that: 2e-14 of v0 at w h = 1.95, in a step or two, and sqrt(63) times 6e-16 "
+                                         "at .05; where e changes fast with the phase, ten times that"));
+    findings.expect_true(fmt::format("exit speeds by {}: none above the bound", method), above <= 1e-11,
+                         "1/sqrt(1 - eta^2/4), derived on the page");
+  }
+  if (setup.coarse) return;
+  exact_most.label = "exact, most";
+  exact_least.label = "exact, least";
+  findings.figure({.name = "gain",
+                   .title = "Exit over entry speed of one bounce",
+                   .caption =
+                       "Velocity Verlet, 64 phases of the touch, against $\\omega h$: all of it is stable. Where "
+                       "a contact lasts a whole number of steps (1, and 1.41 for two) all phases leave as they came. "
+                       "Lines: closed form; above them the bound.",
+                   .x = {.label = "w h", .min = 0.0, .max = 2.0},
+                   .y = {.label = "exit over entry speed", .min = 0.0, .max = 3.0},
+                   .series = {least, mean, most, exact_least, exact_most, bound}});
+}
+
+/// Means over many phases: of e^-2, and of ln e against the second order in the step.
+void check_heating(const Striking& striking, Findings& findings, const Setup& setup, Figure& figure) {
+  Series points{"velocity Verlet, one bounce", {}, {}, Style::points};
+  const int phases = 2048;
+  double worst = 0.0;
+  for (const double eta : {0.3, 0.1, 0.2, 0.7}) {
+    if (setup.coarse && eta != 0.3) continue;
+    double inverse = 0.0, mean_ln = 0.0;
+    for (int i = 0; i < phases; ++i) {
+      const double e = striking.ratio("velocity_verlet", eta, theta(i, phases, setup));
+      inverse += 1.0 / (e * e * phases);
+      mean_ln += std::log(e) / phases;
+    }
+    findings.count(static_cast<std::uint64_t>(phases) * 20);
+    const double off = (inverse - 1.0) * 8.0 * phases * phases / (eta * eta);
+    if (!(std::abs(off) <= std::abs(worst))) worst = off;
+    findings.expect(fmt::format("mean of ln e at w h = {:g} over eta^4 delta^2 (1 - delta)^2/12", eta),
+                    mean_ln / reference::small_step_heating(eta), 1.0,
+                    Tolerance::model(0.5 * eta * eta,
+                                     "the next order, eta^2, with half its size; 64 phases would not do: "
+                                     "the terms are a hundred times their mean"));
+    points.x.push_back(eta);
+    points.y.push_back(mean_ln);
+  }
+  findings.expect(
+      "mean of e^-2 less one, over eta^2/(8 n^2), largest of four steps", worst, 0.0,
+      Tolerance::truncation(1.0, 3.0,
+                            "a mean of n = 2048 middles misses, at each phase where the slope of e^-2 jumps "
+                            "by 2 eta^2, up to an eighth of the jump over n^2; there are two"));
+  Series exact{"exact", {}, {}, Style::lines};
+  for (double eta = 0.05; eta < 1.95; eta *= 1.015) {
+    const double value = reference::leapfrog_gain(eta, 1000).mean_ln;
+    if (value < 1e-10) continue;
+    exact.x.push_back(eta);
+    exact.y.push_back(value);
+    if (setup.coarse) break;
+  }
+  figure.series.push_back(exact);
+  figure.series.push_back(points);
+}
+
+/// Many collisions: ln of the energy gained in each, times the discs' number, against the statistics of one bounce.
+void check_gas(Findings& findings, const Setup& setup, Figure& figure) {
+  struct Gas {
+    double eta;
+    int runs;
+    long collisions;
+  };
+  Series points{"gas, N/4 times ln heating a collision", {}, {}, Style::errorbars};
+  std::vector<Gas> gases{{1.2, setup.coarse ? 4 : 12, 800}, {1.0, 3, 800}, {1.5, 16, 150}};
+  if (setup.tier == Tier::full) gases.push_back({0.7, 40, 800});
+  const double n = gas_discs;
+  for (const Gas& gas : gases) {
+    if (setup.coarse && gas.eta != 1.2) continue;
+    double heating = 0.0;
+    long collisions = 0;
+    for (int seed = 1; seed <= gas.runs; ++seed) {
+      const GasRun run = run_gas(gas.eta, static_cast<std::uint64_t>(seed), gas.collisions, setup);
+      heating += run.ln_heating;
+      collisions += run.collisions;
+    }
+    const double measured = heating / static_cast<double>(collisions);
+    const std::string name = fmt::format("gas at w h = {:g}, N times ln heating a collision", gas.eta);
+    if (gas.eta == 1.0) {
+      findings.expect(
+          name, n * measured, 0.0,
+          Tolerance::model(5e-4,
+                           "every bounce is exact; contacts that are not head-on turn by v/(r w) = .004 of "
+                           "their length, and .4 % of the time is spent in one while a third disc may come"));
+      continue;
+    }
+    // A share B of the energy, with mean 1/(N + 1/2) and mean square 2/((N + 1/2)(N + 3/2)): the motion along the
+    // normal, weighed by how often it meets, among 2 N coordinates.
+    const reference::LeapfrogGain gain = reference::leapfrog_gain(gas.eta, 20000);
+    const double square = 2.0 / ((n + 0.5) * (n + 1.5));
+    const double expected = n * (gain.mean_square / (n + 0.5) - 0.5 * square * gain.variance);
+    const double error = n * std::sqrt(square * gain.variance / static_cast<double>(collisions));
+    findings.expect(
+        name, n * measured, expected,
+        Tolerance::model(3.0 * error, fmt::format("three standard errors of the mean of {} collisions, each with its "
+                                                  "own phase and share of the energy",
+                                                  collisions)));
+    if (!setup.has("gas_by_rk4") && n * measured > 3.0 * error) {
+      points.x.push_back(gas.eta);
+      points.y.push_back(0.25 * n * measured);
+      points.y_low.push_back(0.25 * (n * measured - error));
+      points.y_high.push_back(0.25 * (n * measured + error));
+    }
+    findings.count(static_cast<std::uint64_t>(collisions) * 60);
+  }
+  if (!points.x.empty()) figure.series.push_back(points);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const Striking striking{setup};
+  check_bounces(striking, findings, setup);
+  Figure figure{.name = "heating",
+                .title = "Mean of ln e over all phases",
+                .caption =
+                    "The heating of a bounce by the step; of a gas a quarter of that of its energy, which near "
+                    "small gains is the same. It vanishes wherever a contact lasts a whole number of steps.",
+                .x = {.label = "w h", .log = true},
+                .y = {.label = "mean of ln e", .log = true, .min = 1e-9},
+                .series = {},
+                .slopes = {{4.0, 0.3, 4.2e-5, "eta^4/192"}}};
+  check_heating(striking, findings, setup, figure);
+  check_gas(findings, setup, figure);
+  if (!setup.coarse) findings.figure(figure);
+}
+
+}  // namespace
+
+Case energy_gain() {
+  return {
+      .id = "energy_gain",
+      .title = "One-sided contacts gain energy below the limit of stability",
+      .family = "speed and accuracy",
+      .requirements = {{"Eq. 25", {"largest gain of speed"}},
+                       {"integrator.velocity_verlet", {"velocity_verlet", "mean of", "gas at"}},
+                       {"integrator.central_difference", {"central_difference"}},
+                       {"integrator.euler_cromer", {"euler_cromer"}},
+                       {"end_rule.clamped", {"exit speeds"}},
+                       {"pair.circle.circle", {"gas at"}},
+                       {"pair.circle.half_plane", {"exit speeds", "gas at"}}},
+      .main_checks = {"largest gain of speed at w h = 0.1", "largest gain of speed at w h = 1.6",
+                      "exit speeds by velocity_verlet, 39 steps of 64 phases, largest error",
+                      "mean of e^-2 less one, over eta^2/(8 n^2), largest of four steps",
+                      "mean of ln e at w h = 0.1 over eta^4 delta^2 (1 - delta)^2/12",
+                      "gas at w h = 1.2, N times ln heating a collision",
+                      "gas at w h = 1, N times ln heating a collision"},
+      .source = "Hairer, Lubich & Wanner 2006; derived here",
+      .page = page,
+      .faults = {{"stiffness_off", "a contact stiffer by 1e-6",
+                  "exit speeds by velocity_verlet, 39 steps of 64 phases, largest error"},
+                 {"slight_dashpot", "a dashpot of damping ratio 1e-4",
+                  "mean of e^-2 less one, over eta^2/(8 n^2), largest of four steps"},
+                 {"bunched_phases", "phases from a quarter of the step only",
+                  "mean of ln e at w h = 0.3 over eta^4 delta^2 (1 - delta)^2/12"},
+                 {"gas_by_rk4", "a method that keeps no areas", "gas at w h = 1.2, N times ln heating a collision"}},
+      .tier = Tier::quick,
+      .time_limit = 60.0,
+      .run = run};
+}
+
+}  // namespace talus::verification::problems

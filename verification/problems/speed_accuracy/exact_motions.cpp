@@ -1,0 +1,121 @@
+#include "verification/problems/speed_accuracy/exact_motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/model/model_builder.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/bouncing_disc.hpp"
+#include "solver/scenes/pendulum.hpp"
+#include "verification/reference/damped_bounce.hpp"
+#include "verification/reference/two_cable.hpp"
+#include "verification/study/swing.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+std::vector<double> times_to(double duration) {
+  std::vector<double> times;
+  for (int i = 0; i <= compared_times; ++i)
+    times.push_back(duration * i / compared_times);
+  return times;
+}
+
+ExactMotion pendulum_from(const char* name, double amplitude, double duration) {
+  ExactMotion made{
+      name,
+      // Nearly all mass at the end of the arm: w0^2 = g to the last digit.
+      scenes::pendulum({.mass = 1.0, .inertia = 1e-20, .arm = 1.0, .gravity = 9.81, .amplitude = amplitude}),
+      duration,
+      0,
+      {}};
+  const auto motion = reference::PendulumMotion::from_rest(std::sqrt(9.81), amplitude);
+  for (const double t : times_to(duration)) {
+    const auto state = motion.at(t);
+    made.exact.push_back({state.angle, state.rate});
+  }
+  return made;
+}
+
+Scene particle_on_cables() {
+  ModelBuilder builder{si};
+  const BodyId particle = builder.add(Body{.name = "particle", .mobility = Mobility::particle, .mass = 1.0});
+  for (const double side : {10.0, -10.0}) {
+    builder.add(Cable{.name = side > 0.0 ? "upper" : "lower",
+                      .a = {particle, {}},
+                      .b = {std::nullopt, {0.0, side, 0.0}},
+                      .rest_length = 10.0,
+                      .law = TensionOnly{4.0, 0.0}});
+  }
+  Scene scene{.title = "Particle on two cables", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, particle, {2.0, 0.0}, 0.0);
+  return scene;
+}
+
+ExactMotion two_cables() {
+  ExactMotion made{"two cables", particle_on_cables(), 50.0, 0, {}};
+  const reference::TwoCableMotion motion{{.stiffness = 4.0, .length = 10.0, .mass = 1.0}, 2.0};
+  for (const double t : times_to(made.duration)) {
+    const auto state = motion.at(t);
+    made.exact.push_back({state.position, state.velocity});
+  }
+  return made;
+}
+
+ExactMotion damped_bounce() {
+  constexpr double w = 100.0, xi = 0.2, gravity = 9.81, gap = 0.618, speed = 1.0, radius = 1.0;
+  ExactMotion made{"damped bounce",
+                   scenes::bouncing_disc({.mass = 1.0,
+                                          .radius = radius,
+                                          .gap = gap,
+                                          .speed = speed,
+                                          .gravity = gravity,
+                                          .contact = LinearSpringDashpot{w * w, 2.0 * xi * w, EndRule::clamped}}),
+                   3.0,
+                   1,
+                   {}};
+  const auto states =
+      reference::bounce_states({w, xi, gravity, gap, speed, reference::EndRule::clamped}, times_to(made.duration));
+  for (const auto& state : states)
+    made.exact.push_back({radius + state.gap, -state.velocity});
+  return made;
+}
+
+}  // namespace
+
+std::vector<ExactMotion> exact_motions() {
+  std::vector<ExactMotion> all;
+  all.push_back(pendulum_from("pendulum, 90 degrees", 90.0 * degree, 24.388772));
+  all.push_back(pendulum_from("pendulum, 170 degrees", 170.0 * degree, 50.4033));
+  all.push_back(two_cables());
+  all.push_back(damped_bounce());
+  return all;
+}
+
+WorkPoint run_motion(const ExactMotion& motion, Integrator integrator, long steps, Findings& findings) {
+  const Dynamics dynamics{motion.scene.model};
+  RigidBodySystem system{dynamics, false};
+  State state = motion.scene.initial;
+  double place = 0.0, velocity = 0.0, largest_place = 0.0, largest_velocity = 0.0;
+  const Observer observer = [&](const State& seen, const StepInfo& info) {
+    if (info.step == 0 || info.step % steps != 0) return;
+    const PlaceAndVelocity& exact = motion.exact[static_cast<std::size_t>(info.step / steps)];
+    place = std::max(place, std::abs(seen.q[motion.coordinate] - exact.place));
+    velocity = std::max(velocity, std::abs(seen.v[motion.coordinate] - exact.velocity));
+    largest_place = std::max(largest_place, std::abs(exact.place));
+    largest_velocity = std::max(largest_velocity, std::abs(exact.velocity));
+  };
+  const double interval = motion.duration / compared_times;
+  const RunPlan plan{interval / static_cast<double>(steps), motion.duration, interval, false};
+  const Outcome outcome = simulate(system, integrator, state, plan, {&observer, 1});
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  WorkPoint point{std::max(place / largest_place, velocity / largest_velocity),
+                  static_cast<double>(system.evaluations())};
+  if (!outcome) point.error = std::nan("");
+  if (const auto* located = std::get_if<StormerCowell>(&integrator)) point.events = located->events();
+  return point;
+}
+
+}  // namespace talus::verification::problems

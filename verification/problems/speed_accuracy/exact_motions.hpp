@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "solver/integrate/integrator_list.hpp"
+#include "solver/scenes/scene.hpp"
+#include "verification/check/findings.hpp"
+#include "verification/problems/speed_accuracy/work_points.hpp"
+
+/// Scenes whose motion is known in closed form, piece by piece, and the error of a method on them.
+namespace talus::verification::problems {
+
+/// A coordinate and its velocity.
+struct PlaceAndVelocity {
+  double place{};
+  double velocity{};
+};
+
+/// One coordinate of a scene, and its exact motion at equally spaced times from the start to the end.
+struct ExactMotion {
+  const char* name;
+  Scene scene;
+  double duration{};
+  std::size_t coordinate{};
+  std::vector<PlaceAndVelocity> exact;
+};
+
+/// Times at which a motion is compared, after its start.
+inline constexpr int compared_times = 20;
+
+/// A pendulum from 90 and from 170 degrees, the particle of the 1993 report's problem 1 on its two cables, and a
+/// damped disc that bounces under gravity.
+[[nodiscard]] std::vector<ExactMotion> exact_motions();
+
+/// Runs a motion in equal steps, so many between two of the compared times; of methods that choose their own steps,
+/// these are the outputs. Error: the largest over the compared times of place and velocity, each over the largest of
+/// its exact values.
+[[nodiscard]] WorkPoint run_motion(const ExactMotion& motion, Integrator integrator, long steps, Findings& findings);
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,148 @@
+#include <array>
+
+#include "verification/problems/speed_accuracy/failure_rows.hpp"
+
+namespace talus::verification::problems {
+
+Case failure_catalogue();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Discrete-element codes fail in known ways which no linear limit tells of. Each is brought about here, by more
+than a number derived beforehand, and then left out: on both sides by the solver itself, but for four counter-examples that
+it does not have (a friction spring kept in world axes, friction by the slip rate, Newton's method, plain powers).
+
+**Equations.** $\omega$ frequency of a contact, $v$ speed, $r$ radius, $h$ step, $\xi$ damping ratio, $d$ overlap. The
+table of what was measured stands in the appendix.
+
+| failure | where it fails | where it does not | depth in case |
+|:---|:------|:-----|:---|
+| one-sided gain | $\omega h = 1.6$: $e$ up to $5/3$ | $\omega h = .1$: to $1 + \omega^2h^2/8$ | energy_gain |
+| heating | $\omega h = .7$: mean $\ln e = .0013$ | $.1$: $5\cdot10^{-7}$ | energy_gain |
+| attraction at the end | attractive: $F$ ends at $-c\,e\,v$ | clamped: $F \ge 0$ | restitution |
+| clamped restitution | Eq. 21 for .5 gives .550 | solved for the rule: .5 | restitution |
+| $e \to 0$ | .01: limit $2(\sqrt{1+\xi^2}-\xi) \approx 2\sqrt e = .2 < \omega h = .3$ | .2: $.3$ is stable | stability_maps |
+| $e \to 1$ | Euler: $\ln v$ grows by $\frac\pi2\omega h$ a bounce | Verlet: stays near $\frac18\omega^2h^2$ | energy_gain |
+| jump at touch | steps not cut: order 1 | cut: the tolerance | restitution |
+| snatched cable | order 1; $kx + c\dot x$ comes to $-c\,e\,v$ | cut: the tolerance; $T \ge 0$ | snatched_cable |
+| change of step at $d$ | $v^2$ changes by $\frac14\omega^4d^2(h_1^2-h_2^2)$ | step kept, or cut at events | here |
+| tunnelling by step | $vh = 1.1\,r$ refused; unwatched $1 - 4r/vh$ pass | $.9\,r$; $vh < 4r$ | here |
+| tunnelling by overlap | $v/\omega = 1.1\cdot\frac12r$ ended; unwatched $> 2r$ passes | $.9$; $< 2r$ comes back | here |
+| vertex-free overlap | bars laid across, by nodes: no force; said | corners inside; one resultant | here |
+| corner normal | $\pm10^{-9}$ off a diagonal: 90 degrees; side faces make work | beside it 0; nearest side: none | energy_slope |
+| common normal | radial Newton, $n$ = 8, 20, 50: 60, 83, 94 % lost | nearest points: none | nearest_points |
+| high powers | $(x/a)^n$, $n = 1000$: lost at .001 and 10 | gauge and nearest points | nearest_points |
+| history not turned | stretch in world axes: off by $2\sin\frac\theta2$ | solver: by its chords | turning_pair |
+| creep | $F = \mu Nv/v_{reg}$: at $v_{reg}F/\mu N$ | spring and slider: none | friction |
+| latch reload | forgotten at $d$: $\frac12K_1(M^2-d^2) - \frac12K_1^2M^2/K_2$ | before parting 0, after: all | latching_spring |
+| order of sums | contacts listed backwards: last bits | one order: the same bits | changes_of_view |
+
+**Source.** Mustoe & Huttelmaier 1993; Cundall & Strack 1979; Walton & Braun 1986; Schwager & Poeschel 2007. Derived here
+and in the cases named; the shares of pairs that are lost were counted beforehand, with other pairs.
+
+**What would break it.** A failure that is no longer seen where it must be says that the test sees nothing.
+)";
+
+/// A row of the table: the failure, what measures it, the case that goes deeper, and the fault that takes the failure
+/// (or its absence) away.
+struct Failure {
+  const char* name;
+  FailureFound (*check)(Findings&, const Setup&);
+  const char* depth;
+  const char* fault;
+  const char* planted;
+  const char* turns_red;
+};
+
+constexpr std::array failures{
+    Failure{"one-sided gain", check_one_sided_gain, "energy_gain", "smaller_step", "w h = 1.2",
+            "one-sided gain: largest of speed at w h = 1.6, far below the limit 2"},
+    Failure{"heating", check_heating, "energy_gain", "slight_dashpot", "a dashpot of damping ratio .001",
+            "heating: mean of ln e over 128 phases at w h = .7"},
+    Failure{"attraction at the end", check_pull_at_end, "restitution", "never_pulls", "the clamped rule for both",
+            "pull at the end: least force over 64 phases, attractive rule, e = .5, over c e v0"},
+    Failure{"clamped restitution", check_clamped_restitution, "restitution", "solved_for_clamping",
+            "the dashpot that is right for the clamped rule",
+            "clamped restitution: mean e with the dashpot of Eq. 21 for .5"},
+    Failure{"e to 0", check_hardly_a_rebound, "stability_maps", "half_the_step", "half the step",
+            "e to nought: ln growth a step at w h = .3, dashpot for e = .01"},
+    Failure{"e to 1", check_many_rebounds, "energy_gain", "leaky_box", "a dashpot of damping ratio .00001",
+            "e to one: farthest of ln v in all bounces of a box by velocity_verlet"},
+    Failure{"jump at touch", check_jump_at_touch, "restitution", "located", "steps that are cut at the touch",
+            "jump at touch: rms error of e at 50 steps, xi = .2, steps not cut"},
+    Failure{"snatched cable", check_snatch, "snatched_cable", "no_dashpot", "a cable without a dashpot",
+            "snatch: least of k x + c v where the cable has let go, over c e v0"},
+    Failure{"change of step", check_changed_step, "", "step_kept", "the step kept",
+            "changed step: energy gained by a step doubled half-way, over that at touch"},
+    Failure{"tunnelling by step", check_long_step, "", "not_watched", "no watch",
+            "long step: refused before the run at v h = 1.1 r, 20 r before the touch"},
+    Failure{"tunnelling by overlap", check_deep_overlap, "", "not_watched_either", "no watch",
+            "deep overlap: ended on the way at v/w = 1.1 of r/2"},
+    Failure{"vertex-free overlap", check_crossed_bars, "", "one_resultant", "one resultant for the nodes",
+            "crossed bars: change of speed on the way across, by nodes, without the watch"},
+    Failure{"corner normal", check_corner_normal, "energy_slope", "off_the_diagonal", "a place beside the diagonal",
+            "corner normal: jump between offsets of -1e-9 and 1e-9 from the diagonal"},
+    Failure{"common normal", check_common_normal, "nearest_points", "ellipses", "ellipses for n = 50",
+            "common normal: share of pairs without an answer, radial Newton, n = 50"},
+    Failure{"high powers", check_high_powers, "nearest_points", "exponent_50", "n = 50 for 1000",
+            "high powers: places of six where F or its slopes are infinite or nought, n = 1000"},
+    Failure{"history not turned", check_turned_history, "turning_pair", "spring_turned_along",
+            "a stretch that is turned along",
+            "turned history: largest error of a friction force kept in world axes, over the force"},
+    Failure{"creep", check_creep, "friction", "slope_too_steep", "a slope 1 % beyond the angle of friction",
+            "creep: way of a block held by spring and slider, over the stretch of its spring"},
+    Failure{"latch reload", check_latch_reload, "latching_spring", "remembers", "a memory that is kept",
+            "latch reload: work of a reload before the surfaces part, memory lost at the start of it"},
+    Failure{"order of sums", check_order_of_sums, "changes_of_view", "same_order", "the same order twice",
+            "order of sums: acceleration by eight contacts, backwards less forwards, over rounding"}};
+
+/// A fault's run makes its own row alone.
+void run(Findings& findings, const Setup& setup) {
+  Table table{
+      .name = "failures",
+      .caption = "Each failure where it comes about and where it does not, as measured, and the case with its depth.",
+      .columns = {"failure", "where it fails", "where it does not", "case"},
+      .rows = {}};
+  for (const Failure& failure : failures) {
+    if (!setup.fault.empty() && !setup.has(failure.fault)) continue;
+    const FailureFound found = failure.check(findings, setup);
+    table.rows.push_back({failure.name, found.fails, found.holds, failure.depth[0] ? failure.depth : "here"});
+  }
+  if (!setup.coarse) findings.table(table);
+}
+
+std::vector<Fault> faults() {
+  std::vector<Fault> all;
+  for (const Failure& failure : failures)
+    all.push_back({failure.fault, failure.planted, failure.turns_red});
+  return all;
+}
+
+}  // namespace
+
+Case failure_catalogue() {
+  return {.id = "failure_catalogue",
+          .title = "Failures, each on two sides",
+          .family = "speed and accuracy",
+          .requirements = {{"method.nodes", {"crossed bars"}},
+                           {"method.resultant", {"crossed bars: force of the plus by one resultant"}},
+                           {"pair.rectangle.rectangle", {"crossed bars", "corner normal"}},
+                           {"pair.circle.circle", {"long step", "deep overlap"}},
+                           {"law.latching_spring", {"latch reload"}},
+                           {"end_rule.attractive", {"pull at the end"}},
+                           {"end_rule.clamped", {"pull at the end", "clamped restitution"}}},
+          .main_checks = {"crossed bars: said before the run",
+                          "long step: refused before the run at v h = 1.1 r, 20 r before the touch",
+                          "long step: share of 64 phases that pass unseen without the watch, v h = 1.1 of 4 r",
+                          "changed step: energy gained by a step doubled half-way, over that at touch",
+                          "creep: way of a block held by spring and slider, over the stretch of its spring"},
+          .source = "Mustoe & Huttelmaier 1993; Cundall & Strack 1979; Walton & Braun 1986; Schwager & Poeschel 2007",
+          .page = page,
+          .faults = faults(),
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,206 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/geometry/penetration.hpp"
+#include "solver/model/model_builder.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/bouncing_disc.hpp"
+#include "solver/stability/watch.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/problems/speed_accuracy/failure_rows.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+constexpr double radius = 1.0;
+constexpr WatchRules told{.instability = Breach::off, .tunnelling = Breach::error, .accuracy = Breach::off};
+constexpr WatchRules not_told{.instability = Breach::off, .tunnelling = Breach::off, .accuracy = Breach::off};
+
+/// A run as `talus run` makes it: looked at before its first step and after each.
+struct WatchedRun {
+  State end;
+  std::string breach;  ///< empty: it went to its end
+};
+
+WatchedRun watched_run(Scene scene, double step, double end, const WatchRules& rules, Findings& findings) {
+  scene.integrator = VelocityVerlet{};
+  scene.plan = {step, end, end, false, rules};
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, false};
+  WatchedRun run{scene.initial, {}};
+  system.begin(run.end);
+  Watch watch{scene, dynamics, run.end};
+  watch.look(run.end, 0);
+  long n = 0;
+  if (watch.breach().empty()) {
+    (void)simulate(system, scene.integrator, run.end, scene.plan, {}, [&](const State& seen) {
+      watch.look(seen, ++n);
+      return !watch.breach().empty();
+    });
+  }
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  run.breach = watch.breach();
+  return run;
+}
+
+/// A disc that flies at speed 1 at a fixed one of the same radius, so far before the touch.
+Scene flight(double before, double frequency) {
+  ModelBuilder builder;
+  const BodyId post = builder.add(
+      Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{radius}, .p_WB = {2.0 * radius + before, 0.0}});
+  const BodyId stone =
+      builder.add(Body{.name = "stone", .mobility = Mobility::particle, .mass = 1.0, .shape = Circle{radius}});
+  builder.add(Contact{
+      .name = "hit", .a = post, .b = stone, .law = LinearSpringDashpot{frequency * frequency, 0.0, EndRule::clamped}});
+  Scene scene{.title = "Flight", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, stone, {1.0, 0.0}, 0.0);
+  return scene;
+}
+
+/// Of 64 phases those in which the disc comes through without a change of a bit of its speed.
+int unseen_passes(double step, Findings& findings) {
+  int passes = 0;
+  for (const double phase : even_phases(fewest_phases)) {
+    const WatchedRun run = watched_run(flight(phase * step, 0.5), step, 40.0 * radius, not_told, findings);
+    passes += run.end.v[0] == 1.0 ? 1 : 0;
+  }
+  return passes;
+}
+
+/// An upright bar that drifts to the right across a fixed level one.
+Scene crossed(double height, ContactMethod method) {
+  ModelBuilder builder;
+  const BodyId level = builder.add(Body{.name = "level", .mobility = Mobility::fixed, .shape = Rectangle{1.0, 0.125}});
+  const BodyId upright = builder.add(
+      Body{.name = "upright", .mass = 1.0, .inertia = 1.0, .shape = Rectangle{0.125, 1.0}, .p_WB = {0.0, height}});
+  builder.add(Contact{.name = "across",
+                      .a = upright,
+                      .b = level,
+                      .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
+                      .method = method});
+  Scene scene{.title = "Crossed bars", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, upright, {0.0625, 0.0}, 0.0);
+  return scene;
+}
+
+/// Of the scene's contact at its start.
+double force(const Scene& scene) {
+  const Dynamics dynamics{scene.model};
+  Workspace work = dynamics.workspace();
+  State state = scene.initial;
+  dynamics.update_all(state, work);
+  dynamics.begin(state, work);
+  LawForces forces;
+  dynamics.forces(state, work, forces);
+  return forces.contacts[0];
+}
+
+Figure pass_figure(Findings& findings) {
+  Series found{"solver, not watched", {}, {}, Style::points}, exact{"1 - 4 r/(v h)", {}, {}, Style::lines};
+  for (const double way : {0.9, 1.6, 2.7, 3.6, 4.4, 5.3, 6.1, 7.0, 7.8}) {
+    found.x.push_back(way);
+    found.y.push_back(unseen_passes(way * radius, findings) / static_cast<double>(fewest_phases));
+  }
+  for (int i = 0; i <= 40; ++i) {
+    exact.x.push_back(0.2 * i);
+    exact.y.push_back(std::max(0.0, 1.0 - 4.0 / std::max(exact.x.back(), 1.0)));
+  }
+  return {.name = "passes",
+          .title = "Discs that pass through each other unseen",
+          .caption =
+              "Share of 64 phases in which a disc flies through a fixed one of the same radius without a change of a "
+              "bit, against the way of a step. Beyond the line the watch refuses the run.",
+          .x = {.label = "v h / r", .min = 0.0, .max = 8.0},
+          .y = {.label = "share of phases", .min = 0.0, .max = 0.6},
+          .series = {exact, found},
+          .lines = {{'x', 1.0, "refused"}}};
+}
+
+}  // namespace
+
+FailureFound check_long_step(Findings& findings, const Setup& setup) {
+  const WatchRules rules = setup.has("not_watched") ? not_told : told;
+  const WatchedRun beyond = watched_run(flight(20.0, 0.5), 1.1 * radius, 18.0, rules, findings);
+  const WatchedRun within = watched_run(flight(20.0, 0.5), 0.9 * radius, 18.0, told, findings);
+  findings.expect_true("long step: refused before the run at v h = 1.1 r, 20 r before the touch",
+                       !beyond.breach.empty() && beyond.end.t == 0.0,
+                       "a step may take the disc past the other's middle");
+  findings.expect_true("long step: not refused at v h = .9 r", within.breach.empty(), "it is looked at on either side");
+  const int passes = unseen_passes(4.4 * radius, findings), seen = unseen_passes(3.6 * radius, findings);
+  const double phases = static_cast<double>(fewest_phases);
+  findings.expect("long step: share of 64 phases that pass unseen without the watch, v h = 1.1 of 4 r", passes / phases,
+                  1.0 - 1.0 / 1.1,
+                  Tolerance::model(1.0 / phases,
+                                   "discs overlap along 4 r of way, and the other phases leap over it; of 64 "
+                                   "phases one more or less"));
+  findings.expect("long step: passes unseen of 64 phases without the watch, v h = .9 of 4 r", seen, 0.0,
+                  Tolerance::exact("no step is longer than the overlap"));
+  if (!setup.coarse) findings.figure(pass_figure(findings));
+  return {fmt::format("v h = 1.1 r: refused at t = 0; not watched, 4.4 r: {} of 64 pass", passes),
+          fmt::format("v h = .9 r: runs; not watched, 3.6 r: {}", seen)};
+}
+
+FailureFound check_deep_overlap(Findings& findings, const Setup& setup) {
+  const WatchRules rules = setup.has("not_watched_either") ? not_told : told;
+  const auto fall = [&](double share, const WatchRules& by) {
+    const double w = 1.0 / (share * 0.5 * radius);
+    return watched_run(
+        scenes::bouncing_disc(
+            {.radius = radius, .gap = 0.1, .speed = 1.0, .contact = LinearSpringDashpot{w * w, 0.0, EndRule::clamped}}),
+        0.005, 3.0, by, findings);
+  };
+  findings.expect_true("deep overlap: ended on the way at v/w = 1.1 of r/2", !fall(1.1, rules).breach.empty(),
+                       "the largest overlap is v/w");
+  findings.expect_true("deep overlap: runs at v/w = .9 of r/2", fall(0.9, told).breach.empty(), "as before");
+  const auto speed = [&](double share) {
+    return watched_run(flight(0.1, 1.0 / (share * 2.0 * radius)), 0.005, 20.0, not_told, findings).end.v[0];
+  };
+  const double through = speed(1.1), back = speed(0.9);
+  findings.expect(
+      "deep overlap: speed behind a disc, v/w = 1.1 of 2 r, without the watch", through, 1.0,
+      Tolerance::truncation(
+          0.5 * 0.005 * 4.0 * radius / std::pow(2.2 * radius, 2) * std::sqrt(1.0 - 1.0 / 1.21), 1.0,
+          "a spring of 2 r at full length takes all of v^2 where v/w = 2 r: beyond, the disc comes out on the "
+          "other side with its speed. At the middle the force leaps by 4 r w^2, at a moment known to half a "
+          "step, at which the speed is sqrt(1 - 1/1.21) v"));
+  findings.expect(
+      "deep overlap: speed before a disc, v/w = .9 of 2 r, without the watch", back, -1.0,
+      Tolerance::truncation(std::pow(0.005 / 1.8, 2) / 8.0, 1.0,
+                            "it turns before the middle; the leapfrog changes the speed of a bounce by at most "
+                            "(w h)^2/8 of it"));
+  return {fmt::format("v/w = 1.1 of r/2: ended; not watched, 1.1 of 2 r: through at {:.2f} v", through),
+          fmt::format("v/w = .9 of r/2: runs; not watched, .9 of 2 r: {:.2f} v", back)};
+}
+
+FailureFound check_crossed_bars(Findings& findings, const Setup& setup) {
+  const Scene plus = crossed(0.0, setup.has("one_resultant") ? ContactMethod::resultant : ContactMethod::nodes);
+  const Scene corner = crossed(1.0625, ContactMethod::nodes);
+  const std::vector<Body>& bodies = plus.model.bodies;
+  const double overlap = penetration(bodies[0].shape, {}, bodies[1].shape, {});
+  const WatchedRun silent = watched_run(plus, 0.125, 8.0, not_told, findings);
+  const WatchedRun said = watched_run(plus, 0.125, 8.0, told, findings);
+  findings.expect("crossed bars: change of speed on the way across, by nodes, without the watch",
+                  silent.end.v[0] - 0.0625, 0.0,
+                  Tolerance::exact("no node is inside, no force acts: this is the failure"));
+  findings.expect("crossed bars: force of the plus by nodes", force(plus), 0.0, Tolerance::exact("as before"));
+  findings.expect_true("crossed bars: said before the run",
+                       said.breach.find("no node of either is in the other") != std::string::npos && said.end.t == 0.0,
+                       "an overlap of 9 half widths that no node sees");
+  findings.expect("crossed bars: overlap of the plus by all directions, over the sum of the half sides",
+                  overlap / 1.125, 1.0, Tolerance::exact("both are sums of powers of two"));
+  findings.expect("crossed bars: force of the plus by one resultant", force(crossed(0.0, ContactMethod::resultant)),
+                  2.25, Tolerance::exact("at both ends of the side k times the least overlap of the sides, 1.125"));
+  findings.expect("crossed bars: force of two corners inside, by nodes", force(corner), 0.125,
+                  Tolerance::exact("two nodes, each 1/16 deep"));
+  findings.expect_true("crossed bars: nothing said of corners inside",
+                       watched_run(corner, 0.125, 0.125, told, findings).breach.empty(), "the nodes see them");
+  return {fmt::format("a plus, by nodes: F = {:g} k L at an overlap of {:g}; said at t = 0", force(plus), overlap),
+          fmt::format("corners inside: {:g} k L; one resultant: {:g}", force(corner),
+                      force(crossed(0.0, ContactMethod::resultant)))};
+}
+
+}  // namespace talus::verification::problems

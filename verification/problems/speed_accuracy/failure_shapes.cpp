@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "solver/geometry/gap.hpp"
+#include "solver/geometry/penetration.hpp"
+#include "verification/problems/speed_accuracy/common_normal.hpp"
+#include "verification/problems/speed_accuracy/failure_rows.hpp"
+#include "verification/reference/superellipse.hpp"
+#include "verification/study/touching_pair.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+/// Two squares corner in corner, off the diagonal by so much along each axis.
+Gap corner_in_corner(double off) {
+  const Rectangle square{0.5, 0.5};
+  const Pose first{}, second{{0.9 + off, 0.9 - off}, {}, {}, 0.0};
+  return gap(square, first, square, second);
+}
+
+double turned(Vec2 a, Vec2 b) { return std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * 180.0 / std::numbers::pi; }
+
+/// Share of pairs 1 : .7, anyhow turned, overlapping by a hundredth, for which Newton's method fails.
+double newton_fails(double n, int pairs) {
+  std::mt19937_64 random{1};
+  std::uniform_real_distribution<double> any{-std::numbers::pi, std::numbers::pi};
+  const Superquadric shape{1.0, 0.7, n};
+  int failed = 0;
+  for (int i = 0; i < pairs; ++i) {
+    const Rotation way = rotation(any(random));
+    const Pose A{{}, rotation(any(random)), {}, 0.0};
+    Pose B{{}, rotation(any(random)), {}, 0.0};
+    double near = 0.0, far = 4.0;
+    for (int k = 0; k < 12; ++k) {
+      const double distance = 0.5 * (near + far);
+      B.p_WB = way * Vec2{distance, 0.0};
+      (penetration(shape, A, shape, B) > 0.01 ? near : far) = distance;
+    }
+    failed += newton_converges(shape, A, shape, B) ? 0 : 1;
+  }
+  return static_cast<double>(failed) / pairs;
+}
+
+}  // namespace
+
+FailureFound check_corner_normal(Findings& findings, const Setup& setup) {
+  const double off = setup.has("off_the_diagonal") ? 0.05 : 0.0;
+  const auto [one, other] = std::pair{corner_in_corner(off + 1e-9), corner_in_corner(off - 1e-9)};
+  const double jump = turned(one.n_AB, other.n_AB);
+  const double beside = turned(corner_in_corner(0.05 + 1e-9).n_AB, corner_in_corner(0.05 - 1e-9).n_AB);
+  findings.expect("corner normal: jump between offsets of -1e-9 and 1e-9 from the diagonal", jump, 90.0,
+                  Tolerance::exact("the nearest of two sides, as near as each other"), "degrees");
+  findings.expect("corner normal: change between such offsets beside the diagonal", beside, 0.0,
+                  Tolerance::exact("one side is the nearer"), "degrees");
+  findings.expect("corner normal: difference of depth between the two", one.depth - other.depth, 0.0,
+                  Tolerance::round_off(2.0 * 0x1p-53, "two sums of numbers up to one, mirrored"));
+  const Rectangle square{0.3, 0.3}, box{CornerLoop::corner.x, CornerLoop::corner.y};
+  const Superquadric rounded{0.3, 0.3, 20.0}, column{CornerLoop::corner.x, CornerLoop::corner.y, 20.0};
+  const int steps = setup.coarse ? 200 : 400;
+  const CornerLoop sides =
+      round_corner(pair_model({"", rounded, column, ContactMethod::nodes, NodeDepth::side_face}, 1000.0), 200);
+  const CornerLoop nearest = round_corner(pair_model({"", square, box}, 1000.0), steps);
+  const double made = sides.work / sides.energy, kept = nearest.work / nearest.energy;
+  const double step = 2.0 * std::numbers::pi * CornerLoop::radius / steps;
+  findings.expect_between("corner normal: work round a corner by side faces, over the energy", std::abs(made), 0.05,
+                          2.0,
+                          "nodes pushed out of the nearer side face jump in depth at the top: the size of the energy "
+                          "itself, once or twice; a twentieth is ten times what the other rule may have");
+  findings.expect("corner normal: work round a corner by the nearest side, over the energy", kept, 0.0,
+                  Tolerance::truncation(2.0 * step / std::sqrt(0.002 * nearest.energy), 2.0,
+                                        "trapezia are off by half a step of the jump of the force at each of some four "
+                                        "kinks (case energy_slope)"));
+  return {fmt::format("+-1e-9 off the diagonal: {:.0f} degrees; by side faces work {:+.2f} E", jump, made),
+          fmt::format("beside it: {:.0f} degrees; by the nearest side {:+.1g} E", beside, kept)};
+}
+
+FailureFound check_common_normal(Findings& findings, const Setup& setup) {
+  struct Known {
+    double n, share;
+  };
+  const int pairs = setup.coarse ? 60 : 200;
+  std::string shares;
+  for (const Known& known : {Known{8.0, 0.60}, Known{20.0, 0.83}, Known{50.0, 0.94}}) {
+    if (setup.coarse && known.n != 50.0) continue;
+    const double found = newton_fails(setup.has("ellipses") ? 2.0 : known.n, pairs);
+    const double error = std::sqrt(known.share * (1.0 - known.share) / pairs);
+    findings.expect(
+        fmt::format("common normal: share of pairs without an answer, radial Newton, n = {:g}", known.n), found,
+        known.share,
+        Tolerance::model(3.0 * error + 0.04,
+                         "known of 2000 pairs placed by other random numbers in another way, which is given "
+                         ".04; three standard errors of the share"));
+    shares += fmt::format("{}{:.0f}", shares.empty() ? "" : ", ", 100.0 * found);
+  }
+  findings.expect("common normal: share of pairs of ellipses without an answer", newton_fails(2.0, 60), 0.0,
+                  Tolerance::exact("quadratics: known to be safe up to n = 3"));
+  double farthest = 0.0;
+  std::mt19937_64 random{7};
+  std::uniform_real_distribution<double> inside{-1.0, 1.0};
+  for (int i = 0; i < 60; ++i) {
+    const Vec2 p{inside(random), 0.7 * inside(random)};
+    const double exact = reference::nearest_point({1.0, 0.7, 50.0}, {p.x, p.y}, 400).distance;
+    farthest = std::max(farthest, std::abs(std::abs(depth_below(Superquadric{1.0, 0.7, 50.0}, p).depth) - exact));
+  }
+  findings.expect("common normal: solver's nearest points, n = 50, farthest of 60 from brute force", farthest, 0.0,
+                  Tolerance::round_off(3e-15, "a dozen roundings of lengths up to one (case nearest_points)"));
+  return {fmt::format("radial Newton, n = 8, 20, 50: {} % without an answer", shares),
+          fmt::format("solver, n = 50: all 60, off by {:.1g}", farthest)};
+}
+
+FailureFound check_high_powers(Findings& findings, const Setup& setup) {
+  int lost = 0, lost_below = 0;
+  double farthest = 0.0;
+  for (const double x : {1e-3, 10.0}) {
+    for (const double y : {1e-3, 0.5, 10.0}) {
+      for (const double n : {50.0, 1000.0}) {
+        const double told = setup.has("exponent_50") ? 50.0 : n;
+        const double sum = std::pow(x, told) + std::pow(y, told);
+        const double across = std::pow(x, told - 1.0), up = std::pow(y, told - 1.0);
+        const bool usable = std::isfinite(sum) && sum > 0.0 && across > 0.0 && up > 0.0;
+        (n == 50.0 ? lost_below : lost) += usable ? 0 : 1;
+        const Superquadric shape{1.0, 0.7, n};
+        const Vec2 p{x, 0.7 * y};
+        const double exact = reference::nearest_point({1.0, 0.7, n}, {p.x, p.y}, 400).distance;
+        const Depth found = depth_below(shape, p);
+        const double error = std::abs(std::abs(found.depth) - exact) / std::max(1.0, exact);
+        const bool inside = x < 1.0 && y < 1.0;
+        const bool right = (found.depth > 0.0) == inside && std::isfinite(error) && std::isfinite(norm(found.normal));
+        if (!right || !(error <= farthest)) farthest = right ? error : 1.0;
+      }
+    }
+  }
+  findings.expect("high powers: places of six where F or its slopes are infinite or nought, n = 1000", lost, 6.0,
+                  Tolerance::exact("10^1000 and .001^999 are beyond the format, and each place has one or the other"));
+  findings.expect("high powers: the same at n = 50", lost_below, 0.0, Tolerance::exact("10^50 and 1e-150 are numbers"));
+  findings.expect("high powers: solver's nearest points, x/a = .001 and 10, n = 50 and 1000, farthest", farthest, 0.0,
+                  Tolerance::round_off(2e-15, "a dozen roundings, over the larger of the size and the distance"));
+  return {fmt::format("n = 1000: F or a slope lost at {} of 6 places", lost),
+          fmt::format("n = 50: {}; solver off by {:.1g} at both", lost_below, farthest)};
+}
+
+}  // namespace talus::verification::problems

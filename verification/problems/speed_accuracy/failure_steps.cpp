@@ -1,0 +1,211 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "solver/model/model_builder.hpp"
+#include "solver/run/simulate.hpp"
+#include "solver/scenes/bouncing_disc.hpp"
+#include "verification/problems/speed_accuracy/failure_rows.hpp"
+#include "verification/study/cable_scenes.hpp"
+#include "verification/study/disc_bounce.hpp"
+#include "verification/study/scene_run.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+/// An undamped disc of w = 1, v = 1 between two planes 3.7 of free way apart.
+Scene boxed(double xi) {
+  ModelBuilder builder;
+  constexpr double radius = 8.0, way = 3.7;
+  const LinearSpringDashpot law{1.0, 2.0 * xi, EndRule::clamped};
+  const BodyId disc =
+      builder.add(Body{.name = "disc", .mobility = Mobility::sliding_y, .mass = 1.0, .shape = Circle{radius}});
+  for (const double side : {1.0, -1.0}) {
+    const char* name = side > 0.0 ? "below" : "above";
+    const BodyId plane = builder.add(Body{.name = name,
+                                          .mobility = Mobility::fixed,
+                                          .shape = HalfPlane{},
+                                          .p_WB = {0.0, -side * (radius + 0.5 * way)},
+                                          .angle = side > 0.0 ? 0.0 : std::numbers::pi});
+    builder.add(Contact{.name = name, .a = plane, .b = disc, .law = law});
+  }
+  Scene scene{.title = "Disc in a box", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, disc, {0.0, -1.0}, 0.0);
+  return scene;
+}
+
+/// ln of the speed between bounces, of so many: in the end, and the farthest from nought on the way.
+struct Drift {
+  double end{}, farthest{};
+};
+
+Drift ln_speed(const char* method, double eta, long bounces, double xi, Findings& findings) {
+  const Scene scene = boxed(xi);
+  const Dynamics dynamics{scene.model};
+  RigidBodySystem system{dynamics, false};
+  State state = scene.initial;
+  // Not in the middle: the phases of the steps at both walls differ.
+  state.q[0] = 0.456 * eta;
+  Integrator integrator = make_integrator(method);
+  long done = 0;
+  bool inside = false;
+  Drift drift;
+  const StopCondition enough = [&](const State& seen) {
+    const bool now = seen.mode[0] == UnilateralSpring::acting || seen.mode[1] == UnilateralSpring::acting;
+    if (inside && !now) {
+      ++done;
+      drift.end = std::log(std::abs(seen.v[0]));
+      drift.farthest = std::max(drift.farthest, std::abs(drift.end));
+    }
+    inside = now;
+    return done == bounces;
+  };
+  const double longest = 20.0 * static_cast<double>(bounces);
+  const Outcome outcome = simulate(system, integrator, state, {eta, longest, longest, false}, {}, enough);
+  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  return outcome && done == bounces ? drift : Drift{std::nan(""), std::nan("")};
+}
+
+/// The least of a cable's tension, and of what k x + c v would be while it is stretched and has let go, k = 1.
+struct Least {
+  double tension{}, let_go{};
+
+  void look_at(const CableRun& run, double damping) {
+    for (std::size_t i = 1; i < run.time.size(); ++i) {
+      tension = std::min(tension, run.tension[i]);
+      const bool free = run.elongation[i] > 0.0 && run.tension[i] == 0.0;
+      if (free) let_go = std::min(let_go, run.elongation[i] + damping * run.end.v[0]);
+    }
+  }
+};
+
+/// (v^2 + w^2 x^2 (1 - eta^2/4))/2, w = 1, which velocity Verlet of w h = eta keeps while the disc touches.
+double kept_energy(const State& state, double radius, double eta) {
+  const double x = radius - state.q[1];
+  return 0.5 * (state.v[1] * state.v[1] + x * x * (1.0 - 0.25 * eta * eta));
+}
+
+}  // namespace
+
+FailureFound check_many_rebounds(Findings& findings, const Setup& setup) {
+  constexpr double eta = 0.1;
+  const long bounces = setup.coarse ? 1000 : 10000, few = 8;
+  const double euler = ln_speed("euler", eta, few, 0.0, findings).end / static_cast<double>(few);
+  const Drift verlet = ln_speed("velocity_verlet", eta, bounces, setup.has("leaky_box") ? 1e-5 : 0.0, findings);
+  const double contact = 0.5 * std::numbers::pi * eta;
+  findings.expect("e to one: gain of ln v a bounce by euler at w h = .1", euler, contact,
+                  Tolerance::model(0.5 * eta * eta,
+                                   "ln(1 + eta^2)/2 a step, pi/eta steps: pi eta/2; a bounce has a step more or less"));
+  findings.expect(
+      "e to one: farthest of ln v in all bounces of a box by velocity_verlet", verlet.farthest, 0.0,
+      Tolerance::truncation(eta * eta / 8.0, 3.0,
+                            "what one bounce may gain at most. A thousandth of the speed moves the phase of "
+                            "the next touch, 37 steps on, by a twenty-fifth of a step: neighbouring bounces "
+                            "are alike, and as areas are kept their errors come back instead of adding up; "
+                            "from other starts up to 2.1 times the bound was measured"));
+  return {fmt::format("Euler, w h = .1: ln v grows by {:.3f} a bounce", euler),
+          fmt::format("Verlet, {} bounces: {:.4f} at most", bounces, verlet.farthest)};
+}
+
+FailureFound check_jump_at_touch(Findings& findings, const Setup& setup) {
+  constexpr double xi = 0.2, tolerance = 1e-10;
+  const double e = reference::restitution(xi, reference::EndRule::clamped);
+  const Bounce b = bounce(e, EndRule::clamped, setup);
+  const auto at = [&b](double gap) { return disc_at(b, gap); };
+  const Integrator located = make_integrator("stormer_cowell", tolerance);
+  const Integrator unlocated = setup.has("located") ? located : Integrator{VelocityVerlet{}};
+  const double fails = impact_errors(at, b.exact, 50.0, unlocated, findings).restitution.rms();
+  const double holds = impact_errors(at, b.exact, 50.0, located, findings).restitution.max();
+  findings.expect("jump at touch: rms error of e at 50 steps, xi = .2, steps not cut", fails,
+                  predicted_restitution_error(b, 50.0),
+                  Tolerance::model(2.0 * next_power,
+                                   "as predicted from jump and lag, .23/N; the next power of the step "
+                                   "is 4 % at 100 steps")
+                      .relative());
+  findings.expect(
+      "jump at touch: largest error of e, steps cut at the touch", holds, 0.0,
+      Tolerance::truncation(tolerance, 3.0, "the method's tolerance is that of a step, a share of the way and speed"));
+  return {fmt::format("steps not cut: {:.2f}/N of e (rms)", 50.0 * fails),
+          fmt::format("cut at the touch: {:.1g}", holds)};
+}
+
+FailureFound check_snatch(Findings& findings, const Setup& setup) {
+  constexpr double xi = 0.3, tolerance = 1e-10;
+  const double used = setup.has("no_dashpot") ? 0.0 : xi;
+  const reference::ImpactEvents exact =
+      reference::impact_events({1.0, 2.0 * xi, 1.0, 1.0}, reference::EndRule::clamped);
+  const Scene scene = thrown_mass(TensionOnly{1.0, 2.0 * used}, 1.0, 1.0);
+  Least least;
+  const auto error = [&](const Integrator& method, double steps, std::size_t phase) {
+    const double step = offset_step(exact.contact_time, steps, phase);
+    State state = scene.initial;
+    state.q[0] -= even_phases(fewest_phases)[phase] * step;
+    const CableRun run = run_cables(scene, state, method, {step, exact.contact_time + 2.0, false, true}, findings);
+    least.look_at(run, 2.0 * used);
+    return std::abs(run.end.v[0]) / exact.restitution - 1.0;
+  };
+  PhaseError coarse, fine, located;
+  for (std::size_t i = 0; i < fewest_phases; ++i) {
+    coarse.add(error(VelocityVerlet{}, 50.0, i));
+    fine.add(error(VelocityVerlet{}, 200.0, i));
+    if (i % 8 == 0) located.add(error(make_integrator("stormer_cowell", tolerance), 50.0, i));
+  }
+  const double order = std::log(coarse.rms() / fine.rms()) / std::log(200.5 / 50.5);
+  findings.expect("snatch: order of the speed of return, steps not cut", order, 1.0,
+                  Tolerance::model(0.05,
+                                   "the leap of the force and the lag of the dashpot; the next power of the step, "
+                                   "w h = .05, tilts the line by half of that over two doublings"));
+  findings.expect("snatch: largest error of the speed of return, steps cut", located.max(), 0.0,
+                  Tolerance::truncation(tolerance, 3.0, "the method's tolerance"));
+  findings.expect("snatch: least of k x + c v where the cable has let go, over c e v0",
+                  least.let_go / (2.0 * xi * exact.restitution), -1.0,
+                  Tolerance::model(0.04,
+                                   "what an unclamped cable would push with at x = 0: a phase comes within a "
+                                   "64th of a step of it, and e itself is off by up to .45/N"));
+  findings.expect("snatch: least tension of all runs", least.tension, 0.0,
+                  Tolerance::exact("nought where it has let go"));
+  return {fmt::format("not cut: order {:.2f}; k x + c v comes to {:.2f} c e v0", order,
+                      least.let_go / (2.0 * xi * exact.restitution)),
+          fmt::format("cut: {:.1g}; least T = {:g}", located.max(), least.tension)};
+}
+
+FailureFound check_changed_step(Findings& findings, const Setup& setup) {
+  constexpr double first = 0.1, radius = 8.0;
+  const double second = setup.has("step_kept") ? first : 0.2;
+  constexpr long before = 15, after = 5;  // of a contact of pi: changed about half-way
+  Scene scene = scenes::bouncing_disc(
+      {.radius = radius, .gap = 0.0, .speed = 1.0, .contact = LinearSpringDashpot{1.0, 0.0, EndRule::clamped}});
+  const RunEnd half = run_steps(scene, VelocityVerlet{}, first, before);
+  scene.initial = half.state;
+  scene.initial.t = 0.0;
+  const RunEnd changed = run_steps(scene, VelocityVerlet{}, second, after);
+  const RunEnd kept = run_steps(scene, VelocityVerlet{}, first, after);
+  findings.count(static_cast<std::uint64_t>(half.evaluations + changed.evaluations + kept.evaluations));
+  // The kink is that of the energy with which the disc will leave.
+  const double leaves = kept_energy(changed.state, radius, second), came = kept_energy(half.state, radius, first);
+  const double x = radius - half.state.q[1];
+  const double round_off = 20.0 * 8.0 * 0x1p-53;
+  const char* why = "twenty steps of depths that are differences of lengths of 8";
+  findings.expect("changed step: energy gained by a step doubled half-way, over that at touch", 2.0 * (leaves - 0.5),
+                  0.25 * x * x * (first * first - 0.04), Tolerance::round_off(2.0 * round_off, why));
+  findings.expect("changed step: energy gained by a step kept, over that at touch",
+                  2.0 * (kept_energy(kept.state, radius, first) - 0.5), 0.0,
+                  Tolerance::round_off(2.0 * round_off, why));
+  findings.expect("changed step: the same until half-way", 2.0 * (came - 0.5), 0.0,
+                  Tolerance::round_off(2.0 * round_off, why));
+  constexpr double tolerance = 1e-10;
+  Scene free = scenes::bouncing_disc(
+      {.radius = radius, .gap = 0.3, .speed = 1.0, .contact = LinearSpringDashpot{1.0, 0.0, EndRule::clamped}});
+  const RunEnd located = run_steps(free, make_integrator("stormer_cowell", tolerance), 1.0, 6);
+  const double loss = located.state.v[1] * located.state.v[1] - 1.0;
+  findings.expect("changed step: energy gained by steps of variable length, cut at events", loss, 0.0,
+                  Tolerance::truncation(tolerance, 3.0, "the method's tolerance"));
+  return {fmt::format("h doubled at the turn: {:+.2f} % of the energy", 200.0 * (leaves - 0.5)),
+          fmt::format("kept: {:.1g}; cut at events: {:.1g}",
+                      std::abs(2.0 * (kept_energy(kept.state, radius, first) - 0.5)), std::abs(loss))};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,256 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/check/convergence.hpp"
+#include "verification/problems/speed_accuracy/exact_motions.hpp"
+#include "verification/problems/speed_accuracy/fence_exit.hpp"
+
+namespace talus::verification::problems {
+
+Case located_events();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** How many force evaluations does a result of a given accuracy cost? Four motions with exact solutions and
+the fence of Table 2, by `stormer_cowell`: steps of variable order and length, cut where a mode ends.
+
+**Method.** Through the accelerations at the last $k \le 12$ times goes a polynomial,
+$\ddot q(t) = \sum_i d_i N_i(t)$, $N_i = (t-t_0)\cdots(t-t_{i-1})$ (Newton's divided differences $d_i$). Integrated once
+and twice it predicts velocity and place; one force evaluation there, $d_k = (\ddot q_{new} - \sum_{i<k} d_i
+N_i)/N_k$, adds one term. That term is the error estimate. Order and step are those that allow the longest next step
+with the estimate below the tolerance, as a share of the longest way and the largest speed of the run so far. The same
+polynomial is known between the steps: outputs cost nothing, and where a guard falls to nought inside a step its root is
+bracketed and found to round-off (Alefeld et al. 1995); there the modes change and the motion begins anew with order 1.
+
+**Expected.** The term held below the tolerance falls with the power $k + 1$ of the step, 13 at the highest order: where
+that order is in use a digit more costs $10^{1/13} - 1 = 19$ % more evaluations, whatever the motion. A method of
+order $p$ pays a factor of $10^{1/p}$: 3.2 for order 2, 10 for order 1, which events not located force upon all.
+
+| scene | exact by |
+|:---|:------|
+| pendulum $\ddot x = -9.81 \sin x$ from rest at 90 degrees, 24.388772 s | elliptic functions |
+| the same from 170 degrees, 50.4033 s | elliptic functions |
+| particle on two cables, $k = 4$, $l = 10$, $m = 1$, $v = 2$, 50 s | inverted quadrature |
+| damped bounce, $\omega_0 = 100$, $\xi = .2$, clamped, gap .618, $v = 1$, 3 s | closed form, piece by piece |
+| fence, Table 2, 600 lb, slack .5, to .05 s and .2 s | the same method and three of odeint's at $10^{-13}$ |
+
+Error: the largest over 20 equally spaced times of place and velocity, each over its largest. "Evaluations to reach": of
+the cheapest run from which on all finer ones are as good.
+
+**Source.** Stoermer 1907; Cowell & Crommelin 1910; Krogh 1974; Shampine & Gordon 1975; Alefeld et al. 1995.
+
+**What would break it.** An event located by one step too late; a polynomial that goes on through an event; an error
+estimate of the wrong power; a step that outgrows what its order bears.
+)";
+
+/// Evaluations at most for errors of 1e-6 and 1e-9 on each of the motions: set before the method was written.
+struct Bound {
+  double asked[2];
+  const char* words;
+};
+constexpr Bound bounds[] = {
+    {{1200.0, 3000.0}, "set beforehand, as less than any of odeint's steppers was known to take"},
+    {{5000.0, 10000.0}, "set beforehand, as less than any of odeint's steppers was known to take"},
+    {{900.0, 1800.0}, "set beforehand, as less than any of odeint's steppers was known to take"},
+    {{4000.0, 4000.0},
+     "set beforehand, as a hundredth of what velocity Verlet was thought to take to 1e-6; by its order it takes more "
+     "(case work_precision)"}};
+
+/// The method, or what a fault makes of its use.
+Integrator method(const Setup& setup, double tolerance) {
+  if (setup.has("no_events")) return make_integrator("odeint_fehlberg78", tolerance);
+  return make_integrator("stormer_cowell", tolerance);
+}
+
+std::string whole(double number) { return std::isfinite(number) ? fmt::format("{:.0f}", number) : "not reached"; }
+
+void check_motion(const ExactMotion& motion, const Bound& bound, Findings& findings, const Setup& setup, Table& table,
+                  Figure& figure) {
+  std::vector<WorkPoint> points;
+  Series series{.label = motion.name, .x = {}, .y = {}};
+  for (double tolerance = 1e-3; tolerance > 1e-12; tolerance /= std::sqrt(10.0)) {
+    points.push_back(run_motion(motion, method(setup, tolerance), 1, findings));
+    if (points.back().error > 0.0) {
+      series.x.push_back(points.back().evaluations);
+      series.y.push_back(points.back().error);
+    }
+  }
+  figure.series.push_back(series);
+  const double reached[] = {evaluations_to_reach(points, 1e-6), evaluations_to_reach(points, 1e-9)};
+  const std::string words = fmt::format(
+      "{:.0f} and {:.0f} evaluations are admitted for 1e-6 and 1e-9: {}; fewer than a fiftieth would say that "
+      "something was not counted",
+      bound.asked[0], bound.asked[1], bound.words);
+  findings.expect_between(fmt::format("evaluations to reach 1e-6 over the most that are admitted, {}", motion.name),
+                          reached[0] / bound.asked[0], 0.02, 1.0, words);
+  findings.expect_between(fmt::format("evaluations to reach 1e-9 over the most that are admitted, {}", motion.name),
+                          reached[1] / bound.asked[1], 0.02, 1.0, words);
+  const std::size_t last = points.size() - 1;
+  const double digit = std::sqrt(points[last].evaluations / points[last - 4].evaluations);
+  findings.expect_between(
+      fmt::format("evaluations for a tenth of the tolerance, {}", motion.name), digit, std::pow(10.0, 1.0 / 18.0),
+      std::pow(10.0, 1.0 / 10.0),
+      "over the last two digits; as a power of the step, 13 is expected at the highest order. 10 "
+      "and 18 allow 5 % either way: orders and lengths are chosen step by step, and the motion differs "
+      "from scene to scene");
+  table.rows.push_back({motion.name, whole(evaluations_to_reach(points, 1e-4)), whole(reached[0]), whole(reached[1]),
+                        fmt::format("{:.3f}", digit), fmt::format("{}", points.back().events)});
+}
+
+constexpr double early = 0.05, late = 0.2;  ///< ends of the fence's runs [s]
+constexpr long spans = 2500;                ///< between whose ends the largest tension is looked at
+constexpr double others_tolerance = 1e-13;  ///< of the steppers that the best values are compared with
+
+/// Errors of tension and speed of the fence at falling tolerances, and what they cost.
+struct FenceErrors {
+  std::vector<WorkPoint> tensions, speeds;
+};
+
+FenceErrors fence_errors(const FenceHit& hit, double end, const FenceExit& best, Findings& findings, const Setup& setup,
+                         Table& table) {
+  FenceErrors errors;
+  for (double tolerance = 1e-3; tolerance > 1e-10; tolerance /= 10.0) {
+    const char* name = setup.has("fence_without_events") ? "odeint_dopri5" : "stormer_cowell";
+    const FenceExit found = run_fence(hit, make_integrator(name, tolerance), {end, spans}, findings);
+    errors.tensions.push_back({std::abs(found.tension / best.tension - 1.0), found.evaluations, found.events});
+    errors.speeds.push_back({std::abs(found.speed / best.speed - 1.0), found.evaluations, found.events});
+    table.rows.push_back({fmt::format("{:g}", end), fmt::format("{:.0e}", tolerance),
+                          fmt::format("{}", found.evaluations), fmt::format("{}", found.events),
+                          fmt::format("{:.0e}", errors.tensions.back().error),
+                          fmt::format("{:.0e}", errors.speeds.back().error)});
+  }
+  return errors;
+}
+
+/// How far the rock's speed is from the best value by methods that locate no event and share only the forces: the
+/// furthest of three [ft/s].
+double distance_of_others(const FenceHit& hit, double end, const FenceExit& best, Findings& findings) {
+  double furthest = 0.0;
+  for (const char* name : {"odeint_dopri5", "odeint_cash_karp54", "odeint_bulirsch_stoer"}) {
+    const FenceExit found = run_fence(hit, make_integrator(name, others_tolerance), {end, spans}, findings);
+    const double distance = std::abs(found.speed - best.speed);
+    if (!(distance <= furthest)) furthest = distance;
+  }
+  return furthest;
+}
+
+/// The scheme of 1993 at steps of 4e-6 s and less about the best value: not located events make it first order.
+void check_scheme_of_1993(const FenceHit& hit, const FenceExit& best, Findings& findings, const Setup& setup) {
+  Convergence errors;
+  constexpr int runs = 8;
+  for (int steps = 8; steps <= (setup.tier == Tier::full ? 256 : 32); steps *= 2) {
+    double squares = 0.0, mean = 0.0;
+    for (int i = 0; i < runs; ++i) {
+      const long count = std::lround(steps * std::exp2(static_cast<double>(i) / runs));
+      const FenceExit found = run_fence(hit, make_integrator("central_difference"), {early, spans, count}, findings);
+      squares += std::pow(found.speed - best.speed, 2) / runs;
+      mean += early / static_cast<double>(spans) / static_cast<double>(count) / runs;
+    }
+    errors.add(mean, std::sqrt(squares));
+  }
+  findings.expect_order("order of central_difference in the rock's speed at .05 s", errors, 0.6, 1.4,
+                        "events late by up to a step: order 1. Root mean squares of 8 runs with steps spread over an "
+                        "octave, each uncertain by a fifth, which over two octaves tilts the line by .2; twice that");
+}
+
+void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
+  const FenceHit hit = fence_hit();
+  Table table{.name = "fence",
+              .caption = "The fence of Table 2 by tolerance: error of the largest tension and of the rock's speed.",
+              .columns = {"end [s]", "tolerance", "evaluations", "events", "tension", "speed"},
+              .rows = {}};
+  double furthest = 0.0;
+  for (const double end : {early, late}) {
+    const FenceExit best = run_fence(hit, make_integrator("stormer_cowell", 1e-13), {end, spans}, findings);
+    const FenceErrors errors = fence_errors(hit, end, best, findings, setup, table);
+    Series series{.label = fmt::format("fence, {:g} s", end), .x = {}, .y = {}};
+    for (const WorkPoint& point : errors.speeds) {
+      series.x.push_back(point.evaluations);
+      series.y.push_back(point.error);
+    }
+    figure.series.push_back(series);
+    const auto demand = [&](const char* what, double tension, double speed, double most) {
+      const double found =
+          std::max(evaluations_to_reach(errors.tensions, tension), evaluations_to_reach(errors.speeds, speed));
+      findings.expect_between(
+          fmt::format("fence, evaluations to reach {} over {:.0f}", what, most), found / most, 0.1, 1.0,
+          fmt::format("set beforehand, for a method that locates events; the scheme of 1993 takes {:.0f} steps of 2e-6 "
+                      "s; fewer than a tenth would say that something was not counted",
+                      end / 2e-6));
+    };
+    if (end == early) {
+      demand("1e-5 of tension and 1.4e-4 of speed at .05 s", 1e-5, 1.4e-4, 561.0);
+      demand("2e-7 of tension and 3e-6 of speed at .05 s", 2e-7, 3e-6, 1071.0);
+      if (setup.coarse) return;
+      check_scheme_of_1993(hit, best, findings, setup);
+    } else {
+      demand("7e-5 of speed at .2 s", 1.0, 7e-5, 2166.0);
+    }
+    furthest = std::max(furthest, distance_of_others(hit, end, best, findings));
+  }
+  findings.expect("fence, speed of the rock at .05 and .2 s: furthest of three of odeint's steppers at 1e-13", furthest,
+                  0.0,
+                  Tolerance::truncation(100.0 * others_tolerance * std::abs(hit.scene.initial.v[hit.rock]), 1.0,
+                                        "a step's error is held below 1e-13 of the rock's first speed, and those of "
+                                        "some ten thousand steps add up as a random walk: a hundred times that"),
+                  "ft/s");
+  findings.table(table);
+}
+
+void run(Findings& findings, const Setup& setup) {
+  Table table{.name = "evaluations",
+              .caption =
+                  "Evaluations to reach an error; their factor for a tenth of the tolerance, the last two "
+                  "digits; events located.",
+              .columns = {"motion", "1e-4", "1e-6", "1e-9", "factor", "events"},
+              .rows = {}};
+  Figure figure{.name = "work_precision",
+                .title = "Error against force evaluations, located events",
+                .caption =
+                    "Each line is one scene with tolerances from 1e-3 to 1e-12. Dashed: order 2, for which ten "
+                    "times the evaluations give two digits.",
+                .x = {.label = "force evaluations", .unit = "1", .log = true},
+                .y = {.label = "error", .unit = "1", .log = true},
+                .series = {},
+                .slopes = {{-2.0, 2000.0, 1e-3, "order 2"}}};
+  const std::vector<ExactMotion> motions = exact_motions();
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    check_motion(motions[i], bounds[i], findings, setup, table, figure);
+  check_fence(findings, setup, figure);
+  if (setup.coarse) return;
+  findings.table(table);
+  findings.figure(figure);
+}
+
+}  // namespace
+
+Case located_events() {
+  return {.id = "located_events",
+          .title = "Steps of variable order, cut at events",
+          .family = "speed and accuracy",
+          .requirements = {{"integrator.stormer_cowell", {"evaluations to reach"}}},
+          .main_checks = {"evaluations to reach 1e-6 over the most that are admitted, pendulum, 90 degrees",
+                          "evaluations to reach 1e-9 over the most that are admitted, pendulum, 170 degrees",
+                          "evaluations to reach 1e-9 over the most that are admitted, two cables",
+                          "evaluations to reach 1e-9 over the most that are admitted, damped bounce",
+                          "evaluations for a tenth of the tolerance, two cables",
+                          "fence, speed of the rock at .05 and .2 s: furthest of three of odeint's steppers at 1e-13",
+                          "fence, evaluations to reach 7e-5 of speed at .2 s over 2166"},
+          .source = "Stoermer 1907; Cowell & Crommelin 1910; Krogh 1974; Shampine & Gordon 1975; Alefeld et al. 1995",
+          .page = page,
+          .faults = {{"no_events", "Fehlberg 7(8) under step control, which does not stop at events",
+                      "evaluations to reach 1e-6 over the most that are admitted, damped bounce"},
+                     {"fence_without_events", "Dormand-Prince 5 under step control, which does not stop at events",
+                      "fence, evaluations to reach 2e-7 of tension and 3e-6 of speed at .05 s over 1071"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,279 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/problems/speed_accuracy/bilateral_findings.hpp"
+#include "verification/problems/speed_accuracy/limit_findings.hpp"
+#include "verification/reference/amplification.hpp"
+
+namespace talus::verification::problems {
+
+Case stability_maps();
+
+namespace {
+
+using reference::Scheme;
+
+constexpr const char* page = R"(
+**Problem.** From which step on does a method feed a contact instead of following it? The disc between two planes, both
+contacts closed, is $\ddot x + 2\xi\omega\dot x + \omega^2 x = 0$. One step of a linear method multiplies it by a
+matrix; the motion grows where the largest eigenvalue has $|\lambda| > 1$.
+
+**Equations,** $\eta = \omega h$. A leapfrog's limit depends on the moment of the velocity that the dashpot sees:
+
+| velocity in the dashpot | limit of $\eta$ | methods |
+|:----|:---|:----|
+| half a step old | $2(\sqrt{1+\xi^2}-\xi)$ | Verlet, central difference, Euler-Cromer |
+| one and a half steps old | $\sqrt{1+\xi^2}-\xi$ | lagged central difference |
+| mean; new; Verlet's $v_n$; $v_n + h a_n$ | $2$; $2(\sqrt{1+\xi^2}+\xi)$; $\sqrt{2+\xi^2}-\xi$; $2(\sqrt{1+4\xi^2}-2\xi)$ | none here |
+
+Euler: $2\xi$, from $\xi = 1$ on $2/(\xi+\sqrt{\xi^2-1})$; Taylor: $4\xi$, from $\xi = 1/2$ on $1/\xi$; undamped, both grow
+at *every* step. Runge-Kutta: $\lambda = R(z)$, $z = \eta(-\xi \pm \sqrt{\xi^2-1})$, $R$ from the tableau; Adams' pair: an
+$8 \times 8$ companion matrix; `blanes_moan4`: a product of drifts and kicks. Three traps: undamped, Cash-Karp grows at
+every step, by $(1/720 - 1/800)\,\eta^6$, and `blanes_moan4` from 3.163 to 3.169, then from 5.027;
+any dashpot halves the lagged limit.
+
+**Measured** is the solver: its model, its contacts, its methods. A linear map is fitted to the first steps of two
+runs; at .98, .999, 1.001 and 1.02 of each limit, runs of up to 50 000 steps keep their size or grow from $10^{-9}$ to
+$10^{-2}$. No fixed step, and so no limit of it, have `odeint_bulirsch_stoer` and `stormer_cowell` (a tolerance sets it)
+and `exact` (a closed form for each linear piece). $\omega$ of other systems: a disc on a plane $\sqrt{k_n/m}$ and, as it
+sticks, $\sqrt{3k_t/m}$: **the tangent decides where $k_t > k_n/3$**; an equal pair $\sqrt{2k_n/m}$ and $\sqrt{6k_t/m}$;
+$n$ discs between walls $2\sqrt{k/m}\,\sin\frac{n\pi}{2(n+1)}$; a fence: by power iteration on its forces.
+
+**Source.** Mustoe 1993, Eq. 25; Dormand & Prince 1980; Cash & Karp 1990; Fehlberg 1968; Blanes & Moan 2002.
+
+**What would break it.** A dashpot that sees a velocity of another moment; a step other than said; a stiffness lost.
+)";
+
+/// The exact limits on a panel: each line goes on from the limit of the damping before that it is next to.
+std::vector<Series> limit_lines(const FixedStepMethod& method, int panel) {
+  constexpr double between = 0.025;
+  std::vector<Series> lines;
+  std::size_t before = 0;
+  for (int i = 0; i <= 80; ++i) {
+    const double xi = between * i;
+    const std::vector<double> limits = reference::limits(method.scheme, xi, 1.25 * method.scale, 60);
+    for (const double limit : limits) {
+      const double y = limit / method.scale;
+      const bool alone = limits.size() == 1 && before == 1;  // and may be as steep as it likes
+      auto line = std::find_if(lines.begin(), lines.end(), [&](const Series& known) {
+        return std::abs(known.x.back() - (xi - between)) < 1e-9 && (alone || std::abs(known.y.back() - y) < 0.08);
+      });
+      if (line == lines.end()) {
+        line = lines.insert(line, {.label = fmt::format("{}, exact limit", method.name), .x = {}, .y = {}});
+        line->style = Style::lines;
+        line->panel = panel;
+      }
+      line->x.push_back(xi);
+      line->y.push_back(y);
+    }
+    before = limits.size();
+  }
+  return lines;
+}
+
+/// What a map has shown of one method.
+struct Map {
+  Series growth;
+  double worst = 0.0;      ///< error of ln growth where no eigenvalues are one: in roundings, of Adams' pair plain
+  double worst_one = 0.0;  ///< error of ln growth where two are
+  int wrong = 0;           ///< points on the wrong side
+};
+
+Map map_of(const FixedStepMethod& method, Findings& findings, const Setup& setup) {
+  const int across = setup.coarse ? 7 : 41, up = setup.coarse ? 10 : 40;
+  Map map{.growth = {.label = fmt::format("{}, ln growth", method.name), .x = {}, .y = {}, .style = Style::heat}};
+  for (int i = 0; i < across; ++i) {
+    const double xi = 2.0 * i / (across - 1);
+    const SqueezedRuns disc = squeezed_runs(xi);
+    for (int j = 0; j < up; ++j) {
+      const double part = 1.25 * (j + 0.5) / up, eta = part * method.scale;
+      const double measured = first_growth(disc, method, eta, setup);
+      const double exact = reference::ln_growth(method.scheme, eta, xi), error = measured - exact;
+      if (method.doubles && xi == 1.0) {
+        keep_worst(map.worst_one, error);
+      } else {
+        keep_worst(map.worst, method.dimension > 3 ? error : in_roundings(method, error, exact));
+      }
+      if (std::abs(exact) > 1e-5 && !((measured > 0.0) == (exact > 0.0))) ++map.wrong;
+      map.growth.x.push_back(xi);
+      map.growth.y.push_back(part);
+      map.growth.values.push_back(measured);
+    }
+    findings.count(static_cast<std::uint64_t>(up) * 16);
+  }
+  return map;
+}
+
+/// Measured against exact growth on a grid, and both drawn in a panel.
+void check_map(const FixedStepMethod& method, Findings& findings, const Setup& setup, Figure& figure) {
+  Map map = map_of(method, findings, setup);
+  const std::string name = method.name;
+  if (method.dimension > 3) {
+    findings.expect(name + ": ln growth over the map, largest error", map.worst, 0.0,
+                    Tolerance::round_off(1e-3,
+                                         "sixteen eigenvalues, fitted to states in which rounding is up to 3e-7 "
+                                         "of the smallest: those smaller than that are taken for none, and the "
+                                         "largest is off by as much over their distance from it"));
+  } else {
+    findings.expect(name + ": ln growth over the map, largest error in roundings", map.worst, 0.0,
+                    Tolerance::round_off(400.0,
+                                         "runs begin up to twenty times nearer to rest than they must, and where "
+                                         "eigenvalues nearly meet, as Fehlberg's at xi = 1.1, the fit makes "
+                                         "twenty of one"));
+  }
+  if (method.doubles && !setup.coarse) {
+    findings.expect(name + ": ln growth at xi = 1, where two eigenvalues are one, largest error", map.worst_one, 0.0,
+                    method.dimension > 3
+                        ? Tolerance::round_off(1e-2, "the root of the error elsewhere, 1e-4")
+                        : Tolerance::round_off(3e-5,
+                                               "a rounding of the largest start, 6e-14, parts them by its root, "
+                                               "2.5e-7, times what the map is larger than they, up to 1e2"));
+  }
+  findings.expect(name + ": points of the map on the wrong side of the exact curve", map.wrong, 0.0,
+                  Tolerance::exact("a count, of all points at which ln growth is further from nought than 1e-5"));
+  if (setup.coarse) return;
+  map.growth.panel = static_cast<int>(figure.panels.size());
+  const std::string_view word = method.scheme == Scheme::late ? "lagged" : method.name;
+  figure.panels.push_back(fmt::format("{} {:g}", word.substr(word.starts_with("odeint_") ? 7 : 0), method.scale));
+  figure.series.push_back(map.growth);
+  const std::vector<Series> lines = limit_lines(method, map.growth.panel);
+  figure.series.insert(figure.series.end(), lines.begin(), lines.end());
+}
+
+/// Whether each integrator of the solver has its map, or is named as one without a limit for that it takes no steps of
+/// fixed length.
+void check_list(Findings& findings, const Setup& setup) {
+  const std::vector<std::string> all = integrator_names();
+  int strangers = 0;
+  for (const std::string& name : all) {
+    const auto is_it = [&](std::string_view known) { return known == name; };
+    const bool mapped = std::any_of(fixed_step_methods.begin(), fixed_step_methods.end(),
+                                    [&](const FixedStepMethod& method) { return is_it(method.name); }) &&
+                        !(setup.has("method_forgotten") && name == "taylor");
+    const bool named = std::any_of(methods_without_limit.begin(), methods_without_limit.end(), is_it);
+    const bool fixed = !needs_tolerance(name) && !needs_closed_form(name);
+    strangers += mapped == fixed && named != fixed ? 0 : 1;
+  }
+  findings.expect("integrators of fixed step without a map, or of none without their name on this page", strangers, 0.0,
+                  Tolerance::exact("a count over the solver's closed list"));
+}
+
+/// Limits against damping by the moment of the dashpot's velocity, exact.
+Figure time_levels() {
+  Figure figure{.name = "time_levels",
+                .title = "What the dashpot sees decides",
+                .caption =
+                    "Exact limits of leapfrogs and of velocity Verlet by the velocity that their dashpots see. "
+                    "Half a step old (velocity Verlet, central difference, Euler-Cromer) and one and a half "
+                    "(lagged central difference) are run in the maps.",
+                .x = {.label = "damping ratio"},
+                .y = {.label = "largest stable w h", .min = 0.0},
+                .series = {}};
+  struct Level {
+    Scheme scheme;
+    const char* words;
+  };
+  for (const Level level :
+       {Level{Scheme::half_step, "half a step old"}, Level{Scheme::late, "one and a half steps old"},
+        Level{Scheme::average, "mean of old and new"}, Level{Scheme::implicit, "new"},
+        Level{Scheme::verlet_old, "Verlet, v(n)"}, Level{Scheme::verlet_predicted, "Verlet, v(n) + h a(n)"}}) {
+    Series series{.label = level.words, .x = {}, .y = {}, .style = Style::lines};
+    for (double xi = 0.005; xi < 1.5; xi += 0.02) {
+      series.x.push_back(xi);
+      series.y.push_back(reference::limits(level.scheme, xi, 8.0).front());
+    }
+    figure.series.push_back(series);
+  }
+  return figure;
+}
+
+void run(Findings& findings, const Setup& setup) {
+  Figure figure{.name = "maps",
+                .title = "Growth per step of twelve methods",
+                .caption =
+                    "Measured ln of the growth per step, blue where the motion dies, red where it grows, and "
+                    "the exact limit (black). Each panel's $\\omega h$ is in units of the number above it.",
+                .x = {.label = "damping ratio", .min = -0.025, .max = 2.025},
+                .y = {.label = "w h over scale", .min = 0.0, .max = 1.25},
+                .series = {},
+                .scale = Scale{"ln growth per step", -0.5, 0.5}};
+  double worst_run = 0.0;
+  check_list(findings, setup);
+  for (const FixedStepMethod& method : fixed_step_methods) {
+    if (setup.coarse && method.scheme != Scheme::half_step && method.scheme != Scheme::euler) continue;
+    check_map(method, findings, setup, figure);
+    check_both_sides(method, findings, setup, worst_run);
+  }
+  check_bilateral_systems(findings, setup);
+  if (setup.coarse) return;
+  findings.expect("all methods: ln growth at the end of long runs, largest share of error", worst_run, 0.0,
+                  Tolerance::round_off(1e-5, "rounding is 3e-9 of the smallest state, and the smallest growth 5e-4"));
+  check_limits(findings, setup);
+  check_growth_undamped(findings, setup);
+  check_common_limit(findings, setup);
+  figure.columns = (static_cast<int>(figure.panels.size()) + 1) / 2;  // two rows
+  findings.figure(figure);
+  findings.figure(time_levels());
+}
+
+}  // namespace
+
+Case stability_maps() {
+  return {.id = "stability_maps",
+          .title = "Growth per step against damping and step",
+          .family = "speed and accuracy",
+          .requirements = {{"Eq. 25", {"runs on the wrong side", "step advice", "limit of the step"}},
+                           {"integrator.velocity_verlet", {"velocity_verlet: "}},
+                           {"integrator.central_difference", {"central_difference: "}},
+                           {"integrator.lagged_central_difference", {"lagged_central_difference: "}},
+                           {"integrator.euler_cromer", {"euler_cromer: "}},
+                           {"integrator.euler", {"euler: "}},
+                           {"integrator.taylor", {"taylor: "}},
+                           {"integrator.blanes_moan4", {"blanes_moan4: "}},
+                           {"integrator.rk4", {"rk4: "}},
+                           {"integrator.odeint_dopri5", {"odeint_dopri5: "}},
+                           {"integrator.odeint_cash_karp54", {"odeint_cash_karp54: "}},
+                           {"integrator.odeint_fehlberg78", {"odeint_fehlberg78: "}},
+                           {"integrator.odeint_abm8", {"odeint_abm8: "}},
+                           {"law.linear_spring_dashpot", {"ln growth over the map"}},
+                           {"end_rule.attractive", {"ln growth over the map"}},
+                           {"pair.circle.half_plane", {"ln growth over the map"}}},
+          .main_checks = {"velocity_verlet: ln growth over the map, largest error in roundings",
+                          "blanes_moan4: ln growth over the map, largest error in roundings",
+                          "odeint_fehlberg78: ln growth over the map, largest error in roundings",
+                          "velocity_verlet: runs on the wrong side of the limit",
+                          "fence held at 0.02 s: ln growth per step at 1.001 and 1.02 of the limit, largest share of "
+                          "error"},
+          .source =
+              "Mustoe & Huttelmaier 1993, Eq. 25; Dormand & Prince 1980; Cash & Karp 1990; Fehlberg 1968; "
+              "Blanes & Moan 2002",
+          .page = page,
+          .faults = {{"dashpot_lags", "the lagged central difference under velocity Verlet's name",
+                      "velocity_verlet: ln growth over the map, largest error in roundings"},
+                     {"step_too_long", "steps 3 % longer than said",
+                      "velocity_verlet: runs on the wrong side of the limit"},
+                     {"stiffness_halved", "contacts of half the stiffness",
+                      "velocity_verlet: points of the map on the wrong side of the exact curve"},
+                     {"drift_after_kick", "Euler-Cromer's method under Euler's name",
+                      "euler: ln growth over the map, largest error in roundings"},
+                     {"method_forgotten", "Taylor's method left out of the maps",
+                      "integrators of fixed step without a map, or of none without their name on this page"},
+                     {"kt_ignored", "the step of a disc that sticks chosen by its normal contact alone",
+                      "disc that sticks, kt = .4 kn: runs on the wrong side of w h = 2"},
+                     {"fence_by_rule", "the fence's step chosen by the frequency of the 1993 rule",
+                      "fence held at 0.02 s: ln growth per step at 1.001 and 1.02 of the limit, largest share of "
+                      "error"}},
+          .tier = Tier::quick,
+          .time_limit = 60.0,
+          .run = run};
+}
+
+}  // namespace talus::verification::problems

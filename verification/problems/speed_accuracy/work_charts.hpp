@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "verification/check/data_file.hpp"
+#include "verification/check/figure.hpp"
+#include "verification/check/table.hpp"
+#include "verification/problems/speed_accuracy/work_curves.hpp"
+
+/// Curves of error against work as one file of tidy data, the figures that are drawn from it alone, and tables of what
+/// an accuracy costs.
+namespace talus::verification::problems {
+
+/// A scene and the curves of all methods on it, in the order of work_methods().
+struct SceneCurves {
+  const WorkScene* scene{};
+  std::vector<WorkCurve> curves;
+};
+
+/// The accuracies at which costs are read off.
+inline constexpr double read_off_errors[] = {1e-2, 1e-4, 1e-6, 1e-9};
+
+/// One row for each point and quantity.
+[[nodiscard]] DataFile work_data(const std::vector<SceneCurves>& all);
+
+/// A chart for each scene and quantity of the data.
+[[nodiscard]] std::vector<Figure> work_figures(const DataFile& data);
+
+/// For each accuracy, what each method takes on each scene.
+[[nodiscard]] std::vector<Table> cost_tables(const std::vector<SceneCurves>& all);
+
+/// The method that reaches an error for the fewest evaluations, and for how many; empty and infinite if none does.
+struct Cheapest {
+  std::string method;
+  double evaluations{};
+};
+[[nodiscard]] Cheapest cheapest(const SceneCurves& curves, std::size_t quantity, double error);
+
+/// Scenes and quantities against accuracies: the cheapest method and its evaluations.
+[[nodiscard]] Table cheapest_table(const std::vector<SceneCurves>& all);
+
+/// A number of evaluations as tables have it.
+[[nodiscard]] std::string in_words(double evaluations);
+
+}  // namespace talus::verification::problems

@@ -1,0 +1,354 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/problems/speed_accuracy/work_charts.hpp"
+#include "verification/problems/speed_accuracy/work_timing.hpp"
+#include "verification/study/leapfrog_impact_error.hpp"
+
+namespace talus::verification::problems {
+
+Case work_precision();
+
+namespace {
+
+constexpr const char* page = R"(
+**Problem.** Thirteen methods on eight scenes: which reaches a given accuracy for the fewest force evaluations? Three
+smooth motions (a pendulum from 90 and from 170 degrees, a particle on two cables), a damped disc that bounces, impacts
+on a wall without and with a dashpot and on the pinned column, and the fence of Table 2 to .2 s.
+
+**Equations.** A method of order $p$ pays a factor of $10^{1/p}$ for a digit, on smooth motion. A contact begins at a
+share $u$ of a step that no method without located events knows, $u$ evenly spread. Then the order is that of the jump:
+
+- *With a dashpot* the force jumps to $2\xi m\omega v$. Velocity Verlet gives the step's first force half of the step
+  instead of the share $u$: the speed is off by $2\xi\omega hv\,(\frac12-u)$, root mean square $2\xi\omega hv/\sqrt{12}$,
+  to which the lag of its dashpot adds (`leapfrog_impact_error.hpp`). Runge-Kutta 4 gives it $\frac16$ or $\frac56$, for
+  $u$ on either side of $\frac12$: root mean square $2\xi\omega hv/6$. **All are of order 1**, and Runge-Kutta 4, at four
+  evaluations a step, makes *more* error at equal work: twice as much at $\xi=.2$.
+- *Without a dashpot* the force has a kink, energies are off by $\frac12(\omega h)^2[u'(1-u')-u(1-u)]$: **order 2 for
+  all**; velocity Verlet's restitution by $\pi^2/(2\sqrt{90}N^2)$ at $N$ steps per contact.
+- *With located events* steps are cut there and keep their order: a digit costs 19 % more (case `located_events`).
+
+**Expected**, from these. *Smooth motion*: at the first digits few evaluations a step count, then the order: methods of
+order 4 overtake those of order 2, those of order 8 and 12 overtake both; of those `stormer_cowell` takes one evaluation
+a step, the others two to thirteen. *Contacts and the fence*: methods of fixed step are all alike, whatever their order;
+step control gets past, as it crowds steps where forces jump, some hundred evaluations for each event; located events
+take ten to twenty, so that `stormer_cowell` is several times cheaper than the next, and `exact`, where it can be had, takes one for each
+piece. The steps of 1993, $\omega h=.016$ on
+the fence, leave a tenth of that at a jump: three digits.
+
+**Error**, relative: of the motions the largest over 20 equally spaced times of place and velocity; of impacts the
+exit speed; of the fence the rock's speed at .2 s and the largest tension at 500 times. References: elliptic functions,
+inverted quadrature, closed forms piece by piece, the fence certified by case `located_events`. Points: root mean squares
+over 64 phases of the touch (impacts), over steps or tolerances spread up to the next point's (bounces 8, fence 2 runs).
+All evaluations are counted: stages, rejected steps, start-up, location. Costs are read off between two points by a
+straight line in logarithms, where this and all finer points are as good.
+
+**Source.** Swope et al. 1982; Blanes & Moan 2002; Krogh 1974; Hairer, Lubich & Wanner 2006; Ahnert & Mulansky 2011.
+
+**What would break it.** Steps in step with the contact, which hide the first order; evaluations that are not counted;
+one run for a phase that happens to be good; failures that drop out of a picture.
+)";
+
+/// What a fault makes of a method.
+WorkMethod given(const WorkMethod& method, const Setup& setup) {
+  if (setup.has("late_events") && method.name == std::string{"stormer_cowell"})
+    return {"odeint_dopri5", StepChoice::by_tolerance};
+  return method;
+}
+
+/// The methods of the checks that faults turn red.
+bool decides_faults(std::string_view method) {
+  return method == "velocity_verlet" || method == "rk4" || method == "odeint_dopri5" || method == "stormer_cowell";
+}
+
+SceneCurves curves_of(const WorkScene& scene, const Setup& setup, Findings& findings) {
+  SceneCurves all{&scene, {}};
+  for (const WorkMethod& method : work_methods()) {
+    if (setup.coarse && !decides_faults(method.name)) continue;
+    all.curves.push_back(work_curve(scene, given(method, setup), findings));
+    all.curves.back().method = method.name;
+    if (setup.has("stages_not_counted") && method.name == std::string{"rk4"}) {
+      for (CurvePoint& point : all.curves.back().points)
+        point.evaluations /= 4.0;
+    }
+  }
+  return all;
+}
+
+/// The curve of a method that has been run.
+const WorkCurve& curve(const SceneCurves& all, const std::string& method) {
+  return *std::find_if(all.curves.begin(), all.curves.end(), [&](const WorkCurve& c) { return c.method == method; });
+}
+
+/// An order that theory gives, and the errors between which it is read.
+struct ExpectedOrder {
+  const char* method;
+  const char* scene;
+  double order;
+  double least, most;
+  double admitted;  ///< either way
+  const char* why;
+};
+constexpr const char* second =
+    "smooth motion, errors in even powers of the step: the next term is of the size of the error itself, 1e-3 at the "
+    "coarsest point, which tilts a line over three decades by less than twice that";
+constexpr const char* smooth = "smooth motion; the next power of the step tilts the line by a tenth, twice that";
+constexpr const char* kink =
+    "a kink of the force at a phase of 64, order 2 whatever the method; 64 phases leave a few "
+    "hundredths of a root mean square, the next power of the coarsest step a tenth";
+constexpr const char* jump =
+    "a jump of the force at a phase of 64, order 1 whatever the method; 64 phases leave a few "
+    "hundredths of a root mean square, the next power of the coarsest step a tenth";
+constexpr ExpectedOrder orders[] = {
+    {"velocity_verlet", "pendulum, 90 degrees", 2.0, 1e-6, 1e-3, 0.002, second},
+    {"velocity_verlet", "pendulum, 170 degrees", 2.0, 1e-6, 1e-3, 0.002, second},
+    {"velocity_verlet", "two cables", 2.0, 1e-6, 1e-3, 0.002, second},
+    {"blanes_moan4", "pendulum, 170 degrees", 4.0, 3e-10, 1e-5, 0.2, smooth},
+    {"blanes_moan4", "two cables", 4.0, 1e-10, 1e-5, 0.2, smooth},
+    {"rk4", "two cables", 4.0, 1e-11, 1e-7, 0.2, smooth},
+    {"rk4", "pendulum, 170 degrees", 5.0, 1e-9, 1e-2, 0.3,
+     "near the upper rest a swing's period hangs on its energy, of which each step loses the share z^6/72, z = w h: "
+     "order 5 where that outweighs the phase's error of order 4"},
+    {"velocity_verlet", "wall, undamped", 2.0, 3e-6, 1e-2, 0.15, kink},
+    {"rk4", "wall, undamped", 2.0, 3e-6, 1e-2, 0.15, kink},
+    {"blanes_moan4", "wall, undamped", 2.0, 3e-6, 1e-2, 0.15, kink},
+    {"velocity_verlet", "wall, damped", 1.0, 8e-4, 3e-2, 0.1, jump},
+    {"rk4", "wall, damped", 1.0, 8e-4, 3e-2, 0.1, jump},
+    {"blanes_moan4", "wall, damped", 1.0, 8e-4, 3e-2, 0.1, jump},
+    {"velocity_verlet", "pinned column", 1.0, 5e-4, 3e-2, 0.04, jump},
+    {"rk4", "pinned column", 1.0, 5e-4, 3e-2, 0.1, jump}};
+
+void check_orders(const SceneCurves& all, Findings& findings, const Setup& setup) {
+  for (const ExpectedOrder& expected : orders) {
+    if (expected.scene != all.scene->name || (setup.coarse && !decides_faults(expected.method))) continue;
+    findings.expect_order(fmt::format("order of {}, {}", expected.method, expected.scene),
+                          between_errors(curve(all, expected.method), 0, expected.least, expected.most),
+                          expected.order - expected.admitted, expected.order + expected.admitted, expected.why);
+  }
+}
+
+/// Constants of the impact on a wall, at 1,024 evaluations.
+void check_constants(const SceneCurves& all, Findings& findings) {
+  const auto point = [&](const char* method) {
+    const std::vector<CurvePoint>& points = curve(all, method).points;
+    return *std::find_if(points.rbegin(), points.rend(), [](const CurvePoint& p) { return p.evaluations < 1100.0; });
+  };
+  // Of the mean step, with the frequency and the approach speed 1.
+  const auto over_step = [&](const char* method) { return point(method).rms[0] / point(method).setting; };
+  constexpr double xi = 0.2;
+  const double verlet = leapfrog_impact_error(xi, reference::EndRule::clamped).restitution;
+  const double runge_kutta = 2.0 * xi / 6.0;
+  const char* next = "the next power of the step, w h = .007 there, and what 64 phases leave of a mean square: 2 %";
+  findings.expect("error of velocity_verlet over its prediction, wall, damped", over_step("velocity_verlet") / verlet,
+                  1.0, Tolerance::model(0.02, next));
+  findings.expect("error of rk4 over its prediction, wall, damped", over_step("rk4") / runge_kutta, 1.0,
+                  Tolerance::model(0.02, next));
+  const double at_equal_work = point("rk4").rms[0] * point("rk4").evaluations /
+                               (point("velocity_verlet").rms[0] * point("velocity_verlet").evaluations);
+  findings.expect("error of rk4 over that of velocity_verlet at equal work, over its prediction, wall, damped",
+                  at_equal_work / (4.0 * runge_kutta / verlet), 1.0, Tolerance::model(0.03, next));
+}
+
+/// What is expected of the cheapest method over the next.
+struct Advantage {
+  const char* method;
+  double least, most;
+  const char* why;
+};
+
+Advantage expected_cheapest(const SceneCurves& all) {
+  const bool closed_form = std::any_of(all.curves.begin(), all.curves.end(), [](const WorkCurve& each) {
+    return each.method == "exact" && !each.points.empty();
+  });
+  if (closed_form) {
+    return {"exact", 10.0, 60.0,
+            "one evaluation for each piece between events, where the next begins anew with order 1 and takes 15 to 50 "
+            "to 1e-6"};
+  }
+  if (all.scene->runs > 1) {  // events
+    return {"stormer_cowell", 4.0, 30.0,
+            "step control without located events halves its steps some ten times at each, at six stages or more a try, "
+            "and grows them again: 60 to 200 evaluations where a located event takes 10 to 20 to begin anew"};
+  }
+  return {"stormer_cowell", 1.1, 4.0, "one evaluation a step of order 12, against two of order 8 or six of order 4"};
+}
+
+/// The cheapest method to 1e-6: the one that is named.
+void check_cheapest(const SceneCurves& all, Findings& findings) {
+  const Advantage expected = expected_cheapest(all);
+  const WorkScene& scene = *all.scene;
+  for (std::size_t q = 0; q < scene.quantities.size(); ++q) {
+    double others = std::numeric_limits<double>::infinity();
+    for (const WorkCurve& other : all.curves) {
+      if (other.method != expected.method) others = std::min(others, cost_of(other, q, 1e-6));
+    }
+    findings.expect_between(fmt::format("cheapest to 1e-6, {}: evaluations of the next over its, {}{}", expected.method,
+                                        scene.name, scene.quantities.size() > 1 ? ", " + scene.quantities[q] : ""),
+                            others / cost_of(curve(all, expected.method), q, 1e-6), expected.least, expected.most,
+                            expected.why);
+  }
+}
+
+/// What was known of the smooth motions before, by other programs than this one, and what is measured.
+struct Known {
+  const char* scene;
+  double verlet;     ///< velocity Verlet to 1e-6
+  double odeint[3];  ///< the best of odeint's steppers to 1e-4, 1e-6, 1e-9
+};
+constexpr Known knowns[] = {{"pendulum, 90 degrees", 111780.0, {934.0, 1694.0, 5460.0}},
+                            {"pendulum, 170 degrees", 144800.0, {3934.0, 6814.0, 14814.0}},
+                            {"two cables", 56040.0, {454.0, 1134.0, 2854.0}}};
+
+Cheapest best_of_odeint(const SceneCurves& all, double error) {
+  SceneCurves only{all.scene, {}};
+  for (const WorkCurve& each : all.curves) {
+    if (each.method.starts_with("odeint_")) only.curves.push_back(each);
+  }
+  return cheapest(only, 0, error);
+}
+
+void compare_with_known(const SceneCurves& all, Findings& findings, Table& table) {
+  for (const Known& known : knowns) {
+    if (known.scene != all.scene->name) continue;
+    const double verlet = cost_of(curve(all, "velocity_verlet"), 0, 1e-6);
+    findings.expect_between(fmt::format("evaluations of velocity_verlet to 1e-6 over those known, {}", known.scene),
+                            verlet / known.verlet, 0.9, 1.02,
+                            "the same formula; what was known is of the first run that was as good, up to a tenth more "
+                            "than is read between "
+                            "two runs; 2 % for the reading");
+    std::vector<std::string> row{known.scene, fmt::format("{:.0f} ({:.0f})", verlet, known.verlet)};
+    const double errors[] = {1e-4, 1e-6, 1e-9};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Cheapest best = best_of_odeint(all, errors[i]);
+      row.push_back(fmt::format("{:.0f} {} ({:.0f})", best.evaluations, best.method.substr(7), known.odeint[i]));
+      findings.expect_between(
+          fmt::format("evaluations of the best of odeint's steppers to {:.0e} over those known, {}", errors[i],
+                      known.scene),
+          best.evaluations / known.odeint[i], 0.6, 1.5,
+          "the same formulas; starts of the multistep method, tried steps and tolerances and the reading differ: half "
+          "as many again, either way");
+    }
+    for (const double error : errors)
+      row.push_back(in_words(cost_of(curve(all, "stormer_cowell"), 0, error)));
+    table.rows.push_back(row);
+  }
+}
+
+/// The fence at the step of 1993.
+void tell_of_1993(const WorkScene& fence, Findings& findings) {
+  constexpr double step = 2e-6;
+  const long steps = std::lround(fence.duration / (static_cast<double>(fence.spans) * step));
+  const WorkRun run = fence.measure(make_integrator("central_difference"), steps, 0, findings);
+  findings.expect_between(
+      "fence, exit speed at the step of 1993: relative error", run.errors[0], 1e-4, 1e-2,
+      "w h = .016, of which a jump leaves a tenth: three digits are expected; a single run of 77 events "
+      "may lie ten times above or below");
+  findings.note(
+      fmt::format("At the 2e-6 s of 1993 the scheme takes {:.0f} evaluations to .2 s; the rock's speed is off "
+                  "by {:.1e} of itself, the largest tension by {:.1e}.",
+                  run.evaluations, run.errors[0], run.errors[1]));
+}
+
+void check_bounce(const SceneCurves& all, Findings& findings) {
+  if (all.scene->name != "damped bounce") return;
+  const Convergence found = between_errors(curve(all, "velocity_verlet"), 0, 1e-9, 0.2);
+  findings.expect_order("order of velocity_verlet, damped bounce", found, 0.5, 1.4,
+                        "13 contacts, each with a jump: order 1. The first is felt in all later ones and in the times "
+                        "of touch, which makes an error above a tenth no longer proportional");
+  findings.expect_between(
+      "damped bounce: evaluations of velocity_verlet to 2e-2 over those of stormer_cowell",
+      cost_of(curve(all, "velocity_verlet"), 0, 2e-2) / cost_of(curve(all, "stormer_cowell"), 0, 2e-2), 5.0, 100.0,
+      "some 15 to 30 evaluations for each of 13 contacts, against w t/(w h) = 300/(w h) steps: each contact leaves "
+      "0.13 "
+      "w h of the speed, which what it does to later touches makes up to ten times as much: 2,000 to 20,000 steps for "
+      "2e-2");
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const std::vector<WorkScene> scenes = work_scenes(setup, !setup.coarse);
+  std::vector<SceneCurves> all;
+  std::vector<TimedPoint> timed;
+  Table known{.name = "known",
+              .caption = "Evaluations on the smooth motions; in brackets what was known beforehand, by other programs.",
+              .columns = {"motion", "verlet 1e-6", "odeint 1e-4", "odeint 1e-6", "odeint 1e-9", "stormer 1e-4",
+                          "stormer 1e-6", "stormer 1e-9"},
+              .rows = {}};
+  for (const WorkScene& scene : scenes) {
+    const bool decides =
+        scene.name == "pendulum, 90 degrees" || scene.name.starts_with("wall") || scene.name == "pinned column";
+    if (setup.coarse && !decides) continue;
+    all.push_back(curves_of(scene, setup, findings));
+    check_orders(all.back(), findings, setup);
+    if (scene.name == "wall, damped") check_constants(all.back(), findings);
+    check_cheapest(all.back(), findings);
+    check_bounce(all.back(), findings);
+    if (!setup.coarse) compare_with_known(all.back(), findings, known);
+    if (scene.name == "fence") tell_of_1993(scene, findings);
+    if (setup.tier == Tier::full && !setup.coarse) {
+      const std::vector<TimedPoint> points = timed_points(all.back());
+      timed.insert(timed.end(), points.begin(), points.end());
+    }
+  }
+  if (setup.coarse) return;
+  const DataFile data = work_data(all);
+  std::vector<Figure> figures = work_figures(data);
+  std::rotate(figures.begin(), figures.end() - 2, figures.end());  // the fence first: on the page
+  for (Figure& figure : figures)
+    findings.figure(std::move(figure));
+  findings.data(data);
+  findings.table(cheapest_table(all));
+  findings.table(known);
+  for (const Table& table : cost_tables(all))
+    findings.table(table);
+  if (timed.empty()) return;
+  const DataFile times = timing_data(timed, setup.machine);
+  for (const Figure& figure : timing_figures(times, setup.machine))
+    findings.figure(figure);
+  findings.data(times);
+}
+
+std::vector<Claim> claims() {
+  std::vector<Claim> all;
+  for (const char* method : {"velocity_verlet", "rk4", "blanes_moan4"})
+    all.push_back({std::string{"integrator."} + method, {std::string{"order of "} + method}});
+  for (const char* method : {"stormer_cowell", "exact"})
+    all.push_back({std::string{"integrator."} + method, {std::string{"cheapest to 1e-6, "} + method}});
+  return all;
+}
+
+}  // namespace
+
+Case work_precision() {
+  const std::string equal_work =
+      "error of rk4 over that of velocity_verlet at equal work, over its prediction, wall, damped";
+  return {
+      .id = "work_precision",
+      .title = "Work and precision of all methods",
+      .family = "speed and accuracy",
+      .requirements = claims(),
+      .main_checks = {"order of velocity_verlet, wall, damped", "order of velocity_verlet, wall, undamped", equal_work,
+                      "order of blanes_moan4, two cables",
+                      "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, pendulum, 90 degrees",
+                      "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, fence, exit speed"},
+      .source =
+          "Swope et al. 1982; Blanes & Moan 2002; Krogh 1974; Hairer, Lubich & Wanner 2006; Ahnert & Mulansky 2011",
+      .page = page,
+      .faults = {{"other_amplitude", "the pendulum let go a thousandth of a radian higher",
+                  "order of velocity_verlet, pendulum, 90 degrees"},
+                 {"commensurate", "steps that divide the contact's time", "order of velocity_verlet, wall, undamped"},
+                 {"stages_not_counted", "rk4's steps counted, not its evaluations", equal_work},
+                 {"late_events", "Dormand-Prince under step control in the place of stormer_cowell",
+                  "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, pinned column"}},
+      .tier = Tier::quick,
+      .time_limit = 600.0,
+      .run = run};
+}
+
+}  // namespace talus::verification::problems
