@@ -41,7 +41,8 @@ struct ContactArrays {
     std::vector<ContactGroup> groups;
     std::vector<ShapeA> shapes_a;
     std::vector<ShapeB> shapes_b;
-    Row node_x, node_y;  ///< centres of the shapes A, if they are nodes of a rule that looks at boxes first [L]
+    Row node_x, node_y;  ///< centres of the shapes A, if their depths are found side by side [L]
+    Row radius;          ///< and theirs, over a half-plane [L]
     std::vector<L> laws;
     std::vector<Slot> slots;
   };
@@ -88,7 +89,10 @@ class ContactCompiler {
       array.groups.push_back(group(id_a, id_b, array.laws.size()));
     array.shapes_a.push_back(a);
     array.shapes_b.push_back(b);
-    if constexpr (BoxedRule<ShapeB>) array.node_x.push_back(a.center_A.x), array.node_y.push_back(a.center_A.y);
+    constexpr bool over_plane = std::is_same_v<ShapeA, Ball> && std::is_same_v<ShapeB, HalfPlane>;
+    if constexpr (BoxedRule<ShapeB> || over_plane)
+      array.node_x.push_back(a.center_A.x), array.node_y.push_back(a.center_A.y);
+    if constexpr (over_plane) array.radius.push_back(a.radius);
     array.laws.push_back(law_);
     array.slots.push_back(next_);
     array.groups.back().last = array.laws.size();

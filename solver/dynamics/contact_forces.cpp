@@ -189,6 +189,13 @@ bool ContactForces::find(const State& state, Workspace& work) const {
 
 void ContactForces::update(const State& state, Workspace& work) const { update_gaps(laws_, &state, work); }
 
+void ContactForces::update_depths(const State& state, Workspace& work) const {
+  for (char& near : work.near)
+    near = near ? Workspace::known : Workspace::wanted;
+  update_gaps(laws_, &state, work);
+  std::replace(work.near.begin(), work.near.end(), Workspace::wanted, char{0});
+}
+
 void ContactForces::update_all(Workspace& work) const {
   std::fill(work.near.begin(), work.near.end(), Workspace::wanted);
   work.any_near = candidates() > 0;

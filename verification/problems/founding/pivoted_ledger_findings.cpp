@@ -62,9 +62,9 @@ Closure closure_of(const Scene& scene, const Integrator& method, double step, do
   EnergyLedger ledger{dynamics, scene.initial};
   const double before = about_pin(scene.initial);
   Closure found;
-  const Observer watch = [&](const State& state, const StepInfo&) {
-    found.momentum = std::max(found.momentum, std::abs(about_pin(state) / before - 1.0));
-    found.energy = ledger.accounts(state).energy_closure;
+  const Observer watch = [&](const Snapshot& snapshot, const StepInfo&) {
+    found.momentum = std::max(found.momentum, std::abs(about_pin(snapshot.state()) / before - 1.0));
+    found.energy = ledger.accounts(snapshot).energy_closure;
   };
   State state = scene.initial;
   Integrator integrator = method;

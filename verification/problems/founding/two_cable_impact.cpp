@@ -5,6 +5,7 @@
 
 #include "solver/laws/restitution.hpp"
 #include "solver/run/energy_ledger.hpp"
+#include "solver/run/simulate.hpp"
 #include "solver/scenes/two_cable.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/followed_impact.hpp"
@@ -87,11 +88,12 @@ TwoCableRun simulated(Scene scene, double gap, double step, bool to_the_turn, Fi
   TurningPointFinder finder{0};
   ParticleWatch watch{dynamics};
   TwoCableRun run;
-  const Observer observer = [&](const State& state, const StepInfo& info) {
+  const Observer observer = [&](const Snapshot& snapshot, const StepInfo& info) {
+    const State& state = snapshot.state();
     finder(state, info);
     watch(state, info);
     if (!to_the_turn) return;
-    const Accounts accounts = ledger.accounts(state);
+    const Accounts accounts = ledger.accounts(snapshot);
     run.energy_closure = accounts.energy_closure;
     run.momentum_closure = std::max(run.momentum_closure, std::abs(accounts.momentum_closure.x));
   };

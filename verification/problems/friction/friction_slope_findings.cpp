@@ -37,11 +37,12 @@ SlopeRun run_slope(const Slope& slope, const Setup& setup, double step, double e
   SlopeRun run{.end = scene.initial, .time = {}, .speed = {}, .rim = {}, .largest_closure = 0.0};
   system.begin(run.end);
   EnergyLedger ledger{dynamics, run.end};
-  const Observer observers[] = {[&](const State& state, const StepInfo&) {
+  const Observer observers[] = {[&](const Snapshot& snapshot, const StepInfo&) {
+    const State& state = snapshot.state();
     run.time.push_back(state.t);
     run.speed.push_back(state.v[0]);
     run.rim.push_back(state.v.size() > 2 ? -slope_radius * state.v[2] : 0.0);
-    (void)ledger.accounts(state);
+    (void)ledger.accounts(snapshot);
   }};
   Integrator verlet = VelocityVerlet{};
   const Outcome outcome = simulate(system, verlet, run.end, {step, end, end, true},

@@ -102,9 +102,10 @@ Ended ended(Scene scene, double tolerance, Findings& findings) {
   system.begin(state);
   Recorder recorder{dynamics, state};
   Ended found;
-  const Observer observer = [&](const State& seen, const StepInfo& info) {
-    recorder(seen, info);
+  const Observer observer = [&](const Snapshot& snapshot, const StepInfo& info) {
+    recorder(snapshot, info);
     if (!info.due) return;
+    const State& seen = snapshot.state();
     found.time.push_back(seen.t);
     found.speed.push_back(std::hypot(seen.v[0], seen.v[1]));
   };

@@ -141,9 +141,10 @@ void check_crest(Findings& findings, const Setup& setup) {
   std::optional<EnergyLedger> ledger;
   Series speed{"solver", {}, {}, Style::points}, exact{"rigid", {}, {}, Style::lines};
   double worst = std::nan(""), closure = 0.0;  // not a number: the crest was not reached
-  const Observer observer = [&](const State& seen, const StepInfo&) {
+  const Observer observer = [&](const Snapshot& snapshot, const StepInfo&) {
+    const State& seen = snapshot.state();
     if (!ledger) ledger.emplace(dynamics, seen);  // of the first state with its modes settled: the disc is pressed
-    closure = std::max(closure, std::abs(ledger->accounts(seen).energy_closure));
+    closure = std::max(closure, std::abs(ledger->accounts(snapshot).energy_closure));
     const double s = cosine * seen.q[0] - sine * seen.q[1];
     if (s < 0.0) return;
     const double v = cosine * seen.v[0] - sine * seen.v[1];

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/advise/method_advice.hpp"
+#include "solver/run/simulate.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/advised_scenes.hpp"
 
@@ -78,7 +79,7 @@ Run run_with(const Question& question, const RunMethod& method, Findings& findin
   const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1});
   findings.count(static_cast<std::uint64_t>(system.evaluations()));
   if (!outcome) return {std::numeric_limits<double>::infinity(), static_cast<double>(system.evaluations())};
-  const Recorder::Extreme& extreme = recorder.extremes()[quantity.column];
+  const Extreme extreme = recorder.extremes()[quantity.column];
   const double value = quantity.of(extreme.least, extreme.largest, recorder.row()[quantity.column]);
   return {std::abs(value / question.truth - 1.0), static_cast<double>(system.evaluations())};
 }

@@ -10,6 +10,7 @@
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/run/history.hpp"
 #include "solver/run/quantity.hpp"
+#include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "solver/stability/step_advice.hpp"
 #include "verification/check/case.hpp"
@@ -77,7 +78,7 @@ Found run_scene(const Scene& scene, const Quantity& quantity, Findings& findings
   Found found;
   found.evaluations = system.evaluations();
   if (!outcome) return found;
-  const Recorder::Extreme& extreme = recorder.extremes()[quantity.column];
+  const Extreme extreme = recorder.extremes()[quantity.column];
   found.value = quantity.of(extreme.least, extreme.largest, recorder.row()[quantity.column]);
   if (recorder.ledger())
     found.balance = recorder.ledger()->largest_energy_closure() / recorder.ledger()->energy_scale();
@@ -173,9 +174,9 @@ FenceFound run_fence(const SceneFile& file, Findings& findings) {
   if (scene.plan.ledger) ledger.emplace(dynamics, state);
   const BodyId rock = *file.fence->made.members[1].body;
   double least = std::numeric_limits<double>::infinity(), largest = -least;
-  const Observer observer = [&](const State& seen, const StepInfo& info) {
+  const Observer observer = [&](const Snapshot& seen, const StepInfo& info) {
     watch(seen, info);
-    const double x = pose(scene.model, layout, seen, rock).p_WB.x;
+    const double x = pose(scene.model, layout, seen.state(), rock).p_WB.x;
     least = std::min(least, x), largest = std::max(largest, x);
     if (ledger) static_cast<void>(ledger->accounts(seen));
   };
