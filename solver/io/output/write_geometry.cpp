@@ -38,18 +38,18 @@ class PolyLines {
   bool finite() const { return finite_; }
 
   std::string xml() const {
-    return vtk_text({.points = count_,
-                     .verts = 0,
-                     .lines = lines_,
-                     .point_data = vtk_array("Int32", "body", 1, view(point_bodies_)),
-                     .cell_data = vtk_array("Int32", "body", 1, view(bodies_)) +
-                                  vtk_array("Int32", "cable", 1, view(cables_)) +
-                                  vtk_array("Float64", "tension", 1, view(tensions_)) +
-                                  vtk_array("UInt8", "slack", 1, view(slacks_)),
-                     .coordinates = fmt::to_string(points_),
-                     .vert_arrays = {},
-                     .line_arrays = vtk_array("Int64", "connectivity", 1, view(connectivity_)) +
-                                    vtk_array("Int64", "offsets", 1, view(offsets_))});
+    return vtk_text(
+        {.points = count_,
+         .verts = 0,
+         .lines = lines_,
+         .point_data = {{"Int32", "body", 1, view(point_bodies_)}},
+         .cell_data = {{"Int32", "body", 1, view(bodies_)},
+                       {"Int32", "cable", 1, view(cables_)},
+                       {"Float64", "tension", 1, view(tensions_)},
+                       {"UInt8", "slack", 1, view(slacks_)}},
+         .coordinates = view(points_),
+         .vert_arrays = {},
+         .line_arrays = {{"Int64", "connectivity", 1, view(connectivity_)}, {"Int64", "offsets", 1, view(offsets_)}}});
   }
 
  private:

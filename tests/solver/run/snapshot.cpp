@@ -17,8 +17,9 @@ namespace {
 using namespace talus;
 
 /// Scenes that break hangers, sleep, slide, and hold their velocities at another time than their coordinates.
-const std::vector<const char*> files{"fence/table_2.toml", "fence/appendix_two_layers.DAT", "fence/sample2.DAT",
-                                      "sliding_block.toml", "two_cable.toml", "cable_pendulum.toml"};
+const std::vector<const char*> files{"fence/table_2.toml", "fence/appendix_two_layers.DAT",
+                                     "fence/sample2.DAT",  "sliding_block.toml",
+                                     "two_cable.toml",     "cable_pendulum.toml"};
 
 Scene scene(const char* name) {
   Scene read = read_scene(std::filesystem::path{TALUS_CASES} / name);
