@@ -150,6 +150,7 @@ std::string text_of(const Results& results) {
             {"errata", proved_errata(results.registered)},
             {"peers", checks_of_peers(results.records)},
             {"references", Json::array()}};
+  if (!results.only.empty()) json["only"] = results.only;
   for (const auto& record : results.records)
     json["cases"].push_back(in_its_family(record));
   for (const auto& reference : all_references()) {

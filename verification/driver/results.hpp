@@ -28,6 +28,7 @@ struct Results {
   Tier tier = Tier::quick;
   std::vector<std::string> registered;  ///< Ids of all cases.
   std::vector<std::string> selected;    ///< Ids of those that were to run.
+  std::vector<std::string> only{};      ///< Ids that --only named; empty: all of the tier.
   std::vector<Record> records;          ///< One for each selected case, in that order.
 };
 
