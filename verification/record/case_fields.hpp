@@ -40,9 +40,9 @@ inline void demand_sound(const Node& node, const Check& check) {
 }
 
 void fields(auto& f, Like<Control> auto& control) {
-  f.words("name", control.name);
-  f.words("what", control.what);
-  f.words("turns_red", control.turns_red);
+  f.value("name", control.name);
+  f.value("what", control.what);
+  f.value("turns_red", control.turns_red);
   f.derived("expected", std::string(name_of(Colour::red)));
   f.value("observed", control.observed);
   f.value("unplanted", control.unplanted);
@@ -56,7 +56,7 @@ void fields(auto& f, Like<Control> auto& control) {
 }
 
 void fields(auto& f, Like<Trace> auto& trace) {
-  f.words("id", trace.requirement);
+  f.value("id", trace.requirement);
   f.value("checks", trace.checks);
   f.value("unmatched", trace.unmatched);
 }
@@ -79,13 +79,11 @@ inline void demand_sound(const Node& node, const Table& table) {
 
 /// Of a data file the record holds the name only.
 inline Json json_of(const DataFile& file) { return file.name; }
-inline void read_into(const Node& node, DataFile& file, Completeness /*completeness*/) {
-  file.name = node.file_name();
-}
+inline void read_into(const Node& node, DataFile& file, Completeness /*completeness*/) { file.name = node.file_name(); }
 
 void fields(auto& f, Like<Record> auto& record) {
   f.derived("schema", schema);
-  f.file_name("id", record.id);
+  f.words("id", record.id);
   f.value("title", record.title);
   f.value("family", record.family);
   f.place("requirements");

@@ -2,13 +2,11 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "verification/record/check.hpp"
-#include "verification/record/error.hpp"
 #include "verification/record/figure.hpp"
 #include "verification/record/names.hpp"
 #include "verification/record/table.hpp"
@@ -100,18 +98,10 @@ struct Record {
   std::vector<std::string> notes;  ///< Markdown.
 };
 
+/// Whether `main_checks` names the check.
+[[nodiscard]] bool is_main(const Record& record, const Check& check);
+
 /// Marks the checks that `main_checks` names.
 void mark_main_checks(Record& record);
-
-/// The JSON text of a record (schema 1). The columns of its figures must be named; see name_columns().
-[[nodiscard]] std::string text_of(const Record& record);
-
-/// Writes `folder/record.json` and one CSV file per figure and data file, data first, so that a record that exists is
-/// whole. FileError if a file cannot be written.
-void write_record(const Record& record, const std::filesystem::path& folder);
-
-/// Reads `folder/record.json` and its CSV files strictly. RecordError if a file is missing, empty or truncated, if the
-/// schema is another, a field is absent, or a check's verdict does not follow from its numbers.
-[[nodiscard]] Record read_record(const std::filesystem::path& folder);
 
 }  // namespace talus::records

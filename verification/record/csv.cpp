@@ -92,8 +92,8 @@ Csv::Csv(std::filesystem::path file, std::string_view text) : file_{std::move(fi
     for (bool last = false; !last;)
       cells_.push_back(splitter.next_cell(last));
     if (const std::size_t found = cells_.size() - before; found != header_.size()) {
-      throw RecordError(
-          fmt::format("{}:{}: found {} cells; the header has {}", file_.string(), lines_.back(), found, header_.size()));
+      throw RecordError(fmt::format("{}:{}: found {} cells; the header has {}", file_.string(), lines_.back(), found,
+                                    header_.size()));
     }
   }
 }

@@ -14,9 +14,9 @@ namespace talus::records {
 /// are passed over.
 class Csv {
  public:
-  /// Splits the text of a file, whose name is for messages only. RecordError (file, line, found, allowed) if there is no
-  /// header, a row has another number of cells, a quoted cell does not end, or the last line has no end (the file was
-  /// cut short).
+  /// Splits the text of a file, whose name is for messages only. RecordError (file, line, found, allowed) if there is
+  /// no header, a row has another number of cells, a quoted cell does not end, or the last line has no end (the file
+  /// was cut short).
   Csv(std::filesystem::path file, std::string_view text);
   Csv(const Csv&) = delete;
   Csv& operator=(const Csv&) = delete;

@@ -26,7 +26,7 @@ void demand_colour(const std::string& colour, const std::string& part, const Com
 }
 
 void demand_sound(const Figure& figure, const Series& series, const std::string& part, const Complain& complain) {
-  const bool by_value = !series.values.empty() || !series.columns.value.empty();
+  const bool by_value = coloured_by_value(series);
   demand_colour(series.look.colour, part + ".colour", complain);
   demand_colour(series.look.fill, part + ".fill", complain);
   if (has_look(series.style) && series.look.colour.empty() && series.look.fill.empty() && !by_value)

@@ -87,6 +87,11 @@ struct Series {
   Columns columns{};             ///< Where the numbers stand in the CSV file.
 };
 
+/// Whether the points of a series have values, or will have them when they are read.
+[[nodiscard]] inline bool coloured_by_value(const Series& series) {
+  return !series.values.empty() || !series.columns.value.empty();
+}
+
 /// A straight reference line y ~ x^order through (x, y), drawn dashed with its label, in a log-log figure.
 struct Slope {
   double order = 1.0;

@@ -88,4 +88,12 @@ void read_points(Figure& figure, const Csv& csv, Rows rows) {
   }
 }
 
+void read_points(Figure& figure, const std::filesystem::path& folder, Rows rows) {
+  try {
+    read_points(figure, read_csv(folder / figure.csv), rows);
+  } catch (const FileError& fault) {
+    throw RecordError(fault.what());
+  }
+}
+
 }  // namespace talus::records

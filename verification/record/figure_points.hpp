@@ -23,4 +23,7 @@ enum class Rows {
 /// column is missing, a number is not finite, a series has no row, or a row belongs to no series where all must.
 void read_points(Figure& figure, const Csv& csv, Rows rows);
 
+/// The same from the figure's CSV file in `folder`; RecordError, too, if that cannot be read.
+void read_points(Figure& figure, const std::filesystem::path& folder, Rows rows);
+
 }  // namespace talus::records

@@ -12,7 +12,9 @@ template <class Enum>
 struct Names;
 
 template <class Enum>
-concept Named = requires { Names<Enum>::values; };
+concept Named = requires {
+  Names<Enum>::values;
+};
 
 /// The name of `value` in the records.
 template <Named Enum>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -101,13 +100,5 @@ struct Results {
 
 /// True if something was run, each selected case left one record, in that order, and each of these passed.
 [[nodiscard]] bool holds(const Results& results);
-
-/// The JSON text of results.json (schema 1).
-[[nodiscard]] std::string text_of(const Results& results);
-
-/// Reads results.json strictly, but not the CSV files of its figures (see read_points()). FileError if the file cannot
-/// be read; RecordError (file and path) if it is not what the schema says or contradicts itself: a selected case has
-/// no record or two, counts and verdict do not follow from the cases, or a check's verdict not from its numbers.
-[[nodiscard]] Results read_results(const std::filesystem::path& file);
 
 }  // namespace talus::records
