@@ -18,9 +18,11 @@
 #include "verification/driver/case_run.hpp"
 #include "verification/driver/catalogue.hpp"
 #include "verification/driver/junit.hpp"
+#include "verification/driver/provenance.hpp"
 #include "verification/driver/results.hpp"
 #include "verification/driver/runner.hpp"
 #include "verification/driver/terminal.hpp"
+#include "verification/record/whole_file.hpp"
 
 namespace talus::verification {
 
@@ -178,9 +180,10 @@ std::vector<Record> records_of(const std::vector<Case>& selection, const std::ve
 /// costs address space only.
 constexpr std::size_t reserve_size = std::size_t{16} << 20U;
 
-void write_results(const Results& results, const fs::path& out) {
-  write_whole(out / "results.json", text_of(results));
-  write_whole(out / "junit.xml", junit_of(results.records));
+void write_results(Results& results, const fs::path& out) {
+  complete(results);
+  records::write_whole(out / "results.json", text_of(results));
+  records::write_whole(out / "junit.xml", junit_of(results.records));
 }
 
 /// What remains of a record when there is no memory for all of it: head, checks and controls.

@@ -53,11 +53,17 @@ concept RunOutput = requires(T& output, const T& fixed, const OutputRequest& req
 };
 
 template <class T>
-concept StepwiseOutput = requires(T& output, const Snapshot& snapshot, const StepInfo& info) { output(snapshot, info); };
+concept StepwiseOutput = requires(T& output, const Snapshot& snapshot, const StepInfo& info) {
+  output(snapshot, info);
+};
 template <class T>
-concept LastingOutput = requires(T& output, Memory& memory) { output.remember(memory); };
+concept LastingOutput = requires(T& output, Memory& memory) {
+  output.remember(memory);
+};
 template <class T>
-concept BroughtOutput = requires(T& output, const std::filesystem::path& from) { output.bring_files(from); };
+concept BroughtOutput = requires(T& output, const std::filesystem::path& from) {
+  output.bring_files(from);
+};
 template <class T>
 concept PartialOutput = requires(const T& output) {
   { output.left_out() } -> std::convertible_to<std::vector<std::string>>;
@@ -65,6 +71,6 @@ concept PartialOutput = requires(const T& output) {
 
 /// An observer that remembers something else would lose it at a checkpoint.
 template <class T>
-concept CompleteOutput = RunOutput<T> && (!StepwiseOutput<T> || LastingOutput<T>);
+concept CompleteOutput = RunOutput<T> &&(!StepwiseOutput<T> || LastingOutput<T>);
 
 }  // namespace talus::app
