@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 void write_whole(const fs::path& file, std::string_view content, Durability durability) {
   try {
-    records::write_whole(file, content, durability);
+    const bool now = durability == Durability::now;
+    records::write_whole(file, content, now ? records::Durability::now : records::Durability::later);
   } catch (const records::FileError& error) {
     throw IoError{error.what()};
   }

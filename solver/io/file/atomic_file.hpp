@@ -8,11 +8,11 @@
 
 namespace talus {
 
-using records::Durability;
 using records::remove_remains;
 
 /// As records::write_whole(): the file appears whole or not at all. Errors: IoError
 /// "out/history.csv: No space left on device"; a former content of the file is then still there.
+enum class Durability { now, later };
 void write_whole(const std::filesystem::path& file, std::string_view content, Durability durability = Durability::now);
 
 /// Brings to the disk all that was written in the file system of a folder. Errors: IoError with the system's reason.
