@@ -11,6 +11,7 @@
 #include "verification/driver/baseline_json.hpp"
 #include "verification/driver/baseline_markdown.hpp"
 #include "verification/driver/baseline_table.hpp"
+#include "verification/record/whole_file.hpp"
 
 namespace talus::verification {
 
@@ -81,8 +82,8 @@ void remove_comparison(const fs::path& out) {
 
 GateVerdict finish(const BaselineGate& gate, const RecordedResults& after, const fs::path& out) {
   const Comparison comparison = compare(gate.before, after, gate.allowance, gate.renames);
-  write_whole(out / json_name, json_of(comparison));
-  write_whole(out / markdown_name, markdown_of(comparison));
+  records::write_whole(out / json_name, json_of(comparison));
+  records::write_whole(out / markdown_name, markdown_of(comparison));
   fmt::print("{}comparison: {} and {}\n", table_of(comparison), (out / json_name).string(), markdown_name);
   std::fflush(stdout);
   for (const std::string& error : comparison.renaming_errors)

@@ -8,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include "verification/record/check.hpp"
+
 namespace talus::verification {
 
 namespace {
@@ -62,8 +64,8 @@ std::string moved_text(const CheckChange& change) {
 std::string margin_change(const RecordedCheck& before, const RecordedCheck& after) {
   std::string from, to;
   for (int digits = 3; digits <= 17 && from == to; ++digits) {
-    from = margin_text(before.margin, before.pass, digits);
-    to = margin_text(after.margin, after.pass, digits);
+    from = records::margin_text(before.margin, before.pass, digits);
+    to = records::margin_text(after.margin, after.pass, digits);
     if (before.margin == after.margin) break;
   }
   return from == to ? from : from + " -> " + to;

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
+#include "verification/record/names.hpp"
 
 namespace talus::verification {
 
@@ -112,15 +113,17 @@ class Field {
     return value_->get<std::uint64_t>();
   }
 
-  /// One of the words that `named` knows.
-  template <class Enum>
-  [[nodiscard]] Enum word(Enum (*named)(const std::string&), const char* allowed) const {
-    try {
-      if (value_ != nullptr && value_->is_string()) return named(value_->get<std::string>());
-    } catch (const std::invalid_argument&) {
-      fail(allowed);
+  /// One of the names of an enumeration's values.
+  template <records::Named Enum>
+  [[nodiscard]] Enum word() const {
+    for (const auto& [value, name] : records::Names<Enum>::values) {
+      if (value_ != nullptr && value_->is_string() && value_->get<std::string>() == name) return value;
     }
-    fail(allowed);
+    const std::vector<std::string> names = records::all_names<Enum>();
+    std::string allowed = "\"" + names.front();
+    for (std::size_t i = 1; i < names.size(); ++i)
+      allowed += (i + 1 < names.size() ? "\", \"" : "\" or \"") + names[i];
+    fail(allowed + '"');
   }
 
  private:
@@ -143,7 +146,7 @@ RecordedCheck check_from(const Field& json) {
   RecordedCheck check;
   check.name = json.at("name").name();
   check.unit = json.at("unit").text();
-  check.kind = json.at("kind").word(kind_named, "\"exact\", \"round_off\", \"truncation\", \"model\" or \"interval\"");
+  check.kind = json.at("kind").word<Kind>();
   check.relative = json.at("relative").flag();
   check.measured = json.at("measured").number();
   check.reference = json.at("reference").number();
@@ -162,12 +165,11 @@ RecordedCheck check_from(const Field& json) {
 }
 
 RecordedControl control_from(const Field& json) {
-  constexpr const char* colours = "\"green\", \"red\" or \"missing\"";
   RecordedControl control;
   control.name = json.at("name").name();
   control.turns_red = json.at("turns_red").text();
-  control.observed = json.at("observed").word(colour_named, colours);
-  control.unplanted = json.at("unplanted").word(colour_named, colours);
+  control.observed = json.at("observed").word<Colour>();
+  control.unplanted = json.at("unplanted").word<Colour>();
   control.message = json.at("message").text();
   control.pass = json.at("pass").flag();
   const bool holds = control.observed == Colour::red && control.unplanted == Colour::green;
@@ -190,8 +192,7 @@ RecordedCase case_from(const Field& json) {
   RecordedCase recorded;
   recorded.id = json.at("id").name();
   recorded.family = json.at("family").text();
-  recorded.outcome.status =
-      json.at("status").word(status_named, "\"pass\", \"fail\", \"error\", \"timeout\" or \"missing\"");
+  recorded.outcome.status = json.at("status").word<Status>();
   recorded.outcome.message = json.at("message").text();
   recorded.outcome.seconds = json.at("seconds").not_negative();
   recorded.outcome.evaluations = json.at("evaluations").count();
@@ -229,7 +230,7 @@ RecordedResults results_from(const Field& root, const fs::path& file) {
   RecordedResults results;
   results.source.file = file;
   results.source.provenance = provenance_from(root.at("provenance"));
-  results.source.tier = root.at("tier").word(tier_named, "\"quick\" or \"full\"");
+  results.source.tier = root.at("tier").word<Tier>();
   if (const Field verdict = root.at("verdict"); verdict.text() != "pass" && verdict.text() != "fail")
     verdict.fail("\"pass\" or \"fail\"");
   results.source.holds = root.at("verdict").text() == "pass";
