@@ -16,7 +16,7 @@
 #include "solver/base/error.hpp"
 #include "verification/driver/baseline_gate.hpp"
 #include "verification/driver/case_run.hpp"
-#include "verification/driver/catalogue.hpp"
+#include "verification/driver/flaw.hpp"
 #include "verification/driver/junit.hpp"
 #include "verification/driver/provenance.hpp"
 #include "verification/driver/results.hpp"
@@ -130,7 +130,7 @@ std::invalid_argument unknown_id(const std::string& id, const std::vector<Case>&
                                            nearest.empty() ? "none" : nearest, known.empty() ? "none" : known));
 }
 
-/// The cases to run, in the order of the catalogue; std::invalid_argument for an unknown id or one of the other tier.
+/// The cases to run, in the order of the list; std::invalid_argument for an unknown id or one of the other tier.
 std::vector<Case> chosen(const std::vector<Case>& cases, const std::vector<std::string>& only, Tier tier) {
   std::vector<Case> selection;
   for (const auto& c : cases) {

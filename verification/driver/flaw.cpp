@@ -1,10 +1,11 @@
+#include "verification/driver/flaw.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 
-#include "verification/driver/catalogue.hpp"
 #include "verification/driver/references.hpp"
 #include "verification/driver/requirements.hpp"
 

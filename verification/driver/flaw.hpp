@@ -7,10 +7,6 @@
 
 namespace talus::verification {
 
-/// The cases listed in verification/problems/CMakeLists.txt, in that order. Generated: a listed case without its
-/// function does not link.
-[[nodiscard]] std::vector<Case> catalogue();
-
 /// What is wrong with a case before it is run, in words: a missing citation, an unknown requirement, no planted fault,
 /// an id used twice. Empty if nothing is.
 [[nodiscard]] std::string flaw_of(const Case& verification_case, const std::vector<Case>& all);
