@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
-#include "verification/driver/requirements.hpp"
 
 namespace talus::verification {
 
@@ -394,14 +393,15 @@ Totals totals_of(const Comparison& comparison) {
 }
 
 void validate(const RecordedResults& before, Tier tier, const Allowance& allowance,
-              const std::vector<Renaming>& renames, const std::vector<std::string>& registered) {
+              const std::vector<Renaming>& renames, const std::vector<std::string>& families,
+              const std::vector<std::string>& registered) {
   const std::string file = before.source.file.string();
   if (before.source.tier != tier) {
     throw InputError(fmt::format("{}: tier: found \"{}\"; it must be \"{}\", the tier that it is compared with", file,
                                  name_of(before.source.tier), name_of(tier)));
   }
   if (before.cases.empty()) throw InputError(file + ": cases: found none; there must be at least one");
-  std::vector<std::string> known = all_families();
+  std::vector<std::string> known = families;
   known.insert(known.end(), registered.begin(), registered.end());
   for (const RecordedCase& c : before.cases) {
     for (const std::string& name : {c.family, c.id}) {

@@ -132,9 +132,10 @@ struct Totals {
 [[nodiscard]] Totals totals_of(const Comparison& comparison);
 
 /// What can be refused before anything is run. InputError if `tier` is not that of the baseline, if it has no case, if
-/// a tolerance names neither a family nor a case, if a rename begins with a name that the baseline does not have, or
-/// ends with a case that is not in `registered`, the ids of all present cases.
+/// a tolerance names neither a family (one of `families` or of the baseline) nor a case, if a rename begins with a name
+/// that the baseline does not have, or ends with a case that is not in `registered`, the ids of all present cases.
 void validate(const RecordedResults& before, Tier tier, const Allowance& allowance,
-              const std::vector<Renaming>& renames, const std::vector<std::string>& registered);
+              const std::vector<Renaming>& renames, const std::vector<std::string>& families,
+              const std::vector<std::string>& registered);
 
 }  // namespace talus::verification

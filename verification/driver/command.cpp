@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
+#include "verification/catalogue/catalogue.hpp"
 #include "verification/driver/baseline_gate.hpp"
 #include "verification/driver/case_run.hpp"
 #include "verification/driver/flaw.hpp"
@@ -97,8 +98,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--full", options.full, "The long studies as well")->excludes(quick);
   declare_baseline(app, options.baseline);
   app.footer(
-      "Exit status: 0 every check holds and every control turned red, 1 not so, 2 wrong command line, baseline or "
-      "renames, 4 a file cannot be read or written, 6 something other than time is worse than the baseline (1 if a "
+      "Exit status: 0 every check holds and every control turned red, 1 not so, 2 wrong command line, catalogue, "
+      "baseline "
+      "or renames, 4 a file cannot be read or written, 6 something other than time is worse than the baseline (1 if a "
       "check fails as well).");
 }
 
@@ -153,13 +155,13 @@ void print_list(const std::vector<Case>& cases) {
 }
 
 /// Cases with a flaw are not run: they fail with the flaw as their message. The others run.
-std::vector<Record> records_of(const std::vector<Case>& selection, const std::vector<Case>& all, const RunPlan& plan,
-                               Terminal& terminal) {
+std::vector<Record> records_of(const std::vector<Case>& selection, const std::vector<Case>& all,
+                               const Catalogue& catalogue, const RunPlan& plan, Terminal& terminal) {
   std::vector<Record> records(selection.size());
   std::vector<Case> sound;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < selection.size(); ++i) {
-    const std::string flaw = flaw_of(selection[i], all);
+    const std::string flaw = flaw_of(selection[i], all, catalogue);
     if (flaw.empty()) {
       sound.push_back(selection[i]);
       places.push_back(i);
@@ -180,8 +182,8 @@ std::vector<Record> records_of(const std::vector<Case>& selection, const std::ve
 /// costs address space only.
 constexpr std::size_t reserve_size = std::size_t{16} << 20U;
 
-void write_results(Results& results, const fs::path& out) {
-  complete(results);
+void write_results(Results& results, const Catalogue& catalogue, const fs::path& out) {
+  complete(results, catalogue);
   records::write_whole(out / "results.json", text_of(results));
   records::write_whole(out / "junit.xml", junit_of(results.records));
 }
@@ -199,9 +201,10 @@ void shorten(Record& record) {
 }
 
 /// Writes both files, without the largest parts of the records if memory runs out.
-void write_results_within_memory(Results& results, const fs::path& out, std::unique_ptr<char[]> reserve) {
+void write_results_within_memory(Results& results, const Catalogue& catalogue, const fs::path& out,
+                                 std::unique_ptr<char[]> reserve) {
   try {
-    write_results(results, out);
+    write_results(results, catalogue, out);
     return;
   } catch (const std::bad_alloc&) {
     reserve.reset();
@@ -209,7 +212,7 @@ void write_results_within_memory(Results& results, const fs::path& out, std::uni
   std::fputs("talus_verify: out of memory; the results are written without figures, tables and notes\n", stderr);
   for (Record& record : results.records)
     shorten(record);
-  write_results(results, out);
+  write_results(results, catalogue, out);
 }
 
 std::vector<std::string> ids_of(const std::vector<Case>& cases) {
@@ -236,7 +239,7 @@ int compared(const BaselineGate& gate, const fs::path& out, bool holds) {
   }
 }
 
-int run(const std::vector<Case>& cases, const Options& options) {
+int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Options& options) {
   const Tier tier = options.full ? Tier::full : Tier::quick;
   const auto selection = chosen(cases, options.only, tier);
   Results results;
@@ -250,7 +253,7 @@ int run(const std::vector<Case>& cases, const Options& options) {
   std::optional<BaselineGate> gate;
   if (!options.baseline.baseline.empty()) {
     gate = read_gate(options.baseline, options.only, out);
-    validate(gate->before, tier, gate->allowance, gate->renames, results.registered);
+    validate(gate->before, tier, gate->allowance, gate->renames, catalogue.families, results.registered);
   }
   fs::create_directories(out);
   fs::remove(out / "results.json");
@@ -259,15 +262,15 @@ int run(const std::vector<Case>& cases, const Options& options) {
   Terminal terminal(selection.size());
   const unsigned jobs = options.jobs == 0 ? std::max(1u, results.provenance.cores) : options.jobs;
   auto reserve = std::make_unique_for_overwrite<char[]>(reserve_size);
-  results.records = records_of(selection, cases, {out, jobs, tier}, terminal);
-  write_results_within_memory(results, out, std::move(reserve));
+  results.records = records_of(selection, cases, catalogue, {out, jobs, tier}, terminal);
+  write_results_within_memory(results, catalogue, out, std::move(reserve));
   terminal.summarise(results, (out / "results.json").string());
   if (gate) return compared(*gate, out, holds(results));
   return holds(results) ? exit_pass : exit_fail;
 }
 
 /// Compares two files; runs nothing.
-int compare_files(const Options& options) {
+int compare_files(const Catalogue& catalogue, const Options& options) {
   const fs::path out = options.out;
   const BaselineGate gate = read_gate(options.baseline, options.only, out);
   const RecordedResults after = read_results(options.baseline.compare);
@@ -275,7 +278,7 @@ int compare_files(const Options& options) {
   for (const auto& recorded : after.cases) {
     if (std::find(known.begin(), known.end(), recorded.id) == known.end()) known.push_back(recorded.id);
   }
-  validate(gate.before, after.source.tier, gate.allowance, gate.renames, known);
+  validate(gate.before, after.source.tier, gate.allowance, gate.renames, catalogue.families, known);
   for (const auto& id : options.only) {
     if (find_case(after, id) == nullptr && find_case(gate.before, id) == nullptr)
       throw unknown_name("--only: case", id, known);
@@ -287,7 +290,7 @@ int compare_files(const Options& options) {
 
 }  // namespace
 
-int verify(const std::vector<Case>& cases, int argc, const char* const* argv) {
+int verify(const std::vector<Case>& cases, const fs::path& catalogue_folder, int argc, const char* const* argv) {
   CLI::App app{"talus_verify: run the verification cases and record what they find"};
   Options options;
   declare(app, options);
@@ -301,7 +304,8 @@ int verify(const std::vector<Case>& cases, int argc, const char* const* argv) {
       print_list(cases);
       return exit_pass;
     }
-    return options.baseline.compare.empty() ? run(cases, options) : compare_files(options);
+    const Catalogue catalogue = read_catalogue(catalogue_folder);
+    return options.baseline.compare.empty() ? run(cases, catalogue, options) : compare_files(catalogue, options);
   } catch (const std::invalid_argument& fault) {
     fmt::print(stderr, "talus_verify: {}\n", fault.what());
     return exit_usage;

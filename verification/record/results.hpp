@@ -57,7 +57,7 @@ struct Requirement {
 
 /// A check that another code or a published benchmark set makes, and the cases that show the same.
 struct Peer {
-  std::string suite;                  ///< Key of a Reference.
+  std::string suite;                  ///< Key of a work in the bibliography.
   std::string id;                     ///< Its name there.
   std::string what;                   ///< The set-up.
   std::string form;                   ///< What it is compared with.
@@ -76,12 +76,6 @@ struct Erratum {
   std::string case_id;
 };
 
-/// A work that the cases cite.
-struct Reference {
-  std::string key;
-  std::string text;
-};
-
 /// All that one run of the driver found; `results.json`.
 struct Results {
   Provenance provenance;
@@ -94,7 +88,7 @@ struct Results {
   std::vector<std::string> families;  ///< Of cases, in the order of the report.
   std::vector<Erratum> errata;
   std::vector<Peer> peers;
-  std::vector<Reference> references;
+  std::string bibliography;  ///< The works that are cited, in BibTeX; may be empty.
 };
 
 [[nodiscard]] Counts counts_of(const Results& results);

@@ -451,7 +451,7 @@ BOOST_AUTO_TEST_CASE(what_is_refused_before_a_run) {
   const auto refused = [&](const std::vector<ChangeTolerance>& tolerances, const std::vector<Renaming>& renames,
                            Tier tier = Tier::quick) -> std::string {
     try {
-      validate(before, tier, {.tolerances = tolerances, .margin = {}}, renames, {"a", "b"});
+      validate(before, tier, {.tolerances = tolerances, .margin = {}}, renames, {"D: cables", "the fence"}, {"a", "b"});
     } catch (const talus::InputError& fault) {
       return fault.what();
     }
@@ -475,7 +475,7 @@ BOOST_AUTO_TEST_CASE(what_is_refused_before_a_run) {
   BOOST_TEST(refused({}, {{name("a"), name("b"), "r:10"}}).starts_with("r:10: found 'a'; this program still has it"));
   BOOST_TEST(
       refused({}, {{name("a"), std::nullopt, "r:10"}}).starts_with("r:10: found 'a'; this program still has it"));
-  BOOST_CHECK_EXCEPTION(validate(recorded_results({}), Tier::quick, {}, {}, {"a"}), talus::InputError,
+  BOOST_CHECK_EXCEPTION(validate(recorded_results({}), Tier::quick, {}, {}, {}, {"a"}), talus::InputError,
                         [](const talus::InputError& fault) {
                           return std::string(fault.what()) == "old.json: cases: found none; there must be at least one";
                         });

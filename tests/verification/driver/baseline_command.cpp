@@ -21,7 +21,7 @@ int run(const std::vector<Case>& cases, std::vector<std::string> options) {
   std::vector<const char*> argv;
   for (const auto& option : options)
     argv.push_back(option.c_str());
-  return verify(cases, static_cast<int>(argv.size()), argv.data());
+  return verify(cases, TALUS_CATALOGUE, static_cast<int>(argv.size()), argv.data());
 }
 
 /// A case that measures another value than `sound`, in its bound of 0.1 or not.
