@@ -17,38 +17,6 @@ Case cubic_swing();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A mass is fixed at mid-span of two cables that are straight and without tension. Pushed aside it feels no
-linear force at all: the cables must first grow longer, which they do with the square of the way, and pull back with
-its cube. The period goes to infinity as the swing grows small.
-
-```
-   |-------- L, k --------(m)-------- L, k --------|
-                           | w
-                           v  P(w)
-```
-
-**Equations.** $P(w) = 2k\,\big(1 - L/\sqrt{L^2+w^2}\big)\,w = kw^3/L^2 + \dots$ For small $w$, with
-$\beta = k/(mL^2)$,
-$$\ddot w + \beta w^3 = 0, \qquad T = \frac{\Gamma(1/4)^2}{\sqrt\pi\,A\sqrt\beta} = \frac{7.41630}{A\sqrt\beta}.$$
-A finite swing lasts longer by $(\frac18 + \frac32r^2)(A/L)^2 = .29636\,(A/L)^2$ of it, $r = \Gamma(3/4)/\Gamma(1/4)$,
-and one in steps of length $h$ shorter by $\frac{12r^2-1}{24}\beta A^2h^2 = .84988\,(h/T)^2$: the energy that velocity
-Verlet keeps, derived in the reference. A start at rest has no onset within a step: the motion is smooth, the order
-that of the method.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $k$, $L$, $m$ | each cable, half the span, mass | 1, 1, 1 (no units) |
-| $A$ | amplitude | .02 ... .16 |
-| $h$ | step, over $T$ | 1/80.4 ... 1/640.4; 1/2000.4 for the amplitudes |
-
-**Source.** Duffing's equation without linear term, Kovacic & Brennan 2011, section 2; the finite swing by quadrature at
-50 digits.
-
-**What would break it.** A cable with a trace of tension or of slack; an elongation to first order in $w$ (which is
-zero); lengths taken from the start of a step.
-)";
-
 constexpr reference::MidSpan span{1.0, 1.0, 1.0};
 
 Scene mid_span(double w, double load, const Setup& setup) {
@@ -185,7 +153,6 @@ Case cubic_swing() {
                            {"integrator.velocity_verlet", {"order of the period in the step"}}},
           .main_checks = {limit, steps, loads},
           .source = "Kovacic & Brennan (eds.), The Duffing Equation, 2011, section 2",
-          .page = page,
           .faults = {{"trace_of_tension", "cables shorter by 1e-6", steps},
                      {"trace_of_slack", "cables longer by 1e-6", loads},
                      {"one_cable_softer", "one cable softer by .1 %", limit},

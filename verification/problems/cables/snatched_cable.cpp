@@ -17,45 +17,6 @@ Case snatched_cable();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A mass thrown outward draws a slack cable taut and is pulled back until it is slack again. When within a
-step the cable becomes taut is chance; how much of the largest tension hangs on that?
-
-```
-  |                    T
-  |~~~~~~~( )-->            __ T_max
-  |                       /    \
-                   ------/      \------   slack, taut, slack
-                        b h: the onset, a share of a step before the next force
-```
-
-**Equations.** Undamped $T_{max} = v_0\sqrt{km}$. With a dashpot, $\xi < 1/2$, the tension is largest where $x''' = 0$,
-$T_{max} = v_0\sqrt{km}\,\exp\!\big(-\xi(3\arccos\xi - \pi)/\sqrt{1-\xi^2}\big)$.
-
-**Error of a step, undamped.** The first step of the taut cable comes the share $b$ of a step after the onset. It makes
-the half kick $-\frac12\omega^2h\,x$; from then on velocity Verlet keeps $v^2 + \omega^2x^2(1 - \omega^2h^2/4)$. The
-top lies the share $s$, $|s| \le \frac12$, from the nearest step. Together
-$$\frac{\delta T}{T} = \omega^2h^2\Big[\frac18 - \frac{b(1-b)}2 - \frac{s^2}2\Big],$$
-between $-\frac18$ and $+\frac18$ of $\omega^2h^2$ whatever the phase. For even $b$ and $s$ its mean is zero, its root
-mean square $\omega^2h^2/\sqrt{360}$.
-
-**With a dashpot** the force leaps at a moment known to $\pm h/2$: $v_0$ is off by $2\xi\omega h\,u$, $u$ of variance
-1/12. The dashpot sees the velocity of half a step before, which is a mass of $m(1-\xi\omega h)$; the tension of a state
-takes that of its own time, which is $1 - \xi\omega h$ of the former at the top. With $E(\xi)$ the exponential above
-the shift of $\ln T$ is $\big[-\frac\xi2 + \frac{\xi^2}2\frac{d\ln E}{d\xi}\big]\omega h$.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $k$, $m$, $v_0$ | cable, mass, speed | 1, 1, 1 (no units) |
-| $\xi$ | damping ratio $c/(2\sqrt{km})$ | 0, .1, .3 |
-| $h$ | step | $T/(50+f)$ of the time taut, 64 phases; in the order studies from $T/16$ on |
-
-**Source.** Mustoe & Huttelmaier 1993, Eq. 14; errors derived here.
-
-**What would break it.** A cable that becomes taut a step late, or with the force of the step's end; a tension of the
-step before.
-)";
-
 reference::ImpactEvents exact_snatch(double xi) {
   return reference::impact_events({1.0, 2.0 * xi, 1.0, 1.0}, reference::EndRule::clamped);
 }
@@ -197,7 +158,6 @@ Case snatched_cable() {
                            {"integrator.velocity_verlet", {"order of the largest tension"}}},
           .main_checks = {phases, damped},
           .source = "Mustoe & Huttelmaier 1993, Eq. 14",
-          .page = page,
           .faults = {{"cable_softer", "a cable softer by .1 %", phases},
                      {"rk4", "another method", phases},
                      {"dashpot_stronger", "the dashpot 5 % stronger", damped}},

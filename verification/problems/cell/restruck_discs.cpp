@@ -19,37 +19,6 @@ Case restruck_discs();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** The second disc hits the third, and while they are still one in the other, or just have parted, the first hits
-the second and presses it on. What the contact does then hangs on what it remembers: its largest overlap, from the touch
-until the discs part, and not only as long as it pushes.
-
-```
-   ( 1 ) --> --> -->   ( 2 ) --> ( 3 )        g: gap between 1 and 2 when 2 touches 3
-```
-
-**Equations.** The latch, each contact on one of four lines: loading $K_1\delta$ to $\delta = M$; unloading $K_2(\delta -
-\delta_0)$, $\delta_0 = M(1 - K_1/K_2)$; slack from $\delta_0$ to 0, where a reload waits for $\delta_0$; open, where $M$ is
-forgotten. As $g$ grows the second blow falls into loading, unloading, slack, and after the parting. At the last change the
-speeds jump: parted by a hair, the contact is soft again.
-
-**Mistakes**, each run beside: $M$ forgotten where $F = 0$ (the soft line begins in the middle of the overlap, with a force
-from nothing); the contact ended where $F = 0$ (no force until the discs part: they pass into each other); $M$ never
-forgotten; $M$ dropped at a restart. A single impact of two discs shows but the first and the last of them.
-
-**Source.** Law: Walton & Braun 1986. Reference as in case latching_chain: odeint in long double, changes located.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $m$, $K_1$, $K_1/K_2$ | mass, stiffness, their ratio | 1, 1/2, .49 (no units) |
-| $v$ | speeds before | 3, 1, 0 |
-| $g$ | 24 gaps for each line that is struck | 2.6 ... 10 |
-| $N$ | steps in a contact of two, Verlet | 60 + a share of its own for each gap |
-
-**What would break it.** Any of the mistakes above; a list of neighbours that is made anew and loses a contact without
-force; a mode without its memory.
-)";
-
 const LatchingSpring law{0.5, 0.5 / 0.49, 0.0};
 constexpr std::array<double, 3> speeds{3.0, 1.0, 0.0};
 constexpr std::size_t gaps_of_each = 24;
@@ -308,7 +277,6 @@ Case restruck_discs() {
                           "speeds of three discs struck anew while parted, largest error of 24 gaps",
                           "speeds that differ after restarts every 1, 7, 20 steps, of 27"},
           .source = "Walton & Braun 1986",
-          .page = page,
           .faults = {{"forgotten_at_zero_force", "M forgotten where the force is zero",
                       "speeds of three discs struck anew while slack, largest error of 24 gaps"},
                      {"ended_at_zero_force", "the contact ended where the force is zero",

@@ -13,37 +13,6 @@ Case rough_cell();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** The cell of case `shear_cell` with discs that rub each other and turn: springs with dashpots, and friction with
-memory. Where does the drive's work go, who bears the momentum, and do the discs turn as the flow does?
-
-```
-     ->  ->  ->   block               friction on both discs of a contact turns both the same way,
-   (o)  (o)  (o)  each turns          so that the mean of their spins is that of the flow:
-     (o)  (o)     clockwise           spin = -1/2 du/dy
-   base, held
-```
-
-**Equations.** Momentum of the free discs, $\int(F_\text{block} + F_\text{base})\,dt = -\Delta\sum m v$, tangential forces and all.
-Energy: the drive's work is the growth of what moves, turns and is stored, plus what dashpots and friction keep; powers are
-taken at the velocities of before a kick, so that the account is off by the first order of the step: of a dashpot's loss by
-the share $2\,\xi\,\omega_0 h$, from $\sum c\,v_n^2 h - \int c\,v^2 dt = \tfrac{h}{2} c\,(v_\text{in}^2 - v_\text{out}^2)$. Spin: in a steady flow no
-disc is turned faster and faster, so the torques of friction on the free discs vanish in the mean. Two discs that touch along
-$n$ slip by $-D\,(\dot\gamma\,n_y^2 + \omega)$ in the mean; with contacts all around, $\langle n_y^2\rangle = \tfrac12$, neither way more than the
-other if $\omega = -\dot\gamma/2$.
-
-| symbol | meaning | value |
-|:--|:-----|:-----|
-| $k_n$, $e$, $k_s/k_n$, $\mu$ | spring and dashpot, friction | 20.3 kN/m, .7, .7, .5 |
-| cell | 80 discs of 1 mm, 8 kPa, 5000 diameters a second | see case `shear_cell` |
-| $h$, $T$ | central difference, 20 steps in a contact (240 for energy) | .61 us, .2 s, a quarter left out |
-
-**Source.** Textbook mechanics; friction by Cundall & Strack (1979); the spin is derived here.
-
-**What would break it.** A torque of the wrong sign on one of two discs, or of the wrong arm; friction that is left out of the
-walls' forces; work of the slider that is booked twice, or not where a contact ends; kinetic energy without that of spin.
-)";
-
 ShearCell cell_with(const Setup& setup) {
   ShearCell cell = ice_cell(8e3, 5e3);
   cell.law = LinearSpringDashpot{20305.0, 0.0208981};
@@ -234,7 +203,6 @@ Case rough_cell() {
                           "mean spin over half the shear rate between the walls",
                           "spin over half the shear rate of layers inside, all together"},
           .source = "Cundall & Strack 1979; balances and spin, derived here",
-          .page = page,
           .faults = {{"friction_off_the_base", "a millionth of the base's shear left out",
                       "momentum of the discs less the walls' impulses"},
                      {"spin_without_energy", "kinetic energy without that of spin",

@@ -15,45 +15,6 @@ Case shear_cell();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Discs fill the gap between a row of fixed discs and a block of them, which is pressed down by its weight and
-driven along x; the field repeats itself along x, gravity acts on the block alone. Once the flow is steady, what do the
-walls feel, and does what is measured inside agree with it?
-
-```
-   VXT -> (O)(O)(O)(O)(O)(O)  block: mass, weight, rigid      S = -F_x/(TWID D^2)   on the block
-             o   o  o   o                                      N =  F_y/(TWID D^2)
-          o   o   o    o  o   free discs, latching springs     P =  MTOP G/(TWID D^2)
-          (O)(O)(O)(O)(O)(O)  base, held
-```
-
-**Equations.** All are exact for any motion, up to what is left of a sum over a finite time $T$. Momentum of the free
-discs: $\int(F_\text{block} + F_\text{base})\,dt = -\Delta\sum m v$, so that the shear on both walls differs by at most
-$N m\,\mathrm{VXT}/T$ in the mean. Moment of momentum: with $r_y$ and $F_x$ of each contact,
-
-$$\langle\textstyle\sum F_x r_y + \sum m v_x v_y\rangle = -\langle F_{\text{block},x}\,Y\rangle - \Delta(\sum m v_x y)/T$$
-
-with the block's height $Y$: the stress inside against the force on the wall. It is the mean of a product: a block that
-bounces is high when it is hardly pressed. Energy: with $K_1 = K_2$ nothing is lost, and what drives the block has put in
-what the discs and the block have.
-
-**Source.** Lacy 1989, "Data Input and Parameters", for the cell and $P$; the balances are textbook mechanics
-(the virial theorem, Clausius 1870). Diameter, mass and stiffness are Talus's own (ice of a millimetre): the thesis's
-are not known, and no number of its figures is quoted.
-
-| symbol | meaning | value |
-|:--|:-----|:-----|
-| $D$, $M$ | discs | 1 mm, 7.2e-7 kg |
-| $K_1$, $K_1/K_2$ | latching spring | 17 kN/m, .49 |
-| NHT, NWID, TWID | rows, columns, discs in a wall | 8, 10, 11 |
-| VXT, $P$ | drive, overburden | 5 m/s; 8 and 32 kPa |
-| $h$, $T$ | velocity Verlet, 20 steps in a contact | .62 us, .8 s, a quarter left out |
-
-**What would break it.** A wall's force that misses a contact or counts one twice; a block that is moved by part of its
-force; contacts that forget what they were pressed; a mean over time of factors where that of the product is due; an
-inertial number of the depth of the array where that of the field is due; discs that pass through each other, which a stress ratio does not show.
-)";
-
 struct Balance {
   double top{}, bottom{};  ///< shear [Pa]
   double inside{};         ///< of contacts and motion, over the block's
@@ -311,7 +272,6 @@ Case shear_cell() {
                           "energy gained over the drive's work, springs that lose nothing",
                           "largest overlap over a diameter, 32 kPa"},
           .source = "Lacy 1989, Data Input and Parameters; virial theorem (Clausius 1870)",
-          .page = page,
           .faults = {{"product_of_means", "mean shear times mean height for the mean of their product",
                       "shear inside over that on the block, 8 kPa"},
                      {"stopped_early", "means of the first 20 ms, while the discs are still brought to speed",

@@ -15,37 +15,6 @@ Case shear_cell_paths();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** One cell, several ways through it. The program of 1989 gave each disc a virtual one beside the field and tried
-all pairs; here pairs come from a list by cells and each has the image of its second disc that is near. A cell that is
-mirrored, stopped and taken on, or passed over where nothing touches must move as it did.
-
-```
-   virtual discs:  id -i                 the field                    image:  x_j - W of disc j acts across the border
-        (-3)                 |  (1)            (2)        (3)|
-                             0                               W
-```
-
-**Equations.** None but the cell's own: forces are sums over the same pairs, and a sum in another order, or of places that
-are $W$ further on, differs by rounding. What differs grows as neighbouring paths part, tenfold in some ten contacts of a
-disc, so that only a beginning can be compared. A mirror image changes signs and no digit.
-
-**Source.** Lacy 1989, "Virtual Elements and Periodic Boundaries", for the virtual discs. They stand here twice: as the solver's
-own way of running a cell (`images = "virtual"`), which shares laws, walls and memory with its usual way and so compares nothing
-but which images act, also of rough discs; and as a reference that is written from those words, with a table of all pairs,
-and shares nothing with the solver: what both ways of the solver have wrong it would show.
-
-| symbol | meaning | value |
-|:--|:-----|:-----|
-| cell | 80 discs of ice, 8 kPa, 5000 diameters a second | see case `shear_cell` |
-| $h$ | semi-implicit Euler, 40 steps in a contact | .31 us |
-| steps | compared from a start that touches early, also across the border | 20,000 |
-
-**What would break it.** An image on the wrong side, or two of one pair; a pair that the list misses; memory of a contact
-that is lost where a disc crosses the border, where the list is made anew, or at a restart; forces that depend on the
-order of discs; a jump over a contact.
-)";
-
 /// A cell in which discs meet from the first steps on: random velocities so many times what they are, 60 times is as
 /// large as the drive.
 FilledCell lively(const ShearCell& cell, double times = 60.0) {
@@ -270,7 +239,6 @@ Case shear_cell_paths() {
                           "a run taken on from its memory ends in the same bits",
                           "places after jumps over free time, over a diameter"},
           .source = "Lacy 1989, Virtual Elements and Periodic Boundaries",
-          .page = page,
           .faults = {{"field_too_wide", "virtual discs 1e-7 of the field too far away",
                       "places beside virtual discs and all pairs, over a diameter"},
                      {"latch_weaker", "K2 of the reference 1e-9 smaller",

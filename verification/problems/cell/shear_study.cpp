@@ -22,30 +22,6 @@ namespace {
 
 using Q = StudyQuantity;
 
-constexpr const char* page = R"(
-**Problem.** Large avalanches and rockfalls run further than small ones. Dent (1986, as the thesis tells it) supposed that
-under more overburden the discs of a sheared layer meet more than one at a time, that such contacts form short-lived chains
-which carry load but little shear, and that the ratio of shear to normal stress falls by them. The thesis of 1989 tested
-this with the cell of case `shear_cell`. Does it hold?
-
-**Predictions.** 1. The layer compresses as overburden is added. 2. Multiple contacts form. 3. They carry a lower ratio of
-shear to normal stress than binary ones. 4. They form often enough to lower the ratio of the whole. The thesis's
-conclusion, as far as it is known: multiple contacts become more frequent, and do not lower the shear strength.
-
-**Method.** Eighty discs of ice (Talus's choice; the thesis's numbers are not known, and none of its figures is quoted),
-$e = .7$, velocity Verlet with 20 steps in a contact, .5 s of flow for each of five seeds, the first quarter left out. A
-contact is multiple when one of its free discs has another; its share of the shear is that of its $F_x r_y$ (M/S is not
-defined in the text at hand: read so here). Errors are standard errors over seeds; a difference counts when Welch's $t$
-gives it a chance of a hundredth at most. Stiffness alone is varied, too, at one load and speed: that changes how long
-contacts last and how often they are multiple, and nothing else.
-
-**What it cannot tell.** Discs are all alike, smooth, two-dimensional and eighty: they order themselves in rows as they
-are pressed. The last figure shows it; polydisperse discs do not (case `dense_flow`).
-
-**What would break it.** Means over the start; contacts counted as multiple for their walls; a flow that is not steady;
-discs pressed through each other.
-)";
-
 const StudyMean* find(const std::vector<StudyMean>& study, const std::string& series, double kilopascals, double speed,
                       double stiffness = 1.0) {
   for (const StudyMean& point : study) {
@@ -250,7 +226,6 @@ Case shear_study() {
                           "multiple share at four times the stiffness over that at one",
                           "S/N at four times the stiffness over that at one"},
           .source = "Lacy 1989, The Problem; Welch 1947 for the test",
-          .page = page,
           .faults = {{"one_speed", "the series at 1000 d/s run at 5000", "S/N at 32 kPa over that at 2 kPa, 1000 d/s"},
                      {"loads_exchanged", "the lightest load taken for the heaviest", "multiple contacts form"}},
           .tier = Tier::full,

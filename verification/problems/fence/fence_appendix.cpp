@@ -16,33 +16,6 @@ Case fence_appendix();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Appendix I lets rocks of 1200 lb in all fly at 53 ft/s against fences of one and two layers: (1) one layer,
-(2) two layers, (3) two layers and nine rocks, all with top and bottom cable, (4) two layers with the top cable only.
-Its figures are drawings; what can be compared are its sentences and three numbers. A fifth run, one layer with the top
-cable only, is ours.
-
-```
-     | |           | | | |         | | | |  ooo       | | | |
-     | | <- (M)    | | | | <- (M)  | | | |  ooo       | | | | <- (M)
-     | |           | | | |         | | | |  ooo       | | | |
-     ~~~           ~~~ ~~~         ~~~ ~~~
-     (1)           (2)             (3)                (4)
-```
-
-**Equations.** Appendix I, Eqs. 1-12: those of the report's body, with contacts of columns of two layers; Eq. 9 gives the
-contact stiffness from the largest overlap, .5 ft.
-
-**Source.** Mustoe & Huttelmaier 1993, Appendix I ("Analysis Results", Figs. 2-5); decks `cases/fence/appendix_*.DAT`.
-The step is the paper's 2e-4 s, 3.4 times what the program's own rule gives.
-
-**Not told, and taken here.** No spin; layers 2.6 ft apart as in `sample2`; nine equal spheres of the one rock's
-density, three by three; .2 s. Nothing is chosen to meet a number. Each run has twins: spin $\pm$ 2 rad/s, rocks
-$\pm$ .02 ft higher, nodes turned by 7.5, 15 and 22.5 degrees, step halved and a tenth.
-
-**What would break it.** A fence of twice the mass; no bottom cable; one layer for two.
-)";
-
 /// Largest joint force after a time [lb].
 double joint_after(const FenceRun& run, double time) {
   double largest = 0.0;
@@ -277,7 +250,6 @@ Case fence_appendix() {
                           "exit speed, two layers with top cable only, below the paper's 32 ft/s",
                           "exit speed, one layer with top cable only"},
           .source = "Mustoe & Huttelmaier 1993, Appendix I, Analysis Results, Figs. 2-5",
-          .page = page,
           .faults = {{"mass_doubled", "columns of 29.85 slug, as in sample2.DAT",
                       "exit speed, one layer with top cable only"},
                      {"bottom_cable_left_out", "no run has a bottom cable",

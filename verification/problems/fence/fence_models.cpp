@@ -18,30 +18,6 @@ Case fence_models();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** One fence can be modelled in several ways. Which of them are the same, and which are not? (1) Half of it with
-the central segment's force twice, or all of it. (2) A contact by springs on the boundary nodes, as in 1993, or by one
-resultant. (3) A dashpot from the masses of two particles (Eq. 21), or from the mass that the contact feels.
-
-```
-    (1)  o--o--o--o--o--o--o    o--o--o--o      (2) 12 nodes: ( )   24: (:)   48: (#)    (3)  | |
-                  x                x                                                     y ^  | | <- (M)
-          full                  half                k and c for each of them                  | |
-```
-
-**Equations.** (1) $T + T = 2T$ to the last bit, so that the half model of an odd count is the full one wherever cables
-are summed before contacts. Of an even count the report's program doubles mass and inertia of one central column; two
-columns side by side are the other way. (2) Each of the $n$ nodes that lie in the column has the whole $k$ and $c$: the
-pair's stiffness grows with $n$. (3) Off centre by $y$ the contact feels
-$1/m_{eff} = 1/m_r + 1/m_c + y^2/I_c$; a dashpot made with $m_r m_c/(m_r + m_c)$ gives
-$e = \exp(-\pi\xi/\sqrt{1-\xi^2})$, $\xi = c/(2\sqrt{k m_{eff}})$.
-
-**Source.** Mustoe & Huttelmaier 1993, sections 3.1, 3.5, 3.6 and Appendix II; decks `table_2.DAT` and `sample2.DAT`.
-
-**What would break it.** A half model with the segment's force once; nodes that share one stiffness; a dashpot that does
-not know how high the rock hits.
-)";
-
 scenes::Fence deck(const char* name) { return read_deck(std::filesystem::path{TALUS_CASES} / "fence" / name); }
 
 /// A fence's last state.
@@ -282,7 +258,6 @@ Case fence_models() {
                           "order of the rock's speed with one resultant a pair",
                           "restitution with the effective mass, -3 to 3 ft off centre, furthest from .4"},
           .source = "Mustoe & Huttelmaier 1993, sections 3.1, 3.5, 3.6, Appendix I, Appendix II",
-          .page = page,
           .faults = {{"segment_once", "the half model's top cable .1 % thinner",
                       "13 columns: half model from the full one at .05 s, largest distance"},
                      {"shared_stiffness", "all nodes together have the stiffness that 12 have",

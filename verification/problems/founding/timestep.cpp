@@ -19,54 +19,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double wall_damping = 0.2;
 
-constexpr const char* page = R"(
-**Problem.** How does the error of an impact depend on the time step? A disc on a wall, the two-cable particle and the
-pivoted cylinder are struck from 64 onset phases each, with steps over three decades, undamped and damped; their smooth
-motion after the impact is measured by itself. The orders of a contact are not those of the method: at onset and release
-the force has a kink, with a dashpot a jump, that falls anywhere within a step.
-
-```
-   v0 |                 anchor                    o pin
-      v                   |                       |
-     (m)             M -> (m)                M -> [ ]
-   ////////               |                       |
-    a wall              anchor
-   t = -p h: the start lies p h before the touch, p = (i + 1/2)/64
-```
-
-**Equations.** With $\eta = w h = \pi/N$ ($N$ steps per undamped contact):
-
-- *Undamped, leapfrog methods.* With the share $\theta$ of the first step spent in contact, the conserved form of the
-  leapfrog is $v_0^2 [1 - \eta^2 \theta (1 - \theta)]$ exactly, and the exit is the mirror image with its own $\phi$:
-  $v/v_0 = \sqrt{[1 - \eta^2\theta(1-\theta)]/[1 - \eta^2\phi(1-\phi)]}$. Order 2. If all phases have one offset
-  $\delta$ ($t_c/h = N + \delta$), $\phi = \theta + \delta$ and the rms is $\eta^2 \delta (1 - \delta)/(2\sqrt 3)$:
-  $0.6726/N^2$ at $\delta = .382$. **At $\delta = 0$ it vanishes**: what remains comes from the leapfrog's period,
-  which is short by $\eta^2/24$, that is $\delta = -\pi^2/(24 N)$ and an rms of $\pi^4/(48 \sqrt 3)/N^3$: a false
-  order 3.
-- *Undamped, RK4 without events.* The kink falls inside a step, which the four stages do not see: order 2,
-  rms $0.2548/N^2$.
-- *Damped.* The force jumps by $2 \xi m w v_0$ at a moment known to a step only: order 1 for every method. Leapfrog: the
-  speed is off by $2 \xi \eta u$, $u$ uniform in $(-1/2, 1/2)$; the dashpot's velocity lags half a step, which acts as
-  the mass $m (1 - \xi \eta)$. RK4: $2 \xi \eta$ times weights of mean square $1/36$, no lag.
-- *Smooth motion.* Order 2 (leapfrog), 4 (RK4), 1 (Euler-Cromer).
-
-**Source.** Mustoe & Huttelmaier 1993, validation problems 1 and 2, Eqs. 17, 21, 23, 24, 26, 28; the error constants are
-derived here (`struck_scenes.hpp`, `leapfrog_impact_error.hpp`). References: closed forms of the impact; the soft
-contact of both problems by an independent integrator in extended precision with located events; quadrature and elliptic
-functions for the smooth motions.
-
-**Parameters.**
-
-| scene | values |
-|---|---|
-| disc on a wall | $m$ = 2 kg, $k$ = 80 kN/m, $v_0$ = 1.5 m/s, $\xi$ = 0 and 0.2, clamped end |
-| two cables | the report's, $k_n$ = 40 kN/m, $e$ = 1 and 0.5, attractive end |
-| pivoted cylinder | the report's, $k_n$ = 10$^6$ lbf/ft, $e$ = 1 and 0.5 (pivoted mass), attractive end |
-
-**What would break it.** A step that divides the contact time (it shows a better order than the method has); a dashpot
-left out or seeing another velocity; modes that settle a step late; a first-order method under a second-order name.
-)";
-
 /// One curve of a figure and the checks on it.
 struct Study {
   std::string scene;  ///< named in checks
@@ -267,7 +219,6 @@ Case timestep() {
       .source =
           "Mustoe & Huttelmaier 1993, section 5, validation problems 1 and 2, Eqs. 17, 23, 24; error constants derived "
           "here",
-      .page = page,
       .faults = {{"commensurate_step", "the contact time is a whole number of steps",
                   "disc on a wall, undamped: order of velocity_verlet"},
                  {"dashpot_off", "the wall's dashpot is left out", "disc on a wall, damped: order of velocity_verlet"},

@@ -19,46 +19,6 @@
 namespace talus::verification::problems {
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A particle of mass $m$ rests between two unstretched cables; a striker of mass $M$ hits it at speed $v_0$
-with restitution $e$. How fast does it leave, how far does it go, and how long does it take? There is no gravity.
-
-```
-        anchor                 y
-          |  k, l              |
-  M -->  (m)                   +--- x
-          |  k, l
-        anchor
-```
-
-**Equations.** Momentum and restitution give the velocity after a rigid impact (Eq. 26),
-$$v_1 = \frac{M(1+e)\,v_0}{M+m}.$$
-At displacement $x = l\tan\theta$ each cable is stretched by $s = l\,(1-\cos\theta)/\cos\theta$, so that energy gives
-(Eq. 27)
-$$v^2(\theta) = v_1^2 - \frac{2 k l^2 (1-\cos\theta)^2}{m\cos^2\theta},$$
-and the time to the turning point is $\int dx/v(x)$, which with $x = x_{max}\sin u$ has no singularity left and is
-taken at 50 digits. The solver knows none of this: it has a contact of stiffness $k_n$ with a dashpot from Eq. 21, and
-tension-only cables. While the contact lasts the cables already act, so Eq. 26 is the limit of $k_n \to \infty$. In
-the attractive case the particle leaves the contact slower by the cables' impulse: displacement $\sim v_0 t_c$, force
-$\sim k x^3/l^2$, impulse $\sim t_c^4 \sim k_n^{-2}$. The time of travel is later by a share of the contact time,
-$\sim k_n^{-1/2}$.
-
-**Source.** Mustoe & Huttelmaier 1993, section 5, validation problem 1, Eqs. 21, 26, 27, Fig. 8. The report prints
-1.997 m/s, 3.826 m and .365 rad. Soft reference: the same contact as an ordinary differential equation, integrated by
-odeint's Fehlberg 7(8) in long double with located events.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $k$, $l$ | cable stiffness and length | 4 N/m, 10 m |
-| $m$, $M$ | particle, striker | 1 kg, 2 kg |
-| $v_0$, $e$ | speed of the striker, restitution | 2 m/s, .5 |
-| $k_n$ | contact stiffness where not varied | $10^4$ N/m |
-
-**What would break this.** A wrong reduced mass or a missing factor in Eq. 21; a contact that stops pulling before it
-ends (that is the other end rule: 3.892 m); a cable that pushes, or has its stiffness per metre; a force on one body
-without its reaction.
-)";
-
 const reference::TwoCable problem{};
 
 /// Where the particle's speed has fallen to v [m], by bisection of the monotone v(x).
@@ -269,7 +229,6 @@ Case two_cable() {
       .main_checks = {"speed after the impact, attractive", "distance, attractive", "angle, as the report prints it",
                       "time to the turn, attractive", "order of the time of travel, cables alone"},
       .source = "Mustoe & Huttelmaier 1993, section 5, validation problem 1, Eqs. 26-27",
-      .page = page,
       .faults = {{"mass_halved", "the particle has half its mass", "distance, attractive"},
                  {"cable_stiffness_per_length", "the cable's stiffness is divided by its length",
                   "distance, attractive"},

@@ -19,51 +19,6 @@ Case prescribed_motion();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A body on three cables, and a disc that rolls once round another, pressed on it and held by friction: for
-neither is there a motion in closed form. So the motion is chosen, and the force found that makes it exact.
-
-```
-    o.                .o                 .--. ->
-      '. ._______. .'                 .-(    )
-        '|  body |'      forced      (   '--' '.
-         '---.---'     along q*(t)   (    +    )   once round
-             o                        '.     .'
-```
-
-**Equations.** Let the springs alone give the accelerations $a(q, \dot q, z)$, and let $q^*(t)$ be any smooth motion
-with its memory $z^*(t)$. Then it is the solution of
-$$\ddot q = a(q, \dot q, z) + f(t), \qquad f = \ddot q^* - a(q^*, \dot q^*, z^*).$$
-$a$ is written here a second time, without the solver. The time in $f$ is the place of a clock, a particle that goes at
-speed 1: so each method sees it where it sees the places.
-
-*On cables:* $x$, $y$ and the angle are sums of sines; each cable pulls with $k(l - l_0) + c\,\dot l$.
-*Rolling:* in polar coordinates about the fixed disc $\rho = \rho_0 + A\sin wt$, $\varphi = \Omega t$, the angle
-$\theta = \sigma t + B\sin wt$. The friction acts on the arm $r - \frac d2 = \frac12(r - R + \rho)$, so that
-$$z^* = z_0 + \int_0^t \left(\rho\,\Omega - \tfrac12(r - R + \rho)\,\dot\theta\right)dt' $$
-is in closed form, and $\sigma = 2\Omega\rho_0/(r - R + \rho_0)$ keeps it bounded.
-
-The leading error of the leapfrog methods follows from the motion as on the page `wedged_disc`; where dashpots act they
-see a velocity that lags by half a step (`lagged_central_difference`: one and a half), $\ddot e = Da[e] - g\,a_{\dot q}
-\ddot q$: order 1, constant known. The staggered methods start and are looked at by half a drift, whose middle is not
-that of a whole one: their memory is off by one more term, of order 3.
-
-**Source.** Derived here. The method: Roache 2002, J. Fluids Eng. 124, 4-10.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $m$, $I$ | body on cables | 2, .6 |
-| $k$, $c$ | its cables | 40, 70, 30; 0 or .8, .5, .3 |
-| $R$, $r$, $m$, $I$ | fixed disc; rolling disc | 1; .5, 1, .1 |
-| $k_n$, $k_s$ | their contact | 80, 50 |
-| $\rho_0$, $A$, $w$, $B$, $z_0$ | motion | 1.45, .02, 2.9, .3, .01 |
-| $t$ | end, once round | 4 |
-
-**What would break it.** A force on the wrong point of a turned body; a moment with the arm of another pose; a term of
-the velocity of a cable's end left out; memory moved by another rule than the midpoint's; a method that sees forces at
-another time than places.
-)";
-
 constexpr double end_time = 4.0;
 
 /// A motion, the springs of the body that makes it, and the same in the solver.
@@ -318,7 +273,6 @@ Case prescribed_motion() {
                           "error over its prediction, cables with dashpots, velocity_verlet",
                           "error over its prediction, rolling, velocity_verlet", "order, rolling, rk4"},
           .source = "Derived here; the method: Roache 2002, J. Fluids Eng. 124, 4-10",
-          .page = page,
           .faults = {{"cables_stiffer", "cables .1 % stiffer", "error over its prediction, cables, velocity_verlet"},
                      {"cables_on_the_centre", "cables that end at the centre of mass",
                       "error over its prediction, cables, velocity_verlet"},

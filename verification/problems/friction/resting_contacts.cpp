@@ -19,46 +19,6 @@ Case resting_contacts();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A block slides to rest on rough ground; a disc that is at rest in an incline rolls down; a block at rest is
-nudged. Such contacts are stiff: they could oscillate 2,000 times while hardly anything moves. A method of located events
-must not follow these oscillations, and a body at rest must come to rest.
-
-```
-      ______  v_0                    ( )                 ______  v_0 small
-     |      | -->                      \  `.            |      | ->
-     |______|                            \   `.         |______|
-    ------------- x = v_0^2/(2 mu g)       \    `.     -------------
-```
-
-**Equations.** Both corners of the block slip with $F = \mu N$ until it stops at $T = v_0/(\mu g)$. Then its springs
-recover what friction had stretched, with $d = m g/(2 k)$ (two corners, each $k$ along the normal and $k_s$ along the
-ground; half sides $b$, $h$):
-
-$$x = \frac{v_0^2}{2 \mu g} + \mu d \left(1 - \frac{k}{k_s} - \frac{h^2}{b^2}\right).$$
-
-The disc rolls: $(1 + q)\,x = \frac{1}{2} g t^2 \sin\alpha + q s$, $q = I/(m r_a^2)$, with the arm $r_a = r - d/2$ of
-friction and the stretch $s = q m g \sin\alpha/((1 + q) k_s)$. The nudged block cannot turn and sticks: all of its kinetic
-energy, $\frac{1}{2} m v_0^2$, goes to the dashpot along the ground.
-
-**Evaluations.** A slide is one smooth motion: what it costs grows with the digits wanted, not with $k$. A body at rest
-costs nothing.
-
-| symbol | meaning | value |
-|:--|:--|:--|
-| block | mass, half sides, $v_0$, $\mu$ | 10 kg, 0.25 m, 3 m/s, 0.3 |
-| disc | mass, radius, $\alpha$, $\mu$ | 2 kg, 0.1 m, 20 degrees, 0.4 |
-| $k = k_s$ | stiffness | $10^6$ N/m |
-
-**Source.** Coulomb friction; the springs are derived in `verification/reference/resting_contact.hpp`. Implicit steps:
-Kennedy & Carpenter 2003. Scenes: `cases/sliding_block.toml`, `cases/rolling_disc.toml`, with the defaults of scenes.
-
-**What would break it.** Friction without a dashpot while it sticks (a block that cannot turn oscillates for ever, one that rocks until its normal dashpots stop it); a method
-that follows stiff springs explicitly; force that moves from corner to corner of a side; a scale of the error that is
-zero for a body at rest; the work of the tangential dashpot left out; friction work accumulated with the limit at the
-end of each step (0.045 % of the energy at 1e-6).
-)";
-
 constexpr double gravity = 9.81;
 constexpr reference::SlidingBlock block{10.0, 0.25, 0.25, 1e6, 1e6, 0.3, gravity, 3.0};
 constexpr reference::RollingDisc disc{2.0, 0.01, 0.1, 1e6, 1e6, gravity, std::numbers::pi / 9.0};
@@ -331,7 +291,6 @@ Case resting_contacts() {
                           "block, tolerance 1e-10: speed at rest", "disc, tolerance 1e-08: displacement",
                           "nudged block: friction work over its kinetic energy"},
           .source = "Kennedy & Carpenter 2003 (implicit steps); the springs of bodies at rest are derived here",
-          .page = page,
           .faults = {{"friction_too_large", "a coefficient of friction that is too large by 1e-6",
                       "block, tolerance 1e-10: displacement"},
                      {"inertia_too_large", "an inertia of the disc that is too large by 1e-5",

@@ -19,35 +19,6 @@ Case spinning_discs();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Two discs of unlike size meet head-on; the first one spins. Friction carries spin across, and throws both
-discs aside. Two equal discs with opposite spins roll on each other: nothing slips.
-
-```
-      w1
-     ( 1 )-->   (2)         ( 1 )^         v(2)
-```
-
-**Equations.** With the impulse $J$ of friction, each disc gains the speed $J/m_i$ along the touching surfaces, one up
-and one down, and $r_i\omega_i$ changes by $2J/m_i$, with the same sign for both. The slip rate
-$v = r_1\omega_1 + r_2\omega_2 + \dots$ changes three times as fast as without spin,
-$$\dot v = -3F\,(1/m_1 + 1/m_2) = -3F/m,$$
-so that the impact is that of one disc of the reduced mass $m$ on a plane: stick and slip in closed form, phase by
-phase, in the reference `oblique_impact`.
-
-**Source.** Chung & Ooi 2011, tests 7 and 8, and LAMMPS's test of head-on spins without slip, both for spheres;
-here discs, 3 for 7/2.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $m_1$, $m_2$ | masses | 1, 1/4 |
-| $r_1 : r_2$ | radii | 2 : 1 |
-| $\mu$, $k_s/k_n$ | friction | .3, 2/7 |
-
-**What would break it.** Friction on one of the discs only, or at its centre; a reduced mass without the spins; a spin
-counted with the wrong sign at the second disc.
-)";
-
 constexpr double first_mass = 1.0, second_mass = 0.25;
 constexpr double reduced_mass = first_mass * second_mass / (first_mass + second_mass);
 constexpr double kappa = 2.0 / 7.0, mu = oblique_friction;
@@ -199,7 +170,6 @@ Case spinning_discs() {
                           "speeds and spins of both discs from one impulse, farthest",
                           "order of the slip rate of unlike discs", "what opposite spins of equal discs change"},
           .source = "Chung & Ooi 2011, tests 7 and 8 (for spheres)",
-          .page = page,
           .faults = {{"friction_halved", "half the coefficient of friction",
                       "rms error of the slip rate of unlike discs, largest of 5 spins"},
                      {"second_spin_reversed", "the second spin with the wrong sign",

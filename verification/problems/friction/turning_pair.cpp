@@ -16,46 +16,6 @@ Case turning_pair();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Two discs that touch and hold each other by friction are turned as one, once round: their spring must turn
-with them, its stretch and its force as before. And a body pressed on a plane, drawn round a closed path without
-slipping, must cost no work.
-
-```
-        ___                          y ^
-     .-'   '-.  _                      |   +--<--+
-    (    A    )( B)   -> by 2 pi       |   |     |
-     '-.___.-'  "      as one          |   +-->--+
-        x pivot                        +-----------> x, angle
-```
-
-**Equations.** A step takes the stretch on by the slip at its middle. When a pair with its centres $D$ apart is turned
-by $\varphi$ in a step, the centres go along chords: they pass each other at $2D\sin\frac\varphi2$, and at the middle
-stand $D\cos\frac\varphi2$ apart, over which the spins roll. The stretch is off by
-$$2D\sin\tfrac\varphi2 - \varphi D\cos\tfrac\varphi2 = \tfrac1{12}D\varphi^3 - \ldots,
-\qquad \text{in a turn of } n \text{ steps } \tfrac23\pi^3 D/n^2\,\bigl(1 - \tfrac{\pi^2}{10n^2}\bigr):$$
-second order, wherever the pivot is. With the directions of the end of the step it would be $D(\sin\varphi - \varphi)$,
-twice as much and of the other sign.
-
-A spring of constant $k_s$ that sticks gives back along a path what it took: no work round a closed one, however the
-depth changes. With $k_s(d)$ it would not: $\oint k_s(d)\,s\,ds \ne 0$. But a closed path of the *body* need not close
-the spring. The force acts half-way through the overlap, on the arm $(r + y)/2$ of a disc whose centre is at height $y$:
-$$ds = -dx - \tfrac12(r + y)\,d\theta, \qquad \oint ds = \tfrac12\times\text{area in } (y, \theta).$$
-Turned while low and turned back while high, the disc has rolled a little, and the work is in the spring, $\frac12k_s
-s^2$: nothing is made or lost.
-
-**Source.** Derived here. Cundall & Strack 1979 for the spring; Vyas et al. 2025 for the direction of a half step.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $r_A$, $r_B$, $d$ | radii and overlap of the pair | 1, 1/2, 1/16 |
-| $k_n$, $k_s$, $s_0$ | of the pair | 64, 32, 1/128 |
-| $r$, $k_n$, $k_s$ | body on a plane | 1, 1024, 64 |
-
-**What would break it.** A spring kept in world directions; a normal of another time than the velocities; spins left out
-of the slip; a stiffness along the contact that follows the overlap.
-)";
-
 using namespace turned_pair;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -228,7 +188,6 @@ Case turning_pair() {
                       "friction in the pair's own directions, largest change beyond the stretch's",
                       "work of a closed path in x and y", "work of a closed path in y and the angle"},
       .source = "Derived here; Cundall & Strack 1979; Vyas et al. 2025, arXiv 2410.14798",
-      .page = page,
       .faults = {{"late_slip", "half-step velocities along the directions of the step's end",
                   "stretch gained in a turn of 256 steps"},
                  {"spring_left_behind", "forces taken in world directions",

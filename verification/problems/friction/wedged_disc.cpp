@@ -17,45 +17,6 @@ Case wedged_disc();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A small disc lies in the notch between two large ones, up to a hundred times its size, and swings on the
-springs of both contacts, which hold it by friction. Codes that take the slip of a step from half-step velocities along
-the directions of the full step trap small grains there.
-
-```
-        .--.   _   .--.
-      .      .( ).      .       R/r = 1, 3, 10, 100
-     (        ) (        )
-```
-
-**Equations.** With $u$ from the small disc's centre to a large one's, $d$ the overlap and $t \perp u$,
-$$m\ddot x = \sum_{i=1}^2 (-k_n d_i u_i + k_s z_i t_i) - mg\,e_y, \qquad
-\dot z_i = -\bigl(v\cdot t_i + \omega(r - \tfrac{d_i}2)\bigr) = s_i(q)\,v .$$
-Leapfrog places lie on $y = q + h^2 e$, where $e$ follows from the motion by
-$$\ddot e = Da[e] - \tfrac1{12}q'''', \qquad
-\dot e_z = D(sv)[e] + \tfrac18 Ds[\ddot q]v + \tfrac1{24}s\,q''' - \tfrac1{24}(sv)'' ,$$
-so that the constant of the error is known. Slip along directions that are half a step late adds
-$\frac h2 Ds[v]\,v$ to $\dot z$: first order.
-
-**What of the published test is here.** Vyas et al. let a small sphere roll round the ring between two large ones,
-across the plane of their centres: in a plane there is no such ring. What is left is what it rests on, the time at which
-the slip is taken, at the same ratios of size. The trap beyond ratio 3 is of three dimensions and is not shown.
-
-**Source.** Vyas, Ottino, Lueptow & Umbanhowar 2025, Comput. Phys. Commun. 310, 109524 (arXiv 2410.14798). Equations of
-the error derived here, tested against written-out methods in the reference's own test.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $r$, $m$, $I$ | small disc | 1, 1, 1/2 |
-| $k_n$, $k_s$ | each contact | 100, 60 |
-| $d$ | overlap with the springs of friction slack, which the weight $mg$ balances | 1/4 |
-| $v$, $\omega$ | start | (.5, .4), .7 |
-| $t$ | end | 3, about seven swings |
-
-**What would break it.** Slip taken at the end or at the start of a step; friction on the rim instead of half-way
-through the overlap; a start of the memory half a step off; spins left out.
-)";
-
 constexpr double squeeze = 0.25, end_time = 3.0;
 
 reference::PressedDisc wedge(double ratio) {
@@ -266,7 +227,6 @@ Case wedged_disc() {
                           "error over its prediction, velocity_verlet, R/r = 100", "order, velocity_verlet, R/r = 100",
                           "error over its prediction, slip along late directions, R/r = 1"},
           .source = "Vyas, Ottino, Lueptow & Umbanhowar 2025, Comput. Phys. Commun. 310, 109524 (arXiv 2410.14798)",
-          .page = page,
           .faults = {{"late_slip", "half-step velocities along the directions of the step's end",
                       "order, velocity_verlet, R/r = 1"},
                      {"ring_for_disc", "the moment of inertia of a ring",

@@ -15,38 +15,6 @@ Case disc_lattice();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Equal discs fill the plane, each pressed by six others. How long may a step be before their places grow
-without bound? A contact of two has $\omega^2 = 2k/m$; a disc among six swings faster.
-
-```
-     o   o   o        M: rows move against each other,        ->  ->  ->
-   o   o   o   o         every second one the other way       <-  <-  <-
-     o   o   o                                                ->  ->  ->
-```
-
-**Equations.** Springs along the lines of centres, places $\mathbf r$, wave vector $\mathbf q$:
-
-$$m\omega^2\mathbf u = \sum_{6\ \mathbf e} k\,\mathbf e(\mathbf e\cdot\mathbf u)\,\bigl(1 - \cos(\mathbf q\cdot\mathbf e d)\bigr).$$
-
-At the middle of an edge of the zone (M) $1 - \cos$ is 0 along one axis and 2 along the two others; with $\mathbf u$ between
-those, at 30 degrees to both, the sum is $2\cdot 2\cdot 2k\cdot\tfrac34 = 6k$: $\omega^2 = 6k/m$, the largest there is. A
-leapfrog is stable to $\omega h = 2$, so to $h = \sqrt{2/3}\,\sqrt{m/k} = .8165\sqrt{m/k}$, and beyond multiplies the
-amplitude by $e^{2\operatorname{arcosh}(\omega h/2)}$ in a step. The lattice is pressed by $10^{-4}$ of a diameter so that its contacts last;
-that changes $\omega^2$ by as much.
-
-**Source.** Born & von Karman's lattice dynamics, derived here.
-
-| symbol | meaning | value |
-|:--|:-----|:-----|
-| lattice | rows, columns, periodic | 8, 8 |
-| $\delta/d$ | overlap of all contacts | $10^{-4}$ |
-| first displacements | random, seeded | $10^{-11}\,d$ |
-
-**What would break it.** A contact listed twice or missed across the border; a method whose limit is another; a limit
-taken from a pair.
-)";
-
 constexpr int rows = 8, columns = 8;
 constexpr double overlap = 1e-4, first = 1e-11;
 
@@ -163,7 +131,6 @@ Case disc_lattice() {
                           "growth per step, euler_cromer, step 1.02 of the limit",
                           "largest displacement over the first, velocity_verlet, step 0.99 of the limit"},
           .source = "lattice dynamics, derived here",
-          .page = page,
           .faults = {{"springs_softer", "stiffness 3 % smaller",
                       "growth per step, velocity_verlet, step 1.01 of the limit"},
                      {"limit_of_a_pair", "steps by the limit of two discs",

@@ -18,33 +18,6 @@ Case restart();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A run is stopped at half time and written to a file; another program reads the file and goes on. Its end
-must be that of the run that never stopped, to the last bit, for every method and in the middle of anything: contacts
-that stick, cables that have yielded, hangers that have broken.
-
-```
-   0 ------------------------ T/2 ------------------------ T
-   0 ------------------------ T/2 | checkpoint | T/2 ----- T     same bits?
-```
-
-**Equations.** A step depends on the state $(t, q, v, z, \text{modes}, \text{work}, \text{impulse})$ and on what the
-method carries from step to step: nothing (`euler_cromer`, `central_difference`, whose stagger is in the state), the
-last accelerations (`velocity_verlet`), the last velocities (`lagged_central_difference`), the history of a multistep
-method, the present internal step of a controlled one. If all of it is kept the rest follows by the same operations.
-
-**Source.** IEEE 754; a decimal number of 17 digits, or the shortest that reads back as the same double, loses nothing
-(Steele & White 1990).
-
-| scene | what is in it | $T$ |
-|:--|:--------------|:--|
-| yard | bodies of every shape, friction, cables, rails, pin, hanger | .8 s |
-| fence | rock, columns, friction, cables that yield, hangers that break | .06 s |
-
-**What would break it.** A method that begins anew; numbers with too few digits; a law that keeps something outside
-of the state; a time that is summed up instead of counted.
-)";
-
 struct Half {
   State end;
   long evaluations{};
@@ -205,7 +178,6 @@ Case restart() {
                           "numbers that differ after a restart, yard, odeint_abm8",
                           "numbers that differ after a restart, fence, lagged_central_difference"},
           .source = "IEEE 754; Steele & White 1990",
-          .page = page,
           .faults = {{"few_digits", "numbers written with eight digits behind the point",
                       "numbers that differ after a restart, yard, velocity_verlet"},
                      {"stretch_forgotten", "the memory of friction and cables is left out",

@@ -18,46 +18,6 @@ Case sheared_gas();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Discs that lose a little in each collision are sheared for ever, without walls: above and below the box
-slide its images. Shear heats, collisions cool. How hot do the discs get, and how strongly do they resist?
-
-```
-   o  o    o   |->  images above: + rate H
-  -------------
-  o   o  o   o |    du/dy = rate
-    o   o   o  |
-  -------------
- <-| o   o     |    images below: - rate H
-```
-
-**Equations.** Enskog's: collisions of discs in touch along $k$ with the closing speed $q$, $\chi$ times as many as among
-discs that keep no distance, and uncorrelated. With velocities of a Gaussian distribution whose variances $K = \langle
-cc\rangle$ differ with direction,
-$$A K + K A^T = n\chi d\int\!dk\,\langle q\,\Delta(cc)\rangle, \qquad
-P = nmK + \frac{1+e}{4}m n^2\chi d^2\int\!dk\,kk\,\langle q^2\rangle,$$
-over $q > 0$, $A_{xy} = \dot\gamma$, where $q$ has the mean $-\dot\gamma d\,k_xk_y$. Its solution gives $T$, $\mu =
--P_{xy}/p$ and the difference of the normal stresses; none of it is fitted. As $e \to 1$ it tends to Enskog's viscosity
-$\frac{\sqrt{mT/\pi}}{2d}[\frac1\chi + 2\phi + (1 + \frac8\pi)\phi^2\chi]$ with equal normal stresses. All lengths are in
-$d$, times in $1/\dot\gamma$, masses in $m$.
-
-**Balance.** In the mean the loss is the heat, $-P_{xy}\dot\gamma$ for each area.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $N$ | discs | 400 (full tier 900) |
-| $t_c$ | time of a contact | 2 % of that between collisions, or of $d\sqrt{m/T}$ if that is less; full 1 % |
-| $h$ | step, leapfrog | $t_c/20$ |
-| strain | to forget the start; measured | 15; 35 (full tier 80) |
-
-**Source.** Lees & Edwards 1972 (the box); Jenkins & Richman 1985 (the viscosity), 1988 (the closure): derived again in
-the reference. In denser gases velocities of neighbours are correlated and less is lost than Enskog's equation says
-(Mitarai & Nakanishi 2007).
-
-**What would break it.** A box that does not slide, or whose images do not carry their velocity; stress without one of its
-parts; the mean flow counted as temperature; $e$ for $e^2$.
-)";
-
 struct Sheared {
   reference::GasOfDiscs gas;
   reference::SteadyShear theory;
@@ -229,7 +189,6 @@ Case sheared_gas() {
           .requirements = {{"F6", {friction, temperature, balance}}, {"law.latching_spring", {temperature, balance}}},
           .main_checks = {friction, temperature, balance},
           .source = "Lees & Edwards 1972; Jenkins & Richman 1985; Jenkins & Richman 1988",
-          .page = page,
           .faults = {{"restitution_for_its_square", "K1/K2 = e instead of its square", temperature},
                      {"still_box", "images that do not slide", temperature},
                      {"flow_in_temperature", "temperature of the velocities as they are", temperature},

@@ -17,46 +17,6 @@ namespace {
 
 using reference::SwingMethod;
 
-constexpr const char* page = R"(
-**Problem.** A body swings on a spring. How much of the error is rounding, how does it grow, and below which step does
-a smaller one make the result worse? The solver's integrators of fixed step are templates on the numbers that they step
-in; here they step one body in numbers of 24, 53, 64 and 113 bits. Scenes run in 53: a mass on a cable that stays taut.
-
-```
-   |~~~~~~~~~~~~~[m]---> F        x'' = -(x - 1.5),  swing of .25        x'' = -x - c x',  x(0) = 1
-   0     1     1.5                (a scene)                              (one body, any numbers)
-```
-
-**Equations.** On a linear spring with a dashpot each method is one matrix; its powers at 50 digits are the places
-without rounding, and what a run differs by is rounding and nothing else. An addition to $x$ or $v$ rounds by a last
-place $w$ of the sum, evenly within $\pm\frac w2$: $\frac{w^2}{12}$ in the mean square. With $u = 2^{-b}$ in numbers of
-$b$ bits, $w = u$ where $|\cos t| > \frac12$, $\frac u2$ above $\frac14$, and so on: $.716\,u^2$ in the mean. A swing
-keeps half of it, so that with $a$ additions a step (2 for the central differences and Euler-Cromer, 8 for Runge-Kutta;
-5 for velocity Verlet, whose half kicks before and after the end of a step are equal and round alike: $1 + 2^2$)
-
-$$\rho^2 = \frac{.716\,a\,u^2}{24}\,n$$
-
-is left after $n = t/h$ steps. The methods' own errors are $\frac h2\sin t$ (Euler-Cromer),
-$\frac{t h^2}{24}\sin t$ (the leapfrogs) and $\frac{t h^4}{120}\sin t$. The sum $E^2 + \rho^2$, $E \sim h^p$, is least where
-$2p\,E^2 = \rho^2$. No constant is fitted. The walk is random while places that follow each other move by more than a
-last place more or less, $h^2 > u$; below, roundings are alike and no such law holds (Euler-Cromer in 24 bits, whose
-least lies there, is followed for its order alone). In the scene $x$ stands at 1.5, $w = 2u$, and swings by .25.
-
-**Source.** Henrici 1962, chapter 1 (rounding of steps as a random walk); Hairer, Lubich & Wanner 2006, section
-VIII.5.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $k$, $m$ | spring or cable, mass | 1, 1 |
-| $c$ | dashpot, where each method is held to its map in 113 bits | 1/8 |
-| $t$ | times of the runs, spread over half a swing | 10 to 13.1 |
-| $u$ | half a unit of the last place of 1 | $2^{-24}, 2^{-53}, 2^{-64}, 2^{-113}$ |
-
-**What would break it.** A constant or a sum of fewer bits in an integrator; a dashpot that sees another velocity; a
-coordinate summed in another order than it is used; a scene far from the origin of its coordinates (six digits are lost
-a million lengths away); accumulation that always rounds the same way.
-)";
-
 constexpr int runs = 16;
 constexpr double middle = 1.5, swing = 0.25;
 
@@ -137,7 +97,6 @@ Case round_off() {
                           "log2 of the rounding over its prediction, furthest of all methods and numbers",
                           "log2 of the step of least error over its prediction, furthest of all"},
           .source = "Henrici 1962, chapter 1; Hairer, Lubich & Wanner 2006, section VIII.5",
-          .page = page,
           .faults = {{"far_from_the_origin", "the scene 4096 lengths from the origin of its coordinates",
                       "the scene's rounding over its prediction, velocity_verlet"},
                      {"stiffness_off", "a stiffness 1e-12 too large", "the scene's rounding over its prediction, rk4"},

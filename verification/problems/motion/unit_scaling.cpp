@@ -16,36 +16,6 @@ Case unit_scaling();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** The solver knows no units: a scene told in other units of mass, length and time must give the same
-motion. Units that are powers of two move no digit of any number, so the answer must be the same to the last bit.
-Two scenes in which much goes on are run in several systems of units.
-
-```
-   yard: disc, plates, superellipse, bar,      fence: rock, columns, friction,
-   carriage, bob; terrain, wall, cables        cables that yield, hangers that break
-        o  []  (=)  |                               o -> ||==||==||
-   ---.____.----------.___|
-```
-
-**Equations.** With new units every quantity is multiplied by $2^{ai+bj+ck}$, $i, j, k$ its powers of mass, length and
-time. Sums, products, quotients and comparisons of such numbers scale exactly, and so does $\sqrt x$, as roots are
-taken of squares of lengths alone; powers and sines are taken of pure numbers. What breaks the rule is a number with
-a unit hidden in the code (a smallest length, a tolerance, a count of bits), a field with a wrong dimension in the
-solver's own tables, by which the scenes are converted here, or a number too large or too small for the format.
-
-**Source.** Metamorphic testing: Chen, Cheung & Yiu 1998. Exact scaling: IEEE 754, section 3.
-
-| symbol | meaning | value |
-|:--|:-------|:--|
-| $2^a$ | unit of mass | $2^{43}$ |
-| $2^b$ | unit of length | $2^{-31}$ |
-| $2^c$ | unit of time | $2^{-17}$ |
-
-**What would break it.** An absolute tolerance anywhere: odeint's steppers with step control have one, and are the
-only method that notices its units (table).
-)";
-
 constexpr UnitScale all_units{0x1p43, 0x1p-31, 0x1p-17};
 
 /// A run as the case compares it: its last state, and the accounts, in the scene's own units.
@@ -277,7 +247,6 @@ Case unit_scaling() {
                           "numbers that differ, fence built from a deck in other units",
                           "mechanisms of loss at work in the yard"},
           .source = "IEEE 754; Chen, Cheung & Yiu 1998 (metamorphic testing)",
-          .page = page,
           .faults = {{"gravity_overlooked", "gravity keeps its number",
                       "numbers that differ, yard, velocity_verlet, all units"},
                      {"strength_overlooked", "the strength of the hanger keeps its number",

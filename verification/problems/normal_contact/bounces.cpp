@@ -19,48 +19,6 @@ Case bounces();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A disc falls on a plane and bounces. While it touches, its weight acts as well: it presses the disc
-deeper, draws the contact out and takes more of the speed than an impact without weight, the more the softer the
-contact.
-
-```
-    ( )  h0
-     |         h1
-     v       .-( )-.        h2
-   ////////////////////////////////   x'' + 2 xi w x' + w^2 x = g while it touches
-```
-
-**Equations.** Apex heights $h_1 ... h_5$ (gaps) follow piece by piece: the damped swing about $g/\omega^2$, ended by
-the rule of the contact, and parabolas. The reference solves each piece at 50 digits. With $G = g/(\omega v_0)$ small,
-the attractive contact ends $G(1 + e)/e$ later (in $\omega t$) and at the speed $[e - 2\xi(1+e)G]v_0$; the clamped one
-at $(1 - 2\xi G)e v_0$ and the depth $2\xi e v_0/\omega$. For the height it is the same:
-$$h_1 = e^2 h_0\,\Big[1 - 4\xi\,\frac{1+e}{e}\,G + O(G^2)\Big], \qquad G \sim k^{-1/2}:$$
-the rigid limit $h_k = e^{2k}h_0$ is reached at order 1/2 in the stiffness (Bartz 2022, arXiv 2204.10917, on $e$ with
-weight). Each bounce is slower and loses more: at $\xi = .3$ the disc stays at its third contact, or fourth when
-clamped.
-
-**Error of a step.** Velocity Verlet follows parabolas exactly. Each contact has the errors of an impact without
-weight (`restitution`): a shift of $\ln e$ by the lag of the dashpot and a random part by the jump of its force. After
-$n$ bounces
-$$\delta\ln h_n = 2n\,\text{shift} + 2\sum\text{jumps}, \quad
-\text{rms}^2 = 4(\omega h)^2[n^2\,\text{shift}^2 + n\,\text{jump}^2];$$
-undamped each contact adds $(\omega h)^2[u'(1-u') - u(1-u)]$ with the shares $u$, $u'$ of a step at which it begins
-and ends.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $g$, $h_0$, $m$ | weight, first gap, mass | 1, 1, 1 (no units) |
-| $\omega$ | $\sqrt{k/m}$ | 25: $G = .028$ |
-| $\xi$ | damping ratio | 0, .05, .1 |
-| $h$ | step | $T/(50 + f)$, an $f$ of its own for each of 64 runs, whose first touches are evenly spread |
-
-**Source.** Reference and first-order term derived in their own comments; Mustoe & Huttelmaier 1993, Eq. 17.
-
-**What would break it.** Heights by $e^2$ alone; a weight left out while bodies touch; the other end rule; a dashpot
-that is off; an account of the apex at a step instead of on the parabola.
-)";
-
 constexpr double frequency = 25.0, production_steps = 50.0;
 constexpr int count = 5;     // bounces of a run
 constexpr int compared = 3;  // of these with the errors of impacts without weight: later ones are too slow
@@ -275,7 +233,6 @@ Case bounces() {
           .main_checks = {heights + name_of(falls[0]), heights + name_of(falls[2]), heights + name_of(falls[3]),
                           "order of the rigid limit in the stiffness"},
           .source = "Mustoe & Huttelmaier 1993, Eq. 17; Bartz 2022, arXiv 2204.10917",
-          .page = page,
           .faults = {{"dashpot_halved", "half the dashpot", heights + name_of(falls[2])},
                      {"other_end_rule", "the contact ends by the other rule", heights + name_of(falls[3])},
                      {"large_steps", "four steps a contact", heights + name_of(falls[3])},

@@ -16,36 +16,6 @@ Case column();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Ten discs stand on each other under their weight. Whatever they come from, pressed together or falling
-from a little above each other, they come to rest at the same overlaps: each contact carries the discs above it.
-
-```
-    ( )  10
-    ...          overlap of contact i:  (N - i + 1) m g/k
-    ( )  2       i = 1: disc 1 on the ground
-    ( )  1
-  ///////
-```
-
-**Equations.** $k\delta_i = (N - i + 1)\,m g$. The column's slowest swing is $\omega_1 =
-2\sqrt{k/m}\,\sin\frac{\pi}{2(2N+1)}$, and dashpots of damping ratio $\xi = c/(2\sqrt{km})$ damp it at the rate
-$\xi\omega_1^2/\sqrt{k/m}$: after 30 over that rate, when it is looked at, $e^{-30}$ is left.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $N$, $m$, $g$, radius | discs | 10, 2, 1, 1 (no units) |
-| $k$ | contacts | 512: lowest overlap .039 |
-| $\xi$ | damping ratio of one contact | 1/2 |
-| $h$ | step, velocity Verlet | $.2\sqrt{m/k}$ |
-
-**Source.** Textbook statics. Round-off: positions up to 20 are rounded to 3.6e-15, an overlap is the difference of
-two.
-
-**What would break it.** A contact listed twice or left out; a weight on one disc too few; forces that depend on the
-order in which contacts are evaluated; a force that remembers how the overlap came about.
-)";
-
 constexpr int discs = 10;
 constexpr double mass = 2.0, gravity = 1.0, stiffness = 512.0, unit_time = 0.0625;  // sqrt(m/k)
 
@@ -171,7 +141,6 @@ Case column() {
                            {"pair.circle.half_plane", {"overlaps"}}},
           .main_checks = {"overlaps of ten contacts, set down apart, largest error"},
           .source = "Textbook statics",
-          .page = page,
           .faults = {{"top_disc_lighter", "the top disc lighter by 1e-9",
                       "overlaps of ten contacts, set down apart, largest error"},
                      {"one_contact_softer", "one contact softer by 1e-9",

@@ -20,40 +20,6 @@ Case cradle();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A disc strikes the first of two equal discs in a row. The rigid ball of the textbook hands its speed on
-to the last: (0, 0, v). Discs that touch do not, for a soft contact takes time: the last disc leaves while the middle
-one is still pushed by the first. How far apart must they be to behave as the textbook says?
-
-```
-      v
-     ( )-->   ( ) ( )        ( )   ( )     ( )-->
-      1        2 | 3          1<-   2->     3
-                gap
-```
-
-**Equations.** Undamped linear contacts. While one contact is closed its overlap swings at $\omega_2 = \sqrt{2k/m}$;
-while both are, shapes $(1, 0, -1)$ and $(1, -2, 1)$ swing at $\sqrt{k/m}$ and $\sqrt{3k/m}$. The reference follows
-the pieces at 50 digits, each to the overlap that changes its sign first. Momentum and energy are kept; three speeds
-have one freedom left, which the gap decides. The contact of the first two lasts $\pi/\omega_2$, in which the second
-disc moves $\pi v/(2\omega_2)$: from that gap on it meets the third with the whole speed, and the last has it all, (0,
-0, v).
-
-**Error of a step.** Forces are continuous, their slopes are not: order 2. Momentum is exact: each contact's force
-acts on both bodies with the same bits.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $m$, $k$, $v$ | each disc, each contact, first disc | 1, 1, 1 (no units) |
-| gap | between second and third, in $v\sqrt{m/k}$ | 0 ... 1.5 |
-| $h$ | step | $\pi\sqrt{m/k}/(N + f)$, an $f$ of its own for each of 64 phases |
-
-**Source.** Textbook mechanics; the effect in chains: Herrmann & Seitz, Am. J. Phys. 50 (1982) 977.
-
-**What would break it.** Contacts evaluated one after another with positions already moved; a contact that misses its
-opening; speeds exchanged by formula.
-)";
-
 constexpr double disc_radius = 4.0;
 
 Scene row_scene(const reference::StruckRow& row, double lead, const Setup& setup) {
@@ -218,7 +184,6 @@ Case cradle() {
                        {"pair.circle.circle", {"speeds of the three discs"}}},
       .main_checks = {"speeds of the three discs, gap 0, rms error", "order of the speeds, discs that touch"},
       .source = "Herrmann & Seitz, Am. J. Phys. 50 (1982) 977",
-      .page = page,
       .faults = {{"middle_heavier", "the middle disc 1 % heavier", "speeds of the three discs, gap 0, rms error"},
                  {"second_contact_stiffer", "the second contact 2 % stiffer", "order of the speeds, discs that touch"},
                  {"third_disc_farther", "the third disc .001 farther off",

@@ -19,42 +19,6 @@ Case pressed_pair();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Two discs are squeezed between a floor and a ceiling, so that all three contacts stay closed, and let go
-out of balance. Nothing opens or closes: the motion is linear, and a method shows its own order.
-
-```
-   ///////////
-      ( )  y2      k = stiffness of all three contacts,  c = b k
-      ( )  y1      pressed by D before they are let go
-   ///////////
-```
-
-**Equations.** With $y$ from where the three forces are equal, $m_1\ddot y_1 = -k(2y_1 - y_2) - bk(2\dot y_1 - \dot
-y_2) - m_1 g$ and its mirror image. Damping in proportion to stiffness leaves the modes of the undamped pair:
-$$m_1m_2\omega^4 - 2k(m_1+m_2)\omega^2 + 3k^2 = 0, \qquad m_1 = m_2:\; \omega^2 = k/m,\; 3k/m, \qquad
-\xi_j = \tfrac12 b\,\omega_j.$$
-
-**Error of a step.** Undamped, velocity Verlet from rest follows $\cos\Omega t$ with $\sin\frac12\Omega h =
-\frac12\omega h$ exactly: the solver is compared with that to round-off, and with the motion itself at order 2, phase
-error $\frac1{24}\omega^3h^2t$. Damped, the dashpot sees the velocity of half a step before, which turns $m$ into $m -
-\frac12 c h$ for each mode: $\xi$ grows by $\frac12\xi^2\omega h$ and $\omega$ by $\frac12\xi\omega^2h$: order 1,
-constant known.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $k$, $D$, radius | contacts, squeeze of each contact, discs | 1024, 1/8, 1 (no units) |
-| $m_1$, $m_2$; $g$ | equal pair; unlike pair (upper disc half) | 1, 1; 1, 1/2; 9.81 |
-| $b$ | $c/k$ | 0; 1/256: $\xi = .06, .11$ |
-| $t$ | compared over | 0 ... 1: 5 and 9 swings |
-
-**Source.** Textbook vibrations; the setting is that of MFiX's verification case DEM03 (two particles stacked between
-walls, compressed, unlike densities), its closed form derived here.
-
-**What would break it.** A contact evaluated twice; a weight left out; the lever of one disc on the other with the
-wrong sign (then both modes have the same frequency); a dashpot that takes the velocity of one disc only.
-)";
-
 constexpr double stiffness = 1024.0, squeeze = 0.125, end_time = 1.0;
 
 struct Pair {
@@ -265,7 +229,6 @@ Case pressed_pair() {
           .main_checks = {"heights against the leapfrog's own swings, equal discs", "order, equal discs",
                           "error over the predicted at the finest step, unlike discs with weight, damped"},
           .source = "Textbook vibrations; the setting of MFiX's verification case DEM03",
-          .page = page,
           .faults = {{"upper_heavier", "the upper disc 1 % heavier",
                       "heights against the leapfrog's own swings, unlike discs with weight"},
                      {"dashpot_between_off", "no dashpot between the discs",

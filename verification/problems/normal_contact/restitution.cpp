@@ -16,61 +16,6 @@
 namespace talus::verification::problems {
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Two bodies meet at speed $v_0$ through a linear spring and a dashpot and part at speed $e v_0$. Which
-dashpot gives a wanted $e$, for free, off-centre and pivoted bodies and for both rules by which the contact may end?
-The solver runs each impact step by step; it is never told $e$.
-
-```
-        m1            m2             |  off centre       o pin
-      -->( )---[k]---( )             |  ( )-> | |        |
-           ---[c]---                 |        |G|        |  h
-                                     |  arm = G to line  ( )-> here
-     F = k d + c d'                  |                   |
-```
-
-**Equations.** With the effective mass $m$ along the normal, the overlap obeys $m\ddot d + c\dot d + k d = 0$ from
-$d = 0$, $\dot d = v_0$. Put $\omega = \sqrt{k/m}$, $\xi = c/(2 m\omega)$, $s = \sqrt{1-\xi^2}$ and
-$A(\xi) = \arccos(\xi)/s$ (beyond $\xi = 1$: $\mathrm{arcosh}(\xi)/\sqrt{\xi^2-1}$; at 1: 1). Then
-$d = (v_0/\omega s)\,e^{-\xi\omega t}\sin s\omega t$, and
-
-| end rule | ends when | $e$ | contact time $T$ | force at the end |
-|:--------|:--------|:----------------|:-------|:--------|
-| attractive | $d = 0$ | $\exp(-\pi\xi/s)$ | $\pi/(\omega s)$ | $-c\,e\,v_0$: it pulls |
-| clamped | $F = 0$ | $\exp(-2\xi A)$ | $2A/\omega$ | 0 |
-
-and the largest overlap is $(v_0/\omega)\exp(-\xi A)$ for both: clamped, $e = (\omega d_{max}/v_0)^2$. The
-attractive $e$ solved for $c$ is Eq. 21,
-$$c = \frac{2\ln(1/e)\sqrt{k m}}{\sqrt{\pi^2 + \ln^2(1/e)}}.$$
-A unit impulse along the normal gives a body's contact point the mobility $1/M + a^2/I$ (free, the line of impact at
-distance $a$ from the centre of mass) or $a^2/I_p$ (pivoted, $a$ from the pin); mobilities add to $1/m$. Nothing but
-$\xi$ enters $e$: not the stiffness, not the masses.
-
-**Error of a step.** Velocity Verlet and the central difference take the dashpot's velocity half a step late. That
-turns $m$ into $m - c h/2$, shifts $\ln e$ by $-(\pi/s^3)\,\xi^2\omega h/2$ (attractive) or
-$-\xi^2(A-\xi)/s^2\,\omega h$ (clamped), and likewise $T$ and the largest overlap. The force jumps by
-$2\xi m\omega v_0$ at touch, which a step resolves to $\pm h/2$: the speed after it is off by $2\xi\omega v_0 h\,u$
-with $u$ uniform in $(-\frac12, \frac12)$; the attractive contact ends with a second jump. So the first-order error is
-known beforehand, constant included. The errors found are compared with it on both sides: half the predicted error
-fails as twice does. Undamped, what is left is $e - 1 = \frac12(\omega h)^2[u'(1-u') - u(1-u)]$ with the shares $u$,
-$u'$ of a step at touch and end: root mean square $\pi^2/(2\sqrt{90}\,N^2) = .520/N^2$.
-
-**Source.** Mustoe & Huttelmaier 1993, Eqs. 17, 19-21; Schwager & Poeschel, Granular Matter 9 (2007) 465 (clamped
-rule). The closed forms are derived in the reference's own comments and tested there at 50 digits.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $k$, $m$, $v_0$ | stiffness, effective mass, speed where not varied | 1, 1, 1 (no units) |
-| $e$ | wanted restitution | .05 ... 1 |
-| $h$ | step | $T/(100 + f)$ with its own $f$ for each of 64 phases |
-| bar | $M$, half sides, disc's mass | 3, .5 x 4, 2; $k = 10^{12}$ |
-
-**What would break this.** Eq. 21 under the clamped rule, or without its 2; the sum of the masses for their product
-over the sum; a lever arm left out; the sum of the velocities for their difference (Eq. 20 as printed: $e$ would
-change with the frame); a dashpot that does not grow with $\sqrt{k m}$; a force that pulls although it must not; a
-step that divides the contact time, which makes the order look better than it is.
-)";
-
 /// Errors over predicted ones; of several the one farthest from 1 stays.
 struct Ratio {
   double farthest{1.0};
@@ -249,7 +194,6 @@ Case restitution() {
                       "e of Eq. 21 for 0.5 when clamped, three digits", "order of e, attractive, velocity_verlet",
                       "order of e, undamped, velocity_verlet"},
       .source = "Mustoe & Huttelmaier 1993, section 3.6, Eqs. 17-21; Schwager & Poeschel 2007",
-      .page = page,
       .faults = {{"eq_21_halved", "Eq. 21 without its factor 2", "rms relative error of e = 0.5, attractive"},
                  {"never_pulls", "the attractive contact is clamped",
                   "pull at the end, e = 0.5, attractive, rms error over c e v0"},

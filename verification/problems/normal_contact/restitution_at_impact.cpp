@@ -17,41 +17,6 @@ Case restitution_at_impact();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A scene asks for a coefficient of restitution $e$. It must hold at every impact: in another pose than that of
-the start, off the centre of mass, of a pinned body, at the second and third impact of the same contact, of a side that
-lands on both its ends.
-
-```
-    pinned bob      corner        ellipse, tumbling      disc on a bar     flat side
-       o                                                     o ->
-        \         /\              __        .               | |           ________
-         \       /  \            (  )__   (  )              | |          |________|
-          O |   /    \          _________________           |_|         ____________
-```
-
-**Equations.** At the contact point with the normal $n$, body $i$ answers a unit impulse by the velocity
-$1/m_i + (r_i \times n)^2/I_i$, a pinned one by $(r \times n)^2/I_p$; the sum over both bodies is $1/m_{\rm eff}$. A
-spring $k$ and a dashpot of the damping ratio $\xi(e)$, $c = 2 \xi \sqrt{k m_{\rm eff}}$, then give
-$e = -v_n^{\rm after}/v_n^{\rm before}$, where $v_n$ is the relative velocity of the bodies' points at the contact along $n$,
-if nothing else changes while they touch. What changes is of the order of the contact time
-$T \approx \pi\sqrt{m_{\rm eff}/k}$: the pose, by the spin times $T$, and the speed by gravity, $g T$.
-
-**Hypothesis.** The rebound is measured from positions and velocities alone; $m_{\rm eff}$ is not used. Its error is zero
-for the central impact and the flat side without gravity, and goes to zero as $1/\sqrt{k}$ or faster elsewhere.
-
-**Source.** Rigid-body impact as in Goldsmith 1960, chapter 2; damping ratio of the clamped end rule as in case
-`restitution`.
-
-| symbol | meaning | value |
-|:--|:--|:--|
-| $e$ | restitution of all contacts | 0.6 |
-| $k$ | stiffness | $10^5$ to $1.024 \cdot 10^8$ N/m |
-
-**What would break it.** The effective mass of the start's pose; the mass of particles, without rotation; a dashpot
-fixed at the first impact; two ends of a side that each take the whole body's mass.
-)";
-
 constexpr double wanted = 0.6;
 
 /// What one body's contact looks like: speed of separation of the bodies' points along the normal, < 0 on approach.
@@ -338,7 +303,6 @@ Case restitution_at_impact() {
           .main_checks = {"restitution, pinned bob, another pose", "restitution, corner",
                           "restitution, tumbling ellipse, three impacts, number 3"},
           .source = "Goldsmith, W. (1960): Impact. Edward Arnold, London, chapter 2",
-          .page = page,
           .faults = {{"mass_of_the_start", "a dashpot by the effective mass of the start's pose",
                       "restitution, tumbling ellipse, three impacts, number 2"},
                      {"mass_of_particles", "a dashpot by the mass of the bodies as particles", "restitution, corner"},

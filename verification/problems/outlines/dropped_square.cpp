@@ -16,39 +16,6 @@ Case dropped_square();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A square falls on its edge, on a corner, and nearly so, on a plane and on another square. Left and
-right must be alike; a square that falls flat must not begin to turn; and a fall a hair off the even one should end
-almost as that does, which depends on the kind of contact.
-
-```
-      ____        /\          /\  tilt 1e-9
-     |    |      /  \        /  \
-     |____|      \  /        \  /
-    ________   ___\/___    ___\/___
-```
-
-**Equations.** Mirrored at the vertical the tilt changes sign and with it the path's $x$, the angle and the spin; on a
-plane the sums of both corners round in the order in which they are listed, which a mirror turns round. On its
-corner the square is in balance: a tilt $\epsilon$ grows while the contact lasts by a bounded factor, so spin over
-tilt tends to a constant as $\epsilon\to0$. On its edge it depends on the contact. A force at the deeper corner alone
-would turn the square until the other is deeper, and so change side every few steps: its kicks, $k d s h/I$ each, do
-not cancel, and a fall an atom off the level would spin whatever its tilt. So a side that lies flat rests on both its
-ends, and spin over tilt is constant on the edge, too, with the contact's resultant as with nodes at the corners.
-
-**Source.** Symmetry; Housner 1963 for falls on edges.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $s$ | half a side | .5 |
-| $m$, $I$ | mass, moment of inertia | 1, 1/6 |
-| $k$, $v$ | stiffness, speed of the fall | $10^4$, 1 |
-| $\epsilon$ | tilt | $10^{-12}$ to $10^{-3}$ |
-
-**What would break it.** A rule that takes the first of two equal corners; a normal chosen by the sign of nought;
-corners listed in one sense that round one way.
-)";
-
 constexpr double half_side = 0.5, stiffness = 1e4, speed = 1.0, step = 1.0371e-4;
 
 enum class Target { plane, square };
@@ -191,7 +158,6 @@ Case dropped_square() {
                           "spin of a square that fell flat, block, resultant",
                           "spin against tilt, on a corner, resultant", "spin against tilt, on the edge, resultant"},
           .source = "Housner 1963",
-          .page = page,
           .faults = {{"wider_to_the_left", "a block of another width when the square leans left",
                       "difference of left and right, block, resultant"},
                      {"one_point", "a side that touches at one point, the deeper of its ends",

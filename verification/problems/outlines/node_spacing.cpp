@@ -15,37 +15,6 @@ Case node_spacing();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** The program of 1993 lets bodies touch by nodes on their outlines. A disc of $M$ nodes rolls over a
-plane like a polygon: how much does its overlap ripple? And how sharp is the corner of a superellipse, on which
-nodes must stand close enough to feel it?
-
-```
-       . - .                 ___
-     .   +   .   M nodes    |   ).  curvature at 45 degrees
-      '._.'._               |    |
-   ======v=======
-```
-
-**Equations.** With the centre at the height $r - d$, the node at the angle $\varphi$ from the lowest point lies
-$r\cos\varphi - r + d$ deep. As the disc turns the deepest has $|\varphi| \le \pi/M$, so its overlap ripples by
-$$r\left(1 - \cos\frac\pi M\right) \approx \frac{\pi^2 r}{2M^2},$$
-and the force, a sum over all nodes that are in, by as much times $k$ or more. A single resultant of the disc does not
-ripple. The outline $x^n + y^n = 1$ has at 45 degrees the curvature $(n-1)\,2^{1/n-1/2}$ (derived in the reference);
-nodes at a spacing $s$ there miss $s^2/8$ times that of the corner.
-
-**Source.** Mustoe & Huttelmaier 1993, section 3.5; the formulas are derived here.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $r$, $d$ | radius, overlap of the circle | .7, three times the ripple |
-| $M$ | nodes | 8 to 256 |
-| $n$ | exponent | 2 to 50 |
-
-**What would break it.** Nodes that are not evenly spaced or not on the circle; a depth that is not that below the
-plane; a curvature along the wrong diagonal.
-)";
-
 constexpr double radius = 0.7, stiffness = 1000.0;
 
 Model disc_of_nodes(int nodes, ContactMethod method, const Setup& setup) {
@@ -184,7 +153,6 @@ Case node_spacing() {
                           "order of the ripple in 1/nodes",
                           "curvature at the corner over its formula, farthest of n = 2 to 50, over n"},
           .source = "Mustoe & Huttelmaier 1993, section 3.5",
-          .page = page,
           .faults = {{"a_node_left_out", "one node too few", "force less the sum over the nodes, farthest"},
                      {"radius_off", "a radius .1 % too large",
                       "ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes"},

@@ -15,47 +15,6 @@ Case superellipse();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** The outline of the 1993 report's bodies is a superquadric. Do the solver's boundary points lie on it, does
-it touch a plane where it should, is the nearest point of the outline the nearest, and does the contact search, which
-looks at boxes only, ever leave out a pair that touches?
-
-```
-        _______            n = 2: ellipse
-      /    .    \          n = 20: FENCE's columns
-     |     +--a--|         n -> inf: rectangle
-      \____|b___/
-    ----------------- h(phi) from the centre
-```
-
-**Equations.** With $|x/a|^n + |y/b|^n = 1$ (Eq. 1) and $\Gamma$ the gamma function
-$$A = 4ab\,\frac{\Gamma(1+1/n)^2}{\Gamma(1+2/n)},\qquad
-J = \int r^2 dA = 4ab(a^2+b^2)\,\frac{\Gamma(1/n)\,\Gamma(3/n)}{n^2\,\Gamma(1+4/n)}.$$
-A polygon with its $M$ corners at equal steps of the parametric angle lacks
-$$\Delta A = \frac{(2\pi/M)^2}{6}\,ab\,e^2(2-e)\,B(e/2,e/2),\qquad e = 2/n,$$
-of the area to leading order, and the like of $J$; the next term is $M^{-2/n}$ of it, which for large $n$ dies out so
-slowly that the constant must be extrapolated with that power.
-
-The outline reaches $h = (|a m_x|^q + |b m_y|^q)^{1/q}$, $q = n/(n-1)$, in the direction $m$ (Hoelder's inequality): its
-overlap with a plane is $h$ less the centre's distance. The overlap of two outlines is the least length by which one
-must be displaced to part them; the reference tries directions one by one, and bisects by points inside.
-
-The nearest point of the outline is sought by brute force: both faces of the point's quadrant in 400 steps, each local
-minimum refined by golden sections in long double.
-
-**Source.** Mustoe & Huttelmaier 1993, Eq. 1; Barr 1981. The closed forms are tested in the reference's own tests by
-quadrature, by polygons of 200 000 corners, and along normals.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $a$, $b$ | half axes | 1.25, 4 (the columns of 1993) |
-| $n$ | exponent | 2 ... 50 |
-| $M$ | corners | 32 ... 2048 |
-
-**What would break it.** Another exponent; nodes off the outline; a support function of the norm itself instead of its
-dual; a nearest point that is only locally nearest; boxes that are too small.
-)";
-
 constexpr double a = superellipse_half_axes[0], b = superellipse_half_axes[1];
 
 /// Overlap with a plane at every angle, both anywhere.
@@ -218,7 +177,6 @@ Case superellipse() {
                       "touching pairs that the contact search leaves out",
                       "random scenes with other contacts or accelerations when nothing is left out"},
       .source = "Mustoe & Huttelmaier 1993, Eq. 1; Barr 1981",
-      .page = page,
       .faults =
           {{"exponent_off", "an exponent .1 % too large",
             "depth below a superellipse, farthest from brute force, n = 2 ... 50"},

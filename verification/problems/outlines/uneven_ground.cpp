@@ -16,47 +16,6 @@ Case uneven_ground();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Ground is a line of points. Where it is straight it must be a plane; over a crest a disc must roll without
-losing energy; in a notch it must stay on the axis of symmetry.
-
-```
-    ( )-->                       \    ( )    /
-  --------.  crest                 \       /   notch
-            `-.                      \   /
-                `-.                    v
-```
-
-**Equations.** *Straight.* Points on the body's $x$ axis make the half-plane $y < 0$: the same numbers in the same
-order, so the same bits, with friction and a dashpot, across joints of pieces, at any angle of the body.
-
-*Crest.* A disc that rolls without slip over a crest from level ground down a slope $\alpha$ turns about the crest while
-$v^2 < gr\cos\alpha$. At $s$ down the slope its centre is $r(1 - \cos\alpha) + s\sin\alpha$ lower, hence
-$$v^2 = v_0^2 + \tfrac43 g\,[r(1 - \cos\alpha) + s\sin\alpha].$$
-The overlap $\delta = mg/k$ makes heights and the rolling radius differ by as much, and the speed by at most
-$\delta\,(\frac23 g/v + v/6r)$. The normal turns steadily on the crest, so the spring of friction takes up its load without
-swinging. No energy is lost: the ledger must close.
-
-*Notch.* A body touches the ground where that is nearest: in a notch at one side at a time. On the axis the sides take
-turns, step by step, each pushing with $k\delta$ along its normal. Upwards both push alike: $k\delta\cos\alpha = mg$, with a
-dashpot up to an error of order one in the step. Across, the force turns each time the axis is crossed; the disc keeps a
-trembling of a few $g\tan\alpha\,h$ about it. **Two** bodies of ground, one a side, push at once, without trembling:
-$2k\delta\cos\alpha = mg$.
-
-**Source.** Textbook mechanics, derived here.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $r$, $m$, $g$ | disc | 1/2, 2, 10 |
-| $\tan\alpha$ | slope of crest and notch | 3/4 |
-| $k = k_s$, $\mu$ | crest | $2\cdot10^6$, 5 |
-| $v_0$, $s$ | crest | 1/2, 0 to 1/4 |
-| $k$, $\xi$, $h$ | notch | 2000, 1/2, 1/1024 ... 1/16384 |
-
-**What would break it.** A normal that is not that of the nearest piece; a corner that is taken for a piece, or left
-out; end pieces that stop; the sign of the side beside a corner.
-)";
-
 constexpr double radius = 0.5, mass = 2.0, gravity = 10.0;
 constexpr double sine = 0.6, cosine = 0.8, tangent = 0.75;
 
@@ -251,7 +210,6 @@ Case uneven_ground() {
                       "energy over the crest, largest closure of the ledger", "place across the notch",
                       "overlap in the notch, over m g/(k cos a)", "overlap between two slopes, over m g/(2 k cos a)"},
       .source = "Textbook mechanics, derived here",
-      .page = page,
       .faults = {{"bent_ground", "ground that bends by 1e-12 at its joints",
                   "numbers that differ between straight terrain and a half-plane"},
                  {"slope_too_flat", "a slope beyond the crest flatter by .7 %",

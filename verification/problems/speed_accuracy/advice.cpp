@@ -17,41 +17,6 @@ Case advice();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** `talus advise` promises: this integrator with this step or tolerance gives that quantity to that relative
-accuracy, and none in the list does for much less. Is it kept on scenes for which it was not made? And is it refused
-where no step can keep it?
-
-**Method.** A value is taken for true when the last three runs of one method, over an octave of steps or a decade of
-tolerance, agree to a tenth of the accuracy and the last three of another, of a different order, to a quarter of it;
-one of the two must choose its own steps. Extremes are sought between the steps too, by parabolas where the curve is
-smooth. Then each integrator climbs its own ladder, six rungs to an octave or decade. A rung is advised when nine in a
-row, itself the coarsest, and eight between it and the next err by less than half the accuracy, judged by what `talus
-run` prints: extremes over the steps. So the error of an advised run is bounded by $(.5 + .35)$ of the accuracy.
-
-**Hypothesis.** The advised run errs by less than the accuracy, and so do runs a little beside it. Against the cheapest
-run that brute force finds, from which on all finer ones are as good, half the accuracy costs a method of order 1 a
-factor of 2, the rungs one of 1.12 and those of brute force one of 1.07: 2.4 at most.
-
-| scene | quantity | known by |
-|:--|:--|:-----|
-| bob caught by its cable, 5 s | largest tension | $mg(1 + \sqrt{1 + 2hk/(mg)})$ |
-| disc that meets a plane obliquely, with friction | velocity along it | closed form, piece by piece |
-| *impact by Hertz's law* | largest force | closed form |
-| *impact on a latching spring* | speed afterwards | $\sqrt{K_1/K_2}$ |
-| *fence of Table 3, .05 s* | velocity of the rock | central difference, extrapolated |
-| *five discs in a box, to a time of 100* | place of one | nobody: refused |
-
-Scenes in *italics* were held apart: they were asked for the first time when the rules stood, and no rule was changed
-after. The others were seen before, as were the scenes of `cases/` and a disc among posts: the eight runs beside were
-added when the bob at $10^{-5}$ showed nine lucky ones in a row, and the oblique impact, asked to $10^{-5}$, was refused.
-
-**Source.** The rules are this program's own; closed forms as in cases `caught_fall`, `friction`, `hertz` and `latching_spring`.
-
-**What would break it.** A lucky run taken for a rule; extremes judged between the steps, where nobody prints them;
-small differences of the start that are not followed.
-)";
-
 AdviceRules rules_of(const Question& question, const Setup& setup) {
   AdviceRules rules{.accuracy = question.accuracy, .among = question.among};
   if (setup.has("lucky_runs")) rules.kept = 1.0, rules.in_a_row = 1, rules.beside = 0;
@@ -268,7 +233,6 @@ Case advice() {
                       "fence of Table 3: evaluations over the fewest by brute force",
                       "gas: refused because its differences grow"},
       .source = "This program's own rules; closed forms as in cases caught_fall, friction, hertz and latching_spring",
-      .page = page,
       .faults = {{"lucky_runs", "one run at the whole accuracy is taken for enough",
                   "caught bob, fixed steps: largest error of twelve runs beside it over the accuracy"},
                  {"judged_between_steps", "pilots are judged by extremes between the steps, which no run prints",

@@ -21,30 +21,6 @@ Case defaults();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A user describes bodies and contacts and says when the run ends, and nothing of methods. Thirty scenes and
-twenty fences are run with all defaults; each named result is compared with a converged run.
-
-**Equations.** None: the reference of scenes, and in the full tier of fences, is velocity Verlet with a fixed step, one
-thousandth of the shortest contact and a hundredth of the linear limit at most; that of fences in each tier is the
-default method with the tolerance $10^{-13}$. Velocity Verlet shares the forces with the default (`auto`: closed form or located events,
-tolerance $10^{-10}$) but neither its steps, nor its events, nor its implicit steps. With $N$ steps in a contact its error
-is $0.23/N$ of the speed at the impact (case `timestep`), so below 0.1 % of what is compared.
-
-| what | of each scene | of each fence |
-|:--|:--|:--|
-| result | one number, e.g. a last position, a spin, a largest force | verdict; position, over the width of the path; kinetic energy, over that of the approach; largest tension |
-| bound | 1 % | 1 %, against fixed steps 2 % |
-| energy balance | $3 \cdot 10^{-9}$ of the largest energy | the same |
-
-**Source.** The default method: Stoermer 1907, Krogh 1974, Kennedy & Carpenter 2003. Fences: template of `talus new
-fence`.
-
-**What would break it.** A default step that is only stable; outputs too far apart for the peak of a force; a default
-tolerance that is too loose; contacts by the nodes of 1993, whose energy balance fails; friction work accumulated with
-the limit at the end of long steps.
-)";
-
 /// What a run gives, and what it took.
 struct Found {
   double value{std::numeric_limits<double>::quiet_NaN()};  ///< the named result
@@ -322,7 +298,6 @@ Case defaults() {
                           "fences: largest error of the energy balance over the largest energy",
                           "fences: verdicts equal to those of runs of tolerance 1e-13"},
           .source = "Krogh 1974; Kennedy & Carpenter 2003",
-          .page = page,
           .faults = {{"loose_tolerance", "a default tolerance of 3e-2",
                       "scenes: largest difference of a named result from its converged value"},
                      {"outputs_far_apart", "outputs that are a 200th of the run apart",

@@ -20,37 +20,6 @@ Case energy_gain();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A disc meets a spring that only pushes, without a dashpot. Its leapfrog is stable up to $\eta = \omega h = 2$.
-How fast does it leave?
-
-**Why 2 is not the limit.** Inside, $u^2 + \omega^2 x_n x_{n+1}$ is kept, $u$ the speed of a step: no motion grows. But
-where the motion is cut, what is kept is not the energy. A step that enters with the share $\theta$ of it inside brings
-$v_0^2[1 - \eta^2\theta(1-\theta)]$, and the one that leaves takes as much with its own share $\phi$:
-$$e^2 = \frac{1 - \eta^2\theta(1-\theta)}{1 - \eta^2\phi(1-\phi)}, \qquad
-e \le \frac{1}{\sqrt{1 - \eta^2/4}} \approx 1 + \eta^2/8.$$
-With $\delta$ the odd part of the contact's time in steps, $\pi/(2\arcsin\frac{\eta}{2})$, $\phi \approx \theta + \delta$
-and the most is $\eta^2\delta(1-\delta)/2$.
-
-**Why it heats.** A step keeps areas of $(x, v)$. Bounces carry $v_0\,dv_0\,d\theta$ to $v\,dv\,d\phi$, thus $d\phi =
-d\theta/e^2$: over even phases the mean of $e^{-2}$ **is one**. Then the mean of $\ln e$ is never negative, and to second
-order it is its variance, $\eta^4\delta^2(1-\delta)^2/12$. In a gas of $N$ discs a collision has the share
-$1/(N + \frac12)$ of the energy, and changes it by $e^2 - 1$. At $\eta = 1$ a contact lasts three steps, $\delta = 0$, and
-nothing heats.
-
-**What is the limit then?** Accuracy: the bound admits .2 % of a speed up to $\eta = .126$, 25 steps a contact, and 1 %
-up to .28, eleven. A contact with a dashpot needs more: its errors are of first order (case `timestep`).
-
-| setup | values |
-|:--|:-----|
-| disc, plane | $\omega$ = 100, $v_0$ = 1; phases $\theta$ = 1/128, 3/128, ... |
-| gas | 24 discs of radius 1 in a box of 22, $v$ = .004 $r\omega$, all contacts of one $\omega$ |
-
-**Source.** Derived here. Area: Hairer, Lubich & Wanner 2006.
-
-**What would break it.** A force a step too early or late; damping, however small; a method that keeps no areas.
-)";
-
 constexpr double frequency = 100.0, entry = 1.0;
 
 Scene struck_plane(const Setup& setup) {
@@ -290,7 +259,6 @@ Case energy_gain() {
                       "gas at w h = 1.2, N times ln heating a collision",
                       "gas at w h = 1, N times ln heating a collision"},
       .source = "Hairer, Lubich & Wanner 2006; derived here",
-      .page = page,
       .faults = {{"stiffness_off", "a contact stiffer by 1e-6",
                   "exit speeds by velocity_verlet, 39 steps of 64 phases, largest error"},
                  {"slight_dashpot", "a dashpot of damping ratio 1e-4",

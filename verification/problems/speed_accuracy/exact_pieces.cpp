@@ -23,41 +23,6 @@ Case exact_pieces();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Between events many motions are linear: a disc that flies, or that presses on a plane through a spring and a
-dashpot. Then one force evaluation a piece is enough, and what is left of the error is round-off.
-
-```
-   flight        contact                  flight           ...       rest
-  q'' = g  | q'' = a0 - K (q - q0) - C (q' - v0) | q'' = g  |   |  contact without end
-           ^ event: gap = 0                      ^ event: force = 0
-```
-
-**Method.** In the modes of a piece the accelerations are $\ddot q = a_0 - K (q - q_0) - C (\dot q - v_0)$, with $a_0$
-from the one evaluation at its beginning and $K$, $C$ from the laws. The solution is the power series
-$q(t) = \sum_k P_k$, $P_{k+2} = -(h^2 K P_k + h (k+1) C P_{k+1})/((k+1)(k+2))$. Over one radian of the fastest motion, the
-longest that is summed at once, its 22nd term is $1/21! = 2\cdot 10^{-20}$ of the first: nothing is cut off, and the
-operations are sums and products, the same on every processor. The next piece begins where a guard of the present modes
-falls to nought, bracketed between two such times and found to round-off (Alefeld et al. 1995).
-
-**Expected.** One evaluation for each piece, whose number the reference knows, and none for outputs. Errors: a place of
-size $x$ is rounded by up to $2^{-53} x$ whenever it is stored, which is a share $2^{-53} x/\delta$ of the overlap $\delta$
-by which an impact goes. Work and impulses, if they are kept, are integrated over each radian by Gauss's rule with eight
-evaluations.
-
-| scene | exact by |
-|:---|:------|
-| damped bounce to rest, $\omega_0 = 100$, $\xi = .2$, clamped, gap .618, $v = 1$, $g = 9.81$, 3 s | closed form at 50 digits |
-| impacts, $\xi$ from 0 to 2, both end rules, $\omega_0 = 100$ | closed form |
-| latching springs $e$ = .25 to 1, and growing ones | quarter swings |
-| three discs on a line, gap 0 to 1.2 | modes at 50 digits |
-
-**Source.** Alefeld et al. 1995 (roots); Abramowitz & Stegun 1964, Table 25.4 (Gauss's rule); the references' own pages.
-
-**What would break it.** A dashpot or a neighbour left out of a piece's matrix; a mode that ends a step late; a series
-that is cut too early; a piece that begins with the last one's force.
-)";
-
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// A run in so many outputs, and what it took.
@@ -297,7 +262,6 @@ Case exact_pieces() {
                       "latching springs: exit speed, largest error",
                       "three discs on a line: velocities, largest error"},
       .source = "Alefeld et al. 1995; Abramowitz & Stegun 1964",
-      .page = page,
       .faults = {{"odeint_for_exact", "Fehlberg 7(8) under step control in the propagator's place",
                   "three discs on a line: velocities, largest error"},
                  {"stiffness_by_1e-9", "a stiffness that is off by 1e-9",

@@ -14,40 +14,6 @@ Case fidelity_ladder();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** How much of a fence must be modelled to answer a question about it? One impact, the 600 lb rock of Table
-2 at 65 ft/s, against ever more of its fence, and one contact, by ever more nodes.
-
-```
- formula   free pair   on two cables   hung column   half fence, k columns move   full fence   two layers
-  e, m     (R) (m)     (R)(m)=|=        (R)[ ]'o      (R)[] [] ][ ][               (R)[][][]    (R)[][][][]
-```
-
-**Equations.** Every level takes its numbers from the fence. A free column moves where it is hit, $y$ above its
-centre, as a mass $1/m' = 1/m + y^2/I$; hung from its top joint as $m' = I_p/h^2$. Formula: $v' = v\,(m_r - e m')/(m_r
-+ m')$. Two cables of modulus $EA$ and tension $T_0$, tied at $l$ = 2.5 ft to neighbours that stand still, or at $l$ =
-27.5 ft to the fence's ends as if the others had no mass, stop $m'$ with $V = (1+e)\,v\,m_r/(m_r+m')$ at $T^2 = T_0^2
-+ \tfrac{EA}{2l} m' V^2$: all energy in the shortest cables, or in the longest. Contacts: one resultant a pair, $k$ of
-Table 2, never pulling, dashpot for $e = .4$ by the mass felt. A circle on a bed of springs, each length of its
-outline with its share of $k$ (the same energy at the same largest overlap) and of the dashpot ($c/k$ the same), is
-what contacts by nodes tend to.
-
-**Hypothesis**, before the data. The cables are too soft to be felt while the contact lasts, 2.4 ms: the formula
-holds, and the pin, which is stiff, does not. Columns that the motion reaches and leaves again too late do not count.
-One layer is two until the columns touch. Nodes touch one by one, each with a jump of its dashpot: the push is of
-order 1 in their spacing, the speed, an energy, of order 5/2.
-
-**Read off** (tables and a second figure in the details). The speed after the first contact asks for a formula, the
-push for a spring and a dashpot; the cables' pull and the speed in the end ask for the columns that answer before the
-rock leaves, and for all of them where the rock hits above the centre. One resultant beats twelve nodes at a fraction
-of the cost.
-
-**Source.** Mustoe & Huttelmaier 1993, Table 2 and sections 2.4, 3.5; the rest is derived here.
-
-**What would break it.** A mass without its arm; a cable's stiffness not seen whole; half a fence with half its
-column.
-)";
-
 /// The formula against the free pair and the column on its pin.
 void check_formula(Findings& findings, const Setup& setup) {
   const FenceNumbers n = fence_numbers(ladder_fence(0.0));
@@ -175,7 +141,6 @@ Case fidelity_ladder() {
                           "order of the push in the spacing of the nodes",
                           "order of the speed in the spacing of the nodes"},
           .source = "Mustoe & Huttelmaier 1993, Table 2",
-          .page = page,
           .faults = {{"arm_forgotten", "the hung column's mass in place of I_p/h^2",
                       "hung column: speed, by the formula with I_p/h^2"},
                      {"cable_stiffness_halved", "the particle's cables half as stiff",

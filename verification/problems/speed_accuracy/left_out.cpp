@@ -16,39 +16,6 @@ Case left_out();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A step works out less than the scene holds. Columns that nothing has moved sleep until a pull on them
-changes; of two bodies out of each other's reach no gap is worked out, and of a node outside its target only that it
-is outside; rows of cables that stay on the straight lines of their laws are not asked law by law, and without a
-ledger their paths are not told. None of it may change a result, and a fence ten times as long must not cost more
-while the motion has not come further.
-
-```
-   asleep                       awake                        asleep
-  [] [] [] [] [] [] [] [] [] []<-[]<-[X]->[]->[] [] [] [] [] [] [] [] [] []
-```
-
-**How it is shown.** Sleep `exact` (any pull that is not the one at rest wakes) against `off`: the same bits. Sleep by
-default (a change by 1e-13 of the tension wakes) against `off`: the difference is measured. Contacts: the same scene
-with every gap of every pair worked out at each evaluation: the same bits; between located events the guards of
-bodies that at their speed do not meet in five of the next steps are left out: the same bits as with all guards.
-Cables: the tensions of the rows against those of the laws, one by one: the same bits; a run without ledger against
-one with it, likewise. The columns awake, summed over the steps, are a count that is the same on every machine;
-`make bench` says what each saves in time.
-
-**Scenes.** The fence of Table 2 with 101 and 1,001 columns, hit in the middle, 25 000 steps of 2e-6 s: with a sag
-that grows as the square of the span, which leaves the cables as tight, so that nothing near the hit knows how long
-the fence is; and with a sag of the same share of the span, which makes those of 1,001 columns nine times as tight,
-and motion along them at most three times as fast. The fence of two layers; a yard of bodies of every outline, with
-friction.
-
-**Source.** None beyond the laws themselves; the list of close pairs is Verlet 1967, the sweep that makes it Baraff
-1992.
-
-**What would break it.** A column left asleep that is pulled; a pair that the search forgets, or a list of close pairs
-that stands too long; a row that stays on a line which one of its cables has left.
-)";
-
 constexpr long steps = 25000;
 
 enum class Sag { as_tight, share_of_span };
@@ -199,7 +166,6 @@ Case left_out() {
                       "tensions of rows of cables from those of the laws, one by one, largest difference over a run",
                       "without ledger, paths not told: state at the end from that with, largest difference"},
       .source = "Verlet 1967 and Baraff 1992 for the contact search",
-      .page = page,
       .faults = {{"default_for_exact", "the default's threshold where `exact` is asked for",
                   "101 columns, sleep exact: state at .05 s from that without sleep, largest difference"},
                  {"never_asleep", "a fence that never sleeps",

@@ -21,37 +21,6 @@ namespace {
 
 using reference::Scheme;
 
-constexpr const char* page = R"(
-**Problem.** From which step on does a method feed a contact instead of following it? The disc between two planes, both
-contacts closed, is $\ddot x + 2\xi\omega\dot x + \omega^2 x = 0$. One step of a linear method multiplies it by a
-matrix; the motion grows where the largest eigenvalue has $|\lambda| > 1$.
-
-**Equations,** $\eta = \omega h$. A leapfrog's limit depends on the moment of the velocity that the dashpot sees:
-
-| velocity in the dashpot | limit of $\eta$ | methods |
-|:----|:---|:----|
-| half a step old | $2(\sqrt{1+\xi^2}-\xi)$ | Verlet, central difference, Euler-Cromer |
-| one and a half steps old | $\sqrt{1+\xi^2}-\xi$ | lagged central difference |
-| mean; new; Verlet's $v_n$; $v_n + h a_n$ | $2$; $2(\sqrt{1+\xi^2}+\xi)$; $\sqrt{2+\xi^2}-\xi$; $2(\sqrt{1+4\xi^2}-2\xi)$ | none here |
-
-Euler: $2\xi$, from $\xi = 1$ on $2/(\xi+\sqrt{\xi^2-1})$; Taylor: $4\xi$, from $\xi = 1/2$ on $1/\xi$; undamped, both grow
-at *every* step. Runge-Kutta: $\lambda = R(z)$, $z = \eta(-\xi \pm \sqrt{\xi^2-1})$, $R$ from the tableau; Adams' pair: an
-$8 \times 8$ companion matrix; `blanes_moan4`: a product of drifts and kicks. Three traps: undamped, Cash-Karp grows at
-every step, by $(1/720 - 1/800)\,\eta^6$, and `blanes_moan4` from 3.163 to 3.169, then from 5.027;
-any dashpot halves the lagged limit.
-
-**Measured** is the solver: its model, its contacts, its methods. A linear map is fitted to the first steps of two
-runs; at .98, .999, 1.001 and 1.02 of each limit, runs of up to 50 000 steps keep their size or grow from $10^{-9}$ to
-$10^{-2}$. No fixed step, and so no limit of it, have `odeint_bulirsch_stoer` and `stormer_cowell` (a tolerance sets it)
-and `exact` (a closed form for each linear piece). $\omega$ of other systems: a disc on a plane $\sqrt{k_n/m}$ and, as it
-sticks, $\sqrt{3k_t/m}$: **the tangent decides where $k_t > k_n/3$**; an equal pair $\sqrt{2k_n/m}$ and $\sqrt{6k_t/m}$;
-$n$ discs between walls $2\sqrt{k/m}\,\sin\frac{n\pi}{2(n+1)}$; a fence: by power iteration on its forces.
-
-**Source.** Mustoe 1993, Eq. 25; Dormand & Prince 1980; Cash & Karp 1990; Fehlberg 1968; Blanes & Moan 2002.
-
-**What would break it.** A dashpot that sees a velocity of another moment; a step other than said; a stiffness lost.
-)";
-
 /// The exact limits on a panel: each line goes on from the limit of the damping before that it is next to.
 std::vector<Series> limit_lines(const FixedStepMethod& method, int panel) {
   constexpr double between = 0.025;
@@ -255,7 +224,6 @@ Case stability_maps() {
           .source =
               "Mustoe & Huttelmaier 1993, Eq. 25; Dormand & Prince 1980; Cash & Karp 1990; Fehlberg 1968; "
               "Blanes & Moan 2002",
-          .page = page,
           .faults = {{"dashpot_lags", "the lagged central difference under velocity Verlet's name",
                       "velocity_verlet: ln growth over the map, largest error in roundings"},
                      {"step_too_long", "steps 3 % longer than said",

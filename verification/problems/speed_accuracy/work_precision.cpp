@@ -18,44 +18,6 @@ Case work_precision();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Thirteen methods on eight scenes: which reaches a given accuracy for the fewest force evaluations? Three
-smooth motions (a pendulum from 90 and from 170 degrees, a particle on two cables), a damped disc that bounces, impacts
-on a wall without and with a dashpot and on the pinned column, and the fence of Table 2 to .2 s.
-
-**Equations.** A method of order $p$ pays a factor of $10^{1/p}$ for a digit, on smooth motion. A contact begins at a
-share $u$ of a step that no method without located events knows, $u$ evenly spread. Then the order is that of the jump:
-
-- *With a dashpot* the force jumps to $2\xi m\omega v$. Velocity Verlet gives the step's first force half of the step
-  instead of the share $u$: the speed is off by $2\xi\omega hv\,(\frac12-u)$, root mean square $2\xi\omega hv/\sqrt{12}$,
-  to which the lag of its dashpot adds (`leapfrog_impact_error.hpp`). Runge-Kutta 4 gives it $\frac16$ or $\frac56$, for
-  $u$ on either side of $\frac12$: root mean square $2\xi\omega hv/6$. **All are of order 1**, and Runge-Kutta 4, at four
-  evaluations a step, makes *more* error at equal work: twice as much at $\xi=.2$.
-- *Without a dashpot* the force has a kink, energies are off by $\frac12(\omega h)^2[u'(1-u')-u(1-u)]$: **order 2 for
-  all**; velocity Verlet's restitution by $\pi^2/(2\sqrt{90}N^2)$ at $N$ steps per contact.
-- *With located events* steps are cut there and keep their order: a digit costs 19 % more (case `located_events`).
-
-**Expected**, from these. *Smooth motion*: at the first digits few evaluations a step count, then the order: methods of
-order 4 overtake those of order 2, those of order 8 and 12 overtake both; of those `stormer_cowell` takes one evaluation
-a step, the others two to thirteen. *Contacts and the fence*: methods of fixed step are all alike, whatever their order;
-step control gets past, as it crowds steps where forces jump, some hundred evaluations for each event; located events
-take ten to twenty, so that `stormer_cowell` is several times cheaper than the next, and `exact`, where it can be had, takes one for each
-piece. The steps of 1993, $\omega h=.016$ on
-the fence, leave a tenth of that at a jump: three digits.
-
-**Error**, relative: of the motions the largest over 20 equally spaced times of place and velocity; of impacts the
-exit speed; of the fence the rock's speed at .2 s and the largest tension at 500 times. References: elliptic functions,
-inverted quadrature, closed forms piece by piece, the fence certified by case `located_events`. Points: root mean squares
-over 64 phases of the touch (impacts), over steps or tolerances spread up to the next point's (bounces 8, fence 2 runs).
-All evaluations are counted: stages, rejected steps, start-up, location. Costs are read off between two points by a
-straight line in logarithms, where this and all finer points are as good.
-
-**Source.** Swope et al. 1982; Blanes & Moan 2002; Krogh 1974; Hairer, Lubich & Wanner 2006; Ahnert & Mulansky 2011.
-
-**What would break it.** Steps in step with the contact, which hide the first order; evaluations that are not counted;
-one run for a phase that happens to be good; failures that drop out of a picture.
-)";
-
 /// What a fault makes of a method.
 WorkMethod given(const WorkMethod& method, const Setup& setup) {
   if (setup.has("late_events") && method.name == std::string{"stormer_cowell"})
@@ -339,7 +301,6 @@ Case work_precision() {
                       "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, fence, exit speed"},
       .source =
           "Swope et al. 1982; Blanes & Moan 2002; Krogh 1974; Hairer, Lubich & Wanner 2006; Ahnert & Mulansky 2011",
-      .page = page,
       .faults = {{"other_amplitude", "the pendulum let go a thousandth of a radian higher",
                   "order of velocity_verlet, pendulum, 90 degrees"},
                  {"commensurate", "steps that divide the contact's time", "order of velocity_verlet, wall, undamped"},
