@@ -39,13 +39,19 @@ struct Scale {
 /// `values` likewise (heat).
 struct Series {
   std::string label;
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x{};
+  std::vector<double> y{};
   Style style = Style::linespoints;
   std::vector<double> y_low{};
   std::vector<double> y_high{};
   std::vector<double> values{};
   int panel = 0;  ///< Of the figure's panels, the one that shows it.
+
+  /// Adds the point (at, value).
+  void add(double at, double value) {
+    x.push_back(at);
+    y.push_back(value);
+  }
 };
 
 /// A straight reference line y ~ x^order through (x, y), drawn dashed with its label, in a log-log figure.
@@ -70,7 +76,7 @@ struct Figure {
   std::string caption;  ///< What is seen and what it shows; Markdown.
   Axis x;
   Axis y;
-  std::vector<Series> series;
+  std::vector<Series> series{};
   std::vector<Slope> slopes{};
   std::vector<Line> lines{};
   std::vector<std::string> panels{};  ///< Titles of panels side by side with the same axes; empty: one without a title.

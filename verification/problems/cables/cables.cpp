@@ -199,8 +199,6 @@ Case cables() {
                       "closure of the energy over its prediction, hanger that breaks"},
                      {"two_cables_side_by_side", "after the break the sum of two stiffnesses",
                       "tension of two cables without hanger from that of one cable"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

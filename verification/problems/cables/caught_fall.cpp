@@ -174,8 +174,6 @@ Case caught_fall() {
                      {"dashpot_stronger", "the dashpot 2 % stronger", speeds + "0.1"},
                      {"read_where_seen_slack", "the speed read at the first slack step instead of at x = 0",
                       speeds + "0.1"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -157,8 +157,6 @@ Case cubic_swing() {
                      {"trace_of_slack", "cables longer by 1e-6", loads},
                      {"one_cable_softer", "one cable softer by .1 %", limit},
                      {"rk4", "another method", "order of the period in the step"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -200,8 +200,6 @@ Case hanging_chain() {
           .faults = {{"third_weight_heavier", "one weight heavier by .1 %", balance},
                      {"fifth_link_longer", "one link longer by .1 %", shape},
                      {"links_softer", "links softer by a tenth", limit}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -161,8 +161,6 @@ Case snatched_cable() {
           .faults = {{"cable_softer", "a cable softer by .1 %", phases},
                      {"rk4", "another method", phases},
                      {"dashpot_stronger", "the dashpot 5 % stronger", damped}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

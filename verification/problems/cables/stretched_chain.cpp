@@ -258,8 +258,6 @@ Case stretched_chain() {
                      {"first_cable_longer", "one cable longer by 1e-8", across},
                      {"rk4", "another method", along},
                      {"step_within_the_limit", "a step of .999 of the limit", growth}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -204,8 +204,6 @@ Case latching_chain() {
                  {"taylor_for_verlet", "Taylor under the name of Verlet", "order of the final velocities of 4 discs"},
                  {"thrown_disc_lighter", "the thrown disc lighter by 1e-12",
                   "momentum of the rows in the end, largest error"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

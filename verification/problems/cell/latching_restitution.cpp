@@ -204,8 +204,6 @@ Case latching_restitution() {
                   "Verlet throws some discs apart faster than they met at 1.8 steps in a contact, none at 2.9"},
                  {"verlet_for_taylor", "Verlet under the name of Taylor",
                   "Taylor throws discs apart faster than they met at 5 steps in a contact, not at 10"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

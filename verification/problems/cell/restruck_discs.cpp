@@ -287,8 +287,6 @@ Case restruck_discs() {
                       "speeds of three discs struck anew while unloading, largest error of 24 gaps"},
                      {"memory_dropped_at_restart", "a restart forgets what the contacts remember",
                       "speeds that differ after restarts every 1, 7, 20 steps, of 27"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -255,8 +255,6 @@ Case fence_appendix() {
                      {"bottom_cable_left_out", "no run has a bottom cable",
                       "energy left, largest of the runs with bottom cable"},
                      {"one_layer", "all fences have one layer", "joint force, two layers over one"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

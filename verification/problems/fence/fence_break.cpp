@@ -169,8 +169,6 @@ Case fence_break() {
                       "acceleration of the column without hanger and bottom cable, down"},
                      {"other_strength", "the full model's hangers a tenth stronger",
                       "half model from the full one after several breaks, largest distance"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -46,8 +46,6 @@ Case fence_equations() {
                       "tension at the start, Eq. 14 with the k of Eq. 12"},
                      {"central_column_doubled", "the mass of one central column doubled",
                       "15 columns, N = 8: central column's speed at .01 s, half model"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -220,8 +220,6 @@ Case fence_listing() {
                       "derived numbers that differ from the print"},
                      {"unbalanced", "the last digit of the static shape's forces left alone",
                       "second layer at rest until it is touched, fastest velocity"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -264,8 +264,6 @@ Case fence_models() {
                       "rock's speed by 192 nodes from that by one resultant, over the same by 12"},
                      {"particle_masses", "dashpots from the particle masses throughout",
                       "restitution with the effective mass, -3 to 3 ft off centre, furthest from .4"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

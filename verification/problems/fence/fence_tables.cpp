@@ -191,7 +191,6 @@ Case fence_tables() {
                   "exit velocity, no bottom cable: mean distance to the print"},
                  {"bottom_wrapped_once", "a bottom cable of one strand",
                   "bottom cable force, with bottom cable: distance to the print over that of twins"}},
-      .tier = Tier::quick,
       .time_limit = 300.0,
       .run = run};
 }

@@ -180,8 +180,6 @@ Case pivoted_cylinder() {
                       "order of the swing after the impact"},
                      {"rk4", "a method that does not conserve angular momentum exactly",
                       "angular momentum about the pin, largest relative change"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

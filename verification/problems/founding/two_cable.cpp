@@ -236,8 +236,6 @@ Case two_cable() {
                  {"dashpot_halved", "Eq. 21 without its factor 2", "speed after the impact, attractive"},
                  {"euler_cromer", "velocities and positions half a step apart",
                   "order of the time of travel, cables alone"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

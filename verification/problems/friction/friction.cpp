@@ -165,8 +165,6 @@ Case friction() {
                   "order of the speed along the plane, sticking all through, velocity_verlet"},
                  {"slider_without_account", "the slider's work is left out of the ledger",
                   "closure of the energy over its prediction, sliding impact"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

@@ -282,8 +282,6 @@ Case prescribed_motion() {
                       "error over its prediction, rolling, velocity_verlet"},
                      {"clock_half_a_step_late", "the force half a step late",
                       "error over its prediction, rolling, velocity_verlet"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -298,8 +298,6 @@ Case resting_contacts() {
                      {"explicit_steps", "a system that does not say which springs act",
                       "block, tolerance 1e-06: evaluations"},
                      {"no_shear_dashpot", "friction without a dashpot while it sticks", "nudged block: speed at rest"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -174,8 +174,6 @@ Case spinning_discs() {
                       "rms error of the slip rate of unlike discs, largest of 5 spins"},
                      {"second_spin_reversed", "the second spin with the wrong sign",
                       "what opposite spins of equal discs change"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

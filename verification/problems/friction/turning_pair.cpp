@@ -195,8 +195,6 @@ Case turning_pair() {
                  {"one_disc_that_does_not_spin", "only the larger disc spins", "order of the stretch gained in a turn"},
                  {"friction_that_slips", "a coefficient of friction too small to hold",
                   "work of a closed path in x and y"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

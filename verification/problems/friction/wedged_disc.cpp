@@ -231,8 +231,6 @@ Case wedged_disc() {
                       "order, velocity_verlet, R/r = 1"},
                      {"ring_for_disc", "the moment of inertia of a ring",
                       "error over its prediction, velocity_verlet, R/r = 1"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -243,7 +243,6 @@ Case cooling_gas() {
                   "pressure of elastic discs over that of hard ones, farther"},
                  {"elastic_steps_short", "20 steps in a contact where there are to be 4",
                   "change of the energy of elastic discs, 4 steps in a contact"}},
-      .tier = Tier::quick,
       .time_limit = 600.0,
       .run = run};
 }

@@ -78,7 +78,6 @@ Case dense_flow() {
           .faults = {{"equal_discs", "discs of one size, which order themselves", "friction at the slowest flow"},
                      {"still_box", "images that do not slide", "inertial number of the slowest flow"},
                      {"motion_alone", "stress by the motion alone", "inertial number of the slowest flow"}},
-          .tier = Tier::quick,
           .time_limit = 600.0,
           .run = run};
 }

@@ -341,7 +341,6 @@ Case dense_rheology() {
                       "inertial number of discs four times as stiff"},
                      {"smooth_discs", "no friction between the rough discs",
                       "rough discs resist more, excess over its error"}},
-          .tier = Tier::quick,
           .time_limit = 600.0,
           .run = run};
 }

@@ -184,8 +184,6 @@ Case restart() {
                       "numbers that differ after a restart, yard, velocity_verlet"},
                      {"method_begins_anew", "the method's own memory is left out",
                       "numbers that differ after a restart, yard, velocity_verlet"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

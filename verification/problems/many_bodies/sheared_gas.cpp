@@ -193,7 +193,6 @@ Case sheared_gas() {
                      {"still_box", "images that do not slide", temperature},
                      {"flow_in_temperature", "temperature of the velocities as they are", temperature},
                      {"stress_without_contacts", "stress by the motion alone", friction}},
-          .tier = Tier::quick,
           .time_limit = 600.0,
           .run = run};
 }

@@ -107,8 +107,6 @@ Case body_properties() {
                       "moment of inertia, ellipsoid of half-lengths 3.1 and 1.03"},
                      {"without_steiner", "expects no part of the arm",
                       "inertia about a pin by the answer to a moment, farthest of 24"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

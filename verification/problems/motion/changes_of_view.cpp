@@ -232,8 +232,6 @@ Case changes_of_view() {
                       "numbers that differ, group in a mirror"},
                      {"one_body_left_behind", "one body's velocity is not that seen in passing",
                       "difference of the end, group, in passing"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -242,8 +242,6 @@ Case colliding_discs() {
                       "energy left over, two discs, undamped, over its prediction"},
                      {"a_little_weight", "a weight of 1e-12 of the discs' acceleration",
                       "momentum, twenty discs, undamped"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

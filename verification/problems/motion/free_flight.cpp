@@ -159,8 +159,6 @@ Case free_flight() {
                      {"moment_left_out", "no moment acts", "central_difference, error of the coordinates"},
                      {"euler_for_verlet", "semi-implicit Euler under another name",
                       "velocity_verlet, error of the coordinates"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -202,8 +202,6 @@ Case time_reversal() {
           .faults = {{"runge_kutta_for_verlet", "Runge-Kutta for leapfrog", "return of bounce, velocity_verlet"},
                      {"euler_for_verlet", "semi-implicit Euler for leapfrog", "return of pendulum, velocity_verlet"},
                      {"a_little_damping", "a dashpot of 1e-6 N s/m", "return of bounce, velocity_verlet"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -257,8 +257,6 @@ Case unit_scaling() {
                       "numbers that differ, yard, velocity_verlet, all units"},
                      {"sag_overlooked", "the sag a part in 1e12 off",
                       "numbers that differ, fence built from a deck in other units"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -238,8 +238,6 @@ Case bounces() {
                      {"large_steps", "four steps a contact", heights + name_of(falls[3])},
                      {"weight_halved", "half the weight",
                       "height lost beyond e^2 at the stiffest over the first-order term"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

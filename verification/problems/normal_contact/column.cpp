@@ -147,8 +147,6 @@ Case column() {
                       "overlaps of ten contacts, pressed together, largest error"},
                      {"stopped_early", "a third of the time to come to rest",
                       "forces of ten contacts, set down apart, largest error"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -188,8 +188,6 @@ Case cradle() {
                  {"second_contact_stiffer", "the second contact 2 % stiffer", "order of the speeds, discs that touch"},
                  {"third_disc_farther", "the third disc .001 farther off",
                   "speeds of the three discs, gap 0.1, rms error"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

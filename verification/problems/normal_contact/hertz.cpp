@@ -270,8 +270,6 @@ Case hertz() {
                      {"linear_spring", "a linear spring of the same number", "order of e, undamped"},
                      {"constant_of_linear_dashpot", "the dashpot of a linear spring",
                       "rms error of e over the predicted, farthest of three dampings, attractive"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -257,8 +257,6 @@ Case latching_spring() {
                      {"loss_not_booked", "what the latch keeps is left out of the ledger",
                       "closure of the energy over the predicted, farthest of e = 0.9 ... 0.3"},
                      {"commensurate_step", "the step divides the contact time", "order of e = 0.7"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -233,8 +233,6 @@ Case pressed_pair() {
                       "heights against the leapfrog's own swings, unlike discs with weight"},
                      {"dashpot_between_off", "no dashpot between the discs",
                       "error over the predicted at the finest step, equal discs, damped"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

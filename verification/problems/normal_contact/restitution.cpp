@@ -209,8 +209,6 @@ Case restitution() {
                   "closing rate seen from moving frames, change of e"},
                  {"arm_forgotten", "off-centre impact with the two masses", "rms relative error of e, off centre"},
                  {"pin_forgotten", "pivoted impact with the two masses", "rms relative error of e, pivoted"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

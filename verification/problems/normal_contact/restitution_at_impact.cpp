@@ -307,8 +307,6 @@ Case restitution_at_impact() {
                       "restitution, tumbling ellipse, three impacts, number 2"},
                      {"mass_of_particles", "a dashpot by the mass of the bodies as particles", "restitution, corner"},
                      {"ends_apart", "a dashpot for half of the effective mass", "restitution, flat side"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

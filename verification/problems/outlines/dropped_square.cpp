@@ -164,8 +164,6 @@ Case dropped_square() {
                       "spin against tilt, on the edge, resultant"},
                      {"a_little_spin", "a spin of 1e-13 at the start",
                       "spin of a square that fell flat, plane, resultant"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -241,8 +241,6 @@ Case energy_slope() {
                       "work of a closed path round a corner, over steps of its force, farthest of three"},
                      {"energy_off", "the stored energy a thousandth too large",
                       "force against the slope of the energy, nodes, farthest"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -152,8 +152,6 @@ Case nearest_points() {
                       "points whose nearest point is not the nearest, inside a corner"},
                      {"exponent_off", "an exponent .1 % too large",
                       "distance from the nearest point, farthest from brute force, inside a corner"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

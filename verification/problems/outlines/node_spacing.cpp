@@ -158,8 +158,6 @@ Case node_spacing() {
                       "ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes"},
                      {"exponent_off", "an exponent .01 % too large",
                       "curvature at the corner over its formula, farthest of n = 2 to 50, over n"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -168,8 +168,6 @@ Case rocking_block() {
                  {"smooth_ground", "a coefficient of friction of .1",
                   "time of a fall over the rigid block's, k = 1e+06"},
                  {"no_dashpot", "corners that rebound", "energy left by a change of corner over Housner's, k = 1e+06"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

@@ -150,8 +150,6 @@ Case rocking_ellipse() {
       .faults = {{"inertia_of_a_ring", "twice the moment of inertia", "period at 0.02 rad over that of a rigid body"},
                  {"smooth_plane", "no friction", "period at 0.02 rad over that of a rigid body"},
                  {"longer_axis", "a lying axis 1 % too long", "period at 0.02 rad over that of a rigid body"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

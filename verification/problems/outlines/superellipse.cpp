@@ -188,8 +188,6 @@ Case superellipse() {
             "what polygons lack of area and moment, extrapolated, over the leading order, farthest of n = 2 ... 50"},
            {"boxes_too_small", "boxes of the search a tenth too narrow",
             "touching pairs that the contact search leaves out"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

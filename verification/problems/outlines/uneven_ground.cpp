@@ -215,8 +215,6 @@ Case uneven_ground() {
                  {"slope_too_flat", "a slope beyond the crest flatter by .7 %",
                   "speed down the slope beyond a crest, largest error"},
                  {"lopsided_notch", "one side of the notch flatter", "place across the notch"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run_all};
 }
 

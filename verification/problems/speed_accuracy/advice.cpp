@@ -239,7 +239,6 @@ Case advice() {
                   "caught bob: error of the advised run over the accuracy"},
                  {"differences_not_followed", "small differences of the start are not followed",
                   "gas: refused because its differences grow"}},
-      .tier = Tier::quick,
       .time_limit = 300.0,
       .run = run};
 }

@@ -306,7 +306,6 @@ Case defaults() {
                       "even fence: last energy of the rock, half model against whole"},
                      {"rules_of_1993", "fences by the rules of 1993",
                       "fences: largest error of the energy balance over the largest energy"}},
-          .tier = Tier::quick,
           .time_limit = 120.0,
           .run = run};
 }

@@ -266,8 +266,6 @@ Case energy_gain() {
                  {"bunched_phases", "phases from a quarter of the step only",
                   "mean of ln e at w h = 0.3 over eta^4 delta^2 (1 - delta)^2/12"},
                  {"gas_by_rk4", "a method that keeps no areas", "gas at w h = 1.2, N times ln heating a collision"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

@@ -271,8 +271,6 @@ Case exact_pieces() {
                   "impacts: exit speed, largest error over the entry speed"},
                  {"growth_lost", "a latching spring that does not stiffen with the largest force",
                   "latching springs: exit speed, largest error"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

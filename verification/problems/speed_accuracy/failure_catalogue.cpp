@@ -103,8 +103,6 @@ Case failure_catalogue() {
                           "creep: way of a block held by spring and slider, over the stretch of its spring"},
           .source = "Mustoe & Huttelmaier 1993; Cundall & Strack 1979; Walton & Braun 1986; Schwager & Poeschel 2007",
           .faults = faults(),
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

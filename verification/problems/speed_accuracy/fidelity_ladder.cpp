@@ -149,8 +149,6 @@ Case fidelity_ladder() {
                       "half fence from the full one at .2 s, largest distance"},
                      {"stiffness_per_node", "the whole spring and dashpot at each of so many nodes, as in 1993",
                       "order of the push in the spacing of the nodes"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

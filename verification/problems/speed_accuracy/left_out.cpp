@@ -178,8 +178,6 @@ Case left_out() {
                   "tensions of rows of cables from those of the laws, one by one, largest difference over a run"},
                  {"paths_of_another", "the run with ledger of a fence one of whose cables is stiffer by 1e-15",
                   "without ledger, paths not told: state at the end from that with, largest difference"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

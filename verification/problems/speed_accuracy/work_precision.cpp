@@ -307,7 +307,6 @@ Case work_precision() {
                  {"stages_not_counted", "rk4's steps counted, not its evaluations", equal_work},
                  {"late_events", "Dormand-Prince under step control in the place of stormer_cowell",
                   "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, pinned column"}},
-      .tier = Tier::quick,
       .time_limit = 600.0,
       .run = run};
 }
