@@ -137,8 +137,7 @@ void check_speeds(Findings& findings, const Setup& setup) {
               .caption =
                   "Throws on a perfectly plastic cable: exit speed over the smaller of $v$ and $Y/\\sqrt{km}$, and "
                   "residual stretch; 400 steps in half a swing, 64 phases.",
-              .columns = {"v sqrt(km)/Y", "exit speed", "solver, rms error", "stretch [m]", "solver, rms error"},
-              .rows = {}};
+              .columns = {"v sqrt(km)/Y", "exit speed", "solver, rms error", "stretch [m]", "solver, rms error"}};
   for (const double share : {0.5, 0.999, 1.001, 1.5, 2.0, 4.0}) {
     if (setup.coarse && share != 2.0) continue;
     const reference::CableDraw exact = reference::perfectly_plastic_draw(stiffness, yield, mass, share * limit);
@@ -169,10 +168,7 @@ Figure loops(const std::string& name, const std::string& title, const std::strin
              const std::vector<reference::CableDraw>& exact) {
   Series lines{"exact", {}, {}, Style::lines}, points{"solver", {}, {}, Style::points};
   double stretch = 0.0;
-  const auto to = [&](double e, double t) {
-    lines.x.push_back(e);
-    lines.y.push_back(t);
-  };
+  const auto to = [&](double e, double t) { lines.add(e, t); };
   to(0.0, 0.0);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     to(stretch, 0.0);
@@ -186,10 +182,8 @@ Figure loops(const std::string& name, const std::string& title, const std::strin
     to(exact[i].stretch + exact[i].peak_tension / stiffness, exact[i].peak_tension);
     to(exact[i].stretch, 0.0);
     stretch = exact[i].stretch;
-    for (std::size_t j = 0; j < runs[i].time.size(); j += 20) {
-      points.x.push_back(runs[i].elongation[j]);
-      points.y.push_back(runs[i].tension[j]);
-    }
+    for (std::size_t j = 0; j < runs[i].time.size(); j += 20)
+      points.add(runs[i].elongation[j], runs[i].tension[j]);
   }
   return {.name = name,
           .title = title,

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "verification/check/convergence.hpp"
 #include "verification/problems/cables/cable_findings.hpp"

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/damped_bounce.hpp"
 #include "verification/study/cable_scenes.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/predicted_errors.hpp"
 
 namespace talus::verification::problems {
 
@@ -84,8 +84,7 @@ void check_speeds(Findings& findings, const Setup& setup) {
               .caption =
                   "Speed at $x = 0$ on the way back over that on the way in, exact, to first order in the weight, "
                   "and the solver's relative error at 50 steps (root mean square over 64 phases).",
-              .columns = {"G", "exact", "first order", "error", "predicted"},
-              .rows = {}};
+              .columns = {"G", "exact", "first order", "error", "predicted"}};
   const double without = exact_restitution(0.0);
   double least = 0.0;
   for (const double gravity : {0.0, 0.03, 0.1, 0.3}) {
@@ -109,46 +108,35 @@ void check_speeds(Findings& findings, const Setup& setup) {
 
 void check_order(Findings& findings, const Setup& setup) {
   constexpr double gravity = 0.1;
-  Convergence found;
-  Series line{"predicted", {}, {}, Style::lines};
-  for (const double n : doublings(16.0, 5)) {
+  const PredictedErrors errors = predicted_errors(doublings(16.0, 5), [&](double n) {
     const Catches all = catches(gravity, n, setup, findings);
-    found.add(1.0 / n, all.error.rms());
-    line.x.push_back(1.0 / n);
-    line.y.push_back(predicted_error(gravity, all.step));
-  }
-  findings.expect_order("order of e of a caught fall", found, 0.97, 1.02,
+    return std::array{1.0 / n, all.error.rms(), predicted_error(gravity, all.step)};
+  });
+  findings.expect_order("order of e of a caught fall", errors.found(), 0.97, 1.02,
                         "the leap of the force and the lag of the dashpot; the next power of the step tilts the line");
   findings.figure({.name = "error",
                    .title = "Error of the speed on the way back",
                    .caption = "G = .1, root mean square over 64 phases. Line: predicted from lag and leap.",
                    .x = {.label = "step / time taut", .log = true},
                    .y = {.label = "relative error", .log = true},
-                   .series = {{"velocity Verlet", found.steps(), found.errors(), Style::points}, line}});
+                   .series = {errors.points("velocity Verlet"), errors.line()}});
 }
 
 void show_weights(Findings& findings, const Setup& setup) {
-  Series exact{"exact", {}, {}, Style::lines}, first{"first order in G", {}, {}, Style::lines},
-      points{"velocity Verlet, 800 steps", {}, {}, Style::points};
+  const std::vector<double> weights = multiples(0.025, 0, 12);
   const double without = exact_restitution(0.0);
-  for (int i = 0; i <= 12; ++i) {
-    const double gravity = 0.025 * i;
-    exact.x.push_back(gravity);
-    exact.y.push_back(exact_restitution(gravity));
-    first.x.push_back(gravity);
-    first.y.push_back(without - 2.0 * damping_ratio * (1.0 + without) * gravity);
-    if (i % 2 != 0) continue;
-    points.x.push_back(gravity);
-    points.y.push_back(caught(gravity, 0.0035, 0.5, setup, findings).restitution);
-  }
-  findings.figure({.name = "weight",
-                   .title = "What the weight takes",
-                   .caption =
-                       "Speed on the way back over $v_0$, at $x = 0$: the formula without weight holds at $G = 0$ "
-                       "only.",
-                   .x = {.label = "G = g/(w v0)"},
-                   .y = {.label = "e"},
-                   .series = {exact, first, points}});
+  const auto first_order = [&](double g) { return without - 2.0 * damping_ratio * (1.0 + without) * g; };
+  Series found{"velocity Verlet, 800 steps", {}, {}, Style::points};
+  for (std::size_t i = 0; i < weights.size(); i += 2)
+    found.add(weights[i], caught(weights[i], 0.0035, 0.5, setup, findings).restitution);
+  findings.figure(
+      {.name = "weight",
+       .title = "What the weight takes",
+       .caption = "Speed on the way back over $v_0$, at $x = 0$: the formula without weight holds at $G = 0$ "
+                  "only.",
+       .x = {.label = "G = g/(w v0)"},
+       .y = {.label = "e"},
+       .series = {curve("exact", weights, exact_restitution), curve("first order in G", weights, first_order), found}});
 }
 
 void run(Findings& findings, const Setup& setup) {

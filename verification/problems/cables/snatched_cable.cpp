@@ -4,12 +4,11 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/cable_scenes.hpp"
+#include "verification/study/predicted_errors.hpp"
 
 namespace talus::verification::problems {
 
@@ -81,10 +80,8 @@ void check_undamped(Findings& findings, const Setup& setup) {
   for (const double phase : even_phases(fewest_phases)) {
     const double error = (snatched(0.0, step, phase, setup, findings).tension - 1.0) / (step * step);
     const double predicted = phase_error(step, phase);
-    points.x.push_back(phase);
-    points.y.push_back(error);
-    line.x.push_back(phase);
-    line.y.push_back(predicted);
+    points.add(phase, error);
+    line.add(phase, predicted);
     if (!(std::abs(error - predicted) <= farthest)) farthest = std::abs(error - predicted);
     if (!(std::abs(error) <= largest)) largest = std::abs(error);
   }
@@ -107,34 +104,30 @@ void check_orders(Findings& findings, const Setup& setup) {
                 .title = "Error of the largest tension against the step",
                 .caption = "Root mean square over 64 phases. Lines: predicted.",
                 .x = {.label = "step / time taut", .log = true},
-                .y = {.label = "relative error", .log = true},
-                .series = {}};
+                .y = {.label = "relative error", .log = true}};
   bool slack = true;
   for (const double xi : {0.0, 0.1, 0.3}) {
     if (setup.coarse && xi != 0.3) continue;
     const std::string name = xi == 0.0 ? std::string{"undamped"} : fmt::format("xi = {:g}", xi);
-    Convergence found;
-    Series line{name + ", predicted", {}, {}, Style::lines};
+    PredictedErrors errors;
     for (const double n : doublings(setup.coarse ? 128.0 : 16.0, setup.coarse ? 1 : 4)) {
       const Snatches all = snatches(xi, n, setup, findings);
-      found.add(1.0 / n, all.error.rms());
-      line.x.push_back(1.0 / n);
-      line.y.push_back(predicted_rms(xi, all.step));
+      errors.add(1.0 / n, all.error.rms(), predicted_rms(xi, all.step));
       slack = slack && all.slack;
     }
-    findings.expect("largest tension, rms error at the smallest step over its prediction, " + name,
-                    found.errors().back() / line.y.back(), 1.0,
+    findings.expect("largest tension, rms error at the smallest step over its prediction, " + name, errors.last_ratio(),
+                    1.0,
                     xi == 0.0 ? Tolerance::model(0.05,
                                                  "the prediction is that of even and independent phases of onset and "
                                                  "top; 64 pairs leave some hundredths")
                               : Tolerance::model(0.02, "the next power of the step, w h = .024"));
     if (!setup.coarse)
-      findings.expect_order("order of the largest tension, " + name, found, xi == 0.0 ? 1.9 : 0.9,
+      findings.expect_order("order of the largest tension, " + name, errors.found(), xi == 0.0 ? 1.9 : 0.9,
                             xi == 0.0 ? 2.1 : 1.1,
                             xi == 0.0 ? "the slope of the tension jumps as the cable is taut: h^2"
                                       : "the tension jumps as the cable is taut, and its dashpot lags: h");
-    figure.series.push_back({name, found.steps(), found.errors(), Style::points});
-    figure.series.push_back(line);
+    figure.series.push_back(errors.points(name));
+    figure.series.push_back(errors.line(name + ", predicted"));
   }
   findings.expect_true("every throw ends slack and on its way back", slack, "no mode is left behind at any phase");
   if (!setup.coarse) findings.figure(figure);

@@ -1,5 +1,3 @@
-#include "verification/reference/stretched_chain.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
+#include "verification/reference/stretched_chain.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
@@ -103,7 +102,7 @@ Swings swings(Way way, double amplitude, double h, const Setup& setup, Findings&
     scale.push_back(1.0 / (exact * std::sqrt((1.0 - 0.5 * exact * h) * (1.0 + 0.5 * exact * h))));
   }
   Swings found{.frequencies = std::vector<double>(modes)};
-  const Observer watch = [&](const State& state, const StepInfo& info) {
+  const Watcher watch = [&](const State& state, const StepInfo& info) {
     const std::vector<double> q = displacements(state, way);
     for (std::size_t j = 0; j < modes; ++j) {
       const double at = view(q, j), angle = std::atan2(-scale[j] * view(state.v, j), at);
@@ -116,8 +115,7 @@ Swings swings(Way way, double amplitude, double h, const Setup& setup, Findings&
   };
   const Scene scene = chain_scene(way, std::vector<double>(modes, amplitude), setup);
   const Integrator method = make_integrator(setup.has("rk4") ? "rk4" : "velocity_verlet");
-  const RunEnd end = run_steps(scene, method, h, steps, {&watch, 1});
-  findings.count(static_cast<std::uint64_t>(end.evaluations));
+  const RunEnd end = run_steps(scene, method, h, steps, findings, watch);
   for (std::size_t j = 0; j < modes; ++j)
     found.frequencies[j] = (2.0 * std::numbers::pi * turns[j] + last[j]) / (h * static_cast<double>(steps));
   if (!std::isfinite(end.state.q[0])) found.error = NAN;
@@ -148,10 +146,8 @@ void check_frequencies(Findings& findings, const Setup& setup) {
                 .x = {.label = "w h"},
                 .y = {.label = "W / w"},
                 .series = {{"sin(W h/2) = w h/2", {}, {}, Style::lines}}};
-  for (int i = 1; i <= 200; ++i) {
-    figure.series[0].x.push_back(0.01 * i);
-    figure.series[0].y.push_back(reference::leapfrog_frequency(0.01 * i, 1.0) / (0.01 * i));
-  }
+  for (int i = 1; i <= 200; ++i)
+    figure.series[0].add(0.01 * i, reference::leapfrog_frequency(0.01 * i, 1.0) / (0.01 * i));
   const auto w = reference::chain_frequencies(chain);
   double worst = 0.0, farthest = 0.0, across = 0.0;
   for (const double share : shares) {
@@ -195,13 +191,11 @@ Series last_mode(double share, long count, const Setup& setup, Findings& finding
   std::vector<double> amplitudes(modes, 0.0);
   amplitudes.back() = 1e-9;
   Series series{fmt::format("h = {:g} of the limit", share), {}, {}, Style::points};
-  const Observer watch = [&](const State& state, const StepInfo& info) {
-    series.x.push_back(static_cast<double>(info.step));
-    series.y.push_back(std::abs(view(displacements(state, Way::along), modes - 1)));
+  const Watcher watch = [&](const State& state, const StepInfo& info) {
+    series.add(static_cast<double>(info.step), std::abs(view(displacements(state, Way::along), modes - 1)));
   };
-  const RunEnd end = run_steps(chain_scene(Way::along, amplitudes, setup), make_integrator("velocity_verlet"),
-                               share * limit(Way::along), count, {&watch, 1});
-  findings.count(static_cast<std::uint64_t>(end.evaluations));
+  run_steps(chain_scene(Way::along, amplitudes, setup), make_integrator("velocity_verlet"), share * limit(Way::along),
+            count, findings, watch);
   return series;
 }
 

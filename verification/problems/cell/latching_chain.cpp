@@ -1,5 +1,3 @@
-#include "verification/reference/latching_chain.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
+#include "verification/reference/latching_chain.hpp"
 #include "verification/study/common_formula.hpp"
 
 namespace talus::verification::problems {
@@ -55,7 +54,7 @@ ChainErrors errors(std::size_t count, double steps, const reference::ChainReboun
     const auto most = static_cast<long>(500.0 * contact_time() / h);
     // Discs that leave at nearly one speed may be about to touch again for long: then they are looked at as they are.
     (void)run_row(system, row, method_of(setup), h, most, [](const auto&) {});
-    findings.count(static_cast<std::uint64_t>(system.evaluations()));
+    findings.count(system.evaluations());
     double worst = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
       const double error = std::abs(row.discs.vx[i] - exact.velocity[i]);
@@ -75,8 +74,7 @@ void check_rows(Findings& findings, const Setup& setup) {
               .caption =
                   "Final velocities of the discs in units of the first speed, reference; what is asked of the "
                   "solver at 60 steps in a contact is 2e-4.",
-              .columns = {"n", "1", "2", "3", "4", "5", "6", "largest error of 64", "last force at t/T"},
-              .rows = {}};
+              .columns = {"n", "1", "2", "3", "4", "5", "6", "largest error of 64", "last force at t/T"}};
   Table common = common_formula(
       "rows",
       "Last of a row of n touching discs, e = .7: impacts of two, one after another, give ((1 + e)/2)^(n - 1).");
@@ -149,7 +147,7 @@ void draw_history(Findings& findings, const Setup& setup) {
   (void)run_row(system, row, make_disc_method("velocity_verlet"), h, 100000, [&](const auto&) {
     if (step++ % 8 != 0 || row.discs.t > 2.4 * contact_time()) return;
     for (std::size_t i = 0; i < count; ++i)
-      all[i].x.push_back((row.discs.t - lead) / contact_time()), all[i].y.push_back(row.discs.vx[i]);
+      all[i].add((row.discs.t - lead) / contact_time(), row.discs.vx[i]);
   });
   std::vector<double> times;
   for (double t = 0.0; t < 2.4 * contact_time(); t += 0.02)
@@ -158,7 +156,7 @@ void draw_history(Findings& findings, const Setup& setup) {
   for (std::size_t i = 0; i < count; ++i) {
     Series line{fmt::format("disc {}", i + 1), {}, {}, Style::lines};
     for (std::size_t k = 0; k < times.size(); ++k)
-      line.x.push_back(times[k] / contact_time()), line.y.push_back(exact[k][i]);
+      line.add(times[k] / contact_time(), exact[k][i]);
     all.push_back(line);
   }
   // One word for all points.

@@ -48,7 +48,7 @@ Parting parting(const Meeting& meeting, Findings& findings, const Setup& setup) 
   Parting found{NAN, NAN, NAN, NAN};
   const auto most = static_cast<long>(40.0 / meeting.step + 2.0 * before / meeting.speed) + 1000;
   const bool over = run_row(system, row, make_disc_method(meeting.method), meeting.step, most, watch);
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  findings.count(system.evaluations());
   if (!over) return found;
   found.restitution = (row.discs.vx[1] - row.discs.vx[0]) / meeting.speed;
   course.summarize(meeting.step, found);

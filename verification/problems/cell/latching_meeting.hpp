@@ -1,9 +1,6 @@
 #pragma once
 
-#include <vector>
-
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/stepped_latch.hpp"
 
 /// Two equal discs that meet head on through latching springs in the engine of discs, and what they keep of their speed

@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "solver/calibrate/latching_calibration.hpp"
 #include "verification/problems/cell/latching_meeting.hpp"
 #include "verification/problems/cell/latching_table.hpp"
 #include "verification/reference/latching_impact.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/plane_impact.hpp"
 
 namespace talus::verification::problems {

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
-#include <string>
 #include <vector>
 
 #include "verification/problems/cell/latching_meeting.hpp"
@@ -98,8 +96,7 @@ void record(const Measured& measured, Findings& findings) {
               .caption =
                   "Restitution against steps in a contact, $K_1/K_2 = .49$: mean and deviation over 200 phases, "
                   "and what growth in full says. The leapfrog is Euler-Cromer and Verlet alike.",
-              .columns = {"$T/h$", "Euler", "in full", "Taylor", "in full", "leapfrog"},
-              .rows = {}};
+              .columns = {"$T/h$", "Euler", "in full", "Taylor", "in full", "leapfrog"}};
   for (const double steps : printed) {
     const auto cell = [&](std::size_t k) {
       const PhasesOfLatch& seen = measured[k].at(steps);
@@ -118,13 +115,13 @@ void draw_steps(const Measured& measured, Findings& findings) {
   for (std::size_t k = 0; k < latch_schemes.size(); ++k) {
     Series points{latch_schemes[k].label, {}, {}, k == 3 ? Style::crosses : Style::points};
     for (const auto& [steps, seen] : measured[k])
-      points.x.push_back(steps), points.y.push_back(seen.mean);
+      points.add(steps, seen.mean);
     all.push_back(points);
   }
   for (const std::size_t k : {0UL, 1UL, 3UL}) {
     Series line{k == 3 ? "c = 0" : k == 0 ? "c = 1/4" : "c = 1/8", {}, {}, Style::lines};
     for (double steps = 5.0; steps < 121.0; steps *= 1.05)
-      line.x.push_back(steps), line.y.push_back(reference::leading_restitution(latch_of(latch_schemes[k], steps)));
+      line.add(steps, reference::leading_restitution(latch_of(latch_schemes[k], steps)));
     all.push_back(line);
   }
   findings.figure(

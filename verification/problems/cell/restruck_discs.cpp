@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/cell/broken_latch.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/latching_chain.hpp"
@@ -65,7 +64,7 @@ Watched run_by(const L& by, double gap, double step, double phase, Findings& fin
       watched.depth.push_back(contact.depth), watched.force.push_back(contact.force);
     });
   });
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  findings.count(system.evaluations());
   std::copy(row.discs.vx.begin(), row.discs.vx.end(), watched.velocity.begin());
   return watched;
 }
@@ -198,8 +197,7 @@ void show_mistakes(Findings& findings) {
       .name = "mistakes",
       .caption = "Speed of the third disc, 60 steps in a contact: struck anew while unloading, slack and parted.",
       .columns = {"g", "exact", "solver", "forgotten at F = 0", "ended at F = 0", "never forgotten",
-                  "dropped every 20 steps"},
-      .rows = {}};
+                  "dropped every 20 steps"}};
   const auto third = [](const Watched& seen) { return fmt::format("{:.4f}", seen.velocity[2]); };
   for (const double gap : gaps_of_restarts) {
     const double h = step_of_restarts();
@@ -220,7 +218,7 @@ void draw_speeds(Findings& findings) {
   const double h = step_of_restarts();
   int i = 0;
   for (double gap = 2.0; gap < 10.0; gap += 0.05, ++i) {
-    const auto add = [&](Series& to, double speed) { to.x.push_back(gap), to.y.push_back(speed); };
+    const auto add = [&](Series& to, double speed) { to.add(gap, speed); };
     add(line, exact_of(gap).velocity[2]);
     add(forgotten, run_by(ForgettingLatch{law}, gap, h, 0.3, findings).velocity[2]);
     add(kept, run_by(RetentiveLatch{law}, gap, h, 0.3, findings, wide).velocity[2]);

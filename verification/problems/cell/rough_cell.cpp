@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
@@ -26,7 +25,7 @@ void expect_balances(Findings& findings, const Setup& setup) {
   CellRun run{cell, cell_plan(cell, 1.5e-2, steps)};
   const Discs before = run.discs();
   run_to_end(run);
-  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  findings.count(run.evaluations());
   const Discs after = run.discs();
   Vec2 gained;
   double spin_energy = 0.0;
@@ -72,10 +71,8 @@ class Accounts {
     if (looks() == 0) held_ = ledger.held();
     const double kept = ledger.dissipated - ledger.rubbed;
     const std::array<double, 4> numbers{ledger.driven, kept, ledger.rubbed, ledger.held() - held_};
-    for (std::size_t i = 0; i < series_.size(); ++i) {
-      series_[i].x.push_back(1e3 * static_cast<double>(run.steps()) * run.plan().step);
-      series_[i].y.push_back(numbers[i] / unit_);
-    }
+    for (std::size_t i = 0; i < series_.size(); ++i)
+      series_[i].add(1e3 * static_cast<double>(run.steps()) * run.plan().step, numbers[i] / unit_);
   }
   void draw(Findings& findings) const {
     findings.figure(
@@ -91,24 +88,23 @@ class Accounts {
 
  private:
   double unit_{}, held_{};
-  std::array<Series, 4> series_{Series{.label = "drive", .x = {}, .y = {}, .style = Style::lines},
-                                Series{.label = "dashpots", .x = {}, .y = {}, .style = Style::lines},
-                                Series{.label = "friction", .x = {}, .y = {}, .style = Style::lines},
-                                Series{.label = "held", .x = {}, .y = {}, .style = Style::lines}};
+  std::array<Series, 4> series_{
+      Series{.label = "drive", .style = Style::lines}, Series{.label = "dashpots", .style = Style::lines},
+      Series{.label = "friction", .style = Style::lines}, Series{.label = "held", .style = Style::lines}};
 };
 
 /// Draws spins over the height beside half of how fast the layers pass each other; their ratio in layers that are two
 /// diameters from both walls. Above them the block rises and falls through layers of few discs.
 double spins_over_rates(Findings& findings, const CellRun& run, double depth) {
-  Series spins{.label = "-spin", .x = {}, .y = {}}, rates{.label = "half the shear rate", .x = {}, .y = {}};
+  Series spins{.label = "-spin"}, rates{.label = "half the shear rate"};
   const std::vector<CellProfile::Layer> layers = run.profile().layers();
   const double d = run.cell().diameter, unit = run.cell().block_speed / d;
   double spin = 0.0, turning = 0.0;
   for (std::size_t k = 1; k + 1 < layers.size() && layers[k].y < depth; ++k) {
     const double rate =
         0.5 * (layers[k + 1].velocity.value - layers[k - 1].velocity.value) / (layers[k + 1].y - layers[k - 1].y);
-    spins.x.push_back(layers[k].y / d), spins.y.push_back(-layers[k].spin.value / unit);
-    rates.x.push_back(layers[k].y / d), rates.y.push_back(rate / unit);
+    spins.add(layers[k].y / d, -layers[k].spin.value / unit);
+    rates.add(layers[k].y / d, rate / unit);
     if (layers[k].y > 2.0 * d && layers[k].y < depth - 2.0 * d) spin -= layers[k].spin.value, turning += rate;
   }
   findings.figure({.name = "spins",
@@ -142,7 +138,7 @@ Flow flow(Findings& findings, const Setup& setup, bool rough) {
     }
   }
   if (rough) accounts.draw(findings);
-  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  findings.count(run.evaluations());
   using Q = CellQuantity;
   const CellRun::Ledger ledger = run.ledger();
   const double apart = run.mean(Q::depth).value + cell.diameter;

@@ -99,7 +99,7 @@ void expect_momentum(Findings& findings, const Setup& setup, const std::string& 
   CellRun run{cell, plan};
   const Discs before = run.discs();
   run_to_end(run);
-  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  findings.count(run.evaluations());
   const Discs after = run.discs();
   // Of the last force a velocity Verlet has given half; the first, of discs apart, is nought.
   const double ahead = integrator == "velocity_verlet" ? 0.5 * plan.step : 0.0;
@@ -129,7 +129,7 @@ void expect_energy(Findings& findings, const Setup& setup) {
   const double steps = setup.has("few_steps") ? 10.0 : 80.0;
   CellRun run{cell, cell_plan(cell, 1e-2, steps)};
   run_to_end(run);
-  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  findings.count(run.evaluations());
   const CellRun::Ledger ledger = run.ledger();
   const double swing = 3.0 * std::pow(std::numbers::pi / 80.0, 2) / 8.0;
   findings.expect(
@@ -141,12 +141,11 @@ void expect_energy(Findings& findings, const Setup& setup) {
 }
 
 Series history(const CellRun& run, const char* label, CellQuantity shear, CellQuantity normal, int panel) {
-  Series series{.label = label, .x = {}, .y = {}, .style = Style::lines, .panel = panel};
+  Series series{.label = label, .style = Style::lines, .panel = panel};
   for (std::size_t k = 0; k < run.intervals(); ++k) {
     const double pressed = run.interval_mean(k, normal);
     if (!(pressed > 0.0)) continue;
-    series.x.push_back(static_cast<double>(k + 1) * run.plan().every);
-    series.y.push_back(run.interval_mean(k, shear) / pressed);
+    series.add(static_cast<double>(k + 1) * run.plan().every, run.interval_mean(k, shear) / pressed);
   }
   return series;
 }
@@ -180,17 +179,15 @@ Figure profile_figure(const CellRun& loose, const CellRun& dense) {
           "block's, and area of free discs over that of the layer (orange; beside the walls less, for wall discs "
           "fill part of it). The discs slip past both walls, and the fraction shows rows.",
       .x = {"height over D", "1"},
-      .y = {.label = "velocity over VXT, solid fraction", .min = 0.0, .max = 1.0},
-      .series = {}};
+      .y = {.label = "velocity over VXT, solid fraction", .min = 0.0, .max = 1.0}};
   int panel = 0;
   for (const CellRun* run : {&loose, &dense}) {
-    Series velocity{.label = "velocity", .x = {}, .y = {}, .panel = panel}, fraction = velocity;
+    Series velocity{.label = "velocity", .panel = panel}, fraction = velocity;
     fraction.label = "solid fraction";
     for (const CellProfile::Layer& layer : run->profile().layers()) {
       if (!(layer.fraction.value > 0.01)) continue;
-      velocity.x.push_back(layer.y / run->cell().diameter),
-          velocity.y.push_back(layer.velocity.value / run->cell().block_speed);
-      fraction.x.push_back(velocity.x.back()), fraction.y.push_back(layer.fraction.value);
+      velocity.add(layer.y / run->cell().diameter, layer.velocity.value / run->cell().block_speed);
+      fraction.add(velocity.x.back(), layer.fraction.value);
     }
     figure.series.push_back(velocity), figure.series.push_back(fraction);
     ++panel;
@@ -204,8 +201,7 @@ Table numbers(const CellRun& loose, const CellRun& dense) {
   using Q = CellQuantity;
   Table table{.name = "cell",
               .caption = "What the two cells measure, means of .6 s with the standard error of a block bootstrap.",
-              .columns = {"quantity", "8 kPa", "32 kPa"},
-              .rows = {}};
+              .columns = {"quantity", "8 kPa", "32 kPa"}};
   const auto words = [](const Estimate& of, double unit) {
     return fmt::format("{:.4g} +- {:.2g}", of.value / unit, of.error / unit);
   };
@@ -246,7 +242,7 @@ void run(Findings& findings, const Setup& setup) {
     if (setup.has("soft_discs")) law.stiffness /= 30.0, law.unloading_stiffness /= 30.0;
     runs.emplace_back(cell, cell_plan(cell, time));
     run_to_end(runs.back());
-    findings.count(static_cast<std::uint64_t>(runs.back().evaluations()));
+    findings.count(runs.back().evaluations());
     const std::string where = fmt::format("{:.0f} kPa", pressure / 1e3);
     expect_limits(findings, runs.back(), where);
     expect_walls(findings, runs.back(), setup, where);

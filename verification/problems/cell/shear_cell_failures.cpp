@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <concepts>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -120,7 +119,7 @@ Flow flow(const ShearCell& cell, const L& law, const FlowPlan& plan, Findings& f
                         cell.block_speed * cell.block_speed;
       },
       method);
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  findings.count(system.evaluations());
   return found;
 }
 
@@ -140,8 +139,7 @@ void add_rows(Findings& findings, const std::vector<Row>& rows) {
                   "when its solid fraction leaves .02 to 5. Unaccounted: the share of the work of the drive that "
                   "energy grew by beyond it.",
               .columns = {"cell", "S/N", "mean fraction", "largest fraction", "largest overlap/D",
-                          "motion across/(m VXT^2)", "unaccounted", "limits"},
-              .rows = {}};
+                          "motion across/(m VXT^2)", "unaccounted", "limits"}};
   for (const Row& row : rows) {
     const Flow& flow = row.flow;
     table.rows.push_back({row.what, fmt::format("{:.3f}", flow.ratio), fmt::format("{:.3f}", flow.fraction),
@@ -161,8 +159,7 @@ Figure figure_of(const std::vector<Row>& rows) {
                     "Each cell by its stress ratio and its largest solid fraction: cells whose discs pass through each "
                     "other may have the ratio of the right one. Dashed: all that equal discs can fill.",
                 .x = {.label = "S/N", .min = 0.0, .max = 0.4},
-                .y = {.label = "largest solid fraction", .log = true},
-                .series = {}};
+                .y = {.label = "largest solid fraction", .log = true}};
   for (const Row& row : rows)
     if (row.flow.ratio != 0.0)
       figure.series.push_back(
@@ -235,12 +232,12 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
   if (setup.has("elastic_discs")) other.law = LatchingSpring{1.7e4, 1.7e4, 0.0};
   const Flow right = right_flow(cell, plan, findings);
   rows.push_back({"Verlet, 20 steps in a contact", right});
-  Series unaccounted{.label = "energy unaccounted for", .x = {}, .y = {}, .style = Style::points};
-  Series ratio{.label = "S/N, over that with 20 steps, less 1", .x = {}, .y = {}, .style = Style::points};
+  Series unaccounted{.label = "energy unaccounted for", .style = Style::points};
+  Series ratio{.label = "S/N, over that with 20 steps, less 1", .style = Style::points};
   const auto draw = [&](double steps, const Flow& found) {
-    unaccounted.x.push_back(steps), unaccounted.y.push_back(std::max(std::abs(found.unaccounted), 1e-7));
+    unaccounted.add(steps, std::max(std::abs(found.unaccounted), 1e-7));
     if (steps == plan.steps_in_contact) return;
-    ratio.x.push_back(steps), ratio.y.push_back(std::max(std::abs(found.ratio / right.ratio - 1.0), 1e-7));
+    ratio.add(steps, std::max(std::abs(found.ratio / right.ratio - 1.0), 1e-7));
   };
   draw(plan.steps_in_contact, right);
   for (const Long& by : longs) {

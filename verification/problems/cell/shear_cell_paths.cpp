@@ -68,7 +68,7 @@ void expect_virtual(Findings& findings, const Setup& setup) {
                                 .vx = start.discs.vx,
                                 .vy = start.discs.vy};
   if (setup.has("latch_weaker")) discs.k2 *= 1.0 - 1e-9;
-  Series difference{.label = "places", .x = {}, .y = {}, .style = Style::lines};
+  Series difference{.label = "places", .style = Style::lines};
   double most = 0.0, early = 0.0;  // `early`: of the first half
   long across = 0;
   for (long n = 0; !run.finished();) {
@@ -80,10 +80,9 @@ void expect_virtual(Findings& findings, const Setup& setup) {
     const double now = apart(run.discs(), discs.x, discs.y, cell.width()) / cell.diameter;
     most = std::max(most, now);
     if (2 * n <= steps) early = most;
-    difference.x.push_back(static_cast<double>(n));
-    difference.y.push_back(std::max(now, 1e-17));
+    difference.add(static_cast<double>(n), std::max(now, 1e-17));
   }
-  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  findings.count(run.evaluations());
   findings.expect_true("contacts across the border were seen in the first half", across >= 10,
                        fmt::format("without them no virtual disc acts; seen {} times, each about twice", across));
   findings.expect("places beside virtual discs and all pairs, over a diameter", early, 0.0,
@@ -125,7 +124,7 @@ void expect_own_virtual(Findings& findings, const Setup& setup) {
     virtual_discs.advance();
     across += across_border(virtual_discs);
   }
-  findings.count(static_cast<std::uint64_t>(nearest.evaluations() + virtual_discs.evaluations()));
+  findings.count(nearest.evaluations() + virtual_discs.evaluations());
   const Discs end = virtual_discs.discs();
   findings.expect("places of rough discs, list of pairs beside virtual discs, over a diameter",
                   apart(nearest.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0,

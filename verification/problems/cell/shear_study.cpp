@@ -1,5 +1,3 @@
-#include "solver/study/shear_study.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/cell/cell_run.hpp"
+#include "solver/study/shear_study.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 
@@ -36,12 +35,11 @@ enum class Over { load, speed };
 
 Series curve(const std::vector<StudyMean>& study, const std::string& series, Q quantity, Over over,
              const std::string& label, int panel = 0) {
-  Series made{.label = label, .x = {}, .y = {}, .style = Style::errorbars, .panel = panel};
+  Series made{.label = label, .style = Style::errorbars, .panel = panel};
   for (const StudyMean& point : study) {
     if (point.point.series != series || point.seeds < 2) continue;
     const Estimate of = point.of(quantity);
-    made.x.push_back(over == Over::load ? point.point.overburden / 1e3 : point.point.speed);
-    made.y.push_back(of.value);
+    made.add(over == Over::load ? point.point.overburden / 1e3 : point.point.speed, of.value);
     made.y_low.push_back(of.value - of.error), made.y_high.push_back(of.value + of.error);
   }
   return made;
@@ -89,13 +87,13 @@ Series outlines(double kilopascals, double speed, double time, int panel, const 
   CellRun run{cell, cell_plan(cell, time)};
   run_to_end(run);
   const Discs discs = run.discs();
-  Series made{.label = label, .x = {}, .y = {}, .style = Style::outlines, .panel = panel};
+  Series made{.label = label, .style = Style::outlines, .panel = panel};
   constexpr int corners = 24;
   for (std::size_t i = 0; i < discs.size(); ++i) {
     for (int k = 0; k <= corners; ++k) {
       const double angle = 2.0 * std::numbers::pi * (k % corners) / corners;
-      made.x.push_back((discs.x[i] / cell.diameter) + 0.5 * std::cos(angle));
-      made.y.push_back((discs.y[i] / cell.diameter) + 0.5 * std::sin(angle));
+      made.add((discs.x[i] / cell.diameter) + 0.5 * std::cos(angle),
+               (discs.y[i] / cell.diameter) + 0.5 * std::sin(angle));
     }
   }
   return made;
@@ -119,8 +117,7 @@ void add_verdicts(Findings& findings, const std::vector<Verdict>& found) {
               .caption =
                   "The hypothesis's predictions and what the cells say: t of the difference, and the chance of one so "
                   "large where there is none.",
-              .columns = {"prediction", "measured", "t", "chance", "verdict"},
-              .rows = {}};
+              .columns = {"prediction", "measured", "t", "chance", "verdict"}};
   for (const Verdict& verdict : found)
     table.rows.push_back({verdict.prediction, verdict.measured, fmt::format("{:+.1f}", verdict.significance),
                           fmt::format("{:.1g}", verdict.chance), std::string{words(verdict.outturn)}});
@@ -138,8 +135,7 @@ void add_numbers(Findings& findings, const std::vector<StudyMean>& study) {
                   "All cells: means over seeds with standard errors. I: inertial number; order: six-fold, 1 in a "
                   "triangular array; overlap: the largest of a seed, mean of seeds (.1 and above: no hard discs).",
               .columns = {"P [kPa]", "d/s", "k", "S/N", "multiple", "M/S", "S/N multiple", "S/N binary", "I", "order",
-                          "overlap/D"},
-              .rows = {}};
+                          "overlap/D"}};
   std::vector<std::array<double, 3>> seen;
   for (const StudyMean& point : study) {
     const std::array key{point.point.overburden, point.point.speed, point.point.stiffness};

@@ -76,7 +76,7 @@ void expect_same(Findings& findings, const Setup& setup, const std::string& name
   for (long n = 0; n < steps; ++n)
     plain.kick(plain_discs, step), plain.drift(plain_discs, step);
   fast.advance(fast_discs, step, steps);
-  findings.count(static_cast<std::uint64_t>(plain.evaluations() + fast.evaluations()));
+  findings.count(plain.evaluations() + fast.evaluations());
   constexpr auto lost = static_cast<std::size_t>(Law::dissipation);
   if constexpr (fast.remembers) fast_discs.work[lost] = plain_discs.work[lost];
   findings.expect("numbers that differ from the plain engine's, " + name,
@@ -136,7 +136,7 @@ void expect_all_pairs(Findings& findings, const Setup& setup) {
     all.step(step), system.kick(discs, step), system.drift(discs, step);
   Discs those = discs;
   those.x = all.x, those.y = all.y, those.vx = all.vx, those.vy = all.vy;
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  findings.count(system.evaluations());
   findings.expect("numbers that differ from a loop over all pairs", static_cast<double>(differing(those, discs)), 0.0,
                   Tolerance::exact("the same pairs in the same order; a list leaves out pairs that do not touch"));
 }
@@ -152,8 +152,8 @@ void show_order(Findings& findings) {
   DiscSystem plain{start.shapes, start.box, latching, 0.4};
   Discs discs = start.discs, of_plain = start.discs, turned = reordered(start.discs, reverse);
   there.begin(discs), plain.begin(of_plain), back.begin(turned);
-  Series other{.label = "discs numbered backwards", .x = {}, .y = {}, .style = Style::lines};
-  Series same{.label = "the plain engine", .x = {}, .y = {}, .style = Style::lines};
+  Series other{.label = "discs numbered backwards", .style = Style::lines};
+  Series same{.label = "the plain engine", .style = Style::lines};
   constexpr long between = 50;
   for (long n = between; n <= 6000; n += between) {
     there.advance(discs, step, between), back.advance(turned, step, between);

@@ -122,8 +122,7 @@ Table run_table(const Simulations& s) {
   Table table{.name = "runs",
               .caption = "The five simulations at the paper's step, and the spread over their twins.",
               .columns = {"simulation", "joint [lb]", "twins", "at [s]", "top cable [lb]", "bottom cable [lb]",
-                          "exit speed [ft/s]", "twins", "energy left [%]"},
-              .rows = {}};
+                          "exit speed [ft/s]", "twins", "energy left [%]"}};
   for (const Simulation* x : {&s.one, &s.two, &s.nine, &s.top_only, &s.one_top_only}) {
     const FenceSample& p = x->run.peaks;
     table.rows.push_back({x->name, fmt::format("{:.0f}", p.joint),
@@ -155,8 +154,7 @@ Table choice_table(const Setup& setup) {
       Choice{"one resultant per pair", [](scenes::Fence& f) { f.options.contact = scenes::FenceContact::resultant; }}};
   Table table{.name = "choices",
               .caption = "Two layers with the top cable only: exit speed with each open choice made otherwise.",
-              .columns = {"choice", "exit speed [ft/s]", "joint [lb]"},
-              .rows = {}};
+              .columns = {"choice", "exit speed [ft/s]", "joint [lb]"}};
   for (const Choice& choice : choices) {
     scenes::Fence fence = appendix_fence("appendix_top_cable_only.DAT", setup);
     choice.make(fence);
@@ -174,14 +172,11 @@ Figure history(std::string name, std::string title, std::string caption, const A
                 .title = std::move(title),
                 .caption = std::move(caption),
                 .x = {.label = "time", .unit = "s"},
-                .y = y,
-                .series = {}};
+                .y = y};
   for (const Simulation* x : shown) {
-    Series series{.label = x->name, .x = {}, .y = {}, .style = Style::lines};
-    for (const FenceSample& sample : x->run.history) {
-      series.x.push_back(sample.time);
-      series.y.push_back(sample.*quantity);
-    }
+    Series series{.label = x->name, .style = Style::lines};
+    for (const FenceSample& sample : x->run.history)
+      series.add(sample.time, sample.*quantity);
     figure.series.push_back(std::move(series));
   }
   return figure;

@@ -16,7 +16,7 @@ constexpr std::array declared{AppendixTwin{.spin = 2.0},     AppendixTwin{.spin 
 
 Simulation simulation(std::string name, const scenes::Fence& fence, const Setup& setup, Findings& findings) {
   Simulation made{std::move(name), run_fence(fence, 1), {}};
-  findings.count(static_cast<std::uint64_t>(made.run.evaluations));
+  findings.count(made.run.evaluations);
   if (setup.coarse) return made;
   for (const AppendixTwin& twin : declared)
     made.twins.push_back(run_fence(shifted(fence, twin)).peaks);

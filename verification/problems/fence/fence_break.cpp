@@ -21,7 +21,7 @@ void check_two_sides(Findings& findings, const Setup& setup) {
   const WeakFenceRun whole = run_weak_fence(weak_fence(1e9), 2e-5, end);
   const auto broken = [&](double share) {
     const WeakFenceRun run = run_weak_fence(weak_fence(share * whole.largest_joint_force), 2e-5, end);
-    findings.count(static_cast<std::uint64_t>(run.evaluations));
+    findings.count(run.evaluations);
     return std::ranges::count_if(run.failures, [](const Failure& f) { return f.part == "hanger 'hanger1'"; });
   };
   findings.expect("breaks of a hanger .1 % weaker than the largest force", static_cast<double>(broken(0.999)), 1.0,
@@ -39,7 +39,7 @@ void check_ledger(Findings& findings, const Setup& setup) {
   Convergence closures;
   for (const double h : steps) {
     const WeakFenceRun run = run_weak_fence(weak_fence(strength), h, end);
-    findings.count(static_cast<std::uint64_t>(run.evaluations));
+    findings.count(run.evaluations);
     const double closure = run.closure - (setup.has("break_not_booked") ? run.hanger_loss : 0.0);
     closures.add(h, std::abs(closure) / run.scale);
   }
@@ -95,10 +95,8 @@ Flight free_flight(const Setup& setup) {
 }
 
 void tell(Findings& findings, const WeakFenceRun& run) {
-  Table table{.name = "breaks",
-              .caption = "What yielded and broke, in order.",
-              .columns = {"time [s]", "part", "what"},
-              .rows = {}};
+  Table table{
+      .name = "breaks", .caption = "What yielded and broke, in order.", .columns = {"time [s]", "part", "what"}};
   for (const Failure& failure : run.failures)
     table.rows.push_back({fmt::format("{:.5f}", failure.time), failure.part, std::string{failure.what}});
   findings.table(table);
@@ -108,14 +106,11 @@ void tell(Findings& findings, const WeakFenceRun& run) {
                     "Kinetic energy of rock and columns, what cables, contacts and weights hold more than at the "
                     "start, and what was lost. Vertical lines: a hanger breaks.",
                 .x = {.label = "time", .unit = "s"},
-                .y = {.label = "energy", .unit = "lb ft"},
-                .series = {}};
+                .y = {.label = "energy", .unit = "lb ft"}};
   const auto add = [&](const char* label, double EnergySample::*member) {
-    Series series{.label = label, .x = {}, .y = {}, .style = Style::lines};
-    for (const EnergySample& sample : run.history) {
-      series.x.push_back(sample.time);
-      series.y.push_back(sample.*member);
-    }
+    Series series{.label = label, .style = Style::lines};
+    for (const EnergySample& sample : run.history)
+      series.add(sample.time, sample.*member);
     figure.series.push_back(series);
   };
   add("rock, kinetic", &EnergySample::rock);

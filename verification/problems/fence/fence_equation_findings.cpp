@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
-#include <vector>
 
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/study/fence_table.hpp"
@@ -158,8 +155,7 @@ void check_resultants(Findings& findings, const Setup& setup) {
               .caption =
                   "Forces and moments on the central column by the report's equations as printed and as "
                   "corrected, beside mass times acceleration less all else in a run of Table 2.",
-              .columns = {"equation", "as printed", "as corrected", "in the run"},
-              .rows = {}};
+              .columns = {"equation", "as printed", "as corrected", "in the run"}};
   check_balance(findings, setup, table);
   check_cable_moment(findings, setup, table);
   if (!setup.coarse) findings.table(table);

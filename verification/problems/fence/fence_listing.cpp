@@ -157,7 +157,7 @@ void add_notes(Findings& findings, const Sample2Run& run) {
 
 void run(Findings& findings, const Setup& setup) {
   const Sample2Run run = run_sample2(change_of(setup));
-  findings.count(static_cast<std::uint64_t>(run.evaluations));
+  findings.count(run.evaluations);
   const std::vector<Deviation> all = deviations(run);
   check_derived(findings, run);
   check_states(findings, run, all);
@@ -165,7 +165,7 @@ void run(Findings& findings, const Setup& setup) {
   tabulate_states(findings, all);
   long evaluations = 0;
   findings.table(rules_table(evaluations));
-  findings.count(static_cast<std::uint64_t>(evaluations));
+  findings.count(evaluations);
   add_notes(findings, run);
 }
 

@@ -1,16 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "solver/io/fence1993/read_deck.hpp"
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/restitution.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -33,16 +32,9 @@ struct Finished {
 
 /// Runs it to `end` [s]; `step` [s] instead of the fence's own if > 0.
 Finished run_to(scenes::FenceScene made, double end, double step = 0.0) {
-  Finished run{std::move(made), {}, 0};
-  const Scene& scene = run.made.scene;
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  Integrator integrator = scene.integrator;
-  run.state = scene.initial;
-  const double h = step > 0.0 ? step : scene.plan.step;
-  static_cast<void>(simulate(system, integrator, run.state, {h, end, end, false}));
-  run.evaluations = system.evaluations();
-  return run;
+  const double h = step > 0.0 ? step : made.scene.plan.step;
+  const RunEnd ended = run_scene(made.scene, made.scene.integrator, {h, end, end, false}, nullptr);
+  return {std::move(made), ended.state, ended.evaluations};
 }
 
 Finished run_to(const scenes::Fence& fence, double end, double step = 0.0) {
@@ -71,7 +63,7 @@ void check_halves(Findings& findings, const Setup& setup) {
     const Finished half = half_scene();
     fence.options.symmetry = scenes::FenceSymmetry::full;
     const Finished full = run_to(fence, 0.05);
-    findings.count(static_cast<std::uint64_t>(half.evaluations + full.evaluations));
+    findings.count(half.evaluations + full.evaluations);
     return distance(half, full);
   };
   findings.expect("13 columns: half model from the full one at .05 s, largest distance",
@@ -107,15 +99,14 @@ double rock_speed(Findings& findings, const Setup& setup, int nodes, scenes::Fen
     }
   }
   const Finished run = run_to(std::move(made), first_print);
-  findings.count(static_cast<std::uint64_t>(run.evaluations));
+  findings.count(run.evaluations);
   return run.pose("rock").v_WB.x;
 }
 
 void check_nodes(Findings& findings, const Setup& setup) {
-  Series nodes{.label = "by nodes (1993)", .x = {}, .y = {}};
+  Series nodes{.label = "by nodes (1993)"};
   for (const int count : {12, 24, 48, 96, 192}) {
-    nodes.x.push_back(count);
-    nodes.y.push_back(rock_speed(findings, setup, count, scenes::FenceContact::nodes));
+    nodes.add(count, rock_speed(findings, setup, count, scenes::FenceContact::nodes));
   }
   const double by_resultant = rock_speed(findings, {}, 12, scenes::FenceContact::resultant);
   const double growth = (nodes.y[4] - by_resultant) / (nodes.y[0] - by_resultant);
@@ -203,9 +194,9 @@ OffCentre off_centre(double height, scenes::FenceCalibration calibration) {
 void check_calibration(Findings& findings, const Setup& setup) {
   const auto effective =
       setup.has("particle_masses") ? scenes::FenceCalibration::particles : scenes::FenceCalibration::effective_mass;
-  Series by_particles{.label = "Eq. 21, two particles", .x = {}, .y = {}};
-  Series by_effective{.label = "effective mass", .x = {}, .y = {}};
-  Series predicted{.label = "Eq. 21, predicted", .x = {}, .y = {}, .style = Style::lines};
+  Series by_particles{.label = "Eq. 21, two particles"};
+  Series by_effective{.label = "effective mass"};
+  Series predicted{.label = "Eq. 21, predicted", .style = Style::lines};
   double worst_effective = 0.0, worst_particles = 0.0;
   for (const double height : {-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0}) {
     if (setup.coarse && height != 3.0) continue;
@@ -213,9 +204,9 @@ void check_calibration(Findings& findings, const Setup& setup) {
     const OffCentre felt = off_centre(height, effective);
     worst_effective = std::max(worst_effective, std::abs(felt.measured - 0.4));
     worst_particles = std::max(worst_particles, std::abs(particles.measured - particles.predicted));
-    by_particles.x.push_back(height), by_particles.y.push_back(particles.measured);
-    predicted.x.push_back(height), predicted.y.push_back(particles.predicted);
-    by_effective.x.push_back(height), by_effective.y.push_back(felt.measured);
+    by_particles.add(height, particles.measured);
+    predicted.add(height, particles.predicted);
+    by_effective.add(height, felt.measured);
   }
   const char* why =
       "from the contact's end to the reading, 3e-4 s, the struck point swings on: 3 ft off centre the column turns at "

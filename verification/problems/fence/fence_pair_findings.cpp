@@ -77,8 +77,7 @@ void check_printed_pairs(Findings& findings, const FirstSegment& segment) {
                   "of their last digit. Of the yielding rows the joint force tells the plastic stretch of the "
                   "segment.",
               .columns = {"row", "joint [lb]", "top [lb]", "joint by top [lb]", "top by joint [lb]",
-                          "beyond digits [lb]", "plastic stretch [ft]"},
-              .rows = {}};
+                          "beyond digits [lb]", "plastic stretch [ft]"}};
   double least_stretch = 1.0, largest_stretch = 0.0;
   for (const PrintedRow& row : printed_rows()) {
     std::vector<std::string> cells{name_of(row), fmt::format("{:.0f}", row.joint.value),

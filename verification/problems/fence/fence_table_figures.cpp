@@ -12,15 +12,14 @@ namespace {
 constexpr long history_every = 100;  // steps: 2e-4 s
 
 Figure printed_against_ours(const std::vector<RowRun>& rows, const FenceQuantity& quantity, const std::string& name) {
-  Series line{.label = "equal", .x = {}, .y = {}, .style = Style::lines};
-  std::array<Series, 2> groups{Series{.label = "no bottom cable", .x = {}, .y = {}, .style = Style::errorbars},
-                               Series{.label = "with bottom cable", .x = {}, .y = {}, .style = Style::errorbars}};
+  Series line{.label = "equal", .style = Style::lines};
+  std::array<Series, 2> groups{Series{.label = "no bottom cable", .style = Style::errorbars},
+                               Series{.label = "with bottom cable", .style = Style::errorbars}};
   for (const RowRun& row : rows) {
     const auto print = quantity.printed(row.printed);
     if (!print) continue;
     Series& group = groups[row.printed.bottom_cable ? 1 : 0];
-    group.x.push_back(print->value);
-    group.y.push_back(row.run.peaks.*quantity.ours);
+    group.add(print->value, row.run.peaks.*quantity.ours);
     group.y_low.push_back(row.low(quantity));
     group.y_high.push_back(row.high(quantity));
     line.x.push_back(print->value);
@@ -79,10 +78,8 @@ void draw_histories(Findings& findings) {
                     .y = {.label = plot.label, .unit = plot.unit},
                     .series = {{"elastic", {}, {}, Style::lines}, {"elastic-plastic", {}, {}, Style::lines}}};
       for (std::size_t r = 0; r < runs.size(); ++r) {
-        for (const FenceSample& sample : runs[r].history) {
-          figure.series[r].x.push_back(sample.time);
-          figure.series[r].y.push_back(sample.*plot.value);
-        }
+        for (const FenceSample& sample : runs[r].history)
+          figure.series[r].add(sample.time, sample.*plot.value);
       }
       findings.figure(std::move(figure));
     }

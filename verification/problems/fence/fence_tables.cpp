@@ -9,6 +9,7 @@
 #include "verification/problems/fence/fence_pair_findings.hpp"
 #include "verification/problems/fence/fence_snapshots.hpp"
 #include "verification/problems/fence/fence_table_figures.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 
@@ -51,8 +52,7 @@ void check_distances(Findings& findings, const std::vector<RowRun>& rows, const 
                   "Mean distance between our runs and the print, beside that between our runs and their twins "
                   "(all twins: full tier).",
               .columns = {"quantity", "rows", "printed numbers", "mean distance to print", "mean distance to twins",
-                          "inside the spread"},
-              .rows = {}};
+                          "inside the spread"}};
   for (const auto& [bottom_cable, twins] : measured_twins) {
     for (std::size_t q = 0; q < twins.size(); ++q) {
       const FenceQuantity& quantity = fence_quantities()[q];
@@ -78,8 +78,7 @@ Table row_table(const std::vector<RowRun>& rows, const FenceQuantity& quantity, 
   const auto text = [&](double value) { return fmt::format("{:.{}f}", value, quantity.relative ? 0 : 1); };
   Table table{.name = name,
               .caption = fmt::format("Every printed {} beside ours [{}].", quantity.name, quantity.unit),
-              .columns = {"row", "printed", "ours", "difference", "least twin", "largest twin", "verdict"},
-              .rows = {}};
+              .columns = {"row", "printed", "ours", "difference", "least twin", "largest twin", "verdict"}};
   for (const RowRun& row : rows) {
     const auto print = quantity.printed(row.printed);
     if (!print) continue;
@@ -137,7 +136,7 @@ void tell(Findings& findings, const std::vector<RowRun>& rows) {
 void run(Findings& findings, const Setup& setup) {
   const std::vector<RowRun> rows = run_rows(setup, setup.coarse ? 4.0 : 1.0);
   for (const RowRun& row : rows)
-    findings.count(static_cast<std::uint64_t>(row.run.evaluations));
+    findings.count(row.run.evaluations);
   check_distances(findings, rows, setup);
   check_pairs(findings, rows, setup);
   check_cables(findings, rows);

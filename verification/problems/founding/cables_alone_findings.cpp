@@ -5,9 +5,9 @@
 #include <numbers>
 #include <string>
 
-#include "solver/run/simulate.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/founding/two_cable_impact.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -19,7 +19,7 @@ struct Launch {
   double time_error{};      ///< of the turn, signed [s]
   double distance_error{};  ///< of the turn, signed [m]
   double curve_error{};     ///< largest |v^2 - v^2(theta)|, Eq. 27 [m^2/s^2]
-  Series curve{.label = "solver, every eighth of 160 steps", .x = {}, .y = {}, .style = Style::points};
+  Series curve{.label = "solver, every eighth of 160 steps", .style = Style::points};
 };
 Launch launched(const reference::TwoCableMotion& motion, double turning_time, double v1, double step,
                 const Setup& setup, Findings& findings) {
@@ -27,25 +27,20 @@ Launch launched(const reference::TwoCableMotion& motion, double turning_time, do
   scene.integrator = setup.has("euler_cromer") ? Integrator{EulerCromer{}} : Integrator{VelocityVerlet{}};
   scene.initial.v = {v1, 0.0, 0.0, 0.0};
   scene.initial.q[2] = -100.0;
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
   TurningPointFinder finder{0};
-  State state = scene.initial;
   Launch launch;
-  const Observer watch = [&](const State& seen, const StepInfo& info) {
+  const Watcher watch = [&](const State& seen, const StepInfo& info) {
     finder(seen, info);
     const double theta = std::atan(seen.q[0] / problem.length);
     if (finder.found() || theta >= motion.largest_angle()) return;
     const double exact = motion.speed_at_angle(theta);
     launch.curve_error = std::max(launch.curve_error, std::abs(seen.v[0] * seen.v[0] - exact * exact));
     if (info.step % 8 != 0) return;
-    launch.curve.x.push_back(theta);
-    launch.curve.y.push_back(seen.v[0]);
+    launch.curve.add(theta, seen.v[0]);
   };
-  const Outcome outcome = simulate(system, scene.integrator, state, {step, 5.0, 5.0, false}, {&watch, 1},
-                                   [&](const State&) { return finder.found().has_value(); });
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  const bool turned = outcome && finder.found();
+  const RunEnd end = run_scene(scene, scene.integrator, {step, 5.0, 5.0, false}, findings, watch,
+                               [&](const State&) { return finder.found().has_value(); });
+  const bool turned = end.finished && finder.found();
   launch.time_error = turned ? finder.found()->time - turning_time : std::nan("");
   launch.distance_error = turned ? finder.found()->value - motion.largest_distance() : std::nan("");
   return launch;
@@ -114,11 +109,10 @@ void check_constants(const reference::TwoCableMotion& motion, double v1, double 
 
 /// Speed over angle, the solver beside Eq. 27.
 Figure speed_curve(const reference::TwoCableMotion& motion, const Series& solver) {
-  Series exact{.label = "Eq. 27", .x = {}, .y = {}, .style = Style::lines};
+  Series exact{.label = "Eq. 27", .style = Style::lines};
   for (int i = 0; i <= 200; ++i) {
     const double theta = motion.largest_angle() * i / 200.0;
-    exact.x.push_back(theta);
-    exact.y.push_back(motion.speed_at_angle(theta));
+    exact.add(theta, motion.speed_at_angle(theta));
   }
   return {.name = "speed_curve",
           .title = "Speed of the particle over the angle of the cables",

@@ -8,6 +8,8 @@
 
 #include "verification/problems/founding/struck_scenes.hpp"
 #include "verification/study/common_formula.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -44,8 +46,7 @@ void check_commensurate(Findings& findings) {
                     "The same undamped disc with t_c/h a whole number N, and with N + 0.382. The errors of onset "
                     "and release then cancel for every phase, and Verlet seems of order 3, RK4 of order 4.",
                 .x = {"step / contact time", "1", true},
-                .y = {"rms relative error", "1", true},
-                .series = {}};
+                .y = {"rms relative error", "1", true}};
   for (const char* method : {"velocity_verlet", "rk4"}) {
     const bool rk4 = std::string_view{method} == "rk4";
     const std::vector<double> counts = doublings(16.0, rk4 ? 6 : 8);
@@ -116,13 +117,9 @@ void check_phases(Findings& findings) {
   const double eta = pi / (count + common_offset);
   Series solver{
       .label = "solver", .x = even_phases(fewest_phases), .y = swept.by_phase.front(), .style = Style::points};
-  Series theory{.label = "exact map of the leapfrog", .x = {}, .y = {}, .style = Style::lines};
-  double worst = 0.0;
-  for (std::size_t i = 0; i < solver.x.size(); ++i) {
-    theory.x.push_back(solver.x[i]);
-    theory.y.push_back(leapfrog_exit(eta, solver.x[i]) - 1.0);
-    worst = std::max(worst, std::abs(theory.y.back() - solver.y[i]));
-  }
+  const Series theory =
+      curve("exact map of the leapfrog", solver.x, [&](double phase) { return leapfrog_exit(eta, phase) - 1.0; });
+  const double worst = std::abs(worst_error(theory.y, solver.y));
   findings.expect("error of each of 64 phases at 16.4 steps per contact", worst, 0.0,
                   Tolerance::round_off(64.0 * 2.2e-16,
                                        "the map is exact: 20 steps, each with three roundings of a number below 1"));

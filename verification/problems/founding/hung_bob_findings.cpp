@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "verification/reference/elastic_pendulum.hpp"
+#include "verification/study/scene_run.hpp"
 #include "verification/study/swing.hpp"
 
 namespace talus::verification::problems {
@@ -63,8 +64,8 @@ void check_rigid_limit(Findings& findings, const Setup& setup) {
   const double softening = reference::period_softening(60.0 * degree);
   const double rigid = reference::rigid_period(elastic(1.0));
   Convergence approach;
-  Series solver{.label = "cable in the solver (rk4)", .x = {}, .y = {}, .style = Style::points};
-  Series spring{.label = "elastic reference", .x = {}, .y = {}, .style = Style::crosses};
+  Series solver{.label = "cable in the solver (rk4)", .style = Style::points};
+  Series spring{.label = "elastic reference", .style = Style::crosses};
   for (const double eps : {1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5}) {
     if (setup.coarse && eps != 1e-4) continue;
     const auto p = hung(setup, eps);
@@ -76,11 +77,9 @@ void check_rigid_limit(Findings& findings, const Setup& setup) {
                       Tolerance::truncation(0.4 * eps, 1.5,
                                             "next term of the expansion in eps, its constant measured between "
                                             "eps = 1e-3 and 1e-2"));
-    solver.x.push_back(eps);
-    solver.y.push_back(excess);
+    solver.add(eps, excess);
     if (eps >= 3e-3) {
-      spring.x.push_back(eps);
-      spring.y.push_back(reference::elastic_pendulum_period(elastic(eps)) / rigid - 1.0);
+      spring.add(eps, reference::elastic_pendulum_period(elastic(eps)) / rigid - 1.0);
     }
   }
   if (setup.coarse) return;
@@ -108,8 +107,7 @@ void check_elastic(Findings& findings, const Setup& setup) {
                    "Distance from the elastic reference after 1.3 periods, eps = 0.01, against the step over the "
                    "cable's own period.",
                .x = {"step over period of the cable", "1", true},
-               .y = {"position error", "m", true},
-               .series = {}};
+               .y = {"position error", "m", true}};
   const double natural = 2.0 * pi * std::sqrt(eps * 0.8 / 9.80665);
   for (const char* name : {"velocity_verlet", "rk4"}) {
     const bool fourth = std::string_view{name} == "rk4";

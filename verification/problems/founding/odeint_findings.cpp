@@ -1,16 +1,17 @@
 #include "verification/problems/founding/odeint_findings.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "verification/reference/pendulum_steppers.hpp"
+#include "verification/study/scene_run.hpp"
 #include "verification/study/swing.hpp"
 
 namespace talus::verification::problems {
@@ -74,11 +75,9 @@ void check_odeint(Findings& findings) {
   for (const auto& stepper : reference::pendulum_steppers()) {
     reference::PendulumRun run{std::string(stepper.name), bob_frequency(), amplitude, duration, 0, 0.0};
     if (stepper.controlled) {
-      Series series{.label = run.stepper, .x = {}, .y = {}};
-      for (run.tolerance = 1e-4; run.tolerance > 5e-13; run.tolerance *= 0.1) {
-        series.x.push_back(run.tolerance);
-        series.y.push_back(reference::run_pendulum(run).largest_angle_error);
-      }
+      Series series{.label = run.stepper};
+      for (run.tolerance = 1e-4; run.tolerance > 5e-13; run.tolerance *= 0.1)
+        series.add(run.tolerance, reference::run_pendulum(run).largest_angle_error);
       findings.expect_order("odeint alone, " + run.stepper + ": error against tolerance",
                             Convergence{series.x, series.y}, 0.8, 1.2,
                             "step control keeps the error of a step below the tolerance, so the global error is "

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,6 +12,7 @@
 #include "verification/problems/founding/swing_energy.hpp"
 #include "verification/problems/founding/swing_period_findings.hpp"
 #include "verification/problems/founding/work_precision_findings.hpp"
+#include "verification/study/scene_run.hpp"
 #include "verification/study/swing.hpp"
 
 namespace talus::verification::problems {
@@ -80,11 +82,10 @@ Figure energy_chart(const EnergyHistory& kept, double bound, const Setup& setup)
     const EnergyHistory run = std::string_view{name} == "velocity_verlet"
                                   ? kept
                                   : energy_history(bob(setup, 60.0 * degree), make_integrator(name), 64, periods);
-    Series series{.label = name, .x = {}, .y = {}, .style = Style::lines};
-    for (std::size_t i = 0; i < run.lowest.size(); ++i) {
-      series.x.push_back(static_cast<double>(periods) / 100.0 * (static_cast<double>(i) + 1.0));
-      series.y.push_back(std::max(-run.lowest[i], run.highest[i]));
-    }
+    Series series{.label = name, .style = Style::lines};
+    for (std::size_t i = 0; i < run.lowest.size(); ++i)
+      series.add(static_cast<double>(periods) / 100.0 * (static_cast<double>(i) + 1.0),
+                 std::max(-run.lowest[i], run.highest[i]));
     chart.series.push_back(series);
   }
   return chart;

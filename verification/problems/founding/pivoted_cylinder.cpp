@@ -1,14 +1,12 @@
-#include "verification/reference/pivoted_cylinder.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/founding/pivoted_ledger_findings.hpp"
 #include "verification/problems/founding/pivoted_report_of_1993.hpp"
 #include "verification/problems/founding/pivoted_step_findings.hpp"
 #include "verification/problems/founding/pivoted_swing.hpp"
+#include "verification/reference/pivoted_cylinder.hpp"
 #include "verification/study/pivoted_impact.hpp"
 
 namespace talus::verification::problems {
@@ -21,9 +19,9 @@ constexpr double stiffest = softest * 4096.0 * 1024.0;  // [lbf/ft], 4^11 times 
 /// How far the soft contact's answers are from the rigid ones, and from the soft reference's, over k_n.
 struct Approach {
   Convergence column, rock, swing;  ///< distance of v1 [ft/s], V1 [ft/s] and the largest angle [rad] to the rigid ones
-  Series soft_column{.label = "v1 [ft/s], soft reference", .x = {}, .y = {}, .style = Style::lines};
-  Series soft_rock{.label = "V1 [ft/s], soft reference", .x = {}, .y = {}, .style = Style::lines};
-  Series soft_swing{.label = "largest angle [rad], soft reference", .x = {}, .y = {}, .style = Style::lines};
+  Series soft_column{.label = "v1 [ft/s], soft reference", .style = Style::lines};
+  Series soft_rock{.label = "V1 [ft/s], soft reference", .style = Style::lines};
+  Series soft_swing{.label = "largest angle [rad], soft reference", .style = Style::lines};
   double apart{};    ///< largest distance of solver and soft reference [ft/s]
   double carried{};  ///< of which the interpolated end explains so much
   AfterImpact last;  ///< at the largest stiffness

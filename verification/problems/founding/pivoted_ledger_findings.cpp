@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/restitution.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/phases.hpp"
 #include "verification/study/pivoted_impact.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -28,9 +28,6 @@ void check_closures(Findings& findings, const Convergence& closures, double damp
                                    "(h/4) c (1 - e^2) v0^2, over the rock's kinetic energy; the next power of the step "
                                    "is w h = .006 of it")
                       .relative());
-  Series predicted{.label = "predicted", .x = closures.steps(), .y = {}, .style = Style::lines};
-  for (const double step : closures.steps())
-    predicted.y.push_back(constant * step);
   findings.figure({.name = "ledger",
                    .title = "Closure of the energy ledger after the impact",
                    .caption =
@@ -38,7 +35,8 @@ void check_closures(Findings& findings, const Convergence& closures, double damp
                        "kinetic energy; root mean square over 64 phases. The line is not fitted.",
                    .x = {.label = "step", .unit = "s", .log = true},
                    .y = {.label = "closure / kinetic energy", .log = true},
-                   .series = {{"velocity Verlet", closures.steps(), closures.errors(), Style::points}, predicted},
+                   .series = {{"velocity Verlet", closures.steps(), closures.errors(), Style::points},
+                              curve("predicted", closures.steps(), [&](double step) { return constant * step; })},
                    .slopes = {{1.0, closures.steps().front(), 0.5 * closures.errors().front(), "h"}}});
 }
 
@@ -57,20 +55,14 @@ struct Closure {
 };
 
 Closure closure_of(const Scene& scene, const Integrator& method, double step, double end, Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics};
-  EnergyLedger ledger{dynamics, scene.initial};
+  Accounting accounting{scene.model, scene.initial};
   const double before = about_pin(scene.initial);
   Closure found;
-  const Observer watch = [&](const State& state, const StepInfo&) {
+  const RunEnd ended = run_scene(scene, method, {step, end, end, true}, findings, [&](const State& state, const auto&) {
     found.momentum = std::max(found.momentum, std::abs(about_pin(state) / before - 1.0));
-    found.energy = ledger.accounts(state).energy_closure;
-  };
-  State state = scene.initial;
-  Integrator integrator = method;
-  const Outcome outcome = simulate(system, integrator, state, {step, end, end, true}, {&watch, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  found.energy = outcome ? found.energy / ledger.energy_scale() : std::nan("");
+    found.energy = accounting(state).energy_closure;
+  });
+  found.energy = ended.finished ? found.energy / accounting.ledger().energy_scale() : std::nan("");
   return found;
 }
 
@@ -87,10 +79,9 @@ void check_ledger(Findings& findings, const Setup& setup) {
   const Integrator method = setup.has("rk4") ? Integrator{RungeKutta4{}} : Integrator{VelocityVerlet{}};
   for (const double n : doublings(16.0, setup.coarse ? 1 : 6)) {
     PhaseError energy;
-    for (std::size_t i = 0; i < fewest_phases; ++i) {
-      const double step = offset_step(time, n, i);
-      run.gap = even_phases(fewest_phases)[i] * step * problem.approach_speed;
-      const Closure found = closure_of(scene_of(run, setup), method, step, 1.5 * time, findings);
+    for (const Phase& phase : offset_phases(time, n)) {
+      run.gap = phase.lead() * problem.approach_speed;
+      const Closure found = closure_of(scene_of(run, setup), method, phase.step, 1.5 * time, findings);
       energy.add(found.energy);
       worst_momentum = std::max(worst_momentum, found.momentum);
     }

@@ -81,8 +81,7 @@ void check_report_of_1993(Findings& findings) {
                   "What the report's 4.85 ft/s, 2.36 ft/s, .503 rad take: central difference from touch at $k_n = "
                   "2\\cdot10^6$ lbf/ft. `nodes` gives each of the rock's 12 boundary nodes a spring of its own "
                   "(one touches), `resultant` is one force per pair.",
-              .columns = {"contact", "mass in Eq. 21", "end rule", "steps", "v1", "V1", "largest angle", "as printed"},
-              .rows = {}};
+              .columns = {"contact", "mass in Eq. 21", "end rule", "steps", "v1", "V1", "largest angle", "as printed"}};
   for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
     for (const Dashpot dashpot : {Dashpot::two_masses, Dashpot::pivoted_mass}) {
       for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {

@@ -62,12 +62,11 @@ void study(const SmoothMotion& motion, const std::string& method, bool with_slop
   const bool first = method == "euler_cromer";
   const Integrator integrator = method == "velocity_verlet" ? verlet(setup) : make_integrator(method);
   Convergence gated;
-  Series series{.label = motion.name + ", " + method, .x = {}, .y = {}};
+  Series series{.label = motion.name + ", " + method};
   for (long steps = 16; steps <= (setup.coarse ? 4096 : 65536); steps *= 2) {
     const RunEnd end = run_steps(motion.scene, integrator, motion.duration / static_cast<double>(steps), steps);
-    series.x.push_back(1.0 / static_cast<double>(steps));
-    series.y.push_back(std::hypot((end.state.q[0] - motion.position) / motion.scale,
-                                  (end.state.v[0] - motion.velocity) / motion.start));
+    series.add(1.0 / static_cast<double>(steps), std::hypot((end.state.q[0] - motion.position) / motion.scale,
+                                                            (end.state.v[0] - motion.velocity) / motion.start));
     if (steps >= (fourth ? 32 : 64) && !(fourth && steps > 512)) gated.add(series.x.back(), series.y.back());
     if (series.y.back() < 1e-15) break;
   }
@@ -97,8 +96,7 @@ void check_smooth(Findings& findings, const Setup& setup) {
                     "Error of position and velocity (over their largest, in quadrature) after 1.3 quarter periods of "
                     "the particle on its cables and of the column's swing: the declared orders, down to round-off.",
                 .x = {"step over time", "1", true},
-                .y = {"relative error", "1", true},
-                .series = {}};
+                .y = {"relative error", "1", true}};
   for (const bool on_cables : {true, false}) {
     if (setup.coarse && !on_cables) continue;
     const SmoothMotion motion = on_cables ? particle_on_cables() : column_swing();

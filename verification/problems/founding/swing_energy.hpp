@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "verification/study/scene_run.hpp"
 #include "verification/study/swing.hpp"
 
 /// The energy of a swing over many periods.
@@ -24,7 +25,7 @@ inline EnergyHistory energy_history(const scenes::Pendulum& p, const Integrator&
   const double half = std::sin(0.5 * p.amplitude);
   const long steps = periods * per_period;
   EnergyHistory history;
-  const std::vector<Observer> watch{[&](const State& s, const StepInfo& info) {
+  const Watcher watch = [&](const State& s, const StepInfo& info) {
     const double sine = std::sin(0.5 * s.q[0]);
     // Differences of squares: the energy is needed to more digits than its two parts have together.
     history.end =
@@ -32,9 +33,9 @@ inline EnergyHistory energy_history(const scenes::Pendulum& p, const Integrator&
     const auto window = static_cast<std::size_t>(std::min(99L, info.step * 100 / steps));
     history.lowest[window] = std::min(history.lowest[window], history.end);
     history.highest[window] = std::max(history.highest[window], history.end);
-  }};
+  };
   const double h = 2.0 * std::numbers::pi / bob_frequency() / per_period;
-  const RunEnd end = run_steps(scenes::pendulum(p), integrator, h, steps, watch);
+  const RunEnd end = run_steps(scenes::pendulum(p), integrator, h, steps, nullptr, watch);
   if (!std::isfinite(end.state.q[0])) history.end = end.state.q[0];
   return history;
 }

@@ -45,7 +45,7 @@ Series study(Findings& findings, const Study& s) {
   double evaluations = 0.0;
   for (const double e : swept.evaluations)
     evaluations += e * static_cast<double>(fewest_phases);
-  findings.count(static_cast<std::uint64_t>(evaluations));
+  findings.count(std::lround(evaluations));
   return {.label = s.scene + ", " + s.method,
           .x = swept.rms.steps(),
           .y = swept.rms.errors(),
@@ -117,8 +117,7 @@ void check_wall(Findings& findings, const Setup& setup) {
                     "the two differ in what they report, not in where they go. Dashed: the predicted errors, "
                     "constants included.",
                 .x = {"step / contact time", "1", true},
-                .y = {"rms relative error", "1", true},
-                .series = {}};
+                .y = {"rms relative error", "1", true}};
   for (const char* method : {"velocity_verlet", "rk4", "central_difference"}) {
     if (setup.coarse && std::string_view{method} != "velocity_verlet") continue;
     study_wall(method, figure, findings, setup);
@@ -167,8 +166,7 @@ void check_cases(Findings& findings, const Setup& setup) {
                                "predicted for velocity Verlet; the points of central difference lie on its line.",
                                cables ? "particle's velocity" : "column's angular velocity"),
         .x = {"step / contact time", "1", true},
-        .y = {"rms relative error", "1", true},
-        .series = {}};
+        .y = {"rms relative error", "1", true}};
     for (const char* method : {"velocity_verlet", "rk4", "central_difference"}) {
       if (setup.coarse && std::string_view{method} != "velocity_verlet") continue;
       study_case(cables, method, figure, findings, setup);

@@ -1,5 +1,3 @@
-#include "verification/reference/two_cable.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,11 +6,11 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/founding/cables_alone_findings.hpp"
 #include "verification/problems/founding/two_cable_impact.hpp"
 #include "verification/problems/founding/two_cable_step_findings.hpp"
 #include "verification/reference/restitution.hpp"
+#include "verification/reference/two_cable.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
 

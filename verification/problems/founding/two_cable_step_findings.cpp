@@ -3,11 +3,11 @@
 #include <cmath>
 #include <string>
 
-#include "verification/check/convergence.hpp"
 #include "verification/problems/founding/two_cable_impact.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/phases.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -21,15 +21,13 @@ Convergence speed_errors(EndRule rule, std::size_t points, const Setup& setup, F
   const auto exact = reference::soft_impact(problem, soft_contact(contact_stiffness, end));
   Convergence errors;
   for (const double n : doublings(16, points)) {
-    PhaseError phases;
-    for (std::size_t i = 0; i < fewest_phases; ++i) {
-      const double step = offset_step(exact.at_end.t, n, i);
+    const PhaseError error = phase_error(exact.at_end.t, n, [&](const Phase& phase) {
       Scene scene = scene_of(solver_contact(contact_stiffness, end, setup), setup);
       scene.integrator = CentralDifference{};
-      const double gap = even_phases(fewest_phases)[i] * step * problem.approach_speed;
-      phases.add(simulated(scene, gap, step, false, findings).speed_after - exact.at_end.particle_velocity);
-    }
-    errors.add(exact.at_end.t / n, phases.rms());
+      const double gap = phase.lead() * problem.approach_speed;
+      return simulated(scene, gap, phase.step, false, findings).speed_after - exact.at_end.particle_velocity;
+    });
+    errors.add(exact.at_end.t / n, error.rms());
   }
   return errors;
 }
@@ -70,8 +68,7 @@ void check_contact_at_fixed_stiffness(Findings& findings, const Setup& setup) {
           "Central difference, $k_n = 10^4$ N/m, root mean square over 64 phases of the onset. The dashpot's force "
           "jumps at both ends of the attractive contact and at the onset of the clamped one, so the order is one.",
       .x = {.label = "step / contact time", .log = true},
-      .y = {.label = "error of the speed", .unit = "m/s", .log = true},
-      .series = {}};
+      .y = {.label = "error of the speed", .unit = "m/s", .log = true}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     const Series series = speed_error_curve(rule, findings, setup);
     figure.series.push_back(series);

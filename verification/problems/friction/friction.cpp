@@ -43,8 +43,7 @@ class DrawnBlock {
       work_ -= 0.5 * (force_ + now) * way * step;
       force_ = now;
       if (count % 16 != 0) continue;
-      loop.x.push_back(state_.q[0]);
-      loop.y.push_back(-force_);
+      loop.add(state_.q[0], -force_);
     }
   }
 

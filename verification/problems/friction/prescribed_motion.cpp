@@ -10,8 +10,9 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/friction/forced_system.hpp"
 #include "verification/problems/friction/method_run.hpp"
-#include "verification/problems/friction/predicted_error.hpp"
 #include "verification/reference/held_body.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 
@@ -140,7 +141,7 @@ double error(const Exercise& exercise, const Integrator& method, long steps, Fin
   if (setup.has("clock_half_a_step_late")) state.q[exercise.clock] = -0.5 * step;
   if (!state.z.empty() && !setup.has("memory_forgotten")) state.z[0] = static_cast<double>(start.z[0]);
   state = run_method(system, method, state, step, steps);
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  findings.count(system.evaluations());
   reference::SmoothState off;
   for (std::size_t i = 0; i < 3; ++i) {
     off.q[i] = state.q[i] - exact.q[i];
@@ -189,12 +190,7 @@ void check_leapfrogs(const Exercise& exercise, Figure& figure, Findings& finding
                             "step; squared where no dashpot acts), bends the line by a twentieth of itself");
     if (method.kind == reference::Leapfrog::lagged_central_difference && !system.damped) continue;
     figure.series.push_back({name, found.steps(), found.errors(), Style::points});
-    Series line{"predicted", {}, {}, Style::lines};
-    for (const double h : found.steps()) {
-      line.x.push_back(h);
-      line.y.push_back(constant * std::pow(h, order));
-    }
-    figure.series.push_back(line);
+    figure.series.push_back(curve("predicted", found.steps(), [&](double h) { return constant * std::pow(h, order); }));
   }
 }
 
@@ -223,12 +219,7 @@ void check_high_orders(const Exercise& exercise, Figure& figure, Findings& findi
 }
 
 Figure figure_of(const char* name, const char* title, const char* caption) {
-  return {.name = name,
-          .title = title,
-          .caption = caption,
-          .x = {"step", "1", true},
-          .y = {"error", "1", true},
-          .series = {}};
+  return {.name = name, .title = title, .caption = caption, .x = {"step", "1", true}, .y = {"error", "1", true}};
 }
 
 void run(Findings& findings, const Setup& setup) {

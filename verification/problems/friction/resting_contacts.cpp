@@ -8,10 +8,10 @@
 
 #include "solver/io/read_scene_file.hpp"
 #include "solver/io/scene/read_scene.hpp"
-#include "solver/run/history.hpp"
-#include "solver/run/simulate.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/resting_contact.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/recorded_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -56,25 +56,16 @@ struct Ended {
 /// The scene as `talus run` runs it.
 Ended ended(Scene scene, double tolerance, Findings& findings) {
   scene.integrator = make_integrator("stormer_cowell", tolerance);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics};
-  State state = scene.initial;
-  system.begin(state);
-  Recorder recorder{dynamics, state};
   Ended found;
-  const Observer observer = [&](const State& seen, const StepInfo& info) {
-    recorder(seen, info);
-    if (!info.due) return;
-    found.time.push_back(seen.t);
-    found.speed.push_back(std::hypot(seen.v[0], seen.v[1]));
-  };
-  const Outcome outcome = simulate(system, scene.integrator, state, scene.plan, {&observer, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  if (!outcome) state.q.assign(state.q.size(), NAN);
-  found.state = state;
-  found.evaluations = system.evaluations();
-  found.accounts = recorder.accounts();
-  found.balance = recorder.ledger()->largest_energy_closure();
+  const RecordedRun run{scene, findings, [&](const State& seen, const StepInfo& info) {
+                          if (!info.due) return;
+                          found.time.push_back(seen.t);
+                          found.speed.push_back(std::hypot(seen.v[0], seen.v[1]));
+                        }};
+  found.state = run.end().state;
+  found.evaluations = run.end().evaluations;
+  found.accounts = run.recorder().accounts();
+  found.balance = run.recorder().ledger()->largest_energy_closure();
   return found;
 }
 
@@ -100,7 +91,7 @@ long explicit_evaluations(const Scene& scene, double tolerance, Findings& findin
   } catch (const TooManyEvaluations&) {
     // More than a hundred times what is allowed.
   }
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  findings.count(system.evaluations());
   return system.evaluations();
 }
 
@@ -119,8 +110,7 @@ void sliding_block(Findings& findings, const Setup& setup, Costs& costs) {
     if (explicitly && tolerance != 1e-6) continue;
     const Ended found = explicitly ? Ended{} : ended(scene, tolerance, findings);
     const long evaluations = explicitly ? explicit_evaluations(scene, tolerance, findings) : found.evaluations;
-    costs.block.x.push_back(tolerance);
-    costs.block.y.push_back(static_cast<double>(evaluations));
+    costs.block.add(tolerance, static_cast<double>(evaluations));
     const std::string name = fmt::format("block, tolerance {:.0e}: ", tolerance);
     findings.expect_between(
         name + "evaluations", static_cast<double>(evaluations), 100.0, 300.0 * (-std::log10(tolerance) - 3.0),
@@ -158,8 +148,7 @@ void rolling_disc(Findings& findings, const Setup& setup, Costs& costs) {
   for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
     if (setup.coarse && tolerance != 1e-8) continue;
     const Ended found = ended(scene, tolerance, findings);
-    costs.disc.x.push_back(tolerance);
-    costs.disc.y.push_back(static_cast<double>(found.evaluations));
+    costs.disc.add(tolerance, static_cast<double>(found.evaluations));
     const std::string name = fmt::format("disc, tolerance {:.0e}: ", tolerance);
     const double along =
         (found.state.q[0] - scene.initial.q[0]) * cosine - (found.state.q[1] - scene.initial.q[1]) * sine;
@@ -239,8 +228,7 @@ void draw_speeds(Findings& findings, const Setup& setup) {
     Series series{label, {}, {}, Style::lines};
     for (std::size_t i = 0; i < found.time.size(); ++i) {
       if (found.time[i] < 1.015 || found.time[i] > 1.1) continue;
-      series.x.push_back(found.time[i]);
-      series.y.push_back(std::max(found.speed[i], 1e-12));
+      series.add(found.time[i], std::max(found.speed[i], 1e-12));
     }
     return series;
   };

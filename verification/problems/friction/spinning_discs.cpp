@@ -6,12 +6,10 @@
 
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
-#include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/oblique_impact.hpp"
 #include "verification/study/oblique_runs.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -59,16 +57,10 @@ reference::ObliqueImpact equivalent(double slip_rate) {
           .slip_rate = slip_rate};
 }
 
-State end_of(const Scene& scene, double contact_time, double step, std::size_t phase, Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics};
-  State state = scene.initial;
-  go_back(state, even_phases(fewest_phases)[phase] * step);
-  Integrator verlet = VelocityVerlet{};
+State end_of(Scene scene, double contact_time, double step, std::size_t phase, Findings& findings) {
+  go_back(scene.initial, even_phases(fewest_phases)[phase] * step);
   const double steps = std::ceil(1.2 * contact_time / step) + 2.0;
-  if (!simulate(system, verlet, state, {step, step * steps, 1e9, false})) state.v[0] = std::nan("");
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  return state;
+  return run_scene(scene, VelocityVerlet{}, {step, step * steps, 1e9, true}, findings).state;
 }
 
 /// The slip rate, positive as at the touch: the first rim goes up past the second.
@@ -107,8 +99,7 @@ void check_unlike(Findings& findings, const Setup& setup) {
               .caption =
                   "Slip rate after the impact of unlike discs over that before: exact and solver (velocity Verlet, "
                   "100 steps in a contact, mean of 64 phases). The unit of $v$ is $\\mu v_n k_n/k_s$.",
-              .columns = {"v", "exact", "solver", "rms error over v_n"},
-              .rows = {}};
+              .columns = {"v", "exact", "solver", "rms error over v_n"}};
   double farthest = 0.0, shares = 0.0;
   for (const double ratio : {0.25, 0.75, 1.5, 2.5, 4.0}) {
     const Met met = meet(ratio, 100.0, setup, findings);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,6 +7,7 @@
 #include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/friction/late_slip.hpp"
+#include "verification/study/predicted_errors.hpp"
 #include "verification/study/turned_pair.hpp"
 
 namespace talus::verification::problems {
@@ -50,15 +50,12 @@ void check_turn(Findings& findings, const Setup& setup) {
                                        "the force of 4 N times the roundings of a place, the friction of .25 N times "
                                        "those of the stretch"),
                   "J");
-  Convergence drift;
-  Series line{"2/3 pi^3 D/n^2", {}, {}, Style::lines};
-  for (const double n : doublings(16.0, setup.coarse ? 3 : 6)) {
-    drift.add(2.0 * std::numbers::pi / n, turned_as_told(std::lround(n), setup).stretch);
-    line.x.push_back(drift.steps().back());
-    line.y.push_back(2.0 / 3.0 * std::pow(std::numbers::pi, 3.0) * distance / (n * n));
-  }
+  const PredictedErrors drift = predicted_errors(doublings(16.0, setup.coarse ? 3 : 6), [&](double n) {
+    return std::array{2.0 * std::numbers::pi / n, turned_as_told(std::lround(n), setup).stretch,
+                      2.0 / 3.0 * std::pow(std::numbers::pi, 3.0) * distance / (n * n)};
+  });
   findings.expect_order(
-      "order of the stretch gained in a turn", drift, setup.coarse ? 1.996 : 1.9985, 2.0,
+      "order of the stretch gained in a turn", drift.found(), setup.coarse ? 1.996 : 1.9985, 2.0,
       "2 less the next term, 1 - pi^2/(10 n^2), which at 16 steps is .004 and falls by a quarter with "
       "each doubling: it tilts the line by .002 (from 16 to 64 steps), .001 (to 512)");
   if (setup.coarse) return;
@@ -69,8 +66,7 @@ void check_turn(Findings& findings, const Setup& setup) {
                        "as predicted, no constant fitted.",
                    .x = {"angle of a step", "rad", true},
                    .y = {"stretch gained", "m", true},
-                   .series = {{"solver", drift.steps(), drift.errors(), Style::points}, line},
-                   .slopes = {}});
+                   .series = {drift.points("solver"), drift.line("2/3 pi^3 D/n^2")}});
 }
 
 using Place = std::array<double, 3>;  // x, y, angle

@@ -8,8 +8,9 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/friction/late_slip.hpp"
 #include "verification/problems/friction/method_run.hpp"
-#include "verification/problems/friction/predicted_error.hpp"
 #include "verification/reference/held_body.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 
@@ -97,7 +98,7 @@ class Wedge {
     const Dynamics dynamics{scene_.model};
     const auto run = [&](auto system) {
       const State end = run_method(system, method, scene_.initial, end_time / static_cast<double>(steps), steps);
-      findings.count(static_cast<std::uint64_t>(system.evaluations()));
+      findings.count(system.evaluations());
       return end;
     };
     const State end = late ? run(LateSlipSystem{dynamics}) : run(RigidBodySystem{dynamics, false});
@@ -153,12 +154,8 @@ void check_leapfrogs(const Wedge& wedge, Figure& figure, Findings& findings, con
         "the springs never let go nor slip. The next power, (w h)^2 = 4e-4 at the largest step (coarse: .007), "
         "bends the line by up to four times as much where the leading term happens to be small");
     figure.series.push_back({"solver, " + wedge.name(), found.steps(), found.errors(), Style::points});
-    Series line{"predicted, " + wedge.name(), {}, {}, Style::lines};
-    for (const double h : found.steps()) {
-      line.x.push_back(h);
-      line.y.push_back(constant * h * h);
-    }
-    figure.series.push_back(line);
+    figure.series.push_back(
+        curve("predicted, " + wedge.name(), found.steps(), [&](double h) { return constant * h * h; }));
   }
 }
 
@@ -171,12 +168,7 @@ void check_late(const Wedge& wedge, Figure& figure, Table& table, Findings& find
   const Convergence found = wedge.errors(VelocityVerlet{}, 4096.0, 4, true, findings);
   expect_constant(findings, "slip along late directions, " + wedge.name(), found, late, 1, 1, 3e-6);
   figure.series.push_back({"late directions, " + wedge.name(), found.steps(), found.errors(), Style::crosses});
-  Series line{"late, predicted", {}, {}, Style::lines};
-  for (const double h : found.steps()) {
-    line.x.push_back(h);
-    line.y.push_back(late * h);
-  }
-  figure.series.push_back(line);
+  figure.series.push_back(curve("late, predicted", found.steps(), [&](double h) { return late * h; }));
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -187,15 +179,13 @@ void run(Findings& findings, const Setup& setup) {
                     "Lines: predicted, no constant fitted. Crosses: the slip taken along the directions of the "
                     "step's end.",
                 .x = {"step", "s", true},
-                .y = {"error", "m", true},
-                .series = {}};
+                .y = {"error", "m", true}};
   Table table{.name = "late",
               .caption =
                   "Predicted errors of velocity Verlet at the end, over the step's power: as the solver takes "
                   "the slip, and along the directions of the step's end; and the step below which the late "
                   "slip's error is the larger.",
-              .columns = {"sizes", "error/h^2", "late: error/h", "alike at h"},
-              .rows = {}};
+              .columns = {"sizes", "error/h^2", "late: error/h", "alike at h"}};
   for (const double ratio : {1.0, 3.0, 10.0, 100.0}) {
     if (setup.coarse && ratio != 1.0) continue;
     const Wedge wedge{ratio, setup};

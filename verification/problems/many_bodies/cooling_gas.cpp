@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "solver/cell/block_means.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/followed_discs.hpp"
 #include "verification/reference/gas_of_discs.hpp"
+#include "verification/study/curves.hpp"
 
 namespace talus::verification::problems {
 
@@ -70,7 +70,7 @@ Cooling cool(const L& law, std::size_t discs, double contact_time, std::uint64_t
       sum += Vec2{seen.discs.vx[i], seen.discs.vy[i]};
     found.momentum = std::max(found.momentum, norm(sum));
   });
-  findings.count(static_cast<std::uint64_t>(plan.steps));
+  findings.count(plan.steps);
   found.slope = slope_of(found.time, found.temperature);
   found.account = booked / lost;
   return found;
@@ -101,7 +101,7 @@ Elastic rest_in_motion(double fraction, std::size_t discs, double between, Findi
     if (seen.t >= before)
       means.add(seen.t - before, 1.0, std::array{seen.stress.pressure(), law_at_1 * seen.temperature});
   });
-  findings.count(static_cast<std::uint64_t>(plan.steps));
+  findings.count(plan.steps);
   Elastic found;
   found.pressure = means.ratio(0, 1, 0);
   found.hardened = reference::pressure(reference::hardened(gas, 1.0, law.stiffness), 1.0) / law_at_1;
@@ -116,8 +116,7 @@ void check_elastic(Findings& findings, const Setup& setup) {
               .caption =
                   "Pressure of elastic discs by the virial over that of hard discs of their diameter; what softer "
                   "discs should have; change of the energy.",
-              .columns = {"phi", "p", "error", "soft", "energy"},
-              .rows = {}};
+              .columns = {"phi", "p", "error", "soft", "energy"}};
   const double collisions = setup.coarse ? 120.0 : 150.0;  // of a disc
   double worst_pressure = -1.0, worst_energy = -1.0;
   Elastic pressed, heated;
@@ -181,7 +180,7 @@ void run(Findings& findings, const Setup& setup) {
       momentum = std::max(momentum, found.momentum);
       if (seed > 1) continue;
       for (std::size_t i = 0; i < found.time.size(); i += 20)
-        drawn[which].x.push_back(found.time[i]), drawn[which].y.push_back(found.temperature[i]);
+        drawn[which].add(found.time[i], found.temperature[i]);
     }
     findings.expect(
         fmt::format("slope of T^-1/2, {}, over Haff's", drawn[which].label), slope[which], 1.0,
@@ -207,9 +206,7 @@ void run(Findings& findings, const Setup& setup) {
                            "and the sum over all discs by which it is told"));
   check_elastic(findings, setup);
   if (setup.coarse) return;
-  Series law{"Haff's law", {}, {}, Style::lines};
-  for (int i = 0; i <= 100; ++i)
-    law.x.push_back(0.01 * length * i), law.y.push_back(1.0 / ((1.0 + law.x.back()) * (1.0 + law.x.back())));
+  const auto haff = [](double t) { return 1.0 / ((1.0 + t) * (1.0 + t)); };
   findings.figure({.name = "cooling",
                    .title = "A gas that cools",
                    .caption = fmt::format("Temperature over its first value against time over $\\tau$, the first of {} "
@@ -217,7 +214,7 @@ void run(Findings& findings, const Setup& setup) {
                                           seeds, *least, *most),
                    .x = {.label = "t/tau"},
                    .y = {.label = "T/T0", .log = true},
-                   .series = {law, drawn[0], drawn[1]}});
+                   .series = {curve("Haff's law", multiples(0.01 * length, 0, 100), haff), drawn[0], drawn[1]}});
 }
 
 }  // namespace

@@ -16,8 +16,7 @@ void draw(Findings& findings, const std::vector<DenseFlow>& all) {
               .caption =
                   "Friction, with its standard error from ten blocks, at the inertial number that the solid "
                   "fraction gives; softness $p/K_1$; contacts of a disc; mean overlap of a contact over $d$.",
-              .columns = {"phi", "I", "mu", "error", "p/K1", "contacts", "overlap"},
-              .rows = {}};
+              .columns = {"phi", "I", "mu", "error", "p/K1", "contacts", "overlap"}};
   Series points{"discs", {}, {}, Style::errorbars};
   for (const DenseFlow& flow : all) {
     const auto [mu, error] = flow.friction;
@@ -25,7 +24,7 @@ void draw(Findings& findings, const std::vector<DenseFlow>& all) {
                           fmt::format("{:.4f}", mu), fmt::format("{:.4f}", error),
                           fmt::format("{:.1e}", flow.pressure.value), fmt::format("{:.2f}", flow.coordination),
                           fmt::format("{:.1e}", flow.overlap)});
-    points.x.push_back(flow.inertial.value), points.y.push_back(mu);
+    points.add(flow.inertial.value, mu);
     points.y_low.push_back(mu - 3.0 * error), points.y_high.push_back(mu + 3.0 * error);
   }
   findings.table(table);

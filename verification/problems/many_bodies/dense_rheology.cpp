@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/dense_runs.hpp"
 #include "verification/reference/power_fit.hpp"
+#include "verification/study/curves.hpp"
 
 namespace talus::verification::problems {
 
@@ -226,7 +226,7 @@ Series friction_points(const char* label, const std::vector<DenseFlow>& flows) {
   Series out{label, {}, {}, Style::errorbars};
   for (const DenseFlow& flow : flows) {
     const auto [mu, error] = flow.friction;
-    out.x.push_back(flow.inertial.value), out.y.push_back(mu);
+    out.add(flow.inertial.value, mu);
     out.y_low.push_back(mu - 3.0 * error), out.y_high.push_back(mu + 3.0 * error);
   }
   return out;
@@ -239,7 +239,7 @@ Series fraction_points(const char* label, const std::vector<DenseFlow>& flows) {
     const DenseFlow &left = flows[i > 0 ? i - 1 : i], &right = flows[std::min(i + 1, flows.size() - 1)];
     const double slope = (right.fraction - left.fraction) / (right.inertial.value - left.inertial.value);
     const double error = std::abs(slope) * flows[i].inertial.error, phi = flows[i].fraction;
-    out.x.push_back(flows[i].inertial.value), out.y.push_back(phi);
+    out.add(flows[i].inertial.value, phi);
     out.y_low.push_back(phi - 3.0 * error), out.y_high.push_back(phi + 3.0 * error);
   }
   return out;
@@ -251,7 +251,7 @@ Series curve(const char* label, const reference::PowerFit& fit, const Points& po
   const double slowest = points.back().x, fastest = points.front().x;
   for (int k = 0; k <= 60; ++k) {
     const double x = slowest * std::pow(fastest / slowest, k / 60.0);
-    out.x.push_back(x), out.y.push_back(fit.at(x));
+    out.add(x, fit.at(x));
   }
   return out;
 }
@@ -261,8 +261,7 @@ void draw(Findings& findings, const std::vector<DenseFlow>& smooth, const std::v
               .caption =
                   "Discs without friction (smooth) and with $\\mu_p = .5$ (rough): what was measured at each "
                   "solid fraction, with standard errors; contacts of a disc; mean overlap of a contact over $d$.",
-              .columns = {"discs", "phi", "I", "error", "mu", "error", "p/K1", "contacts", "overlap"},
-              .rows = {}};
+              .columns = {"discs", "phi", "I", "error", "mu", "error", "p/K1", "contacts", "overlap"}};
   add_rows(table, "smooth", smooth), add_rows(table, "rough", rough);
   findings.table(table);
   const Points slow = frictions(smooth);

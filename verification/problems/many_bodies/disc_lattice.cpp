@@ -56,7 +56,7 @@ Grown grow(const std::string& integrator, double share, int steps, const Setup& 
   }
   const double h = share * (setup.has("limit_of_a_pair") ? std::sqrt(2.0) : std::sqrt(2.0 / 3.0));
   Grown grown;
-  grown.amplitude = {.label = fmt::format("{} of the limit", share), .x = {}, .y = {}, .style = Style::lines};
+  grown.amplitude = {.label = fmt::format("{} of the limit", share), .style = Style::lines};
   std::visit(
       [&](auto method) {
         system.begin(discs);
@@ -71,13 +71,13 @@ Grown grow(const std::string& integrator, double share, int steps, const Setup& 
             squares += x * x + y * y;
           }
           const double amplitude = std::sqrt(squares / static_cast<double>(discs.size()));
-          grown.amplitude.x.push_back(n), grown.amplitude.y.push_back(amplitude);
+          grown.amplitude.add(n, amplitude);
           grown.most = std::max(grown.most, amplitude / first);
           if (amplitude > 0.1 * overlap) break;
         }
       },
       make_disc_method(integrator));
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  findings.count(system.evaluations());
   const std::vector<double>& y = grown.amplitude.y;
   const std::size_t last = y.size() - 1, middle = y.size() / 2;
   grown.rate = std::log(y[last] / y[middle]) / static_cast<double>(last - middle);
@@ -91,8 +91,7 @@ void run(Findings& findings, const Setup& setup) {
                     "Root mean square displacement over a diameter, velocity Verlet; at 1.01 and 1.02 of the limit it "
                     "grows by e^{2 arcosh} a step.",
                 .x = {"step", "1"},
-                .y = {.label = "displacement over d", .log = true, .min = 1e-12, .max = 1e-4},
-                .series = {}};
+                .y = {.label = "displacement over d", .log = true, .min = 1e-12, .max = 1e-4}};
   for (const char* integrator : {"velocity_verlet", "euler_cromer", "central_difference"}) {
     for (const double share : {0.99, 1.01, 1.02}) {
       const Grown grown = grow(integrator, share, share < 1.0 ? (setup.coarse ? 400 : 4000) : 400, setup, findings);

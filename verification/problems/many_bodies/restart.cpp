@@ -1,6 +1,6 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <unistd.h>
 #include <cmath>
 #include <filesystem>
 
@@ -83,7 +83,7 @@ Half run_in_halves(const Scene& scene, const Integrator& method, double step, lo
     const bool good = static_cast<bool>(simulate(on, run, plan(steps)));
     Half half{synchronized(run, on, plan(steps)), run.evaluations};
     if (!good) half.end.q[0] = std::nan("");
-    findings.count(static_cast<std::uint64_t>(run.evaluations));
+    findings.count(run.evaluations);
     return half;
   };
   if (how == Interrupted::never) return ended(standing, system);
@@ -135,8 +135,7 @@ void run(Findings& findings, const Setup& setup) {
               .caption =
                   "Force evaluations of the whole run and of that taken on, and the largest change of a coordinate "
                   "at the end when the method begins anew from the state alone, as one would from a listing.",
-              .columns = {"scene", "method", "whole", "taken on", "begun anew"},
-              .rows = {}};
+              .columns = {"scene", "method", "whole", "taken on", "begun anew"}};
   const Scene yard = crowded_yard();
   const double step = 1e-3;
   const long steps = std::lround(0.8 / step);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -61,7 +60,7 @@ Sheared shear(const reference::GasOfDiscs& gas, std::size_t discs, double softne
     heat -= seen.stress.xy * plan.step * static_cast<double>(plan.every) * start.width * start.height;
     found.deepest = std::max(found.deepest, seen.contacts.largest_depth);
   });
-  findings.count(static_cast<std::uint64_t>(plan.steps));
+  findings.count(plan.steps);
   const auto over = [](Estimate mean, double by) { return Estimate{mean.value / by, mean.error / by}; };
   found.temperature = over(means.estimate(0, 0), t);
   found.friction = over(means.ratio(1, 2, 0), found.theory.friction());
@@ -104,8 +103,7 @@ Table table_of(const std::vector<Sheared>& all) {
                   "Temperature and friction in the units above, over the theory's, with standard errors (20 "
                   "blocks); pressure over the theory's; difference of the normal stresses over the pressure, "
                   "measured and theory; account over heat; largest overlap.",
-              .columns = {"e", "phi", "T", "over", "mu", "over", "p over", "N1", "theory", "balance", "overlap"},
-              .rows = {}};
+              .columns = {"e", "phi", "T", "over", "mu", "over", "p over", "N1", "theory", "balance", "overlap"}};
   for (const Sheared& s : all) {
     table.rows.push_back({fmt::format("{:g}", s.gas.restitution), fmt::format("{:g}", s.gas.solid_fraction),
                           fmt::format("{:.3g}", s.temperature.value * s.theory.temperature),
@@ -125,8 +123,7 @@ Figure figure_of(const std::vector<Sheared>& all, bool friction) {
                 .caption = friction ? "$\\mu$ against solid fraction; lines: theory; bars: three standard errors."
                                     : "$T$ over $m\\dot\\gamma^2d^2$ against solid fraction; lines: theory.",
                 .x = {.label = "solid fraction"},
-                .y = {.label = friction ? "mu" : "T", .log = !friction},
-                .series = {}};
+                .y = {.label = friction ? "mu" : "T", .log = !friction}};
   std::vector<double> restitutions;
   for (const Sheared& s : all) {
     const double e = s.gas.restitution;
@@ -137,14 +134,14 @@ Figure figure_of(const std::vector<Sheared>& all, bool friction) {
     for (int i = 2; i <= 26; ++i) {
       const double phi = 0.02 * i;
       const reference::SteadyShear steady = reference::gaussian_shear({.solid_fraction = phi, .restitution = e}, 1.0);
-      line.x.push_back(phi), line.y.push_back(friction ? steady.friction() : steady.temperature);
+      line.add(phi, friction ? steady.friction() : steady.temperature);
     }
     Series points{fmt::format("e = {:g}, discs", e), {}, {}, friction ? Style::errorbars : Style::points};
     for (const Sheared& s : all) {
       if (s.gas.restitution != e) continue;
       const Estimate mean = friction ? s.friction : s.temperature;
       const double unit = friction ? s.theory.friction() : s.theory.temperature;
-      points.x.push_back(s.gas.solid_fraction), points.y.push_back(mean.value * unit);
+      points.add(s.gas.solid_fraction, mean.value * unit);
       if (!friction) continue;
       points.y_low.push_back((mean.value - 3.0 * mean.error) * unit);
       points.y_high.push_back((mean.value + 3.0 * mean.error) * unit);

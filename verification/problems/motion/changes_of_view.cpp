@@ -5,10 +5,10 @@
 #include <numbers>
 #include <random>
 
-#include "solver/run/simulate.hpp"
 #include "verification/check/case.hpp"
 #include "verification/study/lively_scenes.hpp"
 #include "verification/study/moved_scene.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -19,13 +19,7 @@ namespace {
 constexpr double step = 2.5e-4;
 
 State run_to(const Scene& scene, const Integrator& method, double end, Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics};
-  State state = scene.initial;
-  Integrator integrator = method;
-  if (!simulate(system, integrator, state, {step, end, end, true})) state.q[0] = std::nan("");
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  return state;
+  return run_scene(scene, method, {step, end, end, true}, findings).state;
 }
 
 Scene seen_scene(const Scene& scene, const Viewpoint& view, const Setup& setup) {
@@ -150,8 +144,7 @@ class RoundedViews {
                .caption =
                    "Largest difference of a coordinate or velocity at the end, where the two runs round otherwise, "
                    "beside what rounding and the growth of differences explain.",
-               .columns = {"scene", "seen", "growth G", "difference", "n u G"},
-               .rows = {}};
+               .columns = {"scene", "seen", "growth G", "difference", "n u G"}};
 };
 
 void check_bits(Findings& findings, const Setup& setup) {

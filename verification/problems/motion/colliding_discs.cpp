@@ -6,11 +6,10 @@
 #include <random>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
-#include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/restitution.hpp"
+#include "verification/study/phases.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -31,26 +30,20 @@ struct Ledger {
 };
 
 Ledger run_ledger(const Scene& scene, double step, double end, const Setup& setup, Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics};
-  State state = scene.initial;
-  system.settle(state);
-  EnergyLedger ledger{dynamics, state};
-  const Accounts start = ledger.accounts(state);
+  Accounting accounting{scene.model, begun(scene)};
+  const Accounts start = accounting(scene.initial);
   Ledger found;
-  const auto account = [&](State seen) {
+  const Watcher account = [&](State seen, const StepInfo&) {
     if (setup.has("dashpot_not_booked")) seen.work[static_cast<std::size_t>(Mechanism::contact_damping)] = 0.0;
-    const Accounts now = ledger.accounts(seen);
+    const Accounts now = accounting(seen);
     const Vec2 drift = now.momenta.linear - start.momenta.linear;
     found.left_over = now.energy_closure / start.energies.kinetic;
     found.largest = std::max(found.largest, std::abs(found.left_over));
     found.momentum = std::max({found.momentum, std::abs(drift.x), std::abs(drift.y)});
     found.moment = std::max(found.moment, std::abs(now.momenta.angular - start.momenta.angular));
   };
-  const Observer observers[] = {[&](const State& seen, const StepInfo&) { account(seen); }};
-  Integrator method = VelocityVerlet{};
-  if (!simulate(system, method, state, {step, end, end, true}, observers)) found.largest = std::nan("");
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  if (!run_scene(scene, VelocityVerlet{}, {step, end, end, true}, findings, account).finished)
+    found.largest = std::nan("");
   return found;
 }
 
@@ -127,9 +120,8 @@ void check_two(Findings& findings, const Setup& setup, double xi, Figure& figure
   for (const double count : doublings(setup.coarse ? 64.0 : 32.0, setup.coarse ? 3 : 5)) {
     PhaseError error;
     double sum = 0.0;
-    for (std::size_t i = 0; i < fewest_phases; ++i) {
-      const double step =
-          setup.has("commensurate_step") ? events.contact_time / count : offset_step(events.contact_time, count, i);
+    for (const auto& [i, step, onset] :
+         offset_phases(events.contact_time, count, fewest_phases, setup.has("commensurate_step"))) {
       const double touch_after = (2.0 + even_phases(fewest_phases)[i * 27 % fewest_phases]) * step;
       const Ledger found = run_ledger(two_discs(xi, approach * touch_after), step,
                                       touch_after + events.contact_time + 3.0 * step, setup, findings);
@@ -138,10 +130,8 @@ void check_two(Findings& findings, const Setup& setup, double xi, Figure& figure
     }
     const double step = events.contact_time / (count + 0.5), wh = omega * step;
     errors.add(1.0 / (count + 0.5), error.rms());
-    points.x.push_back(wh);
-    points.y.push_back(error.rms());
-    line.x.push_back(wh);
-    line.y.push_back(xi > 0.0 ? xi * wh * std::abs(1.0 - 3.0 * e * e) : wh * wh / std::sqrt(90.0));
+    points.add(wh, error.rms());
+    line.add(wh, xi > 0.0 ? xi * wh * std::abs(1.0 - 3.0 * e * e) : wh * wh / std::sqrt(90.0));
     ratio = xi > 0.0 ? sum : error.rms() / line.y.back();
   }
   figure.series.push_back(points);
@@ -187,10 +177,8 @@ void check_twenty(Findings& findings, const Setup& setup, double xi, double mu, 
                   Tolerance::round_off(rounding * moment, words), "kg m^2/s");
   if (setup.coarse) return;
   Series points{what + ", twenty discs", {}, {}, Style::linespoints};
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    points.x.push_back(std::sqrt(stiffness / 0.45) * errors.steps()[i]);
-    points.y.push_back(errors.errors()[i]);
-  }
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    points.add(std::sqrt(stiffness / 0.45) * errors.steps()[i], errors.errors()[i]);
   figure.series.push_back(points);
   const bool second = xi == 0.0;
   findings.expect_order("order of the largest energy left over, twenty discs, " + what, errors, second ? 1.7 : 0.8,
@@ -204,8 +192,7 @@ void run(Findings& findings, const Setup& setup) {
                     "Over the energy of approach. Two discs: root mean square over 64 phases (points) and the "
                     "constants derived above (lines); twenty discs: the largest of one run.",
                 .x = {.label = "w h", .log = true},
-                .y = {.label = "energy left over", .log = true},
-                .series = {}};
+                .y = {.label = "energy left over", .log = true}};
   check_two(findings, setup, 0.0, figure);
   check_two(findings, setup, 0.1, figure);
   if (!setup.coarse) check_two(findings, setup, 0.4, figure);

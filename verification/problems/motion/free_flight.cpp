@@ -52,8 +52,7 @@ struct FlightErrors {
 
 FlightErrors fly(const Integrator& method, double step, long count, const Setup& setup, Findings& findings) {
   const Integrator told = setup.has("euler_for_verlet") && name(method) == "velocity_verlet" ? EulerCromer{} : method;
-  const RunEnd run = run_steps(flight_scene(setup), told, step, count);
-  findings.count(static_cast<std::uint64_t>(run.evaluations));
+  const RunEnd run = run_steps(flight_scene(setup), told, step, count, findings);
   const double t = step * static_cast<double>(count);
   FlightErrors errors;
   for (std::size_t i = 0; i < flights.size(); ++i) {
@@ -105,15 +104,13 @@ void draw_steps(Findings& findings, const Setup& setup) {
                     "Error of y at t = 1 s against the step: both Euler methods on the line $a h t/2$, leapfrog and "
                     "Runge-Kutta at round-off.",
                 .x = {.label = "step", .unit = "s", .log = true},
-                .y = {.label = "error of y", .unit = "m", .log = true},
-                .series = {}};
+                .y = {.label = "error of y", .unit = "m", .log = true}};
   for (const char* method : {"euler_cromer", "euler", "velocity_verlet", "central_difference", "rk4"}) {
     Series series{method, {}, {}, Style::points};
     for (long count = 10; count <= 10000; count *= 10) {
       const double step = 1.0 / (static_cast<double>(count) + 0.381966);
-      series.x.push_back(step);
       const FlightErrors errors = fly(make_integrator(method), step, count, setup, findings);
-      series.y.push_back(std::max(std::abs(errors.place[1]), 1e-17));
+      series.add(step, std::max(std::abs(errors.place[1]), 1e-17));
     }
     figure.series.push_back(series);
   }
@@ -125,8 +122,7 @@ void draw_steps(Findings& findings, const Setup& setup) {
 void run(Findings& findings, const Setup& setup) {
   Table table{.name = "methods",
               .caption = "Largest error of a coordinate and of a rate after 1000 steps, and what rounding explains.",
-              .columns = {"method", "coordinates", "rates", "rounding"},
-              .rows = {}};
+              .columns = {"method", "coordinates", "rates", "rounding"}};
   for (const std::string& method : integrator_names())
     check_method(findings, setup, method, table);
   if (setup.coarse) return;

@@ -45,8 +45,7 @@ Integrator integrator_of(SwingMethod method) {
 /// The solver's place, in swings from the middle.
 double solver_place(SwingMethod method, double step, long steps, const Setup& setup, Findings& findings) {
   const Scene scene = swing_scene(setup);
-  const RunEnd run = run_steps(scene, integrator_of(method), step, steps);
-  findings.count(static_cast<std::uint64_t>(run.evaluations));
+  const RunEnd run = run_steps(scene, integrator_of(method), step, steps, findings);
   return (run.state.q[0] - (scene.initial.q[0] - swing)) / swing;
 }
 

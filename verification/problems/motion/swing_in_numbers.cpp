@@ -1,6 +1,7 @@
 #include "verification/problems/motion/swing_in_numbers.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
+
 #include <stdexcept>
 
 #include "solver/integrate/central_difference.hpp"

@@ -172,8 +172,8 @@ void check_fall(Findings& findings, const Method& method, int bits, const Fall& 
   if (method.method == SwingMethod::lagged_central_difference) return;
   Series points{of, {}, {}, Style::points}, line{of + ", predicted", {}, {}, Style::lines};
   for (const ErrorAt& at : fall.all) {
-    points.x.push_back(at.step), points.y.push_back(at.whole);
-    line.x.push_back(at.step), line.y.push_back(at.predicted);
+    points.add(at.step, at.whole);
+    line.add(at.step, at.predicted);
   }
   figure.series.push_back(points);
   figure.series.push_back(line);
@@ -203,8 +203,7 @@ void check_numbers(Findings& findings, const Setup& setup) {
   const int runs = setup.coarse ? 16 : 32;
   Table table{.name = "numbers",
               .caption = "Rounding after 500 steps over its prediction, root mean square of 32 runs.",
-              .columns = {"method", "24 bits", "53", "64", "113"},
-              .rows = {}};
+              .columns = {"method", "24 bits", "53", "64", "113"}};
   double furthest = 0.0;
   for (const Method& method : methods) {
     if (setup.coarse && method.order == 4) continue;
@@ -229,12 +228,10 @@ void check_best_steps(Findings& findings, const Setup& setup) {
                     "Error of the place after ten to thirteen time units, over the swing: root mean square of "
                     "the runs, and what method and rounding were predicted to leave.",
                 .x = {.label = "step", .unit = "s", .log = true},
-                .y = {.label = "error over the swing", .log = true},
-                .series = {}};
+                .y = {.label = "error over the swing", .log = true}};
   Table table{.name = "best_steps",
               .caption = "The step below which a smaller one makes the result worse.",
-              .columns = {"method", "bits", "predicted", "measured", "least error"},
-              .rows = {}};
+              .columns = {"method", "bits", "predicted", "measured", "least error"}};
   const double damping = setup.has("dashpot_left_on") ? 0x1p-10 : 0.0;
   Furthest furthest;
   for (const Method& method : methods) {

@@ -5,11 +5,11 @@
 #include <random>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
 #include "verification/check/case.hpp"
 #include "verification/study/moved_scene.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -68,14 +68,10 @@ std::vector<Reversible> reversible_scenes() {
 
 /// Goes on from a state for `steps` steps; what is not finite is what a diverged run ends with.
 State go_on(const Scene& scene, State state, const Integrator& method, double step, long steps, Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  state.t = 0.0;
-  Integrator integrator = method;
-  const double end = step * static_cast<double>(steps);
-  if (!simulate(system, integrator, state, {step, end, end, false})) state.q[0] = std::nan("");
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  return state;
+  Scene from = scene;
+  from.initial = std::move(state);
+  from.initial.t = 0.0;
+  return run_steps(from, method, step, steps, findings).state;
 }
 
 State turned(State state) {
@@ -135,8 +131,7 @@ void check_orders(Findings& findings, const Reversible& pendulum) {
       .title = "There and back",
       .caption = "How far a pendulum (2.2 rad) is from its start after 4 s forth and 4 s back, against the step.",
       .x = {.label = "step", .unit = "s", .log = true},
-      .y = {.label = "missed by", .unit = "rad, rad/s", .log = true},
-      .series = {}};
+      .y = {.label = "missed by", .unit = "rad, rad/s", .log = true}};
   for (const char* method : {"velocity_verlet", "central_difference", "euler_cromer", "rk4"}) {
     Series series{method, {}, {}, Style::linespoints};
     Convergence errors;
@@ -144,8 +139,7 @@ void check_orders(Findings& findings, const Reversible& pendulum) {
       const double step = 4.0 / steps;
       const Return found =
           there_and_back(pendulum, make_integrator(method), step, static_cast<long>(steps), false, findings);
-      series.x.push_back(step);
-      series.y.push_back(std::max(found.missed, 1e-17));
+      series.add(step, std::max(found.missed, 1e-17));
       errors.add(step, found.missed);
     }
     figure.series.push_back(series);
@@ -165,8 +159,7 @@ void run(Findings& findings, const Setup& setup) {
               .caption =
                   "How far from its start each scene returns after 10 000 steps forth and back, and sqrt(2n) u G, the "
                   "rounding of all steps with the measured growth of differences.",
-              .columns = {"scene", "method", "missed by", "sqrt(2n) u G", "G"},
-              .rows = {}};
+              .columns = {"scene", "method", "missed by", "sqrt(2n) u G", "G"}};
   for (const Reversible& one : reversible_scenes()) {
     for (const char* method : {"velocity_verlet", "central_difference"}) {
       const Return found = there_and_back(with_fault(one, setup), told(method, setup), one.step, steps, true, findings);

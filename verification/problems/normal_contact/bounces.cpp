@@ -4,14 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "solver/run/simulate.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/normal_contact/falling_disc.hpp"
 #include "verification/problems/normal_contact/stiff_limit_findings.hpp"
 #include "verification/reference/restitution.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/phases.hpp"
 #include "verification/study/plane_impact.hpp"
+#include "verification/study/predicted_errors.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -60,9 +62,9 @@ struct HeightErrors {
 HeightErrors height_errors(const Fall& fall, double steps, int bounces, Findings& findings, const Setup& setup) {
   const auto exact = reference::bounces(exact_fall(fall, fall_height, 0.0), count);
   HeightErrors errors;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = setup.has("large_steps") ? contact_time(fall) / 4.3 : offset_step(contact_time(fall), steps, i);
-    const Onset from = onset(step, even_phases(fewest_phases)[i]);
+  for (const Phase& phase : offset_phases(contact_time(fall), steps)) {
+    const double step = setup.has("large_steps") ? contact_time(fall) / 4.3 : phase.step;
+    const Onset from = onset(step, phase.onset);
     const auto found = apexes(falling_disc(fall, from.gap, from.speed, setup), step, bounces, findings);
     const auto undamped = undamped_errors(fall, from, step, exact);
     for (std::size_t n = 0; n < found.size(); ++n) {
@@ -93,8 +95,7 @@ void check_heights(Findings& findings, const Setup& setup) {
               .caption =
                   "Apex gaps exact, by $e^{2k}$ alone, and the solver's relative errors at 50 steps per contact "
                   "(root mean square over 64 runs) with those predicted.",
-              .columns = {"contact", "bounce", "exact", "rigid", "error", "predicted"},
-              .rows = {}};
+              .columns = {"contact", "bounce", "exact", "rigid", "error", "predicted"}};
   for (const Fall& fall : falls) {
     if (setup.coarse && fall.xi < 0.1) continue;
     const auto exact = reference::bounces(exact_fall(fall, fall_height, 0.0), count);
@@ -127,20 +128,16 @@ void check_orders(Findings& findings, const Setup& setup) {
                 .title = "Error of the heights against the step",
                 .caption = "Root mean square over 64 runs. Lines: predicted from the errors of single impacts.",
                 .x = {.label = "step / contact time", .log = true},
-                .y = {.label = "relative error", .log = true},
-                .series = {}};
+                .y = {.label = "relative error", .log = true}};
   const auto study = [&](const Fall& fall, int bounce, const std::string& name) {
-    Convergence found;
-    Series line{name + ", predicted", {}, {}, Style::lines};
-    for (const double n : doublings(16.0, 3)) {
+    const PredictedErrors all = predicted_errors(doublings(16.0, 3), [&](double n) {
       const HeightErrors errors = height_errors(fall, n, bounce, findings, setup);
-      found.add(1.0 / n, errors.found[static_cast<std::size_t>(bounce - 1)].rms());
-      line.x.push_back(1.0 / n);
-      line.y.push_back(predicted_rms(fall, bounce, n, errors));
-    }
-    figure.series.push_back({name, found.steps(), found.errors(), Style::points});
-    figure.series.push_back(line);
-    return found;
+      return std::array{1.0 / n, errors.found[static_cast<std::size_t>(bounce - 1)].rms(),
+                        predicted_rms(fall, bounce, n, errors)};
+    });
+    figure.series.push_back(all.points(name));
+    figure.series.push_back(all.line(name + ", predicted"));
+    return all.found();
   };
   findings.expect_order("order of the first height, undamped", study(falls[0], 1, "h1, undamped"), 1.85, 2.15,
                         "a kink at touch and end; the end's 64 uneven phases tilt the line");
@@ -156,45 +153,33 @@ void check_rest(Findings& findings, const Setup& setup) {
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     const Fall fall{0.3, rule, frequency};
     const auto exact = reference::bounces(exact_fall(fall, fall_height, 0.0), 100);
-    const Scene scene = falling_disc(fall, fall_height, 0.0, setup);
-    const Dynamics dynamics{scene.model};
-    RigidBodySystem system{dynamics, false};
     int contacts = 0;
     bool acted = false;
-    const StopCondition count_contacts = [&](const State& state) {
+    const Until count_contacts = [&](const State& state) {
       const bool acts = state.mode[0] == UnilateralSpring::acting;
       if (acts && !acted) ++contacts;
       acted = acts;
       return false;
     };
-    State state = scene.initial;
-    Integrator verlet = VelocityVerlet{};
     const double end = exact.back().start_time + 40.0 / (fall.xi * fall.frequency);
-    const Outcome outcome = simulate(system, verlet, state, {1e-3, end, end, false}, {}, count_contacts);
-    findings.count(static_cast<std::uint64_t>(system.evaluations()));
+    const RunEnd run = run_scene(falling_disc(fall, fall_height, 0.0, setup), VelocityVerlet{}, {1e-3, end, end, false},
+                                 findings, {}, count_contacts);
     const char* word = rule == EndRule::attractive ? "attractive" : "clamped";
     findings.expect(fmt::format("contacts until the disc stays, xi = 0.3, {}", word),
-                    outcome ? static_cast<double>(contacts) : NAN, static_cast<double>(exact.size()),
+                    run.finished ? static_cast<double>(contacts) : NAN, static_cast<double>(exact.size()),
                     Tolerance::exact("a count; the last flight is not a near one"));
-    findings.expect(fmt::format("overlap at rest, xi = 0.3, {}", word), 1.0 - state.q[1], exact.back().end_depth,
+    findings.expect(fmt::format("overlap at rest, xi = 0.3, {}", word), 1.0 - run.state.q[1], exact.back().end_depth,
                     Tolerance::round_off(2.3e-16, "the height of 1 is rounded to 1.1e-16, and so is its end"));
   }
 }
 
 void show_bounces(Findings& findings, const Setup& setup) {
   const Fall fall{0.1, EndRule::clamped, 12.0};
-  const Scene scene = falling_disc(fall, fall_height, 0.0, setup);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
   Series solver{"solver", {}, {}, Style::points}, exact{"exact", {}, {}, Style::lines};
-  const Observer observer = [&](const State& state, const StepInfo& info) {
-    if (info.step % 40 != 0) return;
-    solver.x.push_back(state.t);
-    solver.y.push_back(state.q[1] - 1.0);
-  };
-  State state = scene.initial;
-  Integrator verlet = VelocityVerlet{};
-  if (!simulate(system, verlet, state, {0.0025, 9.0, 9.0, false}, {&observer, 1})) return;
+  run_steps(falling_disc(fall, fall_height, 0.0, setup), VelocityVerlet{}, 0.0025, 3600, nullptr,
+            [&](const State& state, const StepInfo& info) {
+              if (info.step % 40 == 0) solver.add(state.t, state.q[1] - 1.0);
+            });
   for (double t = 0.0; t < 9.0; t += 0.02)
     exact.x.push_back(t);
   for (const auto& at : reference::bounce_states(exact_fall(fall, fall_height, 0.0), exact.x))

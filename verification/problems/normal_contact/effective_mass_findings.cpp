@@ -67,7 +67,7 @@ double restitution_in_frame(double frame, bool plus, Findings& findings) {
   method.start(system, state, step);
   while (state.t < 6.0)
     method.step(system, state, step);
-  findings.count(static_cast<std::uint64_t>(discs.evaluations()));
+  findings.count(discs.evaluations());
   return state.v[2] - state.v[0];
 }
 
@@ -104,14 +104,12 @@ ImpactErrors bar_errors(StruckBar bar, double mass, Findings& findings) {
 }
 
 Series closed_form_of_two_masses(bool pinned, const std::string& kind) {
-  Series line{.label = kind + ", closed form of the two masses", .x = {}, .y = {}, .style = Style::lines};
+  Series line{.label = kind + ", closed form of the two masses", .style = Style::lines};
   const double xi = reference::damping_ratio(0.5, reference::EndRule::attractive);
   const StruckBar bar{.pinned = pinned};
-  for (double a = 0.0; a <= (pinned ? 8.0 : 4.0); a += 0.25) {
-    line.x.push_back(a);
-    line.y.push_back(
-        reference::restitution(xi * std::sqrt(two_masses(bar) / mass_at(bar, a)), reference::EndRule::attractive));
-  }
+  for (double a = 0.0; a <= (pinned ? 8.0 : 4.0); a += 0.25)
+    line.add(a,
+             reference::restitution(xi * std::sqrt(two_masses(bar) / mass_at(bar, a)), reference::EndRule::attractive));
   return line;
 }
 
@@ -174,8 +172,8 @@ void check_levers(Findings& findings, const Setup& setup) {
                 .lines = {{'y', 0.5, "wanted"}}};
   for (const bool pinned : {false, true}) {
     const std::string kind = pinned ? "pivoted" : "off centre";
-    Series right{.label = kind + ", effective mass", .x = {}, .y = {}, .style = Style::points};
-    Series naive{.label = kind + ", two masses", .x = {}, .y = {}, .style = Style::crosses};
+    Series right{.label = kind + ", effective mass", .style = Style::points};
+    Series naive{.label = kind + ", two masses", .style = Style::crosses};
     const double predicted = predicted_restitution_error(bounce(0.5, EndRule::attractive, {}), production_steps);
     double worst = predicted;
     for (const double height : {-3.5, -2.0, -0.5, 1.0, 2.5}) {
@@ -184,10 +182,8 @@ void check_levers(Findings& findings, const Setup& setup) {
       const ImpactErrors found = bar_errors(bar, forgotten ? two_masses(bar) : mass_at(bar, arm(bar)), findings);
       worst = farther(worst, found.restitution.rms(), predicted);
       if (setup.coarse) continue;
-      right.x.push_back(arm(bar));
-      right.y.push_back(found.mean_restitution);
-      naive.x.push_back(arm(bar));
-      naive.y.push_back(bar_errors(bar, two_masses(bar), findings).mean_restitution);
+      right.add(arm(bar), found.mean_restitution);
+      naive.add(arm(bar), bar_errors(bar, two_masses(bar), findings).mean_restitution);
     }
     // The overlap is 1e-6 of the bar: its turning during contact is not seen, and the error is a central impact's.
     findings.expect("rms relative error of e, " + kind, worst, predicted, near_prediction(EndRule::attractive));

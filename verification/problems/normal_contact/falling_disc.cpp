@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/reference/restitution.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -35,21 +35,16 @@ double contact_time(const Fall& fall) {
 }
 
 std::vector<double> apexes(const Scene& scene, double step, int bounces, Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
   std::vector<double> found;
   bool acted = false;
   const double weight = -scene.model.gravity.y;
-  const StopCondition stop = [&](const State& state) {
+  const Until done = [&](const State& state) {
     const bool acts = state.mode[0] == UnilateralSpring::acting;
     if (acted && !acts) found.push_back(state.q[1] - 1.0 + 0.5 * state.v[1] * state.v[1] / weight);
     acted = acts;
     return static_cast<int>(found.size()) == bounces;
   };
-  State state = scene.initial;
-  Integrator verlet = VelocityVerlet{};
-  if (!simulate(system, verlet, state, {step, 20.0, 20.0, false}, {}, stop)) found.clear();
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  if (!run_scene(scene, VelocityVerlet{}, {step, 20.0, 20.0, false}, findings, {}, done).finished) found.clear();
   found.resize(static_cast<std::size_t>(bounces), NAN);
   return found;
 }

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/hertz_impact.hpp"
 #include "verification/reference/hurwitz_zeta.hpp"
 #include "verification/reference/restitution.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/followed_impact.hpp"
+#include "verification/study/phases.hpp"
 #include "verification/study/plane_impact.hpp"
+#include "verification/study/predicted_errors.hpp"
 
 namespace talus::verification::problems {
 
@@ -122,31 +123,18 @@ struct Comparison {
 Comparison compare(const Ball& b, double steps, Findings& findings) {
   Comparison all;
   const double shift = b.xi > 0.0 ? lag_shift(b) : 0.0;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double phase = even_phases(fewest_phases)[i];
-    const double step = offset_step(b.exact.contact_time, steps, i);
+  for (const auto& [i, step, phase] : offset_phases(b.exact.contact_time, steps)) {
     all.found.add(impact_error(b, step, phase, findings));
     all.predicted.add(predicted_error(b, shift, step, phase));
   }
   return all;
 }
 
-struct Curve {
-  Convergence found;
-  Series points, line;
-};
-
-Curve curve(const Ball& b, const std::string& label, Findings& findings, const Setup& setup) {
-  Curve made{{}, {label, {}, {}, Style::points}, {label + ", predicted", {}, {}, Style::lines}};
-  for (const double n : doublings(16.0, setup.coarse ? 3 : 6)) {
+PredictedErrors errors(const Ball& b, Findings& findings, const Setup& setup) {
+  return predicted_errors(doublings(16.0, setup.coarse ? 3 : 6), [&](double n) {
     const Comparison c = compare(b, n, findings);
-    made.found.add(1.0 / n, c.found.restitution.rms());
-    made.line.x.push_back(1.0 / n);
-    made.line.y.push_back(c.predicted.restitution.rms());
-  }
-  made.points.x = made.found.steps();
-  made.points.y = made.found.errors();
-  return made;
+    return std::array{1.0 / n, c.found.restitution.rms(), c.predicted.restitution.rms()};
+  });
 }
 
 void check_undamped(Findings& findings, const Setup& setup) {
@@ -166,8 +154,7 @@ void check_damped(Findings& findings, const Setup& setup) {
   Table table{
       .name = "damped",
       .caption = "With the dashpot at 100 steps per contact, 64 phases: relative error of $e$, root mean square.",
-      .columns = {"end rule", "xi", "e", "error of e", "predicted"},
-      .rows = {}};
+      .columns = {"end rule", "xi", "e", "error of e", "predicted"}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     const char* word = rule == EndRule::attractive ? "attractive" : "clamped";
     double worst = 1.0;
@@ -188,11 +175,12 @@ void check_damped(Findings& findings, const Setup& setup) {
 }
 
 void check_orders(Findings& findings, const Setup& setup) {
-  const Curve elastic = curve(ball(0.0, EndRule::attractive, setup), "undamped", findings, setup);
+  const PredictedErrors elastic = errors(ball(0.0, EndRule::attractive, setup), findings, setup);
   findings.expect_order(
-      "order of e, undamped", elastic.found, 2.4, 2.6,
+      "order of e, undamped", elastic.found(), 2.4, 2.6,
       "the force begins like t^(3/2), which costs h^(5/2); 64 uneven phases of the end tilt the line");
-  const Curve damped = curve(ball(0.2, EndRule::attractive, setup), "xi = .2, pulls at the end", findings, setup);
+  const PredictedErrors damped = errors(ball(0.2, EndRule::attractive, setup), findings, setup);
+  const std::string pulls = "xi = .2, pulls at the end";
   findings.figure({.name = "error_of_e",
                    .title = "Error of the restitution against the step",
                    .caption = "Root mean square over 64 phases with a step of its own each. Lines: predicted, nothing "
@@ -200,7 +188,8 @@ void check_orders(Findings& findings, const Setup& setup) {
                               "With the dashpot it goes from 5/4, its onset, to 1, its velocity of half a step before.",
                    .x = {.label = "step / contact time", .log = true},
                    .y = {.label = "relative error of e", .log = true},
-                   .series = {elastic.points, elastic.line, damped.points, damped.line},
+                   .series = {elastic.points("undamped"), elastic.line("undamped, predicted"), damped.points(pulls),
+                              damped.line(pulls + ", predicted")},
                    .slopes = {{2.5, 1.0 / 64.0, 2e-6, "h^(5/2)"}, {1.0, 1.0 / 64.0, 2e-3, "h"}}});
 }
 
@@ -226,10 +215,8 @@ void show_contact_times(Findings& findings, const Setup& setup) {
     b.speed = speed;
     b.exact = reference::hertz_events({stiffness, 0.0, 1.0, speed}, reference::EndRule::attractive);
     const Comparison c = compare(b, production_steps, findings);
-    points.x.push_back(speed);
-    points.y.push_back(b.exact.contact_time * c.found.mean_time);
-    line.x.push_back(speed);
-    line.y.push_back(b.exact.contact_time);
+    points.add(speed, b.exact.contact_time * c.found.mean_time);
+    line.add(speed, b.exact.contact_time);
   }
   findings.figure({.name = "contact_times",
                    .title = "Faster impacts are shorter",

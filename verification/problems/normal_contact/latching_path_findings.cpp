@@ -30,10 +30,8 @@ void check_latching_path(Findings& findings, const Setup& setup) {
   findings.expect("force along a prescribed path, largest difference", largest, 0.0, Tolerance::exact(exact), "N");
   if (setup.coarse) return;
   Series solver{"solver", {}, {}, Style::points};
-  for (std::size_t i = 0; i < lines.size(); i += 24) {
-    solver.x.push_back(disc.path()[i]);
-    solver.y.push_back(disc.forces()[i]);
-  }
+  for (std::size_t i = 0; i < lines.size(); i += 24)
+    solver.add(disc.path()[i], disc.forces()[i]);
   findings.figure({.name = "path",
                    .title = "Pressed along a path",
                    .caption = "Overlaps in turn: 1/2, 7/16, 15/32, 7/16, 1/8, 29/64, 5/8, 1/64, 1/2, apart, 1/4. The "

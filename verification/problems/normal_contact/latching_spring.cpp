@@ -4,13 +4,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/normal_contact/latching_path_findings.hpp"
 #include "verification/reference/latching_impact.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/phases.hpp"
 #include "verification/study/plane_impact.hpp"
+#include "verification/study/predicted_errors.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -97,10 +99,8 @@ struct Comparison {
 
 Comparison compare(const Latch& l, double steps, Findings& findings, const Setup& setup) {
   Comparison all;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double phase = even_phases(fewest_phases)[i];
-    const double step =
-        setup.has("commensurate_step") ? l.exact.contact_time / steps : offset_step(l.exact.contact_time, steps, i);
+  for (const auto& [i, step, phase] :
+       offset_phases(l.exact.contact_time, steps, fewest_phases, setup.has("commensurate_step"))) {
     all.found.add(impact_error(l, step, phase, findings, setup));
     all.predicted.add(predicted_error(l, step, phase));
   }
@@ -114,8 +114,7 @@ void check_targets(Findings& findings, const Setup& setup) {
                   "A disc on a plane at 100 steps per contact, velocity Verlet, 64 phases: relative errors, root "
                   "mean square, and what is predicted for them.",
               .columns = {"K1/K2", "e", "error of e", "predicted", "error of T", "predicted", "error of M", "predicted",
-                          "ledger open by", "predicted"},
-              .rows = {}};
+                          "ledger open by", "predicted"}};
   for (const double e : {0.9, 0.7, 0.5, 0.3}) {
     const Comparison c = compare(latch(e, setup), production_steps, findings, setup);
     const auto number = [](double x) { return fmt::format("{:.2e}", x); };
@@ -148,18 +147,12 @@ void check_targets(Findings& findings, const Setup& setup) {
 }
 
 void check_order(Findings& findings, const Setup& setup) {
-  Convergence found;
-  Series points{"solver", {}, {}, Style::points}, line{"predicted", {}, {}, Style::lines};
-  for (const double n : doublings(16.0, setup.coarse ? 4 : 6)) {
+  const PredictedErrors all = predicted_errors(doublings(16.0, setup.coarse ? 4 : 6), [&](double n) {
     const Comparison c = compare(latch(0.7, setup), n, findings, setup);
-    found.add(1.0 / n, c.found.restitution.rms());
-    line.x.push_back(1.0 / n);
-    line.y.push_back(c.predicted.restitution.rms());
-  }
-  points.x = found.steps();
-  points.y = found.errors();
+    return std::array{1.0 / n, c.found.restitution.rms(), c.predicted.restitution.rms()};
+  });
   findings.expect_order(
-      "order of e = 0.7", found, 1.85, 2.15,
+      "order of e = 0.7", all.found(), 1.85, 2.15,
       "the force is continuous and its slope jumps at touch, turn and end, which costs h^2; the "
       "shares of a step at touch and turn are tied together, which moves points by a third and the line by .1");
   findings.figure({.name = "error_of_e",
@@ -169,7 +162,7 @@ void check_order(Findings& findings, const Setup& setup) {
                               "swing apart, which ties their shares of a step together.",
                    .x = {.label = "step / contact time", .log = true},
                    .y = {.label = "relative error of e", .log = true},
-                   .series = {points, line},
+                   .series = {all.points("solver"), all.line()},
                    .slopes = {{2.0, 1.0 / 64.0, 1e-5, "h^2"}}});
 }
 
@@ -180,12 +173,10 @@ void check_growth(Findings& findings, const Setup& setup) {
     const Latch l = growing_latch(speed, setup);
     const Comparison c = compare(l, production_steps, findings, setup);
     worst = farther_from_one(worst, c.found.restitution.rms() / c.predicted.restitution.rms());
-    points.x.push_back(speed);
-    points.y.push_back(l.exact.restitution * (1.0 + c.found.mean_restitution));
+    points.add(speed, l.exact.restitution * (1.0 + c.found.mean_restitution));
   }
   for (double speed = 0.04; speed < 25.0; speed *= 1.2) {
-    line.x.push_back(speed);
-    line.y.push_back(growing_latch(speed, {}).exact.restitution);
+    line.add(speed, growing_latch(speed, {}).exact.restitution);
   }
   findings.expect(
       "rms error of e over the predicted, K2 growing with the force, farthest of five speeds", worst, 1.0,
@@ -205,14 +196,9 @@ void check_growth(Findings& findings, const Setup& setup) {
 void check_speeds(Findings& findings) {
   const auto exit = [&](double scale) {
     const LatchingSpring law{1.0, 2.0, 0.0};
-    Scene scene =
+    const Scene scene =
         scenes::bouncing_disc({.radius = 8.0 * scale, .gap = 0.01 * scale, .speed = scale, .contact = ContactLaw{law}});
-    const Dynamics dynamics{scene.model};
-    RigidBodySystem system{dynamics, false};
-    Integrator verlet = VelocityVerlet{};
-    if (!simulate(system, verlet, scene.initial, {0.03, 6.0, 6.0, false})) return std::nan("");
-    findings.count(static_cast<std::uint64_t>(system.evaluations()));
-    return scene.initial.v[1] / scale;
+    return run_scene(scene, VelocityVerlet{}, {0.03, 6.0, 6.0, false}, findings).state.v[1] / scale;
   };
   double change = 0.0;
   for (int j = -8; j <= 8; ++j)

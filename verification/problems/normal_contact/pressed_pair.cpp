@@ -8,9 +8,9 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/pressed_discs.hpp"
 #include "verification/study/plane_impact.hpp"
+#include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
@@ -64,20 +64,17 @@ double largest_error(const Pair& pair, const Integrator& method, long steps, con
                      Findings& findings, const Setup& setup, Series* heights = nullptr) {
   double largest = 0.0;
   const double lower = 1.0 - squeeze, upper = 3.0 - 2.0 * squeeze;
-  const Observer observer = [&](const State& state, const StepInfo&) {
+  const Watcher observer = [&](const State& state, const StepInfo&) {
     const auto exact = expected(state.t);
     const double error =
         std::max(std::abs(state.q[1] - lower - exact[0]), std::abs(state.q[3] - upper - exact[1])) / start.height[0];
     if (!(error <= largest)) largest = error;
     if (!heights) return;
-    heights[0].x.push_back(state.t);
-    heights[0].y.push_back(state.q[1] - lower);
-    heights[1].x.push_back(state.t);
-    heights[1].y.push_back(state.q[3] - upper);
+    heights[0].add(state.t, state.q[1] - lower);
+    heights[1].add(state.t, state.q[3] - upper);
   };
   const RunEnd end =
-      run_steps(pair_scene(pair, setup), method, end_time / static_cast<double>(steps), steps, {&observer, 1});
-  findings.count(static_cast<std::uint64_t>(end.evaluations));
+      run_steps(pair_scene(pair, setup), method, end_time / static_cast<double>(steps), steps, findings, observer);
   return std::isfinite(end.state.q[1]) ? largest : NAN;
 }
 
@@ -163,21 +160,18 @@ void check_undamped(Figure& figure, Findings& findings, const Setup& setup) {
 
 void check_damped(Figure& figure, Findings& findings, const Setup& setup) {
   for (const Pair& pair : damped_pairs) {
-    Convergence order;
-    Series line{name_of(pair) + ", predicted", {}, {}, Style::lines};
+    PredictedErrors errors;
     for (const double n : doublings(800.0, setup.coarse ? 2 : 4)) {
-      order.add(end_time / n,
-                largest_error(pair, VelocityVerlet{}, std::lround(n), exact_heights(pair), findings, setup));
-      line.x.push_back(end_time / n);
-      line.y.push_back(predicted_damped_error(pair, end_time / n));
+      errors.add(end_time / n,
+                 largest_error(pair, VelocityVerlet{}, std::lround(n), exact_heights(pair), findings, setup),
+                 predicted_damped_error(pair, end_time / n));
     }
-    findings.expect("error over the predicted at the finest step, " + name_of(pair),
-                    order.errors().back() / line.y.back(), 1.0,
+    findings.expect("error over the predicted at the finest step, " + name_of(pair), errors.last_ratio(), 1.0,
                     Tolerance::model(setup.coarse ? 0.1 : 0.02, "the next power of the step: w h^2 t/24 over xi h/2"));
-    findings.expect_order("order, " + name_of(pair), order, 0.9, 1.1,
+    findings.expect_order("order, " + name_of(pair), errors.found(), 0.9, 1.1,
                           "the dashpot's velocity of half a step before; the next power tilts the line");
-    figure.series.push_back({name_of(pair), order.steps(), order.errors(), Style::points});
-    figure.series.push_back(line);
+    figure.series.push_back(errors.points(name_of(pair)));
+    figure.series.push_back(errors.line(name_of(pair) + ", predicted"));
   }
 }
 
@@ -199,10 +193,8 @@ void run(Findings& findings, const Setup& setup) {
   Series exact[2] = {{"lower", {}, {}, Style::lines}, {"upper", {}, {}, Style::lines}};
   for (double t = 0.0; t <= end_time; t += 0.004) {
     const auto height = exact_heights(pair)(t);
-    for (std::size_t i = 0; i < 2; ++i) {
-      exact[i].x.push_back(t);
-      exact[i].y.push_back(height[i]);
-    }
+    for (std::size_t i = 0; i < 2; ++i)
+      exact[i].add(t, height[i]);
   }
   findings.figure({.name = "heights",
                    .title = "Two discs between walls",

@@ -1,5 +1,3 @@
-#include "verification/reference/restitution.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "verification/problems/normal_contact/calibration_findings.hpp"
 #include "verification/problems/normal_contact/effective_mass_findings.hpp"
 #include "verification/problems/normal_contact/restitution_order_findings.hpp"
+#include "verification/reference/restitution.hpp"
 #include "verification/study/disc_bounce.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
 
@@ -56,8 +55,7 @@ void check_targets(Findings& findings, const Setup& setup) {
                   "A disc on a plane at 100 steps per contact, velocity Verlet, 64 phases: relative errors, "
                   "root mean square, beside those predicted.",
               .columns = {"end rule", "wanted e", "xi", "mean e", "error of e", "predicted", "error of T", "predicted",
-                          "error of d_max", "predicted"},
-              .rows = {}};
+                          "error of d_max", "predicted"}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     Ratio time, depth, identity;
     for (const double e : {0.9, 0.7, 0.5, 0.3, 0.1})

@@ -8,8 +8,8 @@
 
 #include "solver/dynamics/springs.hpp"
 #include "solver/io/scene/read_scene.hpp"
-#include "solver/run/simulate.hpp"
 #include "verification/check/case.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -207,15 +207,13 @@ ledger = "off"
   if (setup.has("mass_of_particles")) fix_dashpot(scene, false);
   if (setup.has("ends_apart"))
     std::get<LinearSpringDashpot>(scene.model.contacts[0].law).damping_ratio *= std::sqrt(2.0);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
   // The bodies' motion between two outputs is ballistic: 0.02 of a contact time is enough.
   scene.plan.step = 0.02 * std::acos(-1.0) * std::sqrt(0.3 / stiffness);
   std::vector<double> found;
   double before = 0.0, apart = 0.0;
   bool touching = false;
-  const Observer observe = [&](const State& state, const StepInfo&) {
-    const auto instances = static_cast<std::ptrdiff_t>(dynamics.contacts().size());
+  const auto instances = static_cast<std::ptrdiff_t>(Dynamics{scene.model}.contacts().size());
+  const Watcher watch = [&](const State& state, const StepInfo&) {
     const bool acts =
         std::any_of(state.mode.begin(), state.mode.begin() + instances, [](Mode mode) { return mode != 0; });
     const double speed = impact.speed(scene.model, state);
@@ -224,11 +222,7 @@ ledger = "off"
     if (!acts) apart = speed;
     touching = acts;
   };
-  State state = scene.initial;
-  Integrator integrator = scene.integrator;
-  static_cast<void>(simulate(system, integrator, state, scene.plan, {&observe, 1},
-                             [&](const State&) { return found.size() == impact.impacts; }));
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  run_scene(scene, findings, watch, [&](const State&) { return found.size() == impact.impacts; });
   return found;
 }
 
@@ -240,8 +234,7 @@ void run(Findings& findings, const Setup& setup) {
                     "requested. The pose changes during the contact, which takes a time of the order of "
                     "$1/\\sqrt{k}$; where it does not, the error is that of the method, or of a tilt of 1e-6 degrees.",
                 .x = {.label = "stiffness", .unit = "N/m", .log = true},
-                .y = {.label = "error of e", .log = true},
-                .series = {}};
+                .y = {.label = "error of e", .log = true}};
   Table table{"values",
               "Restitution at $k = 1.024 \\cdot 10^8$ N/m, each impact by itself; 0.6 was requested.",
               {"scene", "first", "second", "third", "largest error"},
@@ -260,8 +253,7 @@ void run(Findings& findings, const Setup& setup) {
       double worst = 0.0;
       for (const double e : last)
         worst = std::max(worst, std::abs(e - wanted));
-      series.x.push_back(stiffness);
-      series.y.push_back(std::max(worst, 1e-16));
+      series.add(stiffness, std::max(worst, 1e-16));
       if (stiffness > 1e6) errors.add(1.0 / std::sqrt(stiffness), worst);
     }
     figure.series.push_back(series);

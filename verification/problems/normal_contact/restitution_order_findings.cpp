@@ -38,10 +38,8 @@ void check_damped(EndRule rule, const std::vector<double>& steps, Figure& figure
     figure.series.push_back({label, found.steps(), found.errors(), Style::points});
   }
   Series predicted{.label = fmt::format("predicted, {}", word_for(rule)), .x = {}, .y = {}, .style = Style::lines};
-  for (const double n : steps) {
-    predicted.x.push_back(1.0 / n);
-    predicted.y.push_back(predicted_restitution_error(b, n));
-  }
+  for (const double n : steps)
+    predicted.add(1.0 / n, predicted_restitution_error(b, n));
   figure.series.push_back(predicted);
 }
 
@@ -96,8 +94,7 @@ void check_restitution_orders(Findings& findings, const Setup& setup) {
                     "error predicted from lag and jumps (damped); nothing is fitted. With a dashpot every "
                     "method is of first order, without one of second.",
                 .x = {.label = "step / contact time", .log = true},
-                .y = {.label = "relative error of e", .log = true},
-                .series = {}};
+                .y = {.label = "relative error of e", .log = true}};
   const auto steps = doublings(16.0, setup.coarse ? 3 : 6);
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped})
     check_damped(rule, steps, figure, findings, setup);

@@ -5,6 +5,7 @@
 #include "verification/check/convergence.hpp"
 #include "verification/problems/normal_contact/falling_disc.hpp"
 #include "verification/reference/restitution.hpp"
+#include "verification/study/phases.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -14,12 +15,11 @@ double mean_drop(const Fall& fall, double steps, Findings& findings, const Setup
   const double speed = std::sqrt(2.0 * gravity * fall_height);
   const double e = reference::restitution(fall.xi, same(fall.rule));
   double mean = 0.0;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = offset_step(contact_time(fall), steps, i);
+  for (const Phase& phase : offset_phases(contact_time(fall), steps)) {
     // Taken back along the fall from its end at the plane: speed v - g t at the gap v t - g t^2/2.
-    const double lead = even_phases(fewest_phases)[i] * step;
+    const double lead = phase.lead();
     const Scene scene = falling_disc(fall, lead * (speed - 0.5 * gravity * lead), speed - gravity * lead, setup);
-    const double h1 = apexes(scene, step, 1, findings).front();
+    const double h1 = apexes(scene, phase.step, 1, findings).front();
     mean += (1.0 - h1 / (e * e * fall_height)) / static_cast<double>(fewest_phases);
   }
   return mean;
@@ -49,10 +49,8 @@ void check_stiff_limit(Findings& findings, const Setup& setup) {
     found.add(w * w, drop);
     const double difference = drop - truth;
     if (!(std::abs(difference) <= std::abs(worst))) worst = difference;
-    line.x.push_back(w * w);
-    line.y.push_back(4.0 * xi * (1.0 + e) / e * gravity / (w * speed));
-    exact.x.push_back(w * w);
-    exact.y.push_back(truth);
+    line.add(w * w, 4.0 * xi * (1.0 + e) / e * gravity / (w * speed));
+    exact.add(w * w, truth);
   }
   findings.expect(
       "height lost beyond e^2, mean of 64 phases, largest error of four stiffnesses", worst, 0.0,

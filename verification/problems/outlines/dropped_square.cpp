@@ -6,7 +6,6 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scene_run.hpp"
 
@@ -52,9 +51,7 @@ Scene fall(double angle, Target target, ContactMethod method, double aside, cons
 }
 
 State after(const Scene& scene, Findings& findings) {
-  const RunEnd run = run_steps(scene, VelocityVerlet{}, step, 1500);
-  findings.count(static_cast<std::uint64_t>(run.evaluations));
-  return run.state;
+  return run_steps(scene, VelocityVerlet{}, step, 1500, findings).state;
 }
 
 const char* name_of(Target target) { return target == Target::plane ? "plane" : "block"; }
@@ -108,8 +105,7 @@ void check_offsets(Findings& findings, const Setup& setup) {
                     "Spin of the square after its fall on a plane against its tilt from even. On the corner it tends "
                     "to zero with the tilt, and so it does on the edge, where the side rests on both ends.",
                 .x = {.label = "tilt", .unit = "rad", .log = true},
-                .y = {.label = "spin", .unit = "rad/s", .log = true},
-                .series = {}};
+                .y = {.label = "spin", .unit = "rad/s", .log = true}};
   struct Fall {
     const char* name;
     double angle;
@@ -124,8 +120,7 @@ void check_offsets(Findings& findings, const Setup& setup) {
     const double even = after(fall(one.angle, Target::plane, one.method, 0.0, setup), findings).v[2];
     for (double tilt = 1e-12; tilt < 2e-3; tilt *= 10.0) {
       const State end = after(fall(one.angle + tilt, Target::plane, one.method, 0.0, setup), findings);
-      series.x.push_back(tilt);
-      series.y.push_back(std::max(std::abs(end.v[2] - even), 1e-17));
+      series.add(tilt, std::max(std::abs(end.v[2] - even), 1e-17));
     }
     figure.series.push_back(series);
     Convergence spins;

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -133,14 +132,12 @@ void check_loops(Findings& findings, const Setup& setup) {
               .caption =
                   "A square led round another's corner and back, no friction, no dashpot: work of the contact over the "
                   "largest energy stored on the way.",
-              .columns = {"outlines and rule", "work/energy", "with half the steps"},
-              .rows = {}};
+              .columns = {"outlines and rule", "work/energy", "with half the steps"}};
   Figure figure{.name = "loop",
                 .title = "Round the corner",
                 .caption = "Energy stored on the way round the corner by each rule.",
                 .x = {.label = "place on the loop", .unit = "degrees"},
-                .y = {.label = "energy", .unit = "J"},
-                .series = {}};
+                .y = {.label = "energy", .unit = "J"}};
   double worst = 0.0;
   const double moments = setup.has("moments_halved") ? 0.5 : 1.0;
   for (const TouchingPair& pair : sliding_pairs()) {
@@ -169,8 +166,7 @@ void check_slopes(Findings& findings, const Setup& setup) {
               .caption =
                   "Forces against the slope of the energy: places tried where outlines overlap, places where they "
                   "differ by more than a millionth, and the largest difference over the largest force.",
-              .columns = {"outlines and rule", "places", "differ", "largest"},
-              .rows = {}};
+              .columns = {"outlines and rule", "places", "differ", "largest"}};
   double of_resultants = 0.0, of_nodes = 0.0, smoother = 0.0, rays = 0.0;
   for (const TouchingPair& pair : pairs()) {
     if (setup.coarse && std::holds_alternative<Superquadric>(pair.b)) continue;

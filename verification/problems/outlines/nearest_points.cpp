@@ -84,8 +84,7 @@ void run(Findings& findings, const Setup& setup) {
               .caption =
                   "Points tried (of all four b), those for which the solver's nearest point is not the nearest, and "
                   "the share for which Newton's method fails from the middle of the side, the corner, and below.",
-              .columns = {"n", "points", "wrong", "Newton: side", "corner", "below"},
-              .rows = {}};
+              .columns = {"n", "points", "wrong", "Newton: side", "corner", "below"}};
   std::array<Series, 3> lines{Series{"Newton from the side", {}, {}, Style::linespoints},
                               Series{"from the corner", {}, {}, Style::linespoints},
                               Series{"from below the point", {}, {}, Style::linespoints}};
@@ -110,11 +109,9 @@ void run(Findings& findings, const Setup& setup) {
     for (std::size_t s = 0; s < 3; ++s) {
       const double share = static_cast<double>(sum.newton_failed[s]) / sum.points;
       row.push_back(fmt::format("{:.0f} %", 100.0 * share));
-      lines[s].x.push_back(n);
-      lines[s].y.push_back(share);
+      lines[s].add(n, share);
     }
-    solver.x.push_back(n);
-    solver.y.push_back(static_cast<double>(sum.wrong) / sum.points);
+    solver.add(n, static_cast<double>(sum.wrong) / sum.points);
     table.rows.push_back(row);
   }
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {

@@ -74,8 +74,7 @@ void check_rolling(Findings& findings, const Setup& setup) {
                     "Over that of the circle, as the disc turns from node to node; held at an overlap of three times "
                     "the ripple, or of a fiftieth of the radius.",
                 .x = {.label = "turned by, in nodes"},
-                .y = {.label = "force over k d"},
-                .series = {}};
+                .y = {.label = "force over k d"}};
   double farthest = 0.0, ratio = 0.0;
   for (const double count : doublings(8.0, 6)) {
     const int nodes = static_cast<int>(count);
@@ -108,8 +107,7 @@ void check_curvature(Findings& findings, const Setup& setup) {
               .caption =
                   "Curvature at 45 degrees for a = b = 1, and how many nodes of 1993's kind (even in the parametric "
                   "angle) it takes for the chord beside the corner to miss less than a hundredth of its radius.",
-              .columns = {"n", "curvature", "radius", "nodes"},
-              .rows = {}};
+              .columns = {"n", "curvature", "radius", "nodes"}};
   double farthest = 0.0;
   for (const double n : {2.0, 3.0, 4.0, 8.0, 12.0, 20.0, 50.0}) {
     const Superquadric shape{1.0, 1.0, setup.has("exponent_off") ? 1.0001 * n : n};

@@ -1,15 +1,12 @@
-#include "verification/reference/rocking_block.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
-#include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
+#include "verification/reference/rocking_block.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -55,14 +52,10 @@ struct Rocked {
 Rocked rock(const reference::RockingBlock& block, double tilt, double stiffness, const Setup& setup,
             Findings& findings) {
   const Scene scene = block_scene(block, tilt, stiffness, setup);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = scene.initial;
-  Integrator method = VelocityVerlet{};
   const double step = 0.05 / std::sqrt(stiffness * 5.0);
   Rocked rocked;
   double before = -tilt;
-  const Observer watch[] = {[&](const State& seen, const StepInfo& info) {
+  const Watcher watch = [&](const State& seen, const StepInfo& info) {
     const double now = seen.q[2];
     if ((before < 0.0) != (now < 0.0)) {
       const double at = seen.t - step * now / (now - before);
@@ -71,10 +64,10 @@ Rocked rock(const reference::RockingBlock& block, double tilt, double stiffness,
     if (rocked.first > 0.0 && rocked.second == 0.0) rocked.tilt = std::max(rocked.tilt, now);
     if (info.step % 200 == 0) rocked.time.push_back(seen.t), rocked.angle.push_back(now);
     before = now;
-  }};
+  };
   const double end = 3.6 * fall_time(block, tilt);
-  if (!simulate(system, method, state, {step, end, end, false}, watch)) rocked.first = std::nan("");
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  if (!run_scene(scene, VelocityVerlet{}, {step, end, end, false}, findings, watch).finished)
+    rocked.first = std::nan("");
   return rocked;
 }
 
@@ -127,8 +120,7 @@ void run(Findings& findings, const Setup& setup) {
               .caption =
                   "Time of the first fall over that of the rigid block, and potential energy at the next turn over "
                   "that at the start, beside Housner's ratio.",
-              .columns = {"block", "k", "time", "energy left", "Housner"},
-              .rows = {}};
+              .columns = {"block", "k", "time", "energy left", "Housner"}};
   check_slender(findings, setup, 1e6, table);
   if (setup.coarse) return;
   check_limit(findings, setup);

@@ -1,13 +1,11 @@
-#include "verification/reference/rocking_ellipse.hpp"
-
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
+#include "verification/reference/rocking_ellipse.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
@@ -63,14 +61,11 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
                     Tolerance::model(1.5 * std::abs(shift(stiffness)),
                                      "the springs of the contact: their shift of small swings, and half of it for the "
                                      "larger angles"));
-    solver.x.push_back(amplitude);
-    solver.y.push_back(period / rest);
+    solver.add(amplitude, period / rest);
   }
   if (setup.coarse) return;
-  for (int i = 1; i <= 70; ++i) {
-    exact.x.push_back(0.01 * i);
-    exact.y.push_back(reference::rocking_period(ellipse, 0.01 * i) / rest);
-  }
+  for (int i = 1; i <= 70; ++i)
+    exact.add(0.01 * i, reference::rocking_period(ellipse, 0.01 * i) / rest);
   findings.figure({.name = "amplitude",
                    .title = "Period against amplitude",
                    .caption = "Over the period of small swings: the solver (points) and the rigid body (line).",
@@ -90,10 +85,8 @@ void check_springs(Findings& findings, const Setup& setup) {
     const double found = rigid / solver_period(amplitude, stiffness, step, setup) - 1.0;
     ratio = found / shift(stiffness);
     shifts.add(1.0 / stiffness, std::abs(found));
-    solver.x.push_back(1.0 / stiffness);
-    solver.y.push_back(std::abs(found));
-    line.x.push_back(1.0 / stiffness);
-    line.y.push_back(std::abs(shift(stiffness)));
+    solver.add(1.0 / stiffness, std::abs(found));
+    line.add(1.0 / stiffness, std::abs(shift(stiffness)));
   }
   findings.expect_between("shift of the frequency by the springs, over its prediction", ratio, 0.98, 1.02,
                           "first order in the compliances; the square of the shift and of the amplitude, and the swing "

@@ -56,20 +56,17 @@ Figure support_figure() {
                     "Distance of the tangent from the centre against its direction, a = 1.25, b = 4: the solver's "
                     "contact with a plane (points) and the dual norm (lines).",
                 .x = {.label = "direction", .unit = "degrees"},
-                .y = {.label = "reach", .unit = "m"},
-                .series = {}};
+                .y = {.label = "reach", .unit = "m"}};
   for (const double n : {2.0, 4.0, 20.0, 50.0}) {
     Series line{fmt::format("n = {:g}", n), {}, {}, Style::lines};
     Series points{fmt::format("n = {:g}, solver", n), {}, {}, Style::points};
     for (int i = 0; i <= 180; ++i) {
       const double phi = 0.5 * i * std::numbers::pi / 180.0;
-      line.x.push_back(0.5 * i);
-      line.y.push_back(reference::support({a, b, n}, std::cos(phi), std::sin(phi)));
+      line.add(0.5 * i, reference::support({a, b, n}, std::cos(phi), std::sin(phi)));
       if (i % 10 != 0) continue;
       // The plane below, the body turned so that its direction phi looks down.
       const Pose body{{}, rotation(-std::numbers::pi / 2.0 - phi), {}, 0.0};
-      points.x.push_back(0.5 * i);
-      points.y.push_back(gap(Superquadric{a, b, n}, body, HalfPlane{}, Pose{}).depth);
+      points.add(0.5 * i, gap(Superquadric{a, b, n}, body, HalfPlane{}, Pose{}).depth);
     }
     figure.series.push_back(line);
     figure.series.push_back(points);
@@ -84,19 +81,16 @@ Figure depth_figure() {
                     "Depth along the line y = 3 below the outline: the solver (points) and brute force (lines). It "
                     "kinks where the nearest point jumps from the top to the side.",
                 .x = {.label = "x", .unit = "m"},
-                .y = {.label = "depth", .unit = "m"},
-                .series = {}};
+                .y = {.label = "depth", .unit = "m"}};
   for (const double n : {2.0, 4.0, 20.0}) {
     Series line{fmt::format("n = {:g}", n), {}, {}, Style::lines};
     Series points{fmt::format("n = {:g}, solver", n), {}, {}, Style::points};
     for (int i = 0; i <= 80; ++i) {
       const double x = 1.6 * i / 80.0;
       const double sign = reference::excess({a, b, n}, {x, 3.0}) < 0.0 ? 1.0 : -1.0;
-      line.x.push_back(x);
-      line.y.push_back(sign * reference::nearest_point({a, b, n}, {x, 3.0}, 200).distance);
+      line.add(x, sign * reference::nearest_point({a, b, n}, {x, 3.0}, 200).distance);
       if (i % 4 != 0) continue;
-      points.x.push_back(x);
-      points.y.push_back(depth_below(Superquadric{a, b, n}, {x, 3.0}).depth);
+      points.add(x, depth_below(Superquadric{a, b, n}, {x, 3.0}).depth);
     }
     figure.series.push_back(line);
     figure.series.push_back(points);

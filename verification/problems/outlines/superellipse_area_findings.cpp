@@ -63,8 +63,7 @@ void draw(Figure& figure, const Lacking& found) {
   Series line{fmt::format("n = {:g}, leading order", found.shape.n), {}, {}, Style::lines};
   for (std::size_t i = 0; i < found.of_area.size(); ++i) {
     const double corners = 1.0 / found.of_area.steps()[i];
-    points.x.push_back(corners);
-    points.y.push_back(found.of_area.errors()[i] / found.area);
+    points.add(corners, found.of_area.errors()[i] / found.area);
     line.y.push_back(reference::area_cut_off(found.shape, corners) / found.area);
   }
   line.x = points.x;
@@ -81,14 +80,12 @@ void check_area(Findings& findings, const Setup& setup) {
                     "What a polygon whose corners are the solver's boundary nodes lacks of the area, over the area: "
                     "points; lines: leading order, with its constant.",
                 .x = {.label = "nodes", .log = true},
-                .y = {.label = "area that is lacking", .log = true},
-                .series = {}};
+                .y = {.label = "area that is lacking", .log = true}};
   Table table{.name = "areas",
               .caption =
                   "Area and polar moment, and what a polygon of 2048 boundary nodes lacks of both over the leading "
                   "order; the last columns extrapolate that ratio by its next terms, nodes^(-2/n) and nodes^(-6/n).",
-              .columns = {"n", "area", "moment", "lacking, area", "moment", "extrapolated, area", "moment"},
-              .rows = {}};
+              .columns = {"n", "area", "moment", "lacking, area", "moment", "extrapolated, area", "moment"}};
   double farthest = 0.0;
   for (const double n : {2.0, 3.0, 4.0, 8.0, 20.0, 50.0}) {
     if (setup.coarse && n != 20.0) continue;

@@ -4,7 +4,6 @@
 
 #include "solver/geometry/superquadric.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/findings.hpp"
 
 /// Parts of the case `superellipse`.
 namespace talus::verification::problems {

@@ -4,11 +4,8 @@
 #include <vector>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
-#include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -46,14 +43,7 @@ Body fixed_body(const Shape& shape, double angle = 0.0) {
 constexpr double disc_inertia = 0.5 * mass * radius * radius;
 
 State run(const Scene& scene, double step, double end, Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = scene.initial;
-  Integrator verlet = VelocityVerlet{};
-  const Outcome outcome = simulate(system, verlet, state, {step, end, 1e9, false});
-  if (!outcome) state.v[0] = std::nan("");
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  return state;
+  return run_scene(scene, VelocityVerlet{}, {step, end, 1e9, false}, findings).state;
 }
 
 /// Bounces, slips and rolls down a slope, three pieces long.
@@ -94,15 +84,13 @@ void check_crest(Findings& findings, const Setup& setup) {
   Scene scene = disc_on({fixed_body(crest)}, {-0.2, radius - overlap}, {stiffness, 0.0}, {5.0, stiffness},
                         Mobility::free, disc_inertia);
   scene.initial.v = {start_speed, 0.0, -start_speed / (radius - 0.5 * overlap)};
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = scene.initial;
-  std::optional<EnergyLedger> ledger;
+  std::optional<Accounting> accounting;
   Series speed{"solver", {}, {}, Style::points}, exact{"rigid", {}, {}, Style::lines};
   double worst = std::nan(""), closure = 0.0;  // not a number: the crest was not reached
-  const Observer observer = [&](const State& seen, const StepInfo&) {
-    if (!ledger) ledger.emplace(dynamics, seen);  // of the first state with its modes settled: the disc is pressed
-    closure = std::max(closure, std::abs(ledger->accounts(seen).energy_closure));
+  const Watcher watch = [&](const State& seen, const StepInfo&) {
+    if (!accounting)
+      accounting.emplace(scene.model, seen);  // of the first state with its modes settled: the disc is pressed
+    closure = std::max(closure, std::abs((*accounting)(seen).energy_closure));
     const double s = cosine * seen.q[0] - sine * seen.q[1];
     if (s < 0.0) return;
     const double v = cosine * seen.v[0] - sine * seen.v[1];
@@ -110,15 +98,11 @@ void check_crest(Findings& findings, const Setup& setup) {
     const double rigid = std::sqrt(start_speed * start_speed + 4.0 / 3.0 * gravity * fallen);
     if (!(std::abs(v - rigid) <= std::abs(worst))) worst = v - rigid;
     if (!speed.x.empty() && s - speed.x.back() < 0.04) return;
-    speed.x.push_back(s);
-    speed.y.push_back(v);
-    exact.x.push_back(s);
-    exact.y.push_back(rigid);
+    speed.add(s, v);
+    exact.add(s, rigid);
   };
-  Integrator verlet = VelocityVerlet{};
   const double step = 4e-5;
-  if (!simulate(system, verlet, state, {step, 1.0, 1e9, true}, {&observer, 1})) worst = std::nan("");
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  if (!run_scene(scene, VelocityVerlet{}, {step, 1.0, 1e9, false}, findings, watch).finished) worst = std::nan("");
   const double first = std::sqrt(start_speed * start_speed + 4.0 / 3.0 * gravity * radius * (1.0 - cosine));
   findings.expect("speed down the slope beyond a crest, largest error", worst, 0.0,
                   Tolerance::model(overlap * (2.0 / 3.0 * gravity / first + 2.0 / (6.0 * radius)),

@@ -10,6 +10,7 @@
 #include "solver/advise/method_advice.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/advised_scenes.hpp"
+#include "verification/study/recorded_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -34,18 +35,10 @@ struct Run {
 Run run_with(const Question& question, const RunMethod& method, Findings& findings) {
   const Scene scene = with_method(question.scene, method);
   const Quantity quantity = quantity_named(scene.model, question.quantity);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, scene.plan.ledger};
-  Recorder recorder{dynamics, scene.initial, scene.plan.ledger};
-  Integrator integrator = scene.integrator;
-  State state = scene.initial;
-  const Observer observer = std::ref(recorder);
-  const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  if (!outcome) return {std::numeric_limits<double>::infinity(), static_cast<double>(system.evaluations())};
-  const Recorder::Extreme& extreme = recorder.extremes()[quantity.column];
-  const double value = quantity.of(extreme.least, extreme.largest, recorder.row()[quantity.column]);
-  return {std::abs(value / question.truth - 1.0), static_cast<double>(system.evaluations())};
+  const RecordedRun run{scene, findings};
+  const auto evaluations = static_cast<double>(run.end().evaluations);
+  if (!run.end().finished) return {std::numeric_limits<double>::infinity(), evaluations};
+  return {std::abs(run.value(quantity) / question.truth - 1.0), evaluations};
 }
 
 /// Runs beside an advised one: up to half as many steps again, tolerances down to a third.
@@ -76,8 +69,7 @@ double cheapest(const Question& question, const Advice& advice, Findings& findin
       if (run.evaluations > most) break;
       const RunMethod& best_method = advice.best->method;
       if (method.integrator == best_method.integrator && (method.tolerance != 0.0) == (best_method.tolerance != 0.0)) {
-        own.x.push_back(run.evaluations / static_cast<double>(advice.best->evaluations));
-        own.y.push_back(run.error / question.accuracy);
+        own.add(run.evaluations / static_cast<double>(advice.best->evaluations), run.error / question.accuracy);
       }
       if (run.error > question.accuracy)
         candidate = std::numeric_limits<double>::infinity();
@@ -111,7 +103,7 @@ std::string words(const RunMethod& method, double duration) {
 void check_question(const Question& question, Findings& findings, const Setup& setup, Table& table, Figure& figure) {
   const Quantity quantity = quantity_named(question.scene.model, question.quantity);
   const Advice advice = advise_method(question.scene, quantity, rules_of(question, setup));
-  findings.count(static_cast<std::uint64_t>(advice.evaluations));
+  findings.count(advice.evaluations);
   const auto check = [&](const char* what) { return fmt::format("{}: {}", question.name, what); };
   if (!findings.expect_true(check("advised"), advice.best.has_value(), "the motion is regular")) return;
   const TriedMethod& best = *advice.best;
@@ -129,7 +121,7 @@ void check_question(const Question& question, Findings& findings, const Setup& s
   findings.expect_true(check("costs what was said"), run.evaluations == static_cast<double>(best.evaluations),
                        "the same run");
   if (setup.coarse) return;
-  Series own{.label = question.name, .x = {}, .y = {}, .style = Style::points};
+  Series own{.label = question.name, .style = Style::points};
   const double brute = cheapest(question, advice, findings, own);
   figure.series.push_back(std::move(own));
   findings.expect_between(
@@ -148,7 +140,7 @@ void check_gas(Findings& findings, const Setup& setup, Table& table) {
   AdviceRules rules = rules_of(question, setup);
   rules.evaluations = 1'000'000;
   const Advice advice = advise_method(question.scene, quantity, rules);
-  findings.count(static_cast<std::uint64_t>(advice.evaluations));
+  findings.count(advice.evaluations);
   findings.expect_true("gas: refused because its differences grow",
                        advice.refusal && advice.refusal->kind == Refusal::Kind::chaotic,
                        "round bodies spread what comes between them: no step can keep any promise");
@@ -160,13 +152,13 @@ void check_gas(Findings& findings, const Setup& setup, Table& table) {
   PilotRuns runs{question.scene, quantity, false};
   const Pilot one = runs.run({"stormer_cowell", 1e-12, 2000}, 10'000'000);
   const Pilot two = runs.run({"rk4", 0.0, 100'000}, 10'000'000);
-  findings.count(static_cast<std::uint64_t>(runs.evaluations()));
+  findings.count(runs.evaluations());
   findings.expect_between("gas: distance of two fine runs over the width of the box",
                           std::abs(one.printed - two.printed) / 3.2, 1e-2, 1.0,
                           "no step gives the place to a hundredth; discs reach 3.2 of the box's width 4");
   const Question soon = gas(2.0, 1e-2);
   const Advice early = advise_method(soon.scene, quantity, rules_of(soon, setup));
-  findings.count(static_cast<std::uint64_t>(early.evaluations));
+  findings.count(early.evaluations);
   findings.expect_true("gas: the time of its first impacts is advised", early.best.has_value(),
                        "differences are still small: it is the time that is refused, not the scene");
   table.rows.push_back({"gas of five discs to 100", "1e-02", "refused", "-",
@@ -191,8 +183,7 @@ void run(Findings& findings, const Setup& setup) {
               .caption =
                   "What is advised for which accuracy; the error promised (largest of its pilots), that of the "
                   "advised run, the largest of twelve beside it; its evaluations and the fewest by brute force.",
-              .columns = {"scene", "accuracy", "advice", "promised", "error", "beside", "evaluations", "fewest"},
-              .rows = {}};
+              .columns = {"scene", "accuracy", "advice", "promised", "error", "beside", "evaluations", "fewest"}};
   Figure figure{
       .name = "beside",
       .title = "Errors of the advised methods beside the advice",

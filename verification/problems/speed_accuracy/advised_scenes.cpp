@@ -9,12 +9,12 @@
 
 #include "solver/advise/pilot.hpp"
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/reference/hertz_impact.hpp"
 #include "verification/study/fence_table.hpp"
 #include "verification/study/oblique_runs.hpp"
+#include "verification/study/scene_run.hpp"
 #include "verification/study/sliding_scenes.hpp"
 
 namespace talus::verification::problems {
@@ -91,13 +91,8 @@ Question fence_impact(double accuracy, Findings& findings) {
   question.scene.plan = until(0.05);
   const auto speed = [&](double step) {
     const Scene scene = with_method(question.scene, {"central_difference", 0.0, std::lround(0.05 / step)});
-    const Dynamics dynamics{scene.model};
-    RigidBodySystem system{dynamics, false};
-    Integrator integrator = scene.integrator;
-    State state = scene.initial;
-    static_cast<void>(simulate(system, integrator, state, scene.plan));
-    findings.count(static_cast<std::uint64_t>(system.evaluations()));
-    return pose(scene.model, state, *find_body(scene.model, "rock")).v_WB.x;
+    const State end = run_scene(scene, scene.integrator, scene.plan, findings).state;
+    return pose(scene.model, end, *find_body(scene.model, "rock")).v_WB.x;
   };
   const double coarse = speed(4e-7), fine = speed(2e-7);
   question.truth = 2.0 * fine - coarse;

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
 #include "verification/problems/speed_accuracy/fidelity_levels.hpp"
 #include "verification/reference/bed_of_springs.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -59,23 +58,17 @@ struct Blow {
 };
 
 Blow blow(const Scene& scene, double end, Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  Integrator method = make_integrator("stormer_cowell", 1e-7);
-  Workspace work = dynamics.workspace();
-  LawForces forces;
+  Probe probe{scene.model};
   Blow found;
-  const Observer observer = [&](const State& state, const StepInfo&) {
-    dynamics.update(state, work);
-    dynamics.forces(state, work, forces);
-    found.push = std::max(found.push, forces.contacts[0]);
+  const Watcher watch = [&](const State& state, const StepInfo&) {
+    probe.look(state);
+    found.push = std::max(found.push, probe.forces().contacts[0]);
   };
-  State state = scene.initial;
   const double interval = end / 2000.0;
-  const Outcome outcome = simulate(system, method, state, {interval, end, interval, false}, {&observer, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  found.exit = outcome ? -state.v[0] : std::numeric_limits<double>::quiet_NaN();
-  found.evaluations = static_cast<double>(system.evaluations());
+  const RunEnd run =
+      run_scene(scene, make_integrator("stormer_cowell", 1e-7), {interval, end, interval, false}, findings, watch);
+  found.exit = -run.state.v[0];
+  found.evaluations = static_cast<double>(run.evaluations);
   return found;
 }
 
@@ -124,8 +117,7 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
                   "The contact alone, against the bed of springs: root mean square and largest miss over 16 "
                   "turns of the rock. The formula takes e = .4, which the bed's dashpots, of the same share, do "
                   "not give.",
-              .columns = {"contact", "evaluations", "springs", "speed, rms", "largest", "push, rms", "largest"},
-              .rows = {}};
+              .columns = {"contact", "evaluations", "springs", "speed, rms", "largest", "push, rms", "largest"}};
   const double formula = speed_by_formula(n, n.column_mass);
   table.rows.push_back(
       {"formula", "0", "0", fmt::format("{:.2} %", 100.0 * std::abs(formula / exact.exit - 1.0)), "", "-", "-"});
@@ -142,7 +134,7 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
                                         "(w h)^2/8 with w h = .0045 is 3e-6; the steps' own 1e-7 at the speed's share")
                       .relative(),
                   "lb");
-  Series speeds{.label = "speed, nodes", .x = {}, .y = {}}, pushes{.label = "push, nodes", .x = {}, .y = {}};
+  Series speeds{.label = "speed, nodes"}, pushes{.label = "push, nodes"};
   Convergence speed_errors, push_errors;
   table.rows.push_back({"one resultant", fmt::format("{:.0f}", single.evaluations), "1",
                         fmt::format("{:.2} %", 100.0 * std::abs(single.exit / exact.exit - 1.0)), "",
@@ -157,8 +149,8 @@ void check_contact_ladder(Findings& findings, const Setup& setup) {
       speed_errors.add(1.0 / count, found.exit.rms());
       push_errors.add(1.0 / count, found.push.rms());
     }
-    speeds.x.push_back(found.evaluations * count), speeds.y.push_back(found.exit.rms());
-    pushes.x.push_back(found.evaluations * count), pushes.y.push_back(found.push.rms());
+    speeds.add(found.evaluations * count, found.exit.rms());
+    pushes.add(found.evaluations * count, found.push.rms());
     table.rows.push_back(
         {fmt::format("{} nodes", count), fmt::format("{:.0f}", found.evaluations), fmt::format("{}", count),
          fmt::format("{:.2} %", 100.0 * found.exit.rms()), fmt::format("{:.2} %", 100.0 * found.exit.max()),

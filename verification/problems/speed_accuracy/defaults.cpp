@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "solver/io/scene/read_scene.hpp"
-#include "solver/run/history.hpp"
-#include "solver/run/quantity.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "solver/stability/step_advice.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/varied_scenes.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/recorded_run.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -40,23 +41,14 @@ double converged_step(Scene scene) {
   return 0.2 * automatic_step(scene);
 }
 
-Found run_scene(const Scene& scene, const Quantity& quantity, Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, scene.plan.ledger};
-  State state = scene.initial;
-  system.begin(state);
-  Recorder recorder{dynamics, state, scene.plan.ledger};
-  Integrator integrator = scene.integrator;
-  const Observer observer = std::ref(recorder);
-  const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+Found found_by(const Scene& scene, const Quantity& quantity, Findings& findings) {
+  const RecordedRun run{scene, findings};
   Found found;
-  found.evaluations = system.evaluations();
-  if (!outcome) return found;
-  const Recorder::Extreme& extreme = recorder.extremes()[quantity.column];
-  found.value = quantity.of(extreme.least, extreme.largest, recorder.row()[quantity.column]);
-  if (recorder.ledger())
-    found.balance = recorder.ledger()->largest_energy_closure() / recorder.ledger()->energy_scale();
+  found.evaluations = run.end().evaluations;
+  if (!run.end().finished) return found;
+  found.value = run.value(quantity);
+  if (const auto& ledger = run.recorder().ledger())
+    found.balance = ledger->largest_energy_closure() / ledger->energy_scale();
   return found;
 }
 
@@ -78,8 +70,7 @@ struct Worst {
 void check_scenes(Findings& findings, const Setup& setup) {
   Table table{.name = "scenes",
               .caption = "Thirty scenes with all defaults beside converged runs.",
-              .columns = {"scene", "result", "default", "converged", "difference", "energy balance", "evaluations"},
-              .rows = {}};
+              .columns = {"scene", "result", "default", "converged", "difference", "energy balance", "evaluations"}};
   Series errors{"named result", {}, {}, Style::points}, balances{"energy balance", {}, {}, Style::points};
   Worst error, balance;
   const std::vector<VariedScene> all = varied_scenes();
@@ -92,14 +83,12 @@ void check_scenes(Findings& findings, const Setup& setup) {
     Scene reference = scene;
     converge(reference, converged_step(scene));
     plant(scene, setup);
-    const Found found = run_scene(scene, quantity, findings), truth = run_scene(reference, quantity, findings);
+    const Found found = found_by(scene, quantity, findings), truth = found_by(reference, quantity, findings);
     const double difference = found.value / truth.value - 1.0;
     error.take(difference, varied.name);
     balance.take(found.balance, varied.name);
-    errors.x.push_back(static_cast<double>(errors.x.size()) + 1.0);
-    errors.y.push_back(std::max(std::abs(difference), 1e-12));
-    balances.x.push_back(errors.x.back());
-    balances.y.push_back(std::max(found.balance, 1e-12));
+    errors.add(static_cast<double>(errors.x.size()) + 1.0, std::max(std::abs(difference), 1e-12));
+    balances.add(errors.x.back(), std::max(found.balance, 1e-12));
     table.rows.push_back({varied.name, varied.quantity, fmt::format("{:.6g}", found.value),
                           fmt::format("{:.6g}", truth.value), fmt::format("{:+.1e}", difference),
                           fmt::format("{:.1e}", found.balance), fmt::format("{}", found.evaluations)});
@@ -141,27 +130,21 @@ FenceFound run_fence(const SceneFile& file, Findings& findings) {
   const Scene& scene = file.scene;
   const Dynamics dynamics{scene.model};
   const Layout layout{scene.model};
-  RigidBodySystem system{dynamics, scene.plan.ledger};
-  State state = scene.initial;
-  system.begin(state);
-  scenes::FenceWatch watch{file.fence->fence, file.fence->made, dynamics};
-  std::optional<EnergyLedger> ledger;
-  if (scene.plan.ledger) ledger.emplace(dynamics, state);
+  scenes::FenceWatch fence_watch{file.fence->fence, file.fence->made, dynamics};
+  std::optional<Accounting> accounting;
+  if (scene.plan.ledger) accounting.emplace(scene.model, begun(scene));
   const BodyId rock = *file.fence->made.members[1].body;
   double least = std::numeric_limits<double>::infinity(), largest = -least;
-  const Observer observer = [&](const State& seen, const StepInfo& info) {
-    watch(seen, info);
+  const Watcher watch = [&](const State& seen, const StepInfo& info) {
+    fence_watch(seen, info);
     const double x = pose(scene.model, layout, seen, rock).p_WB.x;
     least = std::min(least, x), largest = std::max(largest, x);
-    if (ledger) static_cast<void>(ledger->accounts(seen));
+    if (accounting) static_cast<void>((*accounting)(seen));
   };
-  Integrator integrator = scene.integrator;
-  const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  FenceFound found{watch.summary(), pose(scene.model, layout, state, rock).p_WB, largest - least, 0.0,
-                   system.evaluations()};
-  if (!outcome) found.position.x = std::numeric_limits<double>::quiet_NaN();
-  if (ledger) found.balance = ledger->largest_energy_closure() / ledger->energy_scale();
+  const RunEnd end = run_scene(scene, findings, watch);
+  FenceFound found{fence_watch.summary(), pose(scene.model, layout, end.state, rock).p_WB, largest - least, 0.0,
+                   end.evaluations};
+  if (accounting) found.balance = accounting->ledger().largest_energy_closure() / accounting->ledger().energy_scale();
   return found;
 }
 
@@ -207,8 +190,7 @@ void check_fences(Findings& findings, const Setup& setup) {
           "Twenty fences with all defaults; differences from runs of tolerance $10^{-13}$: of the rock's "
           "last position over the width of its path, of its last kinetic energy over that of its "
           "approach, of the largest tension.",
-      .columns = {"fence", "verdict", "energy left", "position", "energy", "tension", "energy balance", "evaluations"},
-      .rows = {}};
+      .columns = {"fence", "verdict", "energy left", "position", "energy", "tension", "energy balance", "evaluations"}};
   Worst balance;
   FenceDifferences tight{"runs of tolerance 1e-13"}, fixed{"runs of velocity Verlet"};
   for (const VariedScene& varied : varied_fences()) {

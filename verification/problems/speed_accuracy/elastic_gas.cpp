@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
-#include "solver/scenes/scene.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -75,14 +73,11 @@ Scene gas(std::uint64_t seed) {
 
 GasRun run_gas(double eta, std::uint64_t seed, long collisions, const Setup& setup) {
   const Scene scene = gas(seed);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = scene.initial;
-  std::vector<Mode> before(state.mode.size(), 0);
+  std::vector<Mode> before(scene.initial.mode.size(), 0);
   GasRun gas;
   double first = 0.0, last = 0.0;
   // Contacts have one law instance each, whose mode is 0 while open.
-  const StopCondition enough = [&](const State& seen) {
+  const Until enough = [&](const State& seen) {
     bool open = true;
     for (std::size_t i = 0; i < before.size(); ++i) {
       if (seen.mode[i] != 0) open = false;
@@ -96,8 +91,8 @@ GasRun run_gas(double eta, std::uint64_t seed, long collisions, const Setup& set
     if (first == 0.0) first = last;
     return gas.collisions >= collisions;
   };
-  Integrator verlet = make_integrator(setup.has("gas_by_rk4") ? "rk4" : "velocity_verlet");
-  (void)simulate(system, verlet, state, {eta, 2e7 * eta, eta, false}, {}, enough);
+  const char* method = setup.has("gas_by_rk4") ? "rk4" : "velocity_verlet";
+  run_scene(scene, make_integrator(method), {eta, 2e7 * eta, eta, false}, nullptr, {}, enough);
   gas.ln_heating = gas.collisions >= collisions ? std::log(last / first) : std::nan("");
   return gas;
 }

@@ -1,18 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
-#include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/elastic_gas.hpp"
 #include "verification/reference/leapfrog_bounce.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -37,26 +35,22 @@ Scene struck_plane(const Setup& setup) {
 /// One disc and its plane, struck again and again.
 class Striking {
  public:
-  explicit Striking(const Setup& setup) : scene_{struck_plane(setup)}, dynamics_{scene_.model} {}
+  explicit Striking(const Setup& setup) : scene_{struck_plane(setup)} {}
 
   /// Exit over entry speed with the share theta of the step that enters inside.
   double ratio(std::string_view method, double eta, double theta) const {
     const double h = eta / frequency;
-    RigidBodySystem system{dynamics_, false};
-    State state = scene_.initial;
+    Scene scene = scene_;
     // Central difference holds its coordinates half a step on: it begins so much further out.
     const double ahead = method == "central_difference" ? 0.5 : 0.0;
-    state.q[1] = 1.0 + (1.0 - theta + ahead) * h * entry;
-    state.v[1] = -entry;
+    scene.initial.q[1] = 1.0 + (1.0 - theta + ahead) * h * entry;
+    scene.initial.v[1] = -entry;
     const long steps = static_cast<long>(std::ceil(3.1416 / (2.0 * std::asin(0.5 * eta)))) + 3;
-    Integrator integrator = make_integrator(method);
-    (void)simulate(system, integrator, state, {h, h * static_cast<double>(steps), h, false});
-    return state.v[1] / entry;
+    return run_steps(scene, make_integrator(method), h, steps).state.v[1] / entry;
   }
 
  private:
   Scene scene_;
-  Dynamics dynamics_;
 };
 
 double theta(int i, int phases, const Setup& setup) {
@@ -101,8 +95,7 @@ void check_bounces(const Striking& striking, Findings& findings, const Setup& se
                                           {&exact_least, gain.least},
                                           {&exact_most, gain.most},
                                           {&bound, limit}}) {
-        series->x.push_back(eta);
-        series->y.push_back(value);
+        series->add(eta, value);
       }
     }
     findings.count(39 * 64 * 12);
@@ -141,7 +134,7 @@ void check_heating(const Striking& striking, Findings& findings, const Setup& se
       inverse += 1.0 / (e * e * phases);
       mean_ln += std::log(e) / phases;
     }
-    findings.count(static_cast<std::uint64_t>(phases) * 20);
+    findings.count(phases * 20);
     const double off = (inverse - 1.0) * 8.0 * phases * phases / (eta * eta);
     if (!(std::abs(off) <= std::abs(worst))) worst = off;
     findings.expect(fmt::format("mean of ln e at w h = {:g} over eta^4 delta^2 (1 - delta)^2/12", eta),
@@ -149,8 +142,7 @@ void check_heating(const Striking& striking, Findings& findings, const Setup& se
                     Tolerance::model(0.5 * eta * eta,
                                      "the next order, eta^2, with half its size; 64 phases would not do: "
                                      "the terms are a hundred times their mean"));
-    points.x.push_back(eta);
-    points.y.push_back(mean_ln);
+    points.add(eta, mean_ln);
   }
   findings.expect(
       "mean of e^-2 less one, over eta^2/(8 n^2), largest of four steps", worst, 0.0,
@@ -161,8 +153,7 @@ void check_heating(const Striking& striking, Findings& findings, const Setup& se
   for (double eta = 0.05; eta < 1.95; eta *= 1.015) {
     const double value = reference::leapfrog_gain(eta, 1000).mean_ln;
     if (value < 1e-10) continue;
-    exact.x.push_back(eta);
-    exact.y.push_back(value);
+    exact.add(eta, value);
     if (setup.coarse) break;
   }
   figure.series.push_back(exact);
@@ -211,12 +202,11 @@ void check_gas(Findings& findings, const Setup& setup, Figure& figure) {
                                                   "own phase and share of the energy",
                                                   collisions)));
     if (!setup.has("gas_by_rk4") && n * measured > 3.0 * error) {
-      points.x.push_back(gas.eta);
-      points.y.push_back(0.25 * n * measured);
+      points.add(gas.eta, 0.25 * n * measured);
       points.y_low.push_back(0.25 * (n * measured - error));
       points.y_high.push_back(0.25 * (n * measured + error));
     }
-    findings.count(static_cast<std::uint64_t>(collisions) * 60);
+    findings.count(collisions * 60);
   }
   if (!points.x.empty()) figure.series.push_back(points);
 }

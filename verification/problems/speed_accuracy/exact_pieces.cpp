@@ -4,18 +4,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/damped_bounce.hpp"
 #include "verification/reference/latching_impact.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/reference/struck_row.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -33,16 +31,11 @@ struct Ran {
   bool finished{};
 };
 
-Ran run_scene(const Scene& scene, const Integrator& method, double end, int outputs, Findings& findings,
-              std::span<const Observer> observers = {}, bool ledger = false) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, ledger};
-  Integrator running = method;
-  State state = scene.initial;
+Ran ran(const Scene& scene, const Integrator& method, double end, int outputs, Findings& findings,
+        const Watcher& watch = {}, bool ledger = false) {
   const double interval = end / outputs;
-  const Outcome outcome = simulate(system, running, state, {interval, end, interval, ledger}, observers);
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  return {state, system.evaluations(), located_events(running).value_or(0), static_cast<bool>(outcome)};
+  const RunEnd run = run_scene(scene, method, {interval, end, interval, ledger}, findings, watch);
+  return {run.state, run.evaluations, located_events(run.method).value_or(0), run.finished};
 }
 
 /// The exact propagator, or what a fault puts in its place.
@@ -72,15 +65,15 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
     times.push_back(end * i / outputs);
   const auto truth = reference::bounce_states(drop, times);
   double place = 0.0, speed = 0.0;
-  Series gap{.label = "gap", .x = {}, .y = {}, .style = Style::lines};
-  const Observer compare = [&](const State& seen, const StepInfo& info) {
-    gap.x.push_back(seen.t), gap.y.push_back(seen.q[1] - 1.0);
+  Series gap{.label = "gap", .style = Style::lines};
+  const Watcher compare = [&](const State& seen, const StepInfo& info) {
+    gap.add(seen.t, seen.q[1] - 1.0);
     if (info.step == 0) return;
     const auto& exact_state = truth[static_cast<std::size_t>(info.step - 1)];
     place = std::max(place, std::abs(seen.q[1] - 1.0 - exact_state.gap));
     speed = std::max(speed, std::abs(seen.v[1] + exact_state.velocity));
   };
-  const Ran found = run_scene(scene, exact(setup), end, outputs, findings, {&compare, 1});
+  const Ran found = ran(scene, exact(setup), end, outputs, findings, compare);
   const auto contacts = reference::bounces(drop, 100);
   // Flight, then of each contact that ends the push, the way out beside the law, and the next flight.
   const double pieces = 2.0 + 3.0 * static_cast<double>(contacts.size() - 1);
@@ -108,8 +101,8 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
   table.rows.push_back(
       {"damped bounce", fmt::format("{:.0f}", pieces), fmt::format("{}", found.evaluations),
        fmt::format("{:.1e}", place / drop.gap),
-       fmt::format("{}", run_scene(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations)});
-  const Ran at_once = run_scene(scene, exact(setup), end, 1, findings);
+       fmt::format("{}", ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations)});
+  const Ran at_once = ran(scene, exact(setup), end, 1, findings);
   findings.expect("damped bounce to rest: force evaluations with one output", static_cast<double>(at_once.evaluations),
                   pieces, Tolerance::exact("outputs are read off the pieces: none costs an evaluation"));
   if (setup.coarse) return;
@@ -120,10 +113,10 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
                 .x = {.label = "time", .unit = "s"},
                 .y = {.label = "gap", .unit = "m"},
                 .series = {gap}};
-  Series events{.label = "touch and end", .x = {}, .y = {}, .style = Style::crosses};
+  Series events{.label = "touch and end", .style = Style::crosses};
   for (const auto& contact : contacts) {
-    events.x.push_back(contact.start_time), events.y.push_back(0.0);
-    if (std::isfinite(contact.end_time)) events.x.push_back(contact.end_time), events.y.push_back(0.0);
+    events.add(contact.start_time, 0.0);
+    if (std::isfinite(contact.end_time)) events.add(contact.end_time, 0.0);
   }
   figure.series.push_back(events);
   findings.figure(figure);
@@ -139,13 +132,13 @@ void check_impacts(Findings& findings, const Setup& setup, Table& table) {
       const double damping = setup.has("dashpot_by_1e-9") ? (1.0 + 1e-9) * 200.0 * xi : 200.0 * xi;
       const Scene scene =
           scenes::bouncing_disc({.gap = 0.1, .speed = 1.0, .contact = LinearSpringDashpot{1e4, damping, rule_of(end)}});
-      const Ran found = run_scene(scene, exact(setup), 1.0, 1, findings);
+      const Ran found = ran(scene, exact(setup), 1.0, 1, findings);
       worst = std::max(worst, std::abs(found.state.v[1] - e));
       evaluations += found.evaluations, ++runs;
       // Flight, push, flight; a clamped dashpot lets go before the way out is over.
       pieces += end == reference::EndRule::clamped && xi > 0.0 ? 4 : 3;
-      stormer += run_scene(scene, make_integrator("stormer_cowell", 1e-9), 1.0, 1, findings).evaluations;
-      const Ran kept = run_scene(scene, exact(setup), 1.0, 1, findings, {}, true);
+      stormer += ran(scene, make_integrator("stormer_cowell", 1e-9), 1.0, 1, findings).evaluations;
+      const Ran kept = ran(scene, exact(setup), 1.0, 1, findings, {}, true);
       double lost = 0.0;
       for (const double work : kept.state.work)
         lost += work;
@@ -177,12 +170,12 @@ void check_latching(Findings& findings, const Setup& setup, Table& table) {
     const LatchingSpring law{1.0, latch.back, setup.has("growth_lost") ? 0.0 : latch.growth};
     const Scene scene = scenes::bouncing_disc({.radius = 4.0, .gap = 0.25, .speed = 1.0, .contact = law});
     const double end = 0.25 + truth.contact_time + 1.0;
-    const Ran found = run_scene(scene, exact(setup), end, 1, findings);
+    const Ran found = ran(scene, exact(setup), end, 1, findings);
     worst = std::max(worst, std::abs(found.state.v[1] - truth.restitution));
     // It leaves the law with the residual depth, and flies for 1.
     worst_time = std::max(worst_time, std::abs(found.state.q[1] - 4.0 + truth.residual_depth - truth.restitution));
     evaluations += found.evaluations, ++runs;
-    stormer += run_scene(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations;
+    stormer += ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations;
   }
   const std::string words = "places up to 4 from the origin are rounded by up to 4 epsilon, three times to the end";
   findings.expect("latching springs: exit speed, largest error", worst, 0.0,
@@ -217,13 +210,13 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
   for (const double gap : {0.0, 0.1, 0.4, 1.2}) {
     const reference::StruckRow row{1.0, 1.0, 1.0, gap};
     const auto truth = reference::rebound(row);
-    const Ran found = run_scene(row_scene(row), exact(setup), truth.end_time + 1.0, 1, findings);
+    const Ran found = ran(row_scene(row), exact(setup), truth.end_time + 1.0, 1, findings);
     for (std::size_t i = 0; i < 3; ++i)
       worst = std::max(worst, std::abs(found.state.v[i] - truth.velocity[i]));
     evaluations += found.evaluations;
     pieces += static_cast<double>(truth.changes.size());
-    stormer += run_scene(row_scene(row), make_integrator("stormer_cowell", 1e-9), truth.end_time + 1.0, 1, findings)
-                   .evaluations;
+    stormer +=
+        ran(row_scene(row), make_integrator("stormer_cowell", 1e-9), truth.end_time + 1.0, 1, findings).evaluations;
   }
   findings.expect(
       "three discs on a line: velocities, largest error", worst, 0.0,
@@ -239,8 +232,7 @@ void run(Findings& findings, const Setup& setup) {
               .caption =
                   "Force evaluations and largest errors of the exact propagator; the evaluations of "
                   "`stormer_cowell` at 1e-9 beside them.",
-              .columns = {"scenes", "pieces by the reference", "evaluations", "error", "stormer_cowell"},
-              .rows = {}};
+              .columns = {"scenes", "pieces by the reference", "evaluations", "error", "stormer_cowell"}};
   check_bounce(findings, setup, table);
   check_impacts(findings, setup, table);
   check_latching(findings, setup, table);

@@ -66,8 +66,7 @@ void run(Findings& findings, const Setup& setup) {
   Table table{
       .name = "failures",
       .caption = "Each failure where it comes about and where it does not, as measured, and the case with its depth.",
-      .columns = {"failure", "where it fails", "where it does not", "case"},
-      .rows = {}};
+      .columns = {"failure", "where it fails", "where it does not", "case"}};
   for (const Failure& failure : failures) {
     if (!setup.fault.empty() && !setup.has(failure.fault)) continue;
     const FailureFound found = failure.check(findings, setup);

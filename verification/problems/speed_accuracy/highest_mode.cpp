@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/run/simulate.hpp"
+
 namespace talus::verification::problems {
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "solver/run/simulate.hpp"
+#include "solver/dynamics/dynamics.hpp"
 #include "solver/scenes/scene.hpp"
 
 /// The fastest vibration about a state in which nothing moves, from the solver's forces alone, and how runs of the

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/left_out_findings.hpp"
 #include "verification/study/fence_table.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -41,32 +40,25 @@ struct LongRun {
 
 LongRun run_long(const scenes::FenceScene& made, Findings& findings) {
   const Scene& scene = made.scene;
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  Integrator method = scene.integrator;
-  Workspace work = dynamics.workspace();
-  LawForces forces;
-  LongRun found{
-      scene.initial, 0.0, 0.0, made.horizontal_tension, {.label = "", .x = {}, .y = {}, .style = Style::lines}};
-  const std::size_t sleeper = dynamics.layout().first_sleeper;
+  Probe probe{scene.model};
+  LongRun found{{}, 0.0, 0.0, made.horizontal_tension, {.label = "", .style = Style::lines}};
+  const std::size_t sleeper = Layout{scene.model}.first_sleeper;
   const auto columns = static_cast<double>(scene.model.bodies.size() - 2);  // without ground and rock
-  const Observer observer = [&](const State& state, const StepInfo& info) {
+  const Watcher watch = [&](const State& state, const StepInfo& info) {
     const auto first = state.mode.begin() + static_cast<std::ptrdiff_t>(sleeper);
     const double awake =
         sleeper == state.mode.size() ? columns : static_cast<double>(std::count(first, state.mode.end(), Mode{1}));
     found.awake += awake / steps;
     if (!info.due) return;
-    found.columns.x.push_back(1e3 * state.t);
-    found.columns.y.push_back(awake);
-    dynamics.update_all(state, work);
-    dynamics.forces(state, work, forces);
-    found.pull = std::max(found.pull, *std::max_element(forces.tensions.begin(), forces.tensions.end()));
+    found.columns.add(1e3 * state.t, awake);
+    probe.look(state);
+    const std::vector<double>& tensions = probe.forces().tensions;
+    found.pull = std::max(found.pull, *std::max_element(tensions.begin(), tensions.end()));
   };
   const double step = scene.plan.step;
-  const Outcome outcome =
-      simulate(system, method, found.state, {step, step * steps, 100.0 * step, false}, {&observer, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  if (!outcome) found.pull = std::nan("");
+  const RunEnd end = run_scene(scene, scene.integrator, {step, step * steps, 100.0 * step, false}, findings, watch);
+  found.state = end.state;
+  if (!end.finished) found.pull = std::nan("");
   return found;
 }
 
@@ -104,8 +96,7 @@ void check_length(Findings& findings, const Setup& setup, Table& table) {
                 .title = "Columns awake",
                 .caption = "Half of each fence is modelled: 51 and 501 columns.",
                 .x = {.label = "time", .unit = "ms"},
-                .y = {.label = "columns awake", .min = 0.0},
-                .series = {}};
+                .y = {.label = "columns awake", .min = 0.0}};
   for (const Sag sag : {Sag::as_tight, Sag::share_of_span}) {
     const LongRun tenth = with(101, sag), whole = with(1001, sag);
     const bool tight = sag == Sag::as_tight;
@@ -136,8 +127,7 @@ void run(Findings& findings, const Setup& setup) {
               .caption =
                   "What a step could visit, and what it does (mean over the steps). Without sleep a fence visits "
                   "all its columns; half of a fence is modelled.",
-              .columns = {"what", "in the scene", "visited", "change of the result"},
-              .rows = {}};
+              .columns = {"what", "in the scene", "visited", "change of the result"}};
   check_sleep(findings, setup, table);
   check_length(findings, setup, table);
   check_contacts(findings, setup, table);

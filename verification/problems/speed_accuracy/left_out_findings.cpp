@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/study/fence_table.hpp"
 #include "verification/study/lively_scenes.hpp"
@@ -113,7 +112,7 @@ void check_pairs(Findings& findings, const Setup& setup, Table& table, const cha
   const auto unwatched = [](const Dynamics&, const State&) {};
   const State visited = stepped(scene, searched, VelocityVerlet{}, RigidBodySystem{searched, true}, step, count, watch);
   const State all = stepped(scene, dynamics, VelocityVerlet{}, EveryPair{dynamics}, step, count, unwatched);
-  findings.count(static_cast<std::uint64_t>(2 * count));
+  findings.count(2 * count);
   findings.expect(fmt::format("{}: state at the end from that with every pair, largest difference", name),
                   change(visited, all), 0.0,
                   Tolerance::exact("bodies out of reach push nothing, and a node outside its target neither"));
@@ -210,7 +209,7 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
   };
   const State bare = stepped(scene, dynamics, VelocityVerlet{}, RigidBodySystem{dynamics, false}, 1e-5, count, watch);
   const auto [place, velocity] = difference(bare, told);
-  findings.count(static_cast<std::uint64_t>(2 * count));
+  findings.count(2 * count);
   findings.expect("without ledger, paths not told: state at the end from that with, largest difference",
                   std::max(place, velocity), 0.0,
                   Tolerance::exact("what pulls on bodies is the same sum, whether the paths are kept or not"));

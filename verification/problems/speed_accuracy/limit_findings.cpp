@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "solver/stability/step_advice.hpp"
@@ -142,8 +141,7 @@ void check_limits(Findings& findings, const Setup& setup) {
                   "Steps $\\omega h$ at which the solver's runs begin to grow, by damping ratio $\\xi$; Euler's "
                   "and Taylor's methods grow at any step where nothing damps, odeint's too slowly to be told. "
                   "The watch of a run knows the limits of some.",
-              .columns = {"method", "0", "0.1", "0.4", "1", "1.5", "2", "watched"},
-              .rows = {}};
+              .columns = {"method", "0", "0.1", "0.4", "1", "1.5", "2", "watched"}};
   int advised = 0;
   for (const FixedStepMethod& method : fixed_step_methods) {
     table.rows.push_back(check_limits_of(method, findings, setup));

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/speed_accuracy/exact_motions.hpp"
 #include "verification/problems/speed_accuracy/fence_exit.hpp"
 
@@ -40,12 +39,11 @@ std::string whole(double number) { return std::isfinite(number) ? fmt::format("{
 void check_motion(const ExactMotion& motion, const Bound& bound, Findings& findings, const Setup& setup, Table& table,
                   Figure& figure) {
   std::vector<WorkPoint> points;
-  Series series{.label = motion.name, .x = {}, .y = {}};
+  Series series{.label = motion.name};
   for (double tolerance = 1e-3; tolerance > 1e-12; tolerance /= std::sqrt(10.0)) {
     points.push_back(run_motion(motion, method(setup, tolerance), 1, findings));
     if (points.back().error > 0.0) {
-      series.x.push_back(points.back().evaluations);
-      series.y.push_back(points.back().error);
+      series.add(points.back().evaluations, points.back().error);
     }
   }
   figure.series.push_back(series);
@@ -130,17 +128,14 @@ void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
   const FenceHit hit = fence_hit();
   Table table{.name = "fence",
               .caption = "The fence of Table 2 by tolerance: error of the largest tension and of the rock's speed.",
-              .columns = {"end [s]", "tolerance", "evaluations", "events", "tension", "speed"},
-              .rows = {}};
+              .columns = {"end [s]", "tolerance", "evaluations", "events", "tension", "speed"}};
   double furthest = 0.0;
   for (const double end : {early, late}) {
     const FenceExit best = run_fence(hit, make_integrator("stormer_cowell", 1e-13), {end, spans}, findings);
     const FenceErrors errors = fence_errors(hit, end, best, findings, setup, table);
-    Series series{.label = fmt::format("fence, {:g} s", end), .x = {}, .y = {}};
-    for (const WorkPoint& point : errors.speeds) {
-      series.x.push_back(point.evaluations);
-      series.y.push_back(point.error);
-    }
+    Series series{.label = fmt::format("fence, {:g} s", end)};
+    for (const WorkPoint& point : errors.speeds)
+      series.add(point.evaluations, point.error);
     figure.series.push_back(series);
     const auto demand = [&](const char* what, double tension, double speed, double most) {
       const double found =
@@ -175,8 +170,7 @@ void run(Findings& findings, const Setup& setup) {
               .caption =
                   "Evaluations to reach an error; their factor for a tenth of the tolerance, the last two "
                   "digits; events located.",
-              .columns = {"motion", "1e-4", "1e-6", "1e-9", "factor", "events"},
-              .rows = {}};
+              .columns = {"motion", "1e-4", "1e-6", "1e-9", "factor", "events"}};
   Figure figure{.name = "work_precision",
                 .title = "Error against force evaluations, located events",
                 .caption =

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -36,12 +35,11 @@ std::vector<Series> limit_lines(const FixedStepMethod& method, int panel) {
         return std::abs(known.x.back() - (xi - between)) < 1e-9 && (alone || std::abs(known.y.back() - y) < 0.08);
       });
       if (line == lines.end()) {
-        line = lines.insert(line, {.label = fmt::format("{}, exact limit", method.name), .x = {}, .y = {}});
+        line = lines.insert(line, {.label = fmt::format("{}, exact limit", method.name)});
         line->style = Style::lines;
         line->panel = panel;
       }
-      line->x.push_back(xi);
-      line->y.push_back(y);
+      line->add(xi, y);
     }
     before = limits.size();
   }
@@ -58,7 +56,7 @@ struct Map {
 
 Map map_of(const FixedStepMethod& method, Findings& findings, const Setup& setup) {
   const int across = setup.coarse ? 7 : 41, up = setup.coarse ? 10 : 40;
-  Map map{.growth = {.label = fmt::format("{}, ln growth", method.name), .x = {}, .y = {}, .style = Style::heat}};
+  Map map{.growth = {.label = fmt::format("{}, ln growth", method.name), .style = Style::heat}};
   for (int i = 0; i < across; ++i) {
     const double xi = 2.0 * i / (across - 1);
     const SqueezedRuns disc = squeezed_runs(xi);
@@ -72,11 +70,10 @@ Map map_of(const FixedStepMethod& method, Findings& findings, const Setup& setup
         keep_worst(map.worst, method.dimension > 3 ? error : in_roundings(method, error, exact));
       }
       if (std::abs(exact) > 1e-5 && !((measured > 0.0) == (exact > 0.0))) ++map.wrong;
-      map.growth.x.push_back(xi);
-      map.growth.y.push_back(part);
+      map.growth.add(xi, part);
       map.growth.values.push_back(measured);
     }
-    findings.count(static_cast<std::uint64_t>(up) * 16);
+    findings.count(up * 16);
   }
   return map;
 }
@@ -144,8 +141,7 @@ Figure time_levels() {
                     "Half a step old (velocity Verlet, central difference, Euler-Cromer) and one and a half "
                     "(lagged central difference) are run in the maps.",
                 .x = {.label = "damping ratio"},
-                .y = {.label = "largest stable w h", .min = 0.0},
-                .series = {}};
+                .y = {.label = "largest stable w h", .min = 0.0}};
   struct Level {
     Scheme scheme;
     const char* words;
@@ -154,11 +150,9 @@ Figure time_levels() {
        {Level{Scheme::half_step, "half a step old"}, Level{Scheme::late, "one and a half steps old"},
         Level{Scheme::average, "mean of old and new"}, Level{Scheme::implicit, "new"},
         Level{Scheme::verlet_old, "Verlet, v(n)"}, Level{Scheme::verlet_predicted, "Verlet, v(n) + h a(n)"}}) {
-    Series series{.label = level.words, .x = {}, .y = {}, .style = Style::lines};
-    for (double xi = 0.005; xi < 1.5; xi += 0.02) {
-      series.x.push_back(xi);
-      series.y.push_back(reference::limits(level.scheme, xi, 8.0).front());
-    }
+    Series series{.label = level.words, .style = Style::lines};
+    for (double xi = 0.005; xi < 1.5; xi += 0.02)
+      series.add(xi, reference::limits(level.scheme, xi, 8.0).front());
     figure.series.push_back(series);
   }
   return figure;

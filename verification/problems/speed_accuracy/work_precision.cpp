@@ -240,8 +240,7 @@ void run(Findings& findings, const Setup& setup) {
   Table known{.name = "known",
               .caption = "Evaluations on the smooth motions; in brackets what was known beforehand, by other programs.",
               .columns = {"motion", "verlet 1e-6", "odeint 1e-4", "odeint 1e-6", "odeint 1e-9", "stormer 1e-4",
-                          "stormer 1e-6", "stormer 1e-9"},
-              .rows = {}};
+                          "stormer 1e-6", "stormer 1e-9"}};
   for (const WorkScene& scene : scenes) {
     const bool decides =
         scene.name == "pendulum, 90 degrees" || scene.name.starts_with("wall") || scene.name == "pinned column";

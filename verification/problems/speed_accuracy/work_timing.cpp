@@ -117,12 +117,10 @@ std::vector<Figure> timing_figures(const DataFile& data, const std::string& mach
                                                 "slowest. {}. Nothing is checked on times.",
                                                 repetitions, machine),
                          .x = {.label = "error", .unit = "1", .log = true},
-                         .y = {.label = "time of a run", .unit = "ns", .log = true},
-                         .series = {}});
+                         .y = {.label = "time of a run", .unit = "ns", .log = true}});
     }
     std::vector<Series>& series = figures.back().series;
-    if (series.empty() || series.back().label != row[2])
-      series.push_back({.label = row[2], .x = {}, .y = {}, .style = Style::errorbars});
+    if (series.empty() || series.back().label != row[2]) series.push_back({.label = row[2], .style = Style::errorbars});
     series.back().x.push_back(std::stod(row[3]));
     series.back().y.push_back(std::stod(row[4]));
     series.back().y_low.push_back(std::stod(row[5]));
