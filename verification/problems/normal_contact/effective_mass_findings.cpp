@@ -5,12 +5,61 @@
 
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/velocity_verlet.hpp"
+#include "solver/laws/linear_spring_dashpot.hpp"
 #include "solver/model/model_builder.hpp"
-#include "verification/problems/normal_contact/struck_bar.hpp"
+#include "solver/scenes/scene.hpp"
 #include "verification/study/disc_bounce.hpp"
 
 namespace talus::verification::problems {
 namespace {
+
+/// An upright bar at rest, struck on its side by a disc away from its centre of mass, without friction or gravity.
+///
+///        o   pin of a pinned bar (0, b)           y
+///       +-+                                       |
+///       | |  <- disc from -x at height `height`   +-- x,  origin at the bar's centre of mass
+///       +-+
+struct StruckBar {
+  bool pinned{false};     ///< at the middle of its top; free otherwise
+  double height{};        ///< of the disc's line of flight above the bar's centre [L]
+  double mass{3.0};       ///< of the bar [M]
+  double half_width{.5};  ///< a [L]
+  double half_height{4};  ///< b [L]
+  double disc_mass{2.0};  ///< [M]
+  double speed{1.0};      ///< of the disc [L/T]
+  double gap{};           ///< between disc and bar at t = 0 [L]
+  LinearSpringDashpot law{};
+};
+
+/// Inertia of the bar about its centre of mass, m (a^2 + b^2)/3 [M L^2].
+double inertia(const StruckBar& bar) {
+  return bar.mass * (bar.half_width * bar.half_width + bar.half_height * bar.half_height) / 3.0;
+}
+
+/// Distance of the line of impact from the pin or, of a free bar, from the centre of mass [L].
+double arm(const StruckBar& bar) { return std::abs(bar.pinned ? bar.half_height - bar.height : bar.height); }
+
+/// Bodies "bar" and "disc" (a particle of radius 1), contact "impact". Integrator and plan are left to the caller.
+Scene struck_bar(const StruckBar& bar) {
+  constexpr double radius = 1.0;
+  ModelBuilder builder;
+  const BodyId struck = builder.add(Body{.name = "bar",
+                                         .mobility = bar.pinned ? Mobility::pinned : Mobility::free,
+                                         .mass = bar.mass,
+                                         .inertia = inertia(bar),
+                                         .shape = Rectangle{bar.half_width, bar.half_height},
+                                         .p_BPin = {0.0, bar.half_height}});
+  const BodyId disc = builder.add(Body{.name = "disc",
+                                       .mobility = Mobility::particle,
+                                       .mass = bar.disc_mass,
+                                       .shape = Circle{radius},
+                                       .p_WB = {-(bar.half_width + radius + bar.gap), bar.height}});
+  builder.add(Contact{.name = "impact", .a = disc, .b = struck, .law = bar.law});
+  Scene scene{.title = "Bar struck by a disc", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, disc, {bar.speed, 0.0}, 0.0);
+  return scene;
+}
 
 Scene two_discs(double mass, double other, double frame, const LinearSpringDashpot& law, double gap) {
   ModelBuilder builder;
