@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "solver/laws/latching_spring.hpp"
 #include "verification/check/case.hpp"
-#include "verification/problems/cell/broken_latch.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/latching_chain.hpp"
 
@@ -17,6 +18,36 @@ namespace talus::verification::problems {
 Case restruck_discs();
 
 namespace {
+
+/// Forgets the largest overlap where the force falls to zero, not where the discs part: the soft line begins anew in
+/// the middle of the overlap, with a force at once.
+struct ForgettingLatch : LatchingSpring {
+  explicit ForgettingLatch(const LatchingSpring& law) : LatchingSpring{law} {}
+  constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
+    const Reset next = LatchingSpring::reset(x, memory, mode);
+    if (next.mode == slack) memory[0] = 0.0;
+    return next;
+  }
+};
+
+/// Takes the contact for ended where the force falls to zero: none comes before the discs have parted.
+struct ClearedLatch : LatchingSpring {
+  explicit ClearedLatch(const LatchingSpring& law) : LatchingSpring{law} {}
+  constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
+    if (mode == slack && x.extent > 0.0) return {slack, 0.0};
+    return LatchingSpring::reset(x, memory, mode);
+  }
+};
+
+/// Never forgets: discs that have parted meet again where the force left off.
+struct RetentiveLatch : LatchingSpring {
+  explicit RetentiveLatch(const LatchingSpring& law) : LatchingSpring{law} {}
+  constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
+    const double left_off = memory[0] * (1.0 - stiffness / unloading_stiffness);
+    if (mode == slack && x.extent <= left_off) return {slack, 0.0};
+    return LatchingSpring::reset(x, memory, mode);
+  }
+};
 
 const LatchingSpring law{0.5, 0.5 / 0.49, 0.0};
 constexpr std::array<double, 3> speeds{3.0, 1.0, 0.0};
