@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "verification/check/case.hpp"
-#include "verification/problems/fence/fence_appendix_runs.hpp"
+#include "verification/problems/fence/fence_impact.hpp"
 #include "verification/problems/fence/fence_snapshots.hpp"
 #include "verification/study/fence_table.hpp"
 
@@ -15,6 +18,88 @@ namespace talus::verification::problems {
 Case fence_appendix();
 
 namespace {
+
+/// One simulation and its twins.
+struct Simulation {
+  std::string name;
+  FenceRun run;                    ///< with its history, every step
+  std::vector<FenceSample> twins;  ///< their peaks; empty in coarse setups
+
+  /// Least and largest value of a quantity over the run and its twins.
+  [[nodiscard]] double low(double FenceSample::*quantity) const;
+  [[nodiscard]] double high(double FenceSample::*quantity) const;
+};
+
+/// The paper's four, and one layer with the top cable only.
+struct Simulations {
+  Simulation one, two, nine, top_only, one_top_only;
+};
+
+/// A change of what the paper leaves open.
+struct AppendixTwin {
+  double spin{};    ///< added to each rock's angular velocity [rad/s]
+  double height{};  ///< added to each rock's height [ft]
+  double angle{};   ///< added to each rock's orientation [deg]
+  int finer{1};     ///< steps for one
+};
+
+constexpr std::array declared{AppendixTwin{.spin = 2.0},     AppendixTwin{.spin = -2.0}, AppendixTwin{.height = 0.02},
+                              AppendixTwin{.height = -0.02}, AppendixTwin{.angle = 7.5}, AppendixTwin{.angle = 15.0},
+                              AppendixTwin{.angle = 22.5},   AppendixTwin{.finer = 2},   AppendixTwin{.finer = 10}};
+
+scenes::Fence shifted(scenes::Fence fence, const AppendixTwin& twin) {
+  for (scenes::FenceElement& rock : fence.rocks) {
+    rock.spin += twin.spin;
+    rock.position.y += twin.height;
+    rock.angle += twin.angle * std::numbers::pi / 180.0;
+  }
+  fence.step_factor /= twin.finer;
+  fence.steps *= twin.finer;
+  return fence;
+}
+
+Simulation simulation(std::string name, const scenes::Fence& fence, const Setup& setup, Findings& findings) {
+  Simulation made{std::move(name), run_fence(fence, 1), {}};
+  findings.count(made.run.evaluations);
+  if (setup.coarse) return made;
+  for (const AppendixTwin& twin : declared)
+    made.twins.push_back(run_fence(shifted(fence, twin)).peaks);
+  return made;
+}
+
+double Simulation::low(double FenceSample::*quantity) const {
+  double least = run.peaks.*quantity;
+  for (const FenceSample& twin : twins)
+    least = std::min(least, twin.*quantity);
+  return least;
+}
+
+double Simulation::high(double FenceSample::*quantity) const {
+  double largest = run.peaks.*quantity;
+  for (const FenceSample& twin : twins)
+    largest = std::max(largest, twin.*quantity);
+  return largest;
+}
+
+/// The fence of a deck as `setup` has it: faults `mass_doubled`, `bottom_cable_left_out`, `one_layer`.
+scenes::Fence appendix_fence(const std::string& deck, const Setup& setup) {
+  scenes::Fence fence = published_fence(deck);
+  if (setup.has("mass_doubled")) fence.column.density *= 2.0;
+  if (setup.has("bottom_cable_left_out")) fence.connections = 1;
+  if (setup.has("one_layer")) fence.layers = 1;
+  return fence;
+}
+
+Simulations simulations(const Setup& setup, Findings& findings) {
+  scenes::Fence one_top_only = appendix_fence("appendix_one_layer.DAT", setup);
+  one_top_only.connections = 1;
+  return {
+      simulation("one layer", appendix_fence("appendix_one_layer.DAT", setup), setup, findings),
+      simulation("two layers", appendix_fence("appendix_two_layers.DAT", setup), setup, findings),
+      simulation("two layers, nine rocks", appendix_fence("appendix_nine_rocks.DAT", setup), setup, findings),
+      simulation("two layers, top cable only", appendix_fence("appendix_top_cable_only.DAT", setup), setup, findings),
+      simulation("one layer, top cable only", one_top_only, setup, findings)};
+}
 
 /// Largest joint force after a time [lb].
 double joint_after(const FenceRun& run, double time) {
