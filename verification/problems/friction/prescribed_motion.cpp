@@ -1,16 +1,19 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/advance.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/problems/friction/forced_system.hpp"
 #include "verification/problems/friction/method_run.hpp"
 #include "verification/reference/held_body.hpp"
+#include "verification/reference/smooth_motion.hpp"
 #include "verification/study/curves.hpp"
 #include "verification/study/expectations.hpp"
 
@@ -19,6 +22,48 @@ namespace talus::verification::problems {
 Case prescribed_motion();
 
 namespace {
+
+/// The solver's system with an acceleration from outside on its first three coordinates, a function of time.
+///
+/// The time is the place of a clock, a particle of the scene that goes at speed 1 and on which nothing acts: so each
+/// method sees it at the very moment of its places, in every stage.
+class ForcedSystem {
+ public:
+  using Forcing = std::function<reference::Triple(double t)>;
+
+  /// `clock`: coordinate that is the time.
+  ForcedSystem(const Dynamics& dynamics, std::size_t clock, Forcing forcing)
+      : system_{dynamics, false}, clock_{clock}, forcing_{std::move(forcing)}, rates_{rest_state(dynamics.model())} {}
+
+  void drift(State& state, double h) { system_.drift(state, h); }
+  void kick(State& state, double h) {
+    evaluate(state, rates_);
+    kick_velocities(state, rates_, h);
+  }
+  void begin(State& state) { system_.begin(state); }
+  void settle(State& state) { system_.settle(state); }
+  void derivative(const State& state, Rates& out) {
+    system_.derivative(state, out);
+    add(state, out);
+  }
+  void evaluate(State& state, Rates& out) {
+    system_.evaluate(state, out);
+    add(state, out);
+  }
+  long evaluations() const { return system_.evaluations(); }
+
+ private:
+  void add(const State& state, Rates& out) const {
+    const reference::Triple extra = forcing_(state.q[clock_]);
+    for (std::size_t i = 0; i < extra.size(); ++i)
+      out.v[i] += static_cast<double>(extra[i]);
+  }
+
+  RigidBodySystem system_;
+  std::size_t clock_;
+  Forcing forcing_;
+  Rates rates_;
+};
 
 constexpr double end_time = 4.0;
 
