@@ -72,7 +72,8 @@ std::vector<std::string> faults_of_formulas(const std::string& page) {
       break;
     }
     i = end + mark.size();
-    const std::string fault = fault_of_formula(text.substr(begin, end - begin), display, i < text.size() ? text[i] : ' ');
+    const std::string fault =
+        fault_of_formula(text.substr(begin, end - begin), display, i < text.size() ? text[i] : ' ');
     if (!fault.empty()) faults.push_back(fault);
   }
   return faults;
@@ -91,7 +92,8 @@ std::vector<std::string> faults_of_form(const std::string& page) {
   if (parts.empty() || parts.front() != "Problem.") faults.push_back("it does not begin with **Problem.**");
   if (parts.empty() || parts.back().rfind("What would break", 0) != 0)
     faults.push_back("it does not end with **What would break it.**");
-  if (std::set<std::string>(parts.begin(), parts.end()).size() < parts.size()) faults.push_back("a part is there twice");
+  if (std::set<std::string>(parts.begin(), parts.end()).size() < parts.size())
+    faults.push_back("a part is there twice");
   return faults;
 }
 
@@ -124,7 +126,8 @@ bool is_file(const std::set<std::string>& files, const std::string& word) {
   std::string pattern = std::regex_replace(word, std::regex{R"([.])"}, R"(\.)");
   pattern = ".*/" + std::regex_replace(pattern, std::regex{R"([*])"}, "[^/]*") + (folder ? "" : R"((\.\w+)?)");
   const std::regex regex{pattern};
-  return std::any_of(files.begin(), files.end(), [&](const std::string& file) { return std::regex_match(file, regex); });
+  return std::any_of(files.begin(), files.end(),
+                     [&](const std::string& file) { return std::regex_match(file, regex); });
 }
 
 std::string text_of(const fs::path& file) {
@@ -182,19 +185,21 @@ BOOST_AUTO_TEST_CASE(what_pages_refer_to_exists) {
 BOOST_AUTO_TEST_CASE(faults_of_pages_are_found) {
   const auto number = [](const std::vector<std::string>& faults) { return faults.size(); };
   BOOST_TEST(number(faults_of_formulas("As $x_{1}$ and\n$$\\left(\\frac{a}{b}\\right)$$ and `$`.")) == 0u);
-  for (const char* wrong : {"$x", "$$x$", "$x_{1$", "$\\frac{1}2}$", "$$\\left(x)$$", "$ x$", "$x$2", "$$a\n\nb$$", "$$$$"})
+  for (const char* wrong :
+       {"$x", "$$x$", "$x_{1$", "$\\frac{1}2}$", "$$\\left(x)$$", "$ x$", "$x$2", "$$a\n\nb$$", "$$$$"})
     BOOST_TEST(number(faults_of_formulas(wrong)) == 1u, wrong);
 
   const std::string whole = "**Problem.** One.\n\n```\n# drawn\n```\n\n**What would break it.** All.\n";
   BOOST_TEST(number(faults_of_form(whole)) == 0u);
-  for (const std::string& wrong : {whole + "\n# More\n", whole + "\n**More.** Yes.", "Before.\n\n**First.** One.\n\n" + whole,
-                                   whole + "caf\xc3", whole + "a\tb", "**Problem.** One.\n\n" + whole})
+  for (const std::string& wrong :
+       {whole + "\n# More\n", whole + "\n**More.** Yes.", "Before.\n\n**First.** One.\n\n" + whole, whole + "caf\xc3",
+        whole + "a\tb", "**Problem.** One.\n\n" + whole})
     BOOST_TEST(number(faults_of_form(wrong)) == 1u, wrong);
 
   BOOST_TEST(number(dead_references("`friction`, `exact`, `table_2.DAT`, `reference/jacobi.hpp`, `cases/`, `sample2`, "
                                     "`cases/fence/appendix_*.DAT`, `make bench`, [a](CONTRIBUTING.md), "
                                     "[b](https://example.org)")) == 1u);  // the root's own files are not among them
-  for (const char* wrong : {"`frictions`", "`table_9.DAT`", "`reference/nothing.hpp`", "`verification/none/`", "`make nothing`",
-                            "[a](none.md)", "text\n\n**Source.** Nobody 1993."})
+  for (const char* wrong : {"`frictions`", "`table_9.DAT`", "`reference/nothing.hpp`", "`verification/none/`",
+                            "`make nothing`", "[a](none.md)", "text\n\n**Source.** Nobody 1993."})
     BOOST_TEST(number(dead_references(wrong)) == 1u, wrong);
 }
