@@ -70,11 +70,11 @@ CableRun run_cables(const Scene& scene, const State& start, const Integrator& me
   CableRun run;
   Scene from = scene;
   from.initial = start;
-  from.initial = begun(from);
-  Accounting accounting{scene.model, from.initial};
+  from.initial = first_state(from);
+  RunLedger ledger{scene.model, from.initial};
   Probe probe{scene.model};
   const Watcher watch = [&](const State& state, const StepInfo&) {
-    probe.look(state);
+    probe.evaluate(state);
     const std::vector<double>& tensions = probe.forces().tensions;
     run.time.push_back(state.t);
     run.elongation.push_back(probe.elongation(0));
@@ -91,7 +91,7 @@ CableRun run_cables(const Scene& scene, const State& start, const Integrator& me
   run.end = run_scene(from, method, {plan.step, plan.end, 1e9, true}, findings, plan.watched ? watch : Watcher{},
                       plan.until_slack ? slack : Until{})
                 .state;
-  run.closure = accounting(run.end).energy_closure;
+  run.closure = ledger(run.end).energy_closure;
   run.hanger_broken = !scene.model.hangers.empty() && run.end.mode[layout.first_hanger] != 0;
   return run;
 }

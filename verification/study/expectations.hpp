@@ -11,26 +11,17 @@
 /// Checks of many numbers at once, by the one that is worst.
 namespace talus::verification::problems {
 
-/// Keeps the error of largest size, with its sign. Once NaN it stays NaN.
-class Worst {
- public:
-  explicit Worst(double start = 0.0) : error_{start} {}
-
-  void add(double error) {
-    if (!(std::abs(error) <= std::abs(error_))) error_ = error;
-  }
-  [[nodiscard]] double error() const { return error_; }
-
- private:
-  double error_;
-};
+/// Keeps the error of larger size in `worst`, with its sign. A NaN stays, whatever comes after it.
+inline void keep_worst(double& worst, double error) {
+  if (!std::isnan(worst) && !(std::abs(error) <= std::abs(worst))) worst = error;
+}
 
 /// The worst of measured - reference, component by component; both are equally long.
 [[nodiscard]] inline double worst_error(const std::vector<double>& measured, const std::vector<double>& reference) {
-  Worst worst;
+  double worst = 0.0;
   for (std::size_t i = 0; i < reference.size(); ++i)
-    worst.add(measured.at(i) - reference[i]);
-  return worst.error();
+    keep_worst(worst, measured.at(i) - reference[i]);
+  return worst;
 }
 
 /// Compares each of `measured` with its reference: one check of the worst difference.
@@ -41,7 +32,7 @@ inline bool expect_each(Findings& findings, std::string name, const std::vector<
 
 /// Of two ratios the one farther from 1; a NaN stays.
 [[nodiscard]] inline double farther_from_one(double ratio, double other) {
-  return std::abs(other - 1.0) < std::abs(ratio - 1.0) ? ratio : other;
+  return std::isnan(ratio) || std::abs(other - 1.0) < std::abs(ratio - 1.0) ? ratio : other;
 }
 
 /// Holds the last of the errors against constant step^order. What its ratio lacks of 1 must have fallen as the next

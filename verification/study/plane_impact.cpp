@@ -15,7 +15,7 @@ PlaneRebound plane_rebound(const ContactLaw& law, const PlaneImpact& impact, Fin
   bool pushed = false, ended = false;
   Probe probe{scene.model};
   const Until over = [&](const State& state) {
-    probe.look(state);
+    probe.evaluate(state);
     const double force = probe.forces().contacts[0];
     seen.time.push_back(state.t - lead);
     seen.depth.push_back(probe.overlap(0));
@@ -24,11 +24,11 @@ PlaneRebound plane_rebound(const ContactLaw& law, const PlaneImpact& impact, Fin
     ended = pushed && force == 0.0;
     return ended;
   };
-  Accounting accounting{scene.model, scene.initial};
+  RunLedger ledger{scene.model, scene.initial};
   const double end = lead + impact.longest;
   const RunEnd run = run_scene(scene, VelocityVerlet{}, {impact.step, end, end, true}, findings, {}, over);
   if (!run.finished || !ended) return {};
-  const Accounts accounts = accounting(run.state);
+  const Accounts accounts = ledger(run.state);
   const double energy = 0.5 * impact.speed * impact.speed;
   seen.speed = run.state.v[1];
   seen.closure = accounts.energy_closure / energy;

@@ -12,7 +12,7 @@ class RecordedRun {
   /// `watch` sees the states, too.
   RecordedRun(const Scene& scene, Findings& findings, const Watcher& watch = {})
       : dynamics_{scene.model},
-        recorder_{dynamics_, begun(scene), scene.plan.ledger},
+        recorder_{dynamics_, first_state(scene), scene.plan.ledger},
         end_{run_scene(scene, findings, [&](const State& state, const StepInfo& info) {
           recorder_(state, info);
           if (watch) watch(state, info);

@@ -71,7 +71,7 @@ double period_of(const Scene& scene, Integrator integrator, double step, double 
   return end.finished && passages.size() == 3 ? (passages[2] - passages[0]) * step : not_a_number;
 }
 
-State begun(const Scene& scene) {
+State first_state(const Scene& scene) {
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics};
   State state = scene.initial;

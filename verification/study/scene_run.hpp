@@ -54,7 +54,7 @@ class Probe {
   explicit Probe(const Model& model) : dynamics_{model}, work_{dynamics_.workspace()} {}
 
   /// Evaluates the state; what follows is of this state.
-  void look(const State& state) {
+  void evaluate(const State& state) {
     dynamics_.update_all(state, work_);
     dynamics_.forces(state, work_, forces_);
   }
@@ -75,22 +75,22 @@ class Probe {
   LawForces forces_;
 };
 
-/// The accounts of energy and momentum of a model's run.
-class Accounting {
+/// The balances of energy and momentum of a run of a model, against its first state.
+class RunLedger {
  public:
-  Accounting(const Model& model, const State& start) : dynamics_{model}, ledger_{dynamics_, start} {}
-  Accounting(const Accounting&) = delete;
-  Accounting& operator=(const Accounting&) = delete;
+  RunLedger(const Model& model, const State& start) : dynamics_{model}, ledger_{dynamics_, start} {}
+  RunLedger(const RunLedger&) = delete;
+  RunLedger& operator=(const RunLedger&) = delete;
 
   Accounts operator()(const State& state) { return ledger_.accounts(state); }
-  [[nodiscard]] const EnergyLedger& ledger() const { return ledger_; }
+  [[nodiscard]] const EnergyLedger& energy() const { return ledger_; }
 
  private:
   Dynamics dynamics_;
   EnergyLedger ledger_;
 };
 
-/// The state as a run begins it: modes settled, contacts that touch begun.
-[[nodiscard]] State begun(const Scene& scene);
+/// The first state of a run of the scene: its start with the modes that a run gives it.
+[[nodiscard]] State first_state(const Scene& scene);
 
 }  // namespace talus::verification::problems

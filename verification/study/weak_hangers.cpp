@@ -75,8 +75,8 @@ WeakFenceRun run_weak_fence(const scenes::Fence& fence, double step, double end,
   WeakFenceRun run;
   run.made = scenes::fence_scene(fence);
   const Dynamics dynamics{run.made.scene.model};
-  const State start = begun(run.made.scene);
-  Accounting accounting{run.made.scene.model, start};
+  const State start = first_state(run.made.scene);
+  RunLedger ledger{run.made.scene.model, start};
   FailureLog failures{dynamics};
   Watch watch{run, dynamics, start, every};
   const RunEnd ended = run_scene(run.made.scene, run.made.scene.integrator, {step, end, end, true}, nullptr,
@@ -86,8 +86,8 @@ WeakFenceRun run_weak_fence(const scenes::Fence& fence, double step, double end,
                                  });
   run.end = ended.state;
   run.failures = failures.failures();
-  run.closure = accounting(run.end).energy_closure;
-  run.scale = accounting.ledger().energy_scale();
+  run.closure = ledger(run.end).energy_closure;
+  run.scale = ledger.energy().energy_scale();
   run.hanger_loss = run.end.work[static_cast<std::size_t>(Mechanism::hanger_break)];
   run.evaluations = ended.evaluations;
   return run;

@@ -8,6 +8,7 @@
 #include "verification/problems/cables/cable_findings.hpp"
 #include "verification/reference/cable_draw.hpp"
 #include "verification/study/cable_scenes.hpp"
+#include "verification/study/phases.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -76,10 +77,8 @@ DrawErrors draw_errors(const reference::YieldingCable& cable, double speed, doub
   const reference::CableDraw exact = reference::draw(cable, mass, speed);
   DrawErrors errors;
   PhaseError closure;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = offset_step(half_swing, count, i);
-    const CableRun run =
-        throws(law_of(cable, setup), {speed}, step, even_phases(fewest_phases)[i], setup, findings).front();
+  for (const auto& [i, step, phase] : offset_phases(half_swing, count)) {
+    const CableRun run = throws(law_of(cable, setup), {speed}, step, phase, setup, findings).front();
     errors.exit.add(-run.end.v[0] / exact.exit_speed - 1.0);
     errors.stretch.add(run.end.z[0] - exact.stretch);
     errors.lost.add(booked(run.end, Mechanism::cable_yield) - exact.lost);

@@ -7,6 +7,7 @@
 #include "verification/study/cable_scenes.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/phases.hpp"
 
 namespace talus::verification::problems {
 
@@ -105,11 +106,10 @@ void check_damped_throw(Findings& findings, const Setup& setup) {
   double wh = 0.0;
   const double held = 0.5 * exact.depth_at_end * exact.depth_at_end;
   const double eaten = 0.5 * (1.0 - exact.restitution * exact.restitution) - held;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = offset_step(exact.contact_time, 100.0, i);
+  for (const auto& [i, step, phase] : offset_phases(exact.contact_time, 100.0)) {
     wh += step / static_cast<double>(fewest_phases);
     State state = scene.initial;
-    state.q[0] -= even_phases(fewest_phases)[i] * step;
+    state.q[0] -= phase * step;
     const CableRun run = run_cables(scene, state, VelocityVerlet{}, {step, 20.0, true}, findings);
     exit.add(-run.end.v[0] / exact.restitution - 1.0);
     let_go.add(booked(run.end, Mechanism::cable_release) / held - 1.0);

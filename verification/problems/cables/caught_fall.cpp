@@ -8,6 +8,7 @@
 #include "verification/reference/damped_bounce.hpp"
 #include "verification/study/cable_scenes.hpp"
 #include "verification/study/curves.hpp"
+#include "verification/study/phases.hpp"
 #include "verification/study/predicted_errors.hpp"
 
 namespace talus::verification::problems {
@@ -69,9 +70,8 @@ Catches catches(double gravity, double steps, const Setup& setup, Findings& find
   const double exact = exact_restitution(gravity);
   const double taut = exact_catch(1.0, damping_ratio, gravity, 1.0).end_time;
   Catches all;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = offset_step(taut, steps, i);
-    const Catch found = caught(gravity, step, even_phases(fewest_phases)[i], setup, findings);
+  for (const auto& [i, step, phase] : offset_phases(taut, steps)) {
+    const Catch found = caught(gravity, step, phase, setup, findings);
     all.error.add(found.restitution / exact - 1.0);
     all.least_tension = std::min(all.least_tension, found.least_tension);
     all.step += step / static_cast<double>(fewest_phases);

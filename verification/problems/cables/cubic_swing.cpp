@@ -7,6 +7,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/mid_span.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"
 
@@ -109,12 +110,12 @@ void check_balance(Findings& findings, const Setup& setup) {
     double away = 0.0;
     const Watcher watch = [&](const State& state, const StepInfo&) {
       const double now = std::abs(state.q[0] / w - 1.0);
-      if (!(now <= away)) away = now;
+      keep_worst(away, now);
     };
     run_steps(mid_span(w, reference::mid_span_force(span, w), setup), make_integrator("velocity_verlet"),
               0.05 / std::abs(w), 1000, findings, watch);
     const double share = away * stretch / (1.0 + stretch);
-    if (!(share <= largest)) largest = share;
+    keep_worst(largest, share);
   }
   findings.expect(
       "loads P(w) at rest at w, largest relative way over that of a rounded length", largest, 0.0,

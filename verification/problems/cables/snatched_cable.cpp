@@ -8,6 +8,8 @@
 #include "verification/check/case.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/cable_scenes.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/phases.hpp"
 #include "verification/study/predicted_errors.hpp"
 
 namespace talus::verification::problems {
@@ -63,9 +65,8 @@ struct Snatches {
 Snatches snatches(double xi, double steps, const Setup& setup, Findings& findings) {
   const reference::ImpactEvents exact = exact_snatch(xi);
   Snatches all;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = offset_step(exact.contact_time, steps, i);
-    const Snatch found = snatched(xi, step, even_phases(fewest_phases)[i], setup, findings);
+  for (const auto& [i, step, phase] : offset_phases(exact.contact_time, steps)) {
+    const Snatch found = snatched(xi, step, phase, setup, findings);
     all.error.add(found.tension / exact.largest_force - 1.0);
     all.step += step / static_cast<double>(fewest_phases);
     all.slack = all.slack && found.slack;
@@ -82,8 +83,8 @@ void check_undamped(Findings& findings, const Setup& setup) {
     const double predicted = phase_error(step, phase);
     points.add(phase, error);
     line.add(phase, predicted);
-    if (!(std::abs(error - predicted) <= farthest)) farthest = std::abs(error - predicted);
-    if (!(std::abs(error) <= largest)) largest = std::abs(error);
+    keep_worst(farthest, std::abs(error - predicted));
+    keep_worst(largest, std::abs(error));
   }
   findings.expect(
       "largest tension undamped, error of each phase from its prediction, over (w h)^2", farthest, 0.0,

@@ -9,6 +9,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/stretched_chain.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
@@ -110,7 +111,7 @@ Swings swings(Way way, double amplitude, double h, const Setup& setup, Findings&
       last[j] = angle;
       const double exact = amplitude * std::cos(numerical[j] * h * static_cast<double>(info.step));
       const double error = std::abs(at - exact) / amplitude;
-      if (!(error <= found.error)) found.error = error;
+      keep_worst(found.error, error);
     }
   };
   const Scene scene = chain_scene(way, std::vector<double>(modes, amplitude), setup);
@@ -130,7 +131,7 @@ double frequency_error(const Swings& found, Way way, double h) {
   double largest = 0.0;
   for (std::size_t j = 0; j < modes; ++j) {
     const double error = std::abs(found.frequencies[j] / reference::leapfrog_frequency(w[j], h) - 1.0);
-    if (!(error <= largest)) largest = error;
+    keep_worst(largest, error);
   }
   return largest;
 }

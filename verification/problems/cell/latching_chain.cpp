@@ -11,6 +11,7 @@
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/latching_chain.hpp"
 #include "verification/study/common_formula.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 
@@ -58,7 +59,7 @@ ChainErrors errors(std::size_t count, double steps, const reference::ChainReboun
     double worst = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
       const double error = std::abs(row.discs.vx[i] - exact.velocity[i]);
-      if (!(error <= worst)) worst = error;
+      keep_worst(worst, error);
     }
     found.of_velocity.add(worst);
     const double momentum = std::accumulate(row.discs.vx.begin(), row.discs.vx.end(), 0.0) - 1.0;

@@ -112,7 +112,7 @@ PhasesOfLatch phases_of(const reference::SteppedLatch& latch, const char* method
     found.least = std::min(found.least, e), found.most = std::max(found.most, e);
     found.found.add(std::log(e / exact)), found.predicted.add(std::log(here / exact));
     const double beyond = std::abs(std::log(e / here));
-    if (!(beyond <= found.beyond)) found.beyond = beyond;
+    keep_worst(found.beyond, beyond);
   }
   found.deviation = std::sqrt(std::max(0.0, squares - found.mean * found.mean));
   return found;
@@ -159,7 +159,7 @@ void check_means(const Measured& measured, Findings& findings) {
       const SteppedLatch latch = latch_of(latch_schemes[k], steps);
       const double error = seen.mean / reference::mean_restitution(latch) - 1.0;
       const double over = error / std::pow(latch.step / std::sqrt(shown_ratio), 4);
-      if (!(std::abs(over) <= std::abs(worst))) worst = over;
+      keep_worst(worst, over);
     }
   }
   findings.expect(
@@ -297,19 +297,14 @@ constexpr std::array ratios{0.25, 0.49, 0.81};
 /// Steps in a contact, and a bit: in a whole number of them errors of touch and end cancel.
 constexpr double production = 60.0 + 0.382;
 
-/// Of two numbers the larger; a NaN stays.
-void raise(double& largest, double value) {
-  if (!(value <= largest)) largest = value;
-}
-
 void check_verlet(Findings& findings, const Setup& setup) {
   double rms = 0.0, largest = 0.0, predicted_rms = 0.0, predicted = 0.0, over = 1.0;
   for (const double ratio : ratios) {
     const SteppedLatch latch{ratio, latch_step(production, ratio), StepMap::leapfrog};
     const PhasesOfLatch s = phases_of(latch, "velocity_verlet", findings, setup);
     const double e = std::sqrt(ratio);
-    raise(rms, e * s.found.rms()), raise(largest, e * s.found.max());
-    raise(predicted_rms, e * s.predicted.rms()), raise(predicted, e * s.predicted.max());
+    keep_worst(rms, e * s.found.rms()), keep_worst(largest, e * s.found.max());
+    keep_worst(predicted_rms, e * s.predicted.rms()), keep_worst(predicted, e * s.predicted.max());
     over = farther_from_one(over, s.found.rms() / s.predicted.rms());
   }
   findings.expect("restitution by Verlet at 60 steps in a contact, rms error, largest of three ratios", rms, 0.0,
@@ -334,9 +329,9 @@ void check_growth(Findings& findings, const Setup& setup) {
         const SteppedLatch latch{ratio, step, scheme.map};
         const PhasesOfLatch s = phases_of(latch, method, findings, setup);
         const double form = reference::leading_restitution(latch);
-        raise(worst, std::abs(s.mean - form));
-        raise(predicted, std::abs(reference::mean_restitution(latch) - form));
-        raise(beyond, s.beyond / std::pow(step / std::sqrt(ratio), 4));
+        keep_worst(worst, std::abs(s.mean - form));
+        keep_worst(predicted, std::abs(reference::mean_restitution(latch) - form));
+        keep_worst(beyond, s.beyond / std::pow(step / std::sqrt(ratio), 4));
       }
     }
     findings.expect(fmt::format("mean restitution by {} against the closed form, w1 h <= .045, largest error of nine",
@@ -395,11 +390,11 @@ void check_times(Findings& findings, const Setup& setup) {
     const double z1 = latch_step(production, ratio), z2 = z1 / std::sqrt(ratio);
     for (int i = 0; i < latch_phases; ++i) {
       const Parting seen = parting({ratio, z1, latch_phase(i)}, findings, setup);
-      raise(time, std::abs(seen.contact_time / exact.contact_time - 1.0));
-      raise(largest, std::abs(seen.largest / exact.largest_depth - 1.0));
-      raise(residual, std::abs(seen.residual / exact.residual_depth - 1.0));
+      keep_worst(time, std::abs(seen.contact_time / exact.contact_time - 1.0));
+      keep_worst(largest, std::abs(seen.largest / exact.largest_depth - 1.0));
+      keep_worst(residual, std::abs(seen.residual / exact.residual_depth - 1.0));
     }
-    raise(of_time, z1 * z2 / 24.0), raise(of_depth, 0.125 * z1 * z1);
+    keep_worst(of_time, z1 * z2 / 24.0), keep_worst(of_depth, 0.125 * z1 * z1);
   }
   const auto expect = [&](const char* what, double error, double predicted, const char* why) {
     findings.expect(fmt::format("{} at 60 steps in a contact, largest relative error of 600 impacts", what), error, 0.0,
@@ -420,7 +415,7 @@ void check_speeds(Findings& findings, const Setup& setup) {
   const double fastest = restitution(0.5);
   double change = 0.0;
   for (const double speed : {5e-2, 5e-3, 5e-4, 5e-5})
-    raise(change, std::abs(restitution(speed) - fastest));
+    keep_worst(change, std::abs(restitution(speed) - fastest));
   findings.expect("restitution over four decades of speed, largest change", change, 0.0,
                   Tolerance::round_off(1e-9,
                                        "places near 1 are rounded to 1.1e-16, 2.2e-12 of the smallest overlap of 5e-5; "

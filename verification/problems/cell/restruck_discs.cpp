@@ -12,6 +12,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/latching_chain.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 
@@ -130,7 +131,7 @@ PhaseError errors_of(const Exact& exact, std::size_t m, double steps, Findings& 
     double worst = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
       const double error = std::abs(seen.velocity[i] - exact[m][k].velocity[i]);
-      if (!(error <= worst)) worst = error;
+      keep_worst(worst, error);
     }
     found.add(worst);
   }

@@ -31,15 +31,15 @@ SlopeRun run_slope(const Slope& slope, const Setup& setup, double step, double e
   if (setup.has("friction_halved")) told.friction *= 0.5;
   const Scene scene = slope_scene(told);
   SlopeRun run;
-  Accounting accounting{scene.model, begun(scene)};
+  RunLedger ledger{scene.model, first_state(scene)};
   const Watcher watch = [&](const State& state, const StepInfo&) {
     run.time.push_back(state.t);
     run.speed.push_back(state.v[0]);
     run.rim.push_back(state.v.size() > 2 ? -slope_radius * state.v[2] : 0.0);
-    (void)accounting(state);
+    (void)ledger(state);
   };
   run.end = run_scene(scene, VelocityVerlet{}, {step, end, end, true}, findings, watched ? watch : Watcher{}).state;
-  run.largest_closure = accounting.ledger().largest_energy_closure();
+  run.largest_closure = ledger.energy().largest_energy_closure();
   return run;
 }
 

@@ -78,7 +78,8 @@ void check(Findings& findings, const std::vector<Sheared>& all) {
   Estimate friction{1.0, 0.0}, temperature{1.0, 0.0}, balance{1.0, 0.0};
   double scatter = 0.0;
   const auto take = [](Estimate& farthest, Estimate found) {
-    if (!(std::abs(found.value - 1.0) <= std::abs(farthest.value - 1.0))) farthest = found;
+    if (!std::isnan(farthest.value) && !(std::abs(found.value - 1.0) <= std::abs(farthest.value - 1.0)))
+      farthest = found;
   };
   for (const Sheared& s : all) {
     take(friction, s.friction), take(temperature, s.temperature), take(balance, {s.balance, s.balance_error});

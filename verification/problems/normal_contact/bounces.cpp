@@ -113,7 +113,7 @@ void check_stiff_limit(Findings& findings, const Setup& setup) {
     const double truth = 1.0 - apex / (e * e * fall_height);
     found.add(w * w, drop);
     const double difference = drop - truth;
-    if (!(std::abs(difference) <= std::abs(worst))) worst = difference;
+    keep_worst(worst, difference);
     line.add(w * w, 4.0 * xi * (1.0 + e) / e * gravity / (w * speed));
     exact.add(w * w, truth);
   }

@@ -14,6 +14,7 @@
 #include "verification/study/common_formula.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/phases.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -22,12 +23,11 @@ namespace {
 double measured_restitution(const LinearSpringDashpot& law, double steps, Findings& findings) {
   const double time = reference::impact_events({law.stiffness, law.damping, 1.0, 1.0}, same(law.end_rule)).contact_time;
   double mean = 0.0;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = offset_step(time, steps, i);
-    const double gap = even_phases(fewest_phases)[i] * step;
+  for (const Phase& phase : offset_phases(time, steps)) {
+    const double gap = phase.lead();
     Scene scene = scenes::bouncing_disc({.radius = 8.0, .gap = gap, .speed = 1.0, .contact = law});
     scene.integrator = VelocityVerlet{};
-    scene.plan = {step, gap + 2.0 * time + 4.0 * step, time, false};
+    scene.plan = {phase.step, gap + 2.0 * time + 4.0 * phase.step, time, false};
     mean += follow_impact(scene, findings).restitution() / static_cast<double>(fewest_phases);
   }
   return mean;

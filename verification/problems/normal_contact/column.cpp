@@ -52,10 +52,10 @@ Series check_rest(const std::string& how, double spacing, Findings& findings, co
   const RunEnd run = run_scene(scene, VelocityVerlet{}, {0.2 * unit_time, end, end / 400.0, false}, findings,
                                [&](const State& state, const StepInfo& info) {
                                  if (!info.due || state.t >= 30.0) return;
-                                 probe.look(state);
+                                 probe.evaluate(state);
                                  base.add(state.t, probe.forces().contacts[0]);
                                });
-  probe.look(run.state);
+  probe.evaluate(run.state);
   std::vector<double> overlaps, exact = reference::column_overlaps(discs, mass, gravity, stiffness), forces = exact;
   for (std::size_t i = 0; i < discs; ++i)
     overlaps.push_back(probe.overlap(i)), forces[i] *= stiffness;

@@ -9,6 +9,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/pressed_discs.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/plane_impact.hpp"
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"
@@ -68,7 +69,7 @@ double largest_error(const Pair& pair, const Integrator& method, long steps, con
     const auto exact = expected(state.t);
     const double error =
         std::max(std::abs(state.q[1] - lower - exact[0]), std::abs(state.q[3] - upper - exact[1])) / start.height[0];
-    if (!(error <= largest)) largest = error;
+    keep_worst(largest, error);
     if (!heights) return;
     heights[0].add(state.t, state.q[1] - lower);
     heights[1].add(state.t, state.q[3] - upper);

@@ -12,6 +12,7 @@
 #include "verification/problems/normal_contact/effective_mass_findings.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/disc_bounce.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
 
 namespace talus::verification::problems {
@@ -110,10 +111,7 @@ void check_restitution_orders(Findings& findings, const Setup& setup) {
 /// Errors over predicted ones; of several the one farthest from 1 stays.
 struct Ratio {
   double farthest{1.0};
-  void add(double measured, double predicted) {
-    const double ratio = measured / predicted;
-    if (!(std::abs(ratio - 1.0) < std::abs(farthest - 1.0))) farthest = ratio;
-  }
+  void add(double measured, double predicted) { farthest = farther_from_one(farthest, measured / predicted); }
 };
 
 /// Check of e, ratios of the others and table row of one target.

@@ -84,13 +84,12 @@ void check_crest(Findings& findings, const Setup& setup) {
   Scene scene = disc_on({fixed_body(crest)}, {-0.2, radius - overlap}, {stiffness, 0.0}, {5.0, stiffness},
                         Mobility::free, disc_inertia);
   scene.initial.v = {start_speed, 0.0, -start_speed / (radius - 0.5 * overlap)};
-  std::optional<Accounting> accounting;
+  std::optional<RunLedger> ledger;
   Series speed{"solver", {}, {}, Style::points}, exact{"rigid", {}, {}, Style::lines};
   double worst = std::nan(""), closure = 0.0;  // not a number: the crest was not reached
   const Watcher watch = [&](const State& seen, const StepInfo&) {
-    if (!accounting)
-      accounting.emplace(scene.model, seen);  // of the first state with its modes settled: the disc is pressed
-    closure = std::max(closure, std::abs((*accounting)(seen).energy_closure));
+    if (!ledger) ledger.emplace(scene.model, seen);  // of the first state with its modes settled: the disc is pressed
+    closure = std::max(closure, std::abs((*ledger)(seen).energy_closure));
     const double s = cosine * seen.q[0] - sine * seen.q[1];
     if (s < 0.0) return;
     const double v = cosine * seen.v[0] - sine * seen.v[1];
