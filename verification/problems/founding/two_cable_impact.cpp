@@ -20,7 +20,7 @@ class ParticleWatch {
   explicit ParticleWatch(const Model& model) : probe_{model} {}
 
   void look(const State& state) {
-    probe_.look(state);
+    probe_.evaluate(state);
     const bool acts = state.mode[0] == UnilateralSpring::acting && probe_.overlap(0) >= 0.0;
     touched_ = touched_ || acts;
     const double x = state.q[0], v = state.v[0];
@@ -80,7 +80,7 @@ Scene scene_of(const LinearSpringDashpot& law, const Setup& setup) {
 
 TwoCableRun simulated(Scene scene, double gap, double step, bool to_the_turn, Findings& findings) {
   scene.initial.q[2] -= gap;
-  Accounting accounting{scene.model, scene.initial};
+  RunLedger ledger{scene.model, scene.initial};
   TurningPointFinder finder{0};
   ParticleWatch watch{scene.model};
   TwoCableRun run;
@@ -88,7 +88,7 @@ TwoCableRun simulated(Scene scene, double gap, double step, bool to_the_turn, Fi
     finder(state, info);
     watch.look(state);
     if (!to_the_turn) return;
-    const Accounts accounts = accounting(state);
+    const Accounts accounts = ledger(state);
     run.energy_closure = accounts.energy_closure;
     run.momentum_closure = std::max(run.momentum_closure, std::abs(accounts.momentum_closure.x));
   };
