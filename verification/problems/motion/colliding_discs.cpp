@@ -30,12 +30,12 @@ struct Ledger {
 };
 
 Ledger run_ledger(const Scene& scene, double step, double end, const Setup& setup, Findings& findings) {
-  Accounting accounting{scene.model, begun(scene)};
-  const Accounts start = accounting(scene.initial);
+  RunLedger ledger{scene.model, first_state(scene)};
+  const Accounts start = ledger(scene.initial);
   Ledger found;
   const Watcher account = [&](State seen, const StepInfo&) {
     if (setup.has("dashpot_not_booked")) seen.work[static_cast<std::size_t>(Mechanism::contact_damping)] = 0.0;
-    const Accounts now = accounting(seen);
+    const Accounts now = ledger(seen);
     const Vec2 drift = now.momenta.linear - start.momenta.linear;
     found.left_over = now.energy_closure / start.energies.kinetic;
     found.largest = std::max(found.largest, std::abs(found.left_over));

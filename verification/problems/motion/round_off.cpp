@@ -1,15 +1,25 @@
 #include <fmt/format.h>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 
+#include "solver/integrate/advance.hpp"
+#include "solver/integrate/central_difference.hpp"
+#include "solver/integrate/concepts.hpp"
+#include "solver/integrate/euler_cromer.hpp"
+#include "solver/integrate/lagged_central_difference.hpp"
+#include "solver/integrate/rk4.hpp"
+#include "solver/integrate/velocity_verlet.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/problems/motion/swing_in_numbers.hpp"
 #include "verification/reference/stepped_swing.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
@@ -18,8 +28,113 @@ Case round_off();
 
 namespace {
 
+/// One body on a spring and a dashpot, x'' = -x - c x', in numbers of any type: the smallest system that the solver's
+/// integrators take. Fault: accelerations that pass through a coarser type, `Force`.
+template <class Scalar, class Force = Scalar>
+class SwingingBody {
+ public:
+  explicit SwingingBody(const Scalar& damping) : damping_{damping} { rates_.v.resize(1); }
+
+  void drift(StateOf<Scalar>& state, const Scalar& h) { drift_coordinates(state, h); }
+  void kick(StateOf<Scalar>& state, const Scalar& h) {
+    evaluate(state, rates_);
+    kick_velocities(state, rates_, h);
+  }
+  void settle(StateOf<Scalar>&) {}
+  void derivative(const StateOf<Scalar>& state, RatesOf<Scalar>& out) {
+    ++evaluations_;
+    const Scalar acceleration = -state.q[0] - damping_ * state.v[0];
+    out.v[0] = static_cast<Scalar>(static_cast<Force>(acceleration));
+  }
+  void evaluate(StateOf<Scalar>& state, RatesOf<Scalar>& out) { derivative(state, out); }
+
+  /// Force evaluations so far.
+  long evaluations() const { return evaluations_; }
+
+ private:
+  Scalar damping_;
+  RatesOf<Scalar> rates_;
+  long evaluations_{0};
+};
+
+static_assert(Splittable<SwingingBody<float>, StateOf<float>> && Differentiable<SwingingBody<float>, StateOf<float>>);
+
+/// Accelerations of the planted fault, at their coarsest.
+enum class Forces { exact, in_double, in_float };
+
+struct SwingRun {
+  reference::Parts place{};     ///< x at the end, synchronised
+  std::uint64_t evaluations{};  ///< of the force
+};
+
+using Quadruple = boost::multiprecision::cpp_bin_float_quad;
 using reference::SteppedSwing;
 using reference::SwingMethod;
+
+/// Each part is what a double keeps of the rest.
+template <class Scalar>
+reference::Parts parts(Scalar number) {
+  reference::Parts made{};
+  for (double& part : made) {
+    part = static_cast<double>(number);
+    number -= static_cast<Scalar>(part);
+  }
+  return made;
+}
+
+template <class Scalar, class Force>
+SwingRun swung(auto method, const SteppedSwing& swing) {
+  SwingingBody<Scalar, Force> body{static_cast<Scalar>(swing.damping)};
+  StateOf<Scalar> state;
+  state.q = {Scalar{1}};
+  state.v = {Scalar{0}};
+  const Scalar h = static_cast<Scalar>(swing.step);
+  method.start(body, state, h);
+  for (std::int64_t i = 0; i < swing.steps; ++i)
+    method.step(body, state, h);
+  const StateOf<Scalar> end = method.synchronized(body, state, h);
+  return {parts(end.q[0]), static_cast<std::uint64_t>(body.evaluations())};
+}
+
+template <class Scalar, class Force>
+SwingRun swung(const SteppedSwing& swing) {
+  switch (swing.method) {
+    case SwingMethod::euler_cromer:
+      return swung<Scalar, Force>(EulerCromerOf<StateOf<Scalar>>{}, swing);
+    case SwingMethod::central_difference:
+      return swung<Scalar, Force>(CentralDifferenceOf<StateOf<Scalar>>{}, swing);
+    case SwingMethod::lagged_central_difference:
+      return swung<Scalar, Force>(LaggedCentralDifferenceOf<StateOf<Scalar>>{}, swing);
+    case SwingMethod::velocity_verlet:
+      return swung<Scalar, Force>(VelocityVerletOf<StateOf<Scalar>>{}, swing);
+    default:
+      return swung<Scalar, Force>(RungeKutta4Of<StateOf<Scalar>>{}, swing);
+  }
+}
+
+template <class Scalar>
+SwingRun swung(const SteppedSwing& swing, Forces forces) {
+  if (forces == Forces::in_float) return swung<Scalar, float>(swing);
+  if (forces == Forces::in_double) return swung<Scalar, double>(swing);
+  return swung<Scalar, Scalar>(swing);
+}
+
+/// The run of `swing` by the solver's integrator, in numbers of `bits` bits. Step and damping must be numbers of 24
+/// bits, so that all run the same problem. Errors: std::invalid_argument for other bits.
+SwingRun swing_in_numbers(const SteppedSwing& swing, int bits, Forces forces = Forces::exact) {
+  switch (bits) {
+    case 24:
+      return swung<float, float>(swing);
+    case 53:
+      return swung<double>(swing, forces);
+    case 64:
+      return swung<long double>(swing, forces);
+    case 113:
+      return swung<Quadruple>(swing, forces);
+    default:
+      throw std::invalid_argument("swing_in_numbers: numbers have 24, 53, 64 or 113 bits");
+  }
+}
 
 struct Method {
   SwingMethod method;
@@ -150,9 +265,6 @@ Fall measured(Findings& findings, const Method& method, int bits, const Range& r
   return fall;
 }
 
-/// Of two numbers the one further from nought; one that is not a number is furthest.
-double further(double a, double b) { return std::isnan(a) || std::abs(b) <= std::abs(a) ? a : b; }
-
 /// What is furthest off of all methods and numbers.
 struct Furthest {
   double slope{};  ///< of the rounding against the step, over -1/2
@@ -165,10 +277,10 @@ void check_fall(Findings& findings, const Method& method, int bits, const Fall& 
   findings.expect_order(fmt::format("error against the step, truncation, {}", of), fall.method, method.order - 0.15,
                         method.order + 0.35, "the method's order; the next term of its error adds to it");
   if (fall.rounding.size() == 0) return;
-  furthest.slope = further(furthest.slope, fall.rounding.fit().order + 0.5);
+  keep_worst(furthest.slope, fall.rounding.fit().order + 0.5);
   const auto least = std::min_element(fall.all.begin(), fall.all.end(),
                                       [](const ErrorAt& a, const ErrorAt& b) { return a.whole < b.whole; });
-  furthest.step = further(furthest.step, std::log2(least->step / best_step(method, bits)));
+  keep_worst(furthest.step, std::log2(least->step / best_step(method, bits)));
   findings.expect_between(fmt::format("least error over its prediction, {}", of), least->whole / least->predicted, 0.65,
                           1.5, "rounding of runs that take the same way is not independent, and neither of its steps");
   table.rows.push_back({method.name, fmt::format("{}", bits), fmt::format("{:.1e}", best_step(method, bits)),
@@ -216,7 +328,7 @@ void check_numbers(Findings& findings, const Setup& setup) {
     std::vector<std::string> row{method.name};
     for (std::size_t k = 0; k < left.size(); ++k) {
       const double ratio = left[k] / std::sqrt(steps * rounding_of_a_step(method, all_bits[k]));
-      furthest = further(furthest, std::log2(ratio));
+      keep_worst(furthest, std::log2(ratio));
       row.push_back(fmt::format("{:.2f}", ratio));
     }
     table.rows.push_back(row);

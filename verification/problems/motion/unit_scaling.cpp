@@ -34,10 +34,10 @@ UnitRun run_in_units(const Scene& scene, const Integrator& method, UnitPlan plan
     told.hangers[0].strength = scene.model.hangers[0].strength;
   if (setup.has("slip_stiffness_overlooked")) told.contacts[0].friction->stiffness *= scale.length / scale.mass;
   Scene other{.model = told, .initial = scaled(scene.model, scene.initial, scale)};
-  Accounting accounting{told, begun(other)};
+  RunLedger ledger{told, first_state(other)};
   const double end = plan.end * scale.time;
   const State state = run_scene(other, method, {plan.step * scale.time, end, end, true}, findings).state;
-  const Accounts sums = accounting(state);
+  const Accounts sums = ledger(state);
   UnitRun run{
       scaled(scene.model, state, scale.inverse()),
       {sums.energies.kinetic, sums.energies.gravity, sums.energies.contacts, sums.energies.cables, sums.energy_closure,
