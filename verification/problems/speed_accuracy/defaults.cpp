@@ -63,7 +63,7 @@ struct Worst {
   double error{};
   std::string where;
   void take(double value, const std::string& name) {
-    if (!(std::abs(value) <= error)) error = std::abs(value), where = name;
+    if (!std::isnan(error) && !(std::abs(value) <= error)) error = std::abs(value), where = name;
   }
 };
 
@@ -131,20 +131,20 @@ FenceFound run_fence(const SceneFile& file, Findings& findings) {
   const Dynamics dynamics{scene.model};
   const Layout layout{scene.model};
   scenes::FenceWatch fence_watch{file.fence->fence, file.fence->made, dynamics};
-  std::optional<Accounting> accounting;
-  if (scene.plan.ledger) accounting.emplace(scene.model, begun(scene));
+  std::optional<RunLedger> ledger;
+  if (scene.plan.ledger) ledger.emplace(scene.model, first_state(scene));
   const BodyId rock = *file.fence->made.members[1].body;
   double least = std::numeric_limits<double>::infinity(), largest = -least;
   const Watcher watch = [&](const State& seen, const StepInfo& info) {
     fence_watch(seen, info);
     const double x = pose(scene.model, layout, seen, rock).p_WB.x;
     least = std::min(least, x), largest = std::max(largest, x);
-    if (accounting) static_cast<void>((*accounting)(seen));
+    if (ledger) static_cast<void>((*ledger)(seen));
   };
   const RunEnd end = run_scene(scene, findings, watch);
   FenceFound found{fence_watch.summary(), pose(scene.model, layout, end.state, rock).p_WB, largest - least, 0.0,
                    end.evaluations};
-  if (accounting) found.balance = accounting->ledger().largest_energy_closure() / accounting->ledger().energy_scale();
+  if (ledger) found.balance = ledger->energy().largest_energy_closure() / ledger->energy().energy_scale();
   return found;
 }
 

@@ -11,6 +11,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/leapfrog_bounce.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
@@ -168,7 +169,7 @@ void check_bounces(const Striking& striking, Findings& findings, const Setup& se
       for (int i = 0; i < 64; ++i) {
         const double at = theta(i, 64, setup), e = striking.ratio(method, eta, at);
         const double error = e - reference::leapfrog_bounce(eta, at).ratio;
-        if (!(std::abs(error) <= std::abs(worst))) worst = error;
+        keep_worst(worst, error);
         low = std::min(low, e), high = std::max(high, e), sum += e / 64.0;
       }
       const double limit = 1.0 / std::sqrt(1.0 - 0.25 * eta * eta);
@@ -231,7 +232,7 @@ void check_heating(const Striking& striking, Findings& findings, const Setup& se
     }
     findings.count(phases * 20);
     const double off = (inverse - 1.0) * 8.0 * phases * phases / (eta * eta);
-    if (!(std::abs(off) <= std::abs(worst))) worst = off;
+    keep_worst(worst, off);
     findings.expect(fmt::format("mean of ln e at w h = {:g} over eta^4 delta^2 (1 - delta)^2/12", eta),
                     mean_ln / reference::small_step_heating(eta), 1.0,
                     Tolerance::model(0.5 * eta * eta,

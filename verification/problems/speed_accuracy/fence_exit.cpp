@@ -23,7 +23,7 @@ FenceExit run_fence(const FenceHit& hit, Integrator integrator, const FenceSteps
   const Watcher watch = [&](const State& seen, const StepInfo& info) {
     if (!info.due) return;
     found.speed = seen.v[hit.rock];
-    probe.look(seen);
+    probe.evaluate(seen);
     const std::vector<double>& tensions = probe.forces().tensions;
     found.tension = std::max(found.tension, *std::max_element(tensions.begin(), tensions.end()));
   };

@@ -64,7 +64,7 @@ Blow blow(const Scene& scene, double end, Findings& findings) {
   Probe probe{scene.model};
   Blow found;
   const Watcher watch = [&](const State& state, const StepInfo&) {
-    probe.look(state);
+    probe.evaluate(state);
     found.push = std::max(found.push, probe.forces().contacts[0]);
   };
   const double interval = end / 2000.0;

@@ -59,7 +59,7 @@ class Watch {
   }
 
   void look(const State& state) {
-    probe_.look(state);
+    probe_.evaluate(state);
     const double push = probe_.forces().contacts[struck_];
     found.exit = way_ * state.v[rock_];
     if (touched_ && push == 0.0 && std::isnan(found.first)) found.first = found.exit;

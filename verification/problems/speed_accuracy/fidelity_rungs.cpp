@@ -11,6 +11,7 @@
 #include <random>
 
 #include "solver/run/simulate.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -67,7 +68,7 @@ std::string sufficient(const std::vector<Level>& levels, const std::vector<Rung>
     double largest = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
       const double now = miss(of(i), answer(rungs[full_fence].at[i], question));
-      if (!(now <= largest)) largest = now;
+      keep_worst(largest, now);
     }
     return largest;
   };

@@ -263,7 +263,7 @@ LongRun run_long(const scenes::FenceScene& made, Findings& findings) {
     found.awake += awake / steps;
     if (!info.due) return;
     found.columns.add(1e3 * state.t, awake);
-    probe.look(state);
+    probe.evaluate(state);
     const std::vector<double>& tensions = probe.forces().tensions;
     found.pull = std::max(found.pull, *std::max_element(tensions.begin(), tensions.end()));
   };

@@ -8,6 +8,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/exact_motions.hpp"
 #include "verification/problems/speed_accuracy/fence_exit.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 
@@ -100,7 +101,7 @@ double distance_of_others(const FenceHit& hit, double end, const FenceExit& best
   for (const char* name : {"odeint_dopri5", "odeint_cash_karp54", "odeint_bulirsch_stoer"}) {
     const FenceExit found = run_fence(hit, make_integrator(name, others_tolerance), {end, spans}, findings);
     const double distance = std::abs(found.speed - best.speed);
-    if (!(distance <= furthest)) furthest = distance;
+    keep_worst(furthest, distance);
   }
   return furthest;
 }
