@@ -11,15 +11,15 @@ FenceFiles::FenceFiles(const FenceInput& input, const RunPlan& plan, const Dynam
       history_{input.fence, input.made, dynamics},
       listing_{input.fence, input.made, plan} {}
 
-void FenceFiles::operator()(const State& state, const StepInfo& info) {
-  history_(state, info);
-  listing_(state, info);
+void FenceFiles::operator()(const Snapshot& snapshot, const StepInfo& info) {
+  history_(snapshot, info);
+  listing_(snapshot.state(), info);
 }
 
 void FenceFiles::write() const {
-  write_whole(folder_ / (name_ + ".OUT"), listing_.text());
-  write_whole(folder_ / (name_ + ".history.csv"), history_.csv_text());
-  write_whole(folder_ / (name_ + ".history.json"), history_.json_text());
+  write_whole(folder_ / (name_ + ".OUT"), listing_.text(), Durability::later);
+  write_whole(folder_ / (name_ + ".history.csv"), history_.csv_text(), Durability::later);
+  write_whole(folder_ / (name_ + ".history.json"), history_.json_text(), Durability::later);
 }
 
 void FenceFiles::remember(Memory& memory) {

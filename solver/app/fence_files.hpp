@@ -18,7 +18,7 @@ class FenceFiles {
   FenceFiles(const FenceInput& input, const RunPlan& plan, const Dynamics& dynamics,
              const std::filesystem::path& folder, const std::string& name);
 
-  void operator()(const State& state, const StepInfo& info);
+  void operator()(const Snapshot& snapshot, const StepInfo& info);
   /// Writes what is not yet written. Errors: IoError.
   void write() const;
 

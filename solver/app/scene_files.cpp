@@ -33,9 +33,9 @@ SceneFiles::SceneFiles(const SceneFile& file, const Dynamics& dynamics, const st
       of_fence_{fence_files(file, dynamics, folder, scene)},
       geometry_{dynamics, folder, name_, steps_between_states(file, frames)} {}
 
-void SceneFiles::operator()(const State& state, const StepInfo& info) {
-  if (of_fence_) (*of_fence_)(state, info);
-  geometry_(state, info);
+void SceneFiles::operator()(const Snapshot& snapshot, const StepInfo& info) {
+  if (of_fence_) (*of_fence_)(snapshot, info);
+  geometry_(snapshot, info);
 }
 
 void SceneFiles::write() const {

@@ -24,7 +24,7 @@ class SceneFiles {
   SceneFiles(const SceneFile& file, const Dynamics& dynamics, const std::filesystem::path& folder,
              const std::filesystem::path& scene, long frames);
 
-  void operator()(const State& state, const StepInfo& info);
+  void operator()(const Snapshot& snapshot, const StepInfo& info);
   /// Writes what is not yet written. Errors: IoError.
   void write() const;
 

@@ -56,7 +56,7 @@ class SceneRun {
   Dynamics dynamics_;
   RigidBodySystem system_;
   Standing standing_;
-  State seen_;                  ///< by the observers, last
+  Snapshot seen_;               ///< of the last step
   std::string integrator_why_;  ///< the scene's, or that of the run that is taken on
   Recorder recorder_;
   FailureLog failures_;

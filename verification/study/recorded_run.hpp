@@ -13,9 +13,9 @@ class RecordedRun {
   RecordedRun(const Scene& scene, Findings& findings, const Watcher& watch = {})
       : dynamics_{scene.model},
         recorder_{dynamics_, first_state(scene), scene.plan.ledger},
-        end_{run_scene(scene, findings, [&](const State& state, const StepInfo& info) {
-          recorder_(state, info);
-          if (watch) watch(state, info);
+        end_{run_scene(scene, findings, [&](const Snapshot& seen, const StepInfo& info) {
+          recorder_(seen, info);
+          if (watch) watch(seen, info);
         })} {}
   RecordedRun(const RecordedRun&) = delete;
   RecordedRun& operator=(const RecordedRun&) = delete;
@@ -24,7 +24,7 @@ class RecordedRun {
   [[nodiscard]] const Recorder& recorder() const { return recorder_; }
   /// What the run prints of a quantity.
   [[nodiscard]] double value(const Quantity& quantity) const {
-    const Recorder::Extreme& extreme = recorder_.extremes()[quantity.column];
+    const Extreme extreme = recorder_.extremes()[quantity.column];
     return quantity.of(extreme.least, extreme.largest, recorder_.row()[quantity.column]);
   }
 

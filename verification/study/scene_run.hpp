@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <utility>
 
 #include "solver/run/energy_ledger.hpp"
@@ -11,10 +10,10 @@
 /// A scene run by the solver, and what a case reads off it on the way and afterwards.
 namespace talus::verification::problems {
 
-/// What a case does with the state at the start and after each step, all its parts at the same time.
-using Watcher = std::function<void(const State&, const StepInfo&)>;
-/// Ends a run when it returns true for the state after a step.
-using Until = std::function<bool(const State&)>;
+/// What a case does with the start and each step: a function of the Snapshot, or of its State alone.
+using Watcher = Observer;
+/// Ends a run when it returns true after a step.
+using Until = StopCondition;
 
 struct RunEnd {
   State state{};       ///< synchronised, at the end; q and v are NaN if the run diverged, so that no check passes on it
@@ -83,6 +82,7 @@ class RunLedger {
   RunLedger& operator=(const RunLedger&) = delete;
 
   Accounts operator()(const State& state) { return ledger_.accounts(state); }
+  Accounts operator()(const Snapshot& seen) { return ledger_.accounts(seen); }
   [[nodiscard]] const EnergyLedger& energy() const { return ledger_; }
 
  private:

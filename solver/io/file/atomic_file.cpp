@@ -77,7 +77,7 @@ mode_t usual_permissions() {
 
 }  // namespace
 
-void write_whole(const fs::path& file, std::string_view content) {
+void write_whole(const fs::path& file, std::string_view content, Durability durability) {
   struct stat present {};
   if (::stat(file.c_str(), &present) == 0 && !S_ISREG(present.st_mode) && !S_ISDIR(present.st_mode)) {
     return write_directly(file, content);
@@ -87,12 +87,18 @@ void write_whole(const fs::path& file, std::string_view content) {
   if (number < 0) throw io_error(file, errno);
   Descriptor temporary{number, path};
   int reason = write_all(number, content);
-  if (reason == 0 && (::fchmod(number, usual_permissions()) != 0 || ::fsync(number) != 0)) reason = errno;
+  if (reason == 0 && ::fchmod(number, usual_permissions()) != 0) reason = errno;
+  if (reason == 0 && durability == Durability::now && ::fsync(number) != 0) reason = errno;
   const int closing = temporary.close();
   if (reason == 0) reason = closing;
   if (reason == 0 && ::rename(path.c_str(), file.c_str()) != 0) reason = errno;
   if (reason != 0) throw io_error(file, reason);
   temporary.keep();
+}
+
+void sync_folder(const fs::path& folder) {
+  Descriptor opened{::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC), {}};
+  if (opened.number() < 0 || ::syncfs(opened.number()) != 0) throw io_error(folder, errno);
 }
 
 void remove_files(const fs::path& folder, const std::function<bool(std::string_view)>& of) {

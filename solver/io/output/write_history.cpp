@@ -1,9 +1,9 @@
 #include "solver/io/output/write_history.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iterator>
 
 #include "solver/base/error.hpp"
 
@@ -14,22 +14,25 @@ std::string csv_header(const Column& column, const UnitSystem& units) {
 }
 
 std::string csv(const History& history, const UnitSystem& units) {
-  std::string text;
+  fmt::memory_buffer text;
+  const auto separate = [&text](std::size_t column) {
+    if (column > 0) text.push_back(',');
+  };
   for (std::size_t i = 0; i < history.columns.size(); ++i) {
-    if (i > 0) text += ',';
-    text += csv_header(history.columns[i], units);
+    separate(i);
+    text.append(csv_header(history.columns[i], units));
   }
-  text += '\n';
+  text.push_back('\n');
   for (const std::vector<double>& row : history.rows) {
     TALUS_DEMAND(row.size() == history.columns.size());
     for (std::size_t i = 0; i < row.size(); ++i) {
       TALUS_DEMAND(std::isfinite(row[i]));
-      if (i > 0) text += ',';
-      fmt::format_to(std::back_inserter(text), "{}", row[i]);
+      separate(i);
+      fmt::format_to(fmt::appender{text}, FMT_COMPILE("{}"), row[i]);
     }
-    text += '\n';
+    text.push_back('\n');
   }
-  return text;
+  return fmt::to_string(text);
 }
 
 }  // namespace talus

@@ -92,7 +92,7 @@ SwingRun swung(auto method, const SteppedSwing& swing) {
   method.start(body, state, h);
   for (std::int64_t i = 0; i < swing.steps; ++i)
     method.step(body, state, h);
-  const StateOf<Scalar> end = method.synchronized(body, state, h);
+  const StateOf<Scalar> end = synchronized(method, body, state, h);
   return {parts(end.q[0]), static_cast<std::uint64_t>(body.evaluations())};
 }
 

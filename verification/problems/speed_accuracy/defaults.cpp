@@ -135,9 +135,9 @@ FenceFound run_fence(const SceneFile& file, Findings& findings) {
   if (scene.plan.ledger) ledger.emplace(scene.model, first_state(scene));
   const BodyId rock = *file.fence->made.members[1].body;
   double least = std::numeric_limits<double>::infinity(), largest = -least;
-  const Watcher watch = [&](const State& seen, const StepInfo& info) {
+  const Watcher watch = [&](const Snapshot& seen, const StepInfo& info) {
     fence_watch(seen, info);
-    const double x = pose(scene.model, layout, seen, rock).p_WB.x;
+    const double x = pose(scene.model, layout, seen.state(), rock).p_WB.x;
     least = std::min(least, x), largest = std::max(largest, x);
     if (ledger) static_cast<void>((*ledger)(seen));
   };

@@ -33,10 +33,10 @@ WatchedRun watched_run(Scene scene, double step, double end, const WatchRules& r
   WatchedRun run{scene.initial, {}};
   system.begin(run.end);
   Watch watch{scene, dynamics, run.end};
-  watch.look(run.end, 0);
+  watch.look(Snapshot{dynamics, run.end}, 0);
   long n = 0;
   if (watch.breach().empty()) {
-    (void)simulate(system, scene.integrator, run.end, scene.plan, {}, [&](const State& seen) {
+    (void)simulate(system, scene.integrator, run.end, scene.plan, {}, [&](const Snapshot& seen) {
       watch.look(seen, ++n);
       return !watch.breach().empty();
     });
