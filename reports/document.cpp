@@ -6,8 +6,8 @@
 #include <set>
 
 #include "reports/error.hpp"
-#include "reports/file.hpp"
 #include "reports/process.hpp"
+#include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
 namespace {
@@ -96,7 +96,8 @@ std::string make_html(const Document& d) {
 std::string make_latex(const Document& d) {
   const std::filesystem::path header = d.resources / "header.tex";
   const std::string copy = d.stem + ".printable.md";
-  write_file(d.folder / copy, printable(read_file(d.folder / (d.stem + ".md")), read_file(header)));
+  records::write_whole(d.folder / copy,
+                       printable(records::read_whole(d.folder / (d.stem + ".md")), records::read_whole(header)));
   return run_or_throw(
              {"pandoc",
               {dialect, "--to=latex", "--standalone", "--no-highlight", "--columns=40",

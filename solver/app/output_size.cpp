@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/app/scene_files.hpp"
+#include "solver/app/outputs/geometry_output.hpp"
 #include "solver/io/cell/cell_restart.hpp"
 #include "solver/io/cell/write_cell.hpp"
 #include "solver/io/fence1993/out_listing.hpp"

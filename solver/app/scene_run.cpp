@@ -6,15 +6,24 @@
 #include <ctime>
 
 #include "solver/app/start_warnings.hpp"
+#include "solver/base/error.hpp"
 #include "solver/io/file/atomic_file.hpp"
-#include "solver/io/output/write_history.hpp"
-#include "solver/io/output/write_plot.hpp"
-#include "solver/io/output/write_sheet.hpp"
-#include "solver/io/output/write_summary.hpp"
 #include "solver/scenes/fence_plausibility.hpp"
 #include "solver/state/state_memory.hpp"
 
 namespace talus::app {
+namespace {
+
+/// Errors name the scene's file.
+RunOutputs outputs_of(const OutputRequest& request, const std::filesystem::path& scene) {
+  try {
+    return RunOutputs{request};
+  } catch (const InputError& error) {
+    throw InputError{scene.string() + ": " + error.what()};
+  }
+}
+
+}  // namespace
 
 SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene,
                    long frames, bool sheet)
@@ -32,7 +41,7 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       start_warnings_{app::start_warnings(file, dynamics_)},
       sheet_{sheet},
       parts_{dynamics_, file.scene.plan.ledger} {
-  if (!folder.empty()) files_.emplace(file, dynamics_, folder, scene, frames);
+  if (!folder.empty()) outputs_ = outputs_of({file, dynamics_, folder, scene.stem().string(), frames, sheet}, scene);
   if (file.fence) fence_.emplace(file.fence->fence, file.fence->made, dynamics_);
 }
 
@@ -50,20 +59,18 @@ void SceneRun::remember(Memory& memory) {
   memory.part("recorder", [&] { recorder_.remember(memory); });
   memory.part("failures", [&] { failures_.remember(memory); });
   memory.part("watch", [&] { watch_.remember(memory); });
-  if (files_) memory.part("files", [&] { files_->remember(memory); });
+  if (!folder_.empty()) memory.part("outputs", [&] { outputs_.remember(memory); });
   if (fence_) memory.part("fence", [&] { fence_->remember(memory); });
   memory.flag("sheet", sheet_);
 }
 
-void SceneRun::bring_files(const std::filesystem::path& from) {
-  if (files_) files_->bring_files(from);
-}
+void SceneRun::bring_files(const std::filesystem::path& from) { outputs_.bring_files(from); }
 
 Outcome SceneRun::go_on(const StopCondition& stop, Progress& progress) {
   const auto observe = [&](const Snapshot& seen, const StepInfo& info) {
     recorder_(seen, info);
     failures_(seen.state(), info);
-    if (files_) (*files_)(seen, info);
+    outputs_(seen, info);
     if (fence_) (*fence_)(seen, info);
     if (progress.due()) {
       const double time = seen.state().t, end = scene_->plan.end;
@@ -175,28 +182,19 @@ RunRecord SceneRun::record(Outcome outcome) const {
     warn(scenes::implausible_motion(file_->fence->fence, *record.fence));
   }
   record.watched = watch_lines(watch_, *scene_);
-  if (files_) record.notes = files_->left_out();
+  record.notes = outputs_.left_out();
   return record;
 }
 
 void SceneRun::write(const RunRecord& record) const {
-  write_whole(folder_ / "history.csv", csv(record.history, record.units), Durability::later);
-  write_whole(folder_ / "final_state.json", final_state_json(record), Durability::later);
-  write_whole(folder_ / "plot.json", plot_json(record, "history.csv", files_->drawn_from()), Durability::later);
-  files_->write();
-  if (sheet_)
-    write_whole(folder_ / "sheet.json", sheet_json(record, *file_->fence, dynamics_, *fence_, seen_.state()),
-                Durability::later);
+  outputs_.write({record, seen_, fence_ ? &*fence_ : nullptr});
   // All at once: one by one they would take longer than the run.
   sync_folder(folder_);
 }
 
 std::vector<std::string> SceneRun::file_names() const {
-  std::vector<std::string> names{"history.csv", "final_state.json", "summary.json", "plot.json"};
-  if (!files_) return names;
-  for (std::string& name : files_->names())
-    names.push_back(std::move(name));
-  if (sheet_) names.insert(names.end(), {"sheet.json", "sheet.pdf", "sheet.html"});
+  std::vector<std::string> names = outputs_.files();
+  names.insert(names.begin(), "summary.json");
   return names;
 }
 

@@ -7,17 +7,11 @@
 #include <vector>
 
 #include "verification/check/findings.hpp"
+#include "verification/record/case_record.hpp"
 
 namespace talus::verification {
 
-/// How much is run: `quick` for every change, `full` with the long studies as well.
-enum class Tier { quick, full };
-
-/// The word for `tier` in the records: "quick" or "full".
-[[nodiscard]] const char* name_of(Tier tier);
-
-/// The tier called `name`; std::invalid_argument for any other word.
-[[nodiscard]] Tier tier_named(const std::string& name);
+using records::Tier;
 
 /// What a case is asked to run: its right setup, or the same with one planted fault.
 struct Setup {

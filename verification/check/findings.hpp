@@ -7,7 +7,6 @@
 
 #include "verification/check/check.hpp"
 #include "verification/check/convergence.hpp"
-#include "verification/check/data_file.hpp"
 #include "verification/check/figure.hpp"
 #include "verification/check/table.hpp"
 

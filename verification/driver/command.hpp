@@ -7,7 +7,8 @@
 namespace talus::verification {
 
 /// The command `talus_verify` on the given cases. Returns the exit status: 0 if every check holds and every control
-/// turned red, 1 if not, 2 for a wrong command line, 4 if results cannot be written.
+/// turned red, 1 if not, 2 for a wrong command line, baseline or file of renames, 4 if a file cannot be read or
+/// written, 6 if the results hold and something other than time is worse than the baseline.
 [[nodiscard]] int verify(const std::vector<Case>& cases, int argc, const char* const* argv);
 
 }  // namespace talus::verification

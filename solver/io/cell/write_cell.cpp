@@ -8,13 +8,15 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "solver/io/file/json_number.hpp"
 #include "solver/io/file/vtk_text.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/json_number.hpp"
 
 namespace talus {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using records::json_number;
 using Q = CellQuantity;
 
 std::string unit(const CellScene& scene, Dimension dimension) {
@@ -182,28 +184,29 @@ std::vector<CellNumber> cell_results(const CellRun& run) {
 }
 
 std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
-  std::string text = cell_header(scene, "time", dimension::time);
+  std::vector<std::string> names{cell_header(scene, "time", dimension::time)};
   for (const HistoryColumn& column : history_columns)
-    text.append(",").append(cell_header(scene, column.name, column.dimension));
-  text += ",stress_ratio,multiple_share";
+    names.push_back(cell_header(scene, column.name, column.dimension));
+  names.insert(names.end(), {"stress_ratio", "multiple_share"});
   if (scene.cell.friction)
-    text.append(",sliding_share,").append(cell_header(scene, "spin", dimension::angular_velocity));
-  text += "\n";
+    names.insert(names.end(), {"sliding_share", cell_header(scene, "spin", dimension::angular_velocity)});
+  records::CsvText csv{names};
   for (std::size_t k = 0; k < run.intervals(); ++k) {
     if (!run.interval_seen(k)) continue;
     const auto of = [&](Q quantity) { return run.interval_mean(k, quantity); };
     const double last = run.failure().empty() ? scene.plan.end : static_cast<double>(run.steps()) * scene.plan.step;
-    fmt::format_to(std::back_inserter(text), "{}",
-                   run.began() + std::min(static_cast<double>(k + 1) * scene.plan.every, last));
+    csv.number(run.began() + std::min(static_cast<double>(k + 1) * scene.plan.every, last));
     for (const HistoryColumn& column : history_columns)
-      fmt::format_to(std::back_inserter(text), ",{}", of(column.quantity));
-    fmt::format_to(std::back_inserter(text), ",{},{}", share_or_none(of(Q::top_shear), of(Q::top_normal)),
-                   share_or_none(of(Q::multiple), of(Q::contacts)));
-    if (scene.cell.friction)
-      fmt::format_to(std::back_inserter(text), ",{},{}", share_or_none(of(Q::sliding), of(Q::contacts)), of(Q::spin));
-    text += "\n";
+      csv.number(of(column.quantity));
+    csv.number(share_or_none(of(Q::top_shear), of(Q::top_normal)));
+    csv.number(share_or_none(of(Q::multiple), of(Q::contacts)));
+    if (scene.cell.friction) {
+      csv.number(share_or_none(of(Q::sliding), of(Q::contacts)));
+      csv.number(of(Q::spin));
+    }
+    csv.end_row();
   }
-  return text;
+  return std::move(csv).text();
 }
 
 std::vector<CellProfile::Layer> filled_layers(const CellRun& run) {
@@ -222,17 +225,21 @@ std::string cell_profile_csv(const CellScene& scene, const CellRun& run) {
                               {"temperature", dimension::energy, &CellProfile::Layer::temperature},
                               {"solid_fraction", dimension::number, &CellProfile::Layer::fraction}};
   if (scene.cell.friction) columns.push_back({"spin", dimension::angular_velocity, &CellProfile::Layer::spin});
-  std::string text = cell_header(scene, "y", dimension::length);
+  std::vector<std::string> names{cell_header(scene, "y", dimension::length)};
   for (const Column& column : columns) {
-    text += "," + cell_header(scene, column.name, column.dimension);
-    text += "," + cell_header(scene, column.name + "_error", column.dimension);
+    names.push_back(cell_header(scene, column.name, column.dimension));
+    names.push_back(cell_header(scene, column.name + "_error", column.dimension));
   }
+  records::CsvText csv{names};
   for (const CellProfile::Layer& layer : filled_layers(run)) {
-    fmt::format_to(std::back_inserter(text), "\n{}", layer.y);
-    for (const Column& column : columns)
-      fmt::format_to(std::back_inserter(text), ",{},{}", (layer.*column.of).value, (layer.*column.of).error);
+    csv.number(layer.y);
+    for (const Column& column : columns) {
+      csv.number((layer.*column.of).value);
+      csv.number((layer.*column.of).error);
+    }
+    csv.end_row();
   }
-  return text + "\n";
+  return std::move(csv).text();
 }
 
 std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOutcome& outcome) {

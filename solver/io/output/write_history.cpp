@@ -1,11 +1,13 @@
 #include "solver/io/output/write_history.hpp"
 
-#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "solver/base/error.hpp"
+#include "verification/record/csv.hpp"
 
 namespace talus {
 
@@ -14,25 +16,18 @@ std::string csv_header(const Column& column, const UnitSystem& units) {
 }
 
 std::string csv(const History& history, const UnitSystem& units) {
-  fmt::memory_buffer text;
-  const auto separate = [&text](std::size_t column) {
-    if (column > 0) text.push_back(',');
-  };
-  for (std::size_t i = 0; i < history.columns.size(); ++i) {
-    separate(i);
-    text.append(csv_header(history.columns[i], units));
-  }
-  text.push_back('\n');
+  std::vector<std::string> names;
+  for (const Column& column : history.columns)
+    names.push_back(csv_header(column, units));
+  records::CsvText text{names};
   for (const std::vector<double>& row : history.rows) {
-    TALUS_DEMAND(row.size() == history.columns.size());
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      TALUS_DEMAND(std::isfinite(row[i]));
-      separate(i);
-      fmt::format_to(fmt::appender{text}, FMT_COMPILE("{}"), row[i]);
+    for (const double value : row) {
+      TALUS_DEMAND(std::isfinite(value));
+      text.number(value);
     }
-    text.push_back('\n');
+    text.end_row();
   }
-  return fmt::to_string(text);
+  return std::move(text).text();
 }
 
 }  // namespace talus

@@ -163,9 +163,10 @@ BOOST_AUTO_TEST_CASE(histories_are_read_with_their_units) {
   const auto wrong = [&](const std::string& text) {
     return complaint([&] { static_cast<void>(read_history(folder.file("h.csv", text))); });
   };
-  BOOST_TEST(holds(wrong("time [s],x [m]\n0,1\n2\n"), "h.csv:3: found 1 numbers; its head has 2 columns"));
-  BOOST_TEST(holds(wrong("time [s],x [m]\n0,one\n"), "h.csv:2: x: found \"one\"; it must be a number"));
-  BOOST_TEST(holds(wrong("# only words\n"), "h.csv: found no head"));
+  BOOST_TEST(holds(wrong("time [s],x [m]\n0,1\n2\n"), "h.csv:3: found 1 cells; the header has 2"));
+  BOOST_TEST(
+      holds(wrong("time [s],x [m]\n0,one\n"), "h.csv:2: column 'x [m]': found 'one'; it must be a finite number"));
+  BOOST_TEST(holds(wrong("# only words\n"), "h.csv: found no header"));
 }
 
 BOOST_AUTO_TEST_CASE(what_no_run_left_is_named) {
