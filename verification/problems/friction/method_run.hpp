@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <variant>
 
 #include "solver/integrate/integrator_list.hpp"
