@@ -119,12 +119,12 @@ BOOST_AUTO_TEST_CASE(the_summary_comes_first_and_the_long_tables_last) {
 BOOST_AUTO_TEST_CASE(the_bibliography_becomes_the_list_of_references) {
   const Scratch scratch("references");
   BOOST_TEST_REQUIRE(program({(data / "pass").string(), scratch.folder.string()}).status == 0);
-  const std::string text = read_file(scratch.folder / "verification.md");
+  const std::string text = read_whole(scratch.folder / "verification.md");
   BOOST_TEST(contains(text,
                       "**schwager2007**: T. Schwager, T. Pöschel: Coefficient of restitution and linear-dashpot "
                       "model revisited. *Granular Matter* 9 (2007) 465--469.\n"));
   BOOST_TEST(contains(text, "**report1993**: *Rockfall fence report*. 1993.\n"));
-  BOOST_TEST(contains(read_file(scratch.folder / "verification.html"), "<em>Granular Matter</em>"));
+  BOOST_TEST(contains(read_whole(scratch.folder / "verification.html"), "<em>Granular Matter</em>"));
 }
 
 BOOST_AUTO_TEST_CASE(references_of_all_types_keep_what_is_known_of_them) {
