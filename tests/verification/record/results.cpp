@@ -48,6 +48,7 @@ Results full_results() {
   results.tier = Tier::full;
   results.registered = {"b", "a"};
   results.selected = {"a"};
+  results.only = results.selected;
   Record record;
   record.id = "a";
   record.title = "A";
@@ -94,7 +95,8 @@ BOOST_AUTO_TEST_CASE(results_come_back_the_same) {
 }
 
 BOOST_AUTO_TEST_CASE(each_absent_or_wrong_field_is_refused_by_its_path) {
-  demand_strict(Json::parse(text_of(full_results())), "results.json: results", {"order", "fmt", "Boost", "message"},
+  demand_strict(Json::parse(text_of(full_results())), "results.json: results",
+                {"order", "fmt", "Boost", "message", "bibliography", "only"},
                 [](const Json& json) { (void)read(json); });
 }
 
