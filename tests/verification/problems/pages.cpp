@@ -60,6 +60,7 @@ bool is_balanced(const std::string& formula) {
 std::string fault_of_formula(const std::string& formula, bool display, char after) {
   const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
   if (formula.empty()) return "a formula is empty";
+  if (formula.find("\\rm ") != std::string::npos) return "\\rm, which HTML does not show, is in the formula " + formula;
   if (formula.find("\n\n") != std::string::npos) return "an empty line is in the formula " + formula;
   if (!is_balanced(formula)) return "braces, or \\left and \\right, do not match in the formula " + formula;
   if (!display && (blank(formula.front()) || blank(formula.back()))) return "a blank begins or ends $" + formula + "$";
@@ -193,8 +194,8 @@ BOOST_AUTO_TEST_CASE(what_pages_refer_to_exists) {
 BOOST_AUTO_TEST_CASE(faults_of_pages_are_found) {
   const auto number = [](const std::vector<std::string>& faults) { return faults.size(); };
   BOOST_TEST(number(faults_of_formulas("As $x_{1}$ and\n$$\\left(\\frac{a}{b}\\right)$$ and `$`.")) == 0u);
-  for (const char* wrong :
-       {"$x", "$$x$", "$x_{1$", "$\\frac{1}2}$", "$$\\left(x)$$", "$ x$", "$x$2", "$$a\n\nb$$", "$$$$"})
+  for (const char* wrong : {"$x", "$$x$", "$x_{1$", "$\\frac{1}2}$", "$$\\left(x)$$", "$ x$", "$x$2", "$$a\n\nb$$",
+                            "$$$$", "$m_{\\rm eff}$"})
     BOOST_TEST(number(faults_of_formulas(wrong)) == 1u, wrong);
 
   const std::string whole = "**Problem.** One.\n\n```\n# drawn\n```\n\n**What would break it.** All.\n";
