@@ -57,7 +57,7 @@ std::vector<Series> explained(const PagePlot& page) {
 }
 
 /// Width and height of a panel; one with equal units is drawn as large as its column lets it.
-std::pair<double, double> panel_size(const Plot& plot, const Page& page, double room) {
+std::pair<double, double> panel_size(const Plot& plot, const PagePlot& page, double room) {
   if (!plot.figure.equal) return {room, page.panel_high.value_or(room > 9.0 ? 5.6 : 4.4)};
   const double shape = (plot.y.high - plot.y.low) / (plot.x.high - plot.x.low);
   const double width = std::min(room, tallest_panel / shape);
@@ -82,7 +82,7 @@ Layout layout_of(const PagePlot& page, const std::vector<Panel>& panels, double 
     double tallest = 0.0;
     std::size_t key_rows = 0;
     for (std::size_t i = first; i < end; ++i) {
-      const auto [width, height] = panel_size(page.panels[i], page.page, room);
+      const auto [width, height] = panel_size(page.panels[i], page, room);
       const double x = left + static_cast<double>(i - first) * (room + gap) + 0.5 * (room - width);
       layout.frames.push_back({x, x + width, y + above + height, y + above});
       tallest = std::max(tallest, height);
@@ -144,8 +144,9 @@ std::string legend_entry(const Series& series) {
 }
 
 /// The colours of a page's values.
-ColourScale colours_of(const Page& page) {
-  return page.scale ? ColourScale{page.scale->min, page.scale->max, page.two_hues} : ColourScale{};
+ColourScale colours_of(const PagePlot& page) {
+  const auto& scale = page.page.scale;
+  return scale ? ColourScale{scale->min, scale->max, page.two_hues} : ColourScale{};
 }
 
 /// The bar of colours with its numbers, `top` its upper edge.
@@ -187,7 +188,7 @@ std::string legend_commands(const PagePlot& page, const std::vector<Series>& ent
       "unset border\nunset tics\nunset grid\nset xrange [0:1]\nset yrange [0:1]\nset lmargin at screen 0\n"
       "set rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen {:.6f}\n",
       layout.legend / h);
-  if (bar) text += bar_commands(*page.page.scale, colours_of(page.page), layout.legend, h);
+  if (bar) text += bar_commands(*page.page.scale, colours_of(page), layout.legend, h);
   text += entries.empty()
               ? "unset key\n"
               : fmt::format("set key at screen {:.6f}, screen {:.6f} {} top maxrows {} samplen 2.2 reverse Left\n",
@@ -206,7 +207,7 @@ std::pair<std::string, double> page_commands(const PagePlot& page, const Canvas&
   const double legend = page.page.scale ? 1.5 : entries.empty() ? 0.0 : 0.8;
   std::vector<Panel> panels;
   for (const Plot& plot : page.panels)
-    panels.push_back(panel_of(plot, fmt::format("panel{}_", panels.size() + 1), colours_of(page.page), canvas));
+    panels.push_back(panel_of(plot, fmt::format("panel{}_", panels.size() + 1), colours_of(page), canvas));
   const Layout layout = layout_of(page, panels, legend);
   const auto columns = std::min(static_cast<std::size_t>(page.page.columns), panels.size());
   const std::string clean = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string()));
@@ -224,8 +225,15 @@ std::pair<std::string, double> page_commands(const PagePlot& page, const Canvas&
 
 }  // namespace
 
-Page panelled(const Figure& figure) {
-  Page page{figure.name, {}, figure.columns, {}, figure.scale, 2.8, true};
+PagePlot page_plot_of(const Page& page, const std::filesystem::path& folder) {
+  PagePlot made{page, {}};
+  for (const Figure& figure : page.panels)
+    made.panels.push_back(plot_of(figure, folder));
+  return made;
+}
+
+PagePlot panelled(const Figure& figure, const std::filesystem::path& folder) {
+  Page page{figure.name, {}, figure.columns, {}, figure.scale};
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {
     Figure panel = figure;
     panel.title = figure.panels[p];
@@ -239,13 +247,9 @@ Page panelled(const Figure& figure) {
     }
     if (!panel.series.empty()) page.panels.push_back(panel);
   }
-  return page;
-}
-
-PagePlot page_plot_of(const Page& page, const std::filesystem::path& folder) {
-  PagePlot made{page, {}};
-  for (const Figure& figure : page.panels)
-    made.panels.push_back(plot_of(figure, folder));
+  PagePlot made = page_plot_of(page, folder);
+  made.panel_high = 2.8;
+  made.two_hues = true;
   return made;
 }
 

@@ -3,6 +3,7 @@
 /// anything.
 #pragma once
 
+#include "verification/record/plots.hpp"
 #include "verification/record/record_files.hpp"
 
 namespace talus::reports {
@@ -18,6 +19,7 @@ using records::Kind;
 using records::Line;
 using records::Look;
 using records::Mark;
+using records::Page;
 using records::Peer;
 using records::Provenance;
 using records::Record;

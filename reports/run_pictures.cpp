@@ -7,7 +7,6 @@
 #include "reports/file.hpp"
 #include "reports/page_script.hpp"
 #include "reports/report.hpp"
-#include "reports/run_plots.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
@@ -30,7 +29,7 @@ std::string within_script(const std::string& json) {
   return text;
 }
 
-std::string player_page(const Player& player, const fs::path& run, const fs::path& resources) {
+std::string player_page(const records::Player& player, const fs::path& run, const fs::path& resources) {
   mustache::data values;
   values.set("title", player.title);
   values.set("data", within_script(records::read_whole(run / player.data)));
@@ -42,7 +41,7 @@ std::string player_page(const Player& player, const fs::path& run, const fs::pat
 }
 
 /// Scripts of all that gnuplot draws, and the names of the files to come.
-std::vector<Drawing> drawings_of(const Plots& plots, const fs::path& run, const Canvas& canvas,
+std::vector<Drawing> drawings_of(const records::Plots& plots, const fs::path& run, const Canvas& canvas,
                                  std::vector<std::string>& files) {
   std::vector<Drawing> drawings;
   const auto add = [&](const std::string& kind, const std::string& name, std::string script) {
@@ -54,7 +53,7 @@ std::vector<Drawing> drawings_of(const Plots& plots, const fs::path& run, const 
     add("figure", figure.name, figure_script(plot_of(figure, run), canvas, figure.name));
   for (const Page& page : plots.pages)
     add("page", page.name, page_script(page_plot_of(page, run), canvas, page.name));
-  for (const Film& film : plots.films) {
+  for (const records::Film& film : plots.films) {
     std::vector<PagePlot> pages;
     for (const Page& page : film.pages)
       pages.push_back(page_plot_of(page, run));
@@ -68,14 +67,14 @@ std::vector<Drawing> drawings_of(const Plots& plots, const fs::path& run, const 
 
 std::vector<fs::path> make_plots(const fs::path& run, const fs::path& target, const std::set<std::string>& formats,
                                  const Workplace& workplace) {
-  const Plots plots = read_plots(run / "plot.json");
+  const records::Plots plots = records::read_plots(run / "plot.json");
   const Workshop workshop(target);
   const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", workshop.folder(), formats};
   std::vector<std::string> names;
   const std::vector<Drawing> drawings = drawings_of(plots, run, canvas, names);
   const std::string warnings = draw(drawings, workshop.folder(), workplace.jobs);
   if (!warnings.empty()) fmt::print(stderr, "{}", warnings);
-  for (const Player& player : plots.players) {
+  for (const records::Player& player : plots.players) {
     names.push_back(player.name + ".html");
     records::write_whole(workshop.folder() / names.back(), player_page(player, run, workplace.resources));
   }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
@@ -16,7 +16,6 @@ namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 struct AnimateOptions {
   std::string folder;
@@ -45,20 +44,20 @@ std::vector<GeometryFile> chosen_files(const RunFolder& run, const AnimateOption
 
 /// A page for each frame: the side view, and beside it the view along the fence if there is one.
 template <class Drawn>
-Json film(const Drawn& drawn, const std::string& name, const std::string& title, const FrameStyle& side,
-          const FrameStyle& along, double seconds) {
-  Json pages = Json::array();
+records::Film film(const Drawn& drawn, const std::string& name, const std::string& title, const FrameStyle& side,
+                   const FrameStyle& along, double seconds) {
+  records::Film made{name, seconds / static_cast<double>(drawn.frames.size()), {}};
   for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
     const std::string csv = fmt::format("frame{}.csv", i);
-    Json panels = Json::array({frame_figure(drawn, i, side, csv)});
-    if (drawn.has_depth) panels.push_back(frame_figure(drawn, i, along, csv));
-    pages.push_back({{"name", fmt::format("page{}", i)},
-                     {"title", title},
-                     {"columns", panels.size()},
-                     {"panels", std::move(panels)},
-                     {"scale", colour_scale(drawn)}});
+    records::Page page{.name = fmt::format("page{}", i),
+                       .title = title,
+                       .panels = {frame_figure(drawn, i, side, csv)},
+                       .scale = colour_scale(drawn)};
+    if (drawn.has_depth) page.panels.push_back(frame_figure(drawn, i, along, csv));
+    page.columns = static_cast<int>(page.panels.size());
+    made.pages.push_back(std::move(page));
   }
-  return {{"name", name}, {"delay", seconds / static_cast<double>(drawn.frames.size())}, {"pages", std::move(pages)}};
+  return made;
 }
 
 /// `drawn`: DrawnGeometry or DrawnDiscs.
@@ -72,18 +71,17 @@ int animate(const Drawn& drawn, const KeptRun& run, const AnimateOptions& option
   const std::string name = picture.name.empty() ? "animation" : picture.name;
   const std::string title = picture.title.empty() ? run.run.title : picture.title;
   const DrawingRecord record{picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder}};
-  Json asked{{"schema", 1}, {"figures", Json::array()}, {"films", Json::array()}, {"players", Json::array()}};
+  records::Plots plots;
   if (options.gif) {
     for (std::size_t i = 0; i < drawn.frames.size(); ++i)
       record.add(fmt::format("frame{}.csv", i), frame_csv(drawn, i));
-    asked["films"].push_back(film(drawn, name, title, side, along, options.seconds));
+    plots.films.push_back(film(drawn, name, title, side, along, options.seconds));
   }
   if (options.html || !options.gif) {
     record.add("player.json", player_json(drawn, run, side.window, along.window));
-    asked["players"].push_back({{"name", name}, {"title", title}, {"data", "player.json"}});
+    plots.players.push_back({name, title, "player.json"});
   }
-  record.add("plot.json", asked.dump(1));
-  return record.draw({"svg"});
+  return record.draw(plots, {"svg"});
 }
 
 int animate(const AnimateOptions& options) {

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <utility>
+
+#include "verification/record/csv.hpp"
 
 namespace talus::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Calls draw(shift) for each whole number of periods by which what reaches from `left` to `right` is in the window.
 template <class Draw>
@@ -21,19 +19,24 @@ void for_images(double left, double right, double period, const Window& window, 
     draw(image * period);
 }
 
-/// Rows "series,line,x,y,radius,value".
+/// Rows of a frame's CSV file.
 class Rows {
  public:
   void add(const char* series, const Vec2& p, double radius = 0.0, double value = 0.0) {
-    fmt::format_to(std::back_inserter(text_), "{},{},{:.6g},{:.6g},{:.6g},{:.4g}\n", series, line_, p.x, p.y, radius,
-                   value);
+    csv_.cell(series);
+    csv_.cell(line_);
+    for (const double number : {p.x, p.y, radius})
+      csv_.number(number, 6);
+    csv_.number(value, 4);
+    csv_.end_row();
   }
-  void next_line() { ++line_; }
-  std::string text() && { return std::move(text_); }
+  void next_line() { line_ = fmt::format("{}", ++lines_); }
+  std::string text() && { return std::move(csv_).text(); }
 
  private:
-  std::string text_{"series,line,x,y,radius,value\n"};
-  long line_{0};
+  records::CsvText csv_{{"series", "line", "x", "y", "radius", "value"}};
+  long lines_{0};
+  std::string line_{"0"};
 };
 
 /// A bar of that width between two points.
@@ -47,30 +50,29 @@ void add_bar(Rows& rows, const char* series, const Vec2& from, const Vec2& to, d
 }
 
 /// Those behind first. In a frame's CSV file the column `series` holds the kind.
-Json series_of(const DrawnDiscs& drawn, const DiscFrame& frame) {
+std::vector<records::Series> series_of(const DrawnDiscs& drawn, const DiscFrame& frame) {
+  using records::Style;
   const auto walls =
       std::count_if(frame.discs.begin(), frame.discs.end(), [](const SeenDisc& disc) { return disc.wall; });
   const std::string unit = drawn.run.unit(dimension::force);
-  Json series = Json::array();
-  const auto add = [&](const char* where, const std::string& label, const char* style, const Json& look) {
-    series.push_back({{"label", label}, {"x", "x"}, {"y", "y"}, {"style", style}, {"where", where}});
-    series.back().update(look);
-  };
+  std::vector<records::Series> series;
   if (walls > 0) {
-    add("wall", "disc of a wall", "circles",
-        {{"radius", "radius"}, {"colour", "#5f6368"}, {"fill", "#c4c7cb"}, {"width", 0.3}});
+    series.push_back(frame_series("wall", "disc of a wall", Style::circles, {"#5f6368", "#c4c7cb", 0.3}));
+    series.back().columns.radius = "radius";
   }
-  if (static_cast<std::size_t>(walls) < frame.discs.size())
-    add("disc", "", "circles", {{"radius", "radius"}, {"colour", "#33475b"}, {"value", "value"}, {"width", 0.3}});
-  add("border", "border of the field, beyond it images", "shapes",
-      {{"colour", "#0072b2"}, {"width", 1.2}, {"dashed", true}});
-  if (!frame.contacts.empty()) {
-    const std::string largest = fmt::format("{:.3g}{}{}", drawn.largest_force, unit.empty() ? "" : " ", unit);
-    // On an edge of white, which tells it from dark discs.
-    add("contact", "", "shapes", {{"colour", "#ffffff"}, {"fill", "#ffffff"}, {"width", 1.0}});
-    add("contact", "contact, as wide as its force; widest " + largest, "shapes",
-        {{"colour", "#000000"}, {"fill", "#000000"}, {"width", 0.3}});
+  if (static_cast<std::size_t>(walls) < frame.discs.size()) {
+    series.push_back(frame_series("disc", "", Style::circles, {"#33475b", "", 0.3}));
+    series.back().columns.radius = "radius";
+    series.back().columns.value = "value";
   }
+  series.push_back(
+      frame_series("border", "border of the field, beyond it images", Style::shapes, {"#0072b2", "", 1.2, true}));
+  if (frame.contacts.empty()) return series;
+  // On an edge of white, which tells it from dark discs.
+  series.push_back(frame_series("contact", "", Style::shapes, {"#ffffff", "#ffffff", 1.0}));
+  const std::string largest = fmt::format("{:.3g}{}{}", drawn.largest_force, unit.empty() ? "" : " ", unit);
+  series.push_back(frame_series("contact", "contact, as wide as its force; widest " + largest, Style::shapes,
+                                {"#000000", "#000000", 0.3}));
   return series;
 }
 
@@ -88,12 +90,12 @@ Window whole_window(const DrawnDiscs& drawn) {
   return window;
 }
 
-Json numbers(const DiscFrame& frame, const Window& window) {
-  Json marks = Json::array();
+std::vector<records::Mark> numbers(const DiscFrame& frame, const Window& window) {
+  std::vector<records::Mark> marks;
   for (std::size_t i = 0; i < frame.discs.size(); ++i) {
     const Vec2& p = frame.discs[i].p;
     if (p.x < window.left || p.x > window.right) continue;
-    marks.push_back({{"x", p.x}, {"y", p.y}, {"words", fmt::format("{}", i + 1)}});
+    marks.push_back({p.x, p.y, fmt::format("{}", i + 1)});
   }
   return marks;
 }
@@ -173,13 +175,14 @@ std::string frame_csv(const DrawnDiscs& drawn, std::size_t frame) {
   return std::move(rows).text();
 }
 
-Json frame_figure(const DrawnDiscs& drawn, std::size_t frame, const FrameStyle& style, const std::string& csv_file) {
+records::Figure frame_figure(const DrawnDiscs& drawn, std::size_t frame, const FrameStyle& style,
+                             const std::string& csv_file) {
   const DiscFrame& shown = drawn.frames[frame];
   return frame_figure(drawn.run, style, {frame, shown.time, csv_file}, series_of(drawn, shown),
-                      style.numbers ? numbers(shown, style.window) : Json::array());
+                      style.numbers ? numbers(shown, style.window) : std::vector<records::Mark>{});
 }
 
-Json colour_scale(const DrawnDiscs& drawn) {
+std::optional<records::Scale> colour_scale(const DrawnDiscs& drawn) {
   const bool speed = drawn.colour == DiscColour::speed;
   return colour_scale(speed ? "speed of a disc" : "sum of the contact forces on a disc",
                       drawn.run.unit(speed ? dimension::velocity : dimension::force),

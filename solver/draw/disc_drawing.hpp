@@ -43,10 +43,10 @@ struct DrawnDiscs {
 [[nodiscard]] std::string frame_csv(const DrawnDiscs& drawn, std::size_t frame);
 
 /// A frame as a figure of the drawing record, over its CSV file.
-[[nodiscard]] nlohmann::ordered_json frame_figure(const DrawnDiscs& drawn, std::size_t frame, const FrameStyle& style,
-                                                  const std::string& csv_file);
+[[nodiscard]] records::Figure frame_figure(const DrawnDiscs& drawn, std::size_t frame, const FrameStyle& style,
+                                           const std::string& csv_file);
 
-/// The scale of what colours discs, for a page; null if that is nought throughout.
-[[nodiscard]] nlohmann::ordered_json colour_scale(const DrawnDiscs& drawn);
+/// The scale of what colours discs, for a page; nothing if that is zero throughout.
+[[nodiscard]] std::optional<records::Scale> colour_scale(const DrawnDiscs& drawn);
 
 }  // namespace talus::app

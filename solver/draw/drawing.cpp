@@ -74,6 +74,9 @@ void DrawingRecord::link(const std::string& name, const fs::path& file) const {
   if (error) throw IoError{fmt::format("{}: {}", (folder_ / name).string(), error.message())};
 }
 
-int DrawingRecord::draw(const std::vector<std::string>& formats) const { return app::draw(folder_, target_, formats); }
+int DrawingRecord::draw(const records::Plots& plots, const std::vector<std::string>& formats) const {
+  add("plot.json", text_of(plots));
+  return app::draw(folder_, target_, formats);
+}
 
 }  // namespace talus::app

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/io/output/run_folder.hpp"
+#include "verification/record/plots.hpp"
 
 namespace CLI {
 class App;
@@ -53,8 +54,8 @@ class DrawingRecord {
   void add(const std::string& name, std::string_view text) const;
   /// Adds a file that stands elsewhere. Errors: IoError.
   void link(const std::string& name, const std::filesystem::path& file) const;
-  /// Draws into the target; the exit code of talus_report.
-  [[nodiscard]] int draw(const std::vector<std::string>& formats) const;
+  /// Draws into the target what names the added files; the exit code of talus_report. Errors: IoError.
+  [[nodiscard]] int draw(const records::Plots& plots, const std::vector<std::string>& formats) const;
 
  private:
   std::filesystem::path target_;

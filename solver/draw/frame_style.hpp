@@ -1,10 +1,11 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "solver/io/output/run_folder.hpp"
+#include "verification/record/figure.hpp"
 
 namespace talus::app {
 
@@ -38,11 +39,15 @@ struct ShownFrame {
 
 /// A frame as a figure of the drawing record: equal axes over the style's window, titled by the time. Its name begins
 /// with the view's and ends with the frame's number.
-[[nodiscard]] nlohmann::ordered_json frame_figure(const RunFolder& run, const FrameStyle& style,
-                                                  const ShownFrame& frame, nlohmann::ordered_json series,
-                                                  nlohmann::ordered_json marks);
+[[nodiscard]] records::Figure frame_figure(const RunFolder& run, const FrameStyle& style, const ShownFrame& frame,
+                                           std::vector<records::Series> series, std::vector<records::Mark> marks);
 
-/// Colours from 0 to the largest value for a page; null if that is nought.
-[[nodiscard]] nlohmann::ordered_json colour_scale(const std::string& words, const std::string& unit, double largest);
+/// A series of a frame's CSV file: the rows of kind `where`.
+[[nodiscard]] records::Series frame_series(const std::string& where, const std::string& label, records::Style style,
+                                           records::Look look);
+
+/// Colours from 0 to the largest value for a page; nothing if that is zero.
+[[nodiscard]] std::optional<records::Scale> colour_scale(const std::string& words, const std::string& unit,
+                                                         double largest);
 
 }  // namespace talus::app

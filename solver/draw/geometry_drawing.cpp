@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "verification/record/csv.hpp"
 
 namespace talus::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// How the kinds of shapes are drawn, those behind first. In a frame's CSV file the column `series` holds the kind.
 struct Kind {
@@ -49,21 +48,25 @@ std::vector<Vec2> seen_along(const GeometryLine& line, const std::string& kind, 
 /// Ends the series of mirror images, which the view along the fence alone shows.
 constexpr std::string_view of_images = "_image";
 
-/// Rows "series,line,x,y,z,v,tension": x, y of the side view, z, v of the view along the fence.
+/// Rows of a frame's CSV file: x, y of the side view, z, v of the view along the fence.
 class Rows {
  public:
   std::string_view suffix{};  ///< of the series' names
 
   void add(const char* series, const Vec2& side, const Vec2& along, double tension) {
-    fmt::format_to(std::back_inserter(text_), "{}{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", series, suffix, line_,
-                   side.x, side.y, along.x, along.y, tension);
+    csv_.cell(fmt::format("{}{}", series, suffix));
+    csv_.cell(line_);
+    for (const double value : {side.x, side.y, along.x, along.y, tension})
+      csv_.number(value, 6);
+    csv_.end_row();
   }
-  void next_line() { ++line_; }
-  const std::string& text() const { return text_; }
+  void next_line() { line_ = fmt::format("{}", ++lines_); }
+  std::string text() && { return std::move(csv_).text(); }
 
  private:
-  std::string text_{"series,line,x,y,z,v,tension\n"};
-  long line_{0};
+  records::CsvText csv_{{"series", "line", "x", "y", "z", "v", "tension"}};
+  long lines_{0};
+  std::string line_{"0"};
 };
 
 void add_outline(Rows& rows, const DrawnGeometry& geometry, const GeometryLine& line) {
@@ -97,7 +100,7 @@ void add_hanger(Rows& rows, const HangerBar& bar, double z) {
 }
 
 /// Element numbers at the bodies' middles; those of one kind that would cover each other stand together.
-Json marks(const DrawnGeometry& geometry, const GeometryFrame& frame, const FrameStyle& style) {
+std::vector<records::Mark> marks(const DrawnGeometry& geometry, const GeometryFrame& frame, const FrameStyle& style) {
   struct Place {
     Vec2 p;
     std::string kind;
@@ -116,16 +119,15 @@ Json marks(const DrawnGeometry& geometry, const GeometryFrame& frame, const Fram
     if (place == places.end()) place = places.insert(place, {p, kind, {}});
     place->numbers.push_back(number);
   }
-  Json made = Json::array();
+  std::vector<records::Mark> made;
   for (const Place& place : places) {
     const int first = place.numbers.front();
     const int last = place.numbers.back();
     const auto count = place.numbers.size();
-    made.push_back({{"x", place.p.x},
-                    {"y", place.p.y},
-                    {"words", count == 1   ? fmt::format("{}", first)
-                              : count == 2 ? fmt::format("{}, {}", first, last)
-                                           : fmt::format("{} .. {}", first, last)}});
+    made.push_back({place.p.x, place.p.y,
+                    count == 1   ? fmt::format("{}", first)
+                    : count == 2 ? fmt::format("{}, {}", first, last)
+                                 : fmt::format("{} .. {}", first, last)});
   }
   return made;
 }
@@ -156,30 +158,25 @@ std::string frame_csv(const DrawnGeometry& geometry, std::size_t frame) {
     rows.suffix = of_images;
     add_hanger(rows, bar, -bar.joint.z);
   }
-  return rows.text();
+  return std::move(rows).text();
 }
 
-Json frame_figure(const DrawnGeometry& geometry, std::size_t frame, const FrameStyle& style,
-                  const std::string& csv_file) {
+records::Figure frame_figure(const DrawnGeometry& geometry, std::size_t frame, const FrameStyle& style,
+                             const std::string& csv_file) {
   const GeometryFrame& shown = geometry.frames[frame];
   const bool side = style.view == View::side;
   const std::string csv = frame_csv(geometry, frame);
-  Json series = Json::array();
+  std::vector<records::Series> series;
   const auto add = [&](const Kind& kind, std::string_view suffix) {
     const std::string where = fmt::format("{}{}", kind.name, suffix);
     if (csv.find(fmt::format("\n{},", where)) == std::string::npos) return;
     const bool taut = std::string_view{kind.name} == "taut";
     const bool named = suffix.empty() && !(taut && geometry.largest_tension > 0.0);
-    series.push_back({{"label", named ? kind.words : ""},
-                      {"x", side ? "x" : "z"},
-                      {"y", side ? "y" : "v"},
-                      {"style", "shapes"},
-                      {"where", where},
-                      {"colour", kind.colour},
-                      {"fill", kind.fill},
-                      {"width", kind.width},
-                      {"dashed", kind.dashed},
-                      {"value", taut ? "tension" : ""}});
+    series.push_back(frame_series(where, named ? kind.words : "", records::Style::shapes,
+                                  {kind.colour, kind.fill, kind.width, kind.dashed}));
+    records::Columns& columns = series.back().columns;
+    if (!side) columns.x = "z", columns.y = "v";
+    if (taut) columns.value = "tension";
   };
   for (const Kind& kind : kinds) {
     if (!side) add(kind, of_images);  // behind the middle of the fence
@@ -188,10 +185,10 @@ Json frame_figure(const DrawnGeometry& geometry, std::size_t frame, const FrameS
   ShownFrame which{frame, shown.time, csv_file};
   if (!side) which.abscissa = geometry.run.files.mirrored ? "z, below 0 the mirror image" : "z";
   return frame_figure(geometry.run, style, which, std::move(series),
-                      style.numbers ? marks(geometry, shown, style) : Json::array());
+                      style.numbers ? marks(geometry, shown, style) : std::vector<records::Mark>{});
 }
 
-Json colour_scale(const DrawnGeometry& geometry) {
+std::optional<records::Scale> colour_scale(const DrawnGeometry& geometry) {
   return colour_scale("tension of taut cables", geometry.run.unit(dimension::force), geometry.largest_tension);
 }
 

@@ -5,19 +5,19 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
-#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "solver/base/error.hpp"
 #include "solver/base/exit_code.hpp"
 #include "solver/draw/curve_choice.hpp"
+#include "solver/draw/frame_style.hpp"
 #include "solver/draw/history_choice.hpp"
+#include "verification/record/csv.hpp"
 
 namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 /// One curve and the run that it is of.
 struct RunCurve {
@@ -128,23 +128,28 @@ std::string label(const RunCurve& each, const CurvePanel& panel) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-Json axis(const std::string& title, const std::string& fallback, const std::string& unit, const Limits& limits,
-          int divisions) {
-  Json made{
-      {"label", !title.empty() ? title : fallback}, {"unit", title.empty() ? unit : ""}, {"divisions", divisions}};
-  if (limits) made["min"] = limits->first;
-  if (limits) made["max"] = limits->second;
+records::Axis axis(const std::string& title, const std::string& fallback, const std::string& unit, const Limits& limits,
+                   int divisions) {
+  records::Axis made{
+      .label = !title.empty() ? title : fallback, .unit = title.empty() ? unit : "", .divisions = divisions};
+  if (limits) made.min = limits->first;
+  if (limits) made.max = limits->second;
   return made;
 }
 
 std::string csv_of(const CurvePanel& panel) {
-  std::string text = "series,x,y\n";
+  records::CsvText csv{{"series", "x", "y"}};
   for (std::size_t i = 0; i < panel.curves.size(); ++i) {
     const ChosenCurve& curve = panel.curves[i].curve;
-    for (std::size_t row = 0; row < curve.x.values.size(); ++row)
-      fmt::format_to(std::back_inserter(text), "{},{},{}\n", i, curve.x.values[row], curve.y.values[row]);
+    const std::string key = fmt::format("{}", i);
+    for (std::size_t row = 0; row < curve.x.values.size(); ++row) {
+      csv.cell(key);
+      csv.number(curve.x.values[row]);
+      csv.number(curve.y.values[row]);
+      csv.end_row();
+    }
   }
-  return text;
+  return std::move(csv).text();
 }
 
 void demand_one_unit(const CurvePanel& panel) {
@@ -159,17 +164,12 @@ void demand_one_unit(const CurvePanel& panel) {
   }
 }
 
-Json figure(const CurvePanel& panel, const HistoryPlotOptions& options, std::size_t place, bool alone) {
+records::Figure figure(const CurvePanel& panel, const HistoryPlotOptions& options, std::size_t place, bool alone) {
   demand_one_unit(panel);
   const ChosenCurve& first = panel.curves.front().curve;
-  Json series = Json::array();
-  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
-    series.push_back({{"label", label(panel.curves[i], panel)},
-                      {"x", "x"},
-                      {"y", "y"},
-                      {"style", "lines"},
-                      {"where", fmt::format("{}", i)}});
-  }
+  std::vector<records::Series> series;
+  for (std::size_t i = 0; i < panel.curves.size(); ++i)
+    series.push_back(frame_series(fmt::format("{}", i), label(panel.curves[i], panel), records::Style::lines, {}));
   const std::string common = shared(panel.curves, words);
   const bool of_time = options.abscissa == "time";
   const std::string x_words = of_time || first.x.subject.empty() ? first.x.words
@@ -177,13 +177,14 @@ Json figure(const CurvePanel& panel, const HistoryPlotOptions& options, std::siz
                                   ? first.x.words
                                   : fmt::format("{} of {}", first.x.words, first.x.subject);
   const std::vector<int> divisions = options.divisions.empty() ? std::vector<int>{0, 0} : options.divisions;
-  return {{"name", fmt::format("panel{}", place)},
-          {"title", alone ? "" : fmt::format("({})", static_cast<char>('a' + static_cast<int>(place % 26)))},
-          {"x", axis(options.x_title, x_words, first.x.unit, options.x_limits, divisions[0])},
-          {"y", axis(options.y_title, common.empty() ? "value" : common, first.y.unit, options.y_limits, divisions[1])},
-          {"csv", fmt::format("panel{}.csv", place)},
-          {"grid", !options.no_grid},
-          {"series", series}};
+  return {.name = fmt::format("panel{}", place),
+          .title = alone ? "" : fmt::format("({})", static_cast<char>('a' + static_cast<int>(place % 26))),
+          .caption = "",
+          .x = axis(options.x_title, x_words, first.x.unit, options.x_limits, divisions[0]),
+          .y = axis(options.y_title, common.empty() ? "value" : common, first.y.unit, options.y_limits, divisions[1]),
+          .series = std::move(series),
+          .csv = fmt::format("panel{}.csv", place),
+          .grid = !options.no_grid};
 }
 
 /// "top_tension" of one history asked for, else "histories".
@@ -204,20 +205,19 @@ int plot_histories(const HistoryPlotOptions& options) {
   const PictureOptions& picture = options.picture;
   const fs::path target =
       picture.folder.empty() ? fs::path{options.folders.front()} / "plots" : fs::path{picture.folder};
-  Json figures = Json::array();
-  for (std::size_t i = 0; i < panels.size(); ++i)
-    figures.push_back(figure(panels[i], options, i, panels.size() == 1));
-  const int columns = options.columns > 0 ? options.columns : panels.size() > 2 ? 2 : 1;
   const std::string own_title = options.folders.size() == 1 ? read_run_folder(options.folders.front()).title : "";
-  const Json page{{"name", file_stem(options)},
-                  {"title", picture.title.empty() ? own_title : picture.title},
-                  {"columns", columns},
-                  {"panels", std::move(figures)}};
+  records::Page page{.name = file_stem(options),
+                     .title = picture.title.empty() ? own_title : picture.title,
+                     .columns = options.columns > 0 ? options.columns
+                                : panels.size() > 2 ? 2
+                                                    : 1,
+                     .panels = {}};
   const DrawingRecord record{target};
-  for (std::size_t i = 0; i < panels.size(); ++i)
-    record.add(fmt::format("panel{}.csv", i), csv_of(panels[i]));
-  record.add("plot.json", Json{{"schema", 1}, {"figures", Json::array()}, {"pages", {page}}}.dump(1));
-  return record.draw(picture.formats);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    page.panels.push_back(figure(panels[i], options, i, panels.size() == 1));
+    record.add(page.panels.back().csv, csv_of(panels[i]));
+  }
+  return record.draw({.pages = {std::move(page)}}, picture.formats);
 }
 
 int list_histories(const std::vector<std::string>& folders) {

@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(a_run_is_plotted_in_each_format) {
   const Scratch scratch("plots");
   write_whole(scratch.folder / "history.csv", "time [s],x [m]\n0,1\n1,2\n2,1.5\n");
   write_whole(scratch.folder / "plot.json",
-              R"({"title": "run", "figures": [{"name": "path", "title": "Path", "csv": "history.csv",
+              R"({"schema": 1, "title": "run", "figures": [{"name": "path", "title": "Path", "csv": "history.csv",
                  "x": {"label": "time", "unit": "s"}, "y": {"label": "x", "unit": "m"},
                  "series": [{"label": "rock", "x": "time [s]", "y": "x [m]", "style": "lines"}]}]})");
   const Finished finished = program({"--plot", scratch.folder.string()});
@@ -157,8 +157,8 @@ std::string page_record(const std::string& more) {
                  {"x": "x", "y": "y", "style": "shapes", "where": "cable", "value": "pull", "width": 3}]})";
   const std::string page = R"({"name": "page", "title": "Two", "columns": 2, "panels": [)" + panel + "," + panel +
                            R"(], "scale": {"label": "tension", "unit": "N", "min": 0, "max": 8}})";
-  return R"({"figures": [], "pages": [)" + page + R"(], "films": [{"name": "film", "delay": 0.1, "pages": [)" + page +
-         "," + page + "]}]" + more + "}";
+  return R"({"schema": 1, "figures": [], "pages": [)" + page +
+         R"(], "films": [{"name": "film", "delay": 0.1, "pages": [)" + page + "," + page + "]}]" + more + "}";
 }
 
 void write_shapes(const fs::path& folder) {
@@ -197,7 +197,8 @@ BOOST_AUTO_TEST_CASE(circles_are_filled_by_their_values) {
   const Scratch scratch("circles");
   write_whole(scratch.folder / "circles.csv",
               "series,x,y,radius,speed\ndisc,0,0,0.5,0\ndisc,2,0,0.5,8\nwall,0,-1,0.01,3\n");
-  const std::string good = R"({"figures": [], "pages": [{"name": "page", "title": "", "columns": 1, "panels": [
+  const std::string good =
+      R"({"schema": 1, "figures": [], "pages": [{"name": "page", "title": "", "columns": 1, "panels": [
       {"name": "p", "title": "", "csv": "circles.csv", "equal": true, "x": {"label": "x", "min": -1, "max": 3},
        "y": {"label": "y", "min": -2, "max": 1}, "series": [
          {"x": "x", "y": "y", "style": "circles", "where": "disc", "radius": "radius", "value": "speed"},

@@ -17,6 +17,9 @@ struct Source {
   std::vector<double>* into = nullptr;
 };
 
+/// Digits that give a double back.
+constexpr int digits = 17;
+
 std::vector<Source> sources_of(Series& series, const Csv& csv) {
   std::vector<Source> sources;
   const auto add = [&](const std::string& name, std::vector<double>& into) {
@@ -49,13 +52,13 @@ std::string csv_of(const Figure& figure) {
     const bool own_bars = !series.y_low.empty();
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       text.cell(series.columns.where);
-      text.long_number(series.x[i]);
-      text.long_number(series.y[i]);
+      text.number(series.x[i], digits);
+      text.number(series.y[i], digits);
       if (bars) {
-        text.long_number(own_bars ? series.y_low[i] : series.y[i]);
-        text.long_number(own_bars ? series.y_high[i] : series.y[i]);
+        text.number(own_bars ? series.y_low[i] : series.y[i], digits);
+        text.number(own_bars ? series.y_high[i] : series.y[i], digits);
       }
-      if (values) text.long_number(series.values.empty() ? 0.0 : series.values[i]);
+      if (values) text.number(series.values.empty() ? 0.0 : series.values[i], digits);
       text.end_row();
     }
   }

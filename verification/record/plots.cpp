@@ -1,13 +1,8 @@
-#include "reports/run_plots.hpp"
-
-#include <fmt/format.h>
+#include "verification/record/plots.hpp"
 
 #include "verification/record/figure_fields.hpp"
 
-namespace talus::reports {
-
-using records::Like;
-using records::Node;
+namespace talus::records {
 
 void fields(auto& f, Like<Page> auto& page) {
   f.file_name("name", page.name);
@@ -21,8 +16,7 @@ void demand_sound(const Node& node, const Page& page) {
   if (page.columns < 1 || page.columns > 12) node.at("columns").refuse("from 1 to 12");
   if (page.panels.empty()) node.at("panels").complain("must hold at least one figure");
   if (!page.scale) return;
-  records::demand_sound(*page.scale,
-                        [&](const std::string& part, const std::string& fault) { node.complain_of(part, fault); });
+  demand_sound(*page.scale, [&](const std::string& part, const std::string& fault) { node.complain_of(part, fault); });
 }
 
 void fields(auto& f, Like<Film> auto& film) {
@@ -43,6 +37,7 @@ void fields(auto& f, Like<Player> auto& player) {
 }
 
 void fields(auto& f, Like<Plots> auto& plots) {
+  f.derived("schema", 1);
   f.defaulted("title", plots.title);
   f.value("figures", plots.figures);
   f.defaulted("pages", plots.pages);
@@ -53,15 +48,17 @@ void fields(auto& f, Like<Plots> auto& plots) {
 void demand_sound(const Node& node, const Plots& plots) {
   if (plots.figures.empty() && plots.pages.empty() && plots.films.empty() && plots.players.empty())
     node.at("figures").complain("must hold at least one figure");
-  records::demand_distinct_names(node, "figures", plots.figures);
-  if (!plots.pages.empty()) records::demand_distinct_names(node, "pages", plots.pages);
+  demand_distinct_names(node, "figures", plots.figures);
+  if (!plots.pages.empty()) demand_distinct_names(node, "pages", plots.pages);
 }
 
+std::string text_of(const Plots& plots) { return json_of(plots).dump(1) + "\n"; }
+
 Plots read_plots(const std::filesystem::path& file) {
-  const records::Json document = records::read_json(file);
+  const Json document = read_json(file);
   Plots plots;
-  records::read_into(Node{document, file.string() + ": plot"}, plots, records::Completeness::sparse);
+  read_into(Node{document, file.string() + ": plot"}, plots, Completeness::sparse);
   return plots;
 }
 
-}  // namespace talus::reports
+}  // namespace talus::records
