@@ -7,7 +7,6 @@
 #include "reports/appendix.hpp"
 #include "reports/comparisons.hpp"
 #include "reports/coverage.hpp"
-#include "reports/markdown.hpp"
 #include "reports/page_cells.hpp"
 #include "reports/summary.hpp"
 
@@ -51,11 +50,7 @@ std::string front(const Results& results, const std::filesystem::path& templates
 }
 
 std::string back(const Results& results, const Drawn& drawn, const std::filesystem::path& templates,
-                 const std::string& tools) {
-  std::string references;
-  for (const Reference& r : results.references) {
-    references += fmt::format("- **{}**: {}\n", markdown::words(r.key), markdown::words(r.text));
-  }
+                 const std::string& references, const std::string& tools) {
   mustache::data values;
   values.set("provenance", provenance(results));
   std::string details;
@@ -72,12 +67,12 @@ std::string back(const Results& results, const Drawn& drawn, const std::filesyst
 }  // namespace
 
 std::string report_markdown(const Results& results, const Drawn& drawn, const std::filesystem::path& templates,
-                            const std::string& tools) {
+                            const std::string& references, const std::string& tools) {
   std::string text = front(results, templates);
   for (std::size_t i = 0; i < results.records.size(); ++i) {
     text += fmt::format("\n{}", case_page(results.records[i], i + 1, drawn, templates));
   }
-  return fmt::format("{}\n{}", text, back(results, drawn, templates, tools));
+  return fmt::format("{}\n{}", text, back(results, drawn, templates, references, tools));
 }
 
 }  // namespace talus::reports

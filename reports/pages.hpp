@@ -34,8 +34,10 @@ struct Drawn {
                                        const std::filesystem::path& templates);
 
 /// The whole report as Markdown, pictures linked as figures/<stem>.svg. `templates` is the folder of the Mustache
-/// templates; `tools` is a line naming the tools' versions. Throws OutputError when a template is missing or wrong.
+/// templates; `references` is the list of references as Markdown, empty if there are none; `tools` is a line naming the
+/// tools' versions. Throws OutputError when a template is missing or wrong.
 [[nodiscard]] std::string report_markdown(const Results& results, const Drawn& drawn,
-                                          const std::filesystem::path& templates, const std::string& tools);
+                                          const std::filesystem::path& templates, const std::string& references,
+                                          const std::string& tools);
 
 }  // namespace talus::reports

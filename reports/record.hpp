@@ -24,7 +24,6 @@ using records::Peer;
 using records::Provenance;
 using records::Record;
 using records::RecordError;
-using records::Reference;
 using records::Requirement;
 using records::Results;
 using records::Scale;

@@ -96,8 +96,11 @@ std::string make_report(const fs::path& verify, const fs::path& report, const Wo
 
   const Document document{workshop.folder(), "verification", "Talus verification report",
                           workplace.resources / "pandoc", records::epoch_seconds(results.provenance.date)};
+  const std::string tools = tool_versions();
+  const std::string references =
+      results.bibliography.empty() ? std::string{} : references_of(results.bibliography, document);
   records::write_whole(workshop.folder() / "verification.md",
-                       report_markdown(results, drawn, workplace.resources / "templates", tool_versions()));
+                       report_markdown(results, drawn, workplace.resources / "templates", references, tools));
   std::string html_warnings;
   std::string latex_warnings;
   std::string picture_warnings;

@@ -19,7 +19,8 @@ FailureLog::FailureLog(const Dynamics& dynamics) {
           for (std::size_t mode = 0; mode < L::modes.size(); ++mode) {
             const std::string_view what = L::modes[mode] == "yielding" ? "yields" : "breaks";
             if (L::modes[mode] != "yielding" && L::modes[mode] != "broken") continue;
-            watches_.push_back({layout.cable_slots[c].mode, static_cast<Mode>(mode), {0.0, part, what}, false, {}});
+            watches_.push_back({.slot = layout.cable_slots[c].mode, .mode = static_cast<Mode>(mode)});
+            awaited_.push_back({0.0, part, what});
             if constexpr (std::is_same_v<L, ElasticPlastic>) {
               // Drawn out within a step it may be taut again at its end.
               if (what == "yields") watches_.back().stretch = layout.cable_slots[c].memory;
@@ -30,16 +31,18 @@ FailureLog::FailureLog(const Dynamics& dynamics) {
   }
   for (std::size_t h = 0; h < model.hangers.size(); ++h) {
     const std::string part = fmt::format("hanger '{}'", model.hangers[h].name);
-    watches_.push_back({layout.first_hanger + h, Mode{1}, {0.0, part, "breaks"}, false, {}});
+    watches_.push_back({.slot = layout.first_hanger + h, .mode = Mode{1}});
+    awaited_.push_back({0.0, part, "breaks"});
   }
 }
 
 void FailureLog::operator()(const State& state, const StepInfo&) {
-  for (Watch& watch : watches_) {
-    const bool drawn = watch.stretch && state.z[*watch.stretch] > 0.0;
+  for (std::size_t i = 0; i < watches_.size(); ++i) {
+    Watch& watch = watches_[i];
+    const bool drawn = watch.stretch != none && state.z[watch.stretch] > 0.0;
     if (watch.seen || (state.mode[watch.slot] != watch.mode && !drawn)) continue;
     watch.seen = true;
-    failures_.push_back(watch.failure);
+    failures_.push_back(awaited_[i]);
     failures_.back().time = state.t;
   }
 }
@@ -48,10 +51,10 @@ void FailureLog::operator()(const State& state, const StepInfo&) {
 void FailureLog::remember(Memory& memory) {
   std::vector<double> times, places;
   for (const Failure& failure : failures_) {
-    const auto is = [&](const Watch& watch) {
-      return watch.failure.part == failure.part && watch.failure.what == failure.what;
+    const auto is = [&](const Failure& awaited) {
+      return awaited.part == failure.part && awaited.what == failure.what;
     };
-    places.push_back(static_cast<double>(std::find_if(watches_.begin(), watches_.end(), is) - watches_.begin()));
+    places.push_back(static_cast<double>(std::find_if(awaited_.begin(), awaited_.end(), is) - awaited_.begin()));
     times.push_back(failure.time);
   }
   memory.list("times", times);
@@ -63,9 +66,9 @@ void FailureLog::remember(Memory& memory) {
     if (!(places[i] >= 0.0 && places[i] < static_cast<double>(watches_.size()))) {
       throw InputError{fmt::format("places: found {}; it must be from 0 to below {}", places[i], watches_.size())};
     }
-    Watch& watch = watches_[static_cast<std::size_t>(places[i])];
-    watch.seen = true;
-    failures_.push_back(watch.failure);
+    const auto place = static_cast<std::size_t>(places[i]);
+    watches_[place].seen = true;
+    failures_.push_back(awaited_[place]);
     failures_.back().time = times[i];
   }
 }

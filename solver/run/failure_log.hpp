@@ -1,13 +1,12 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "solver/base/memory.hpp"
 #include "solver/dynamics/dynamics.hpp"
-#include "solver/run/simulate.hpp"
+#include "solver/run/observer.hpp"
 
 namespace talus {
 
@@ -33,15 +32,16 @@ class FailureLog {
   const std::vector<Failure>& failures() const { return failures_; }
 
  private:
+  static constexpr std::size_t none = ~std::size_t{0};
   /// One mode of one part that is waited for.
   struct Watch {
     std::size_t slot{};
+    std::size_t stretch{none};  ///< memory that is > 0 once the cable has yielded
     Mode mode{};
-    Failure failure;
     bool seen{};
-    std::optional<std::size_t> stretch{};  ///< memory that is > 0 once the cable has yielded
   };
   std::vector<Watch> watches_;
+  std::vector<Failure> awaited_;  ///< of each
   std::vector<Failure> failures_;
 };
 

@@ -6,6 +6,7 @@
 #include <regex>
 #include <thread>
 
+#include "reports/document.hpp"
 #include "reports/error.hpp"
 #include "reports/process.hpp"
 #include "tests/reports/scratch.hpp"
@@ -113,6 +114,52 @@ BOOST_AUTO_TEST_CASE(the_summary_comes_first_and_the_long_tables_last) {
   const std::string page = read_whole(scratch.folder / "verification.html");
   const std::regex with_maths(R"(alt="[^"]*[$\\])");
   BOOST_TEST(!std::regex_search(page, with_maths));
+}
+
+BOOST_AUTO_TEST_CASE(the_bibliography_becomes_the_list_of_references) {
+  const Scratch scratch("references");
+  BOOST_TEST_REQUIRE(program({(data / "pass").string(), scratch.folder.string()}).status == 0);
+  const std::string text = read_whole(scratch.folder / "verification.md");
+  BOOST_TEST(contains(text,
+                      "**schwager2007**: T. Schwager, T. Pöschel: Coefficient of restitution and linear-dashpot "
+                      "model revisited. *Granular Matter* 9 (2007) 465--469.\n"));
+  BOOST_TEST(contains(text, "**report1993**: *Rockfall fence report*. 1993.\n"));
+  BOOST_TEST(contains(read_whole(scratch.folder / "verification.html"), "<em>Granular Matter</em>"));
+}
+
+BOOST_AUTO_TEST_CASE(references_of_all_types_keep_what_is_known_of_them) {
+  const Scratch scratch("references");
+  const Document document{scratch.folder, "page", "Page", find_resources() / "pandoc", 0};
+  const std::string list = references_of(R"(
+@string{unseen = {Not at hand.}}
+@book{strutt1877, author = {{Strutt, Baron Rayleigh}, J. W.}, title = {{The Theory of Sound}}, volume = {I},
+  publisher = {{Macmillan and Co}}, address = {London}, edition = 2, year = 1877, note = unseen}
+@book{ed1964, editor = {Abramowitz, M. and Stegun, I. A.}, title = {{Handbook NBS}}, year = 1964}
+@article{art1990, author = {da Cruz, J.-N.}, title = {{Title of “two” Words}}, journal = {ACM Notices}, volume = 25,
+  number = 6, year = 1990, pages = {5-18, 112-126}, eprint = {cond-mat/06}, archiveprefix = {arXiv}}
+@incollection{in1974, author = {Krogh, F.}, title = {{Changing}}, booktitle = {{The Book}}, series = {{Lecture Notes}},
+  volume = 362, year = 1974, pages = {22-71}}
+@mastersthesis{ms1989, author = {Lacy, J.}, title = {{Rockfalls}}, type = {M.S. thesis}, school = {{A University}},
+  address = {Bozeman}, month = 4, year = 1989}
+@phdthesis{phd1992, author = {Baraff, D.}, title = {{Bodies}}, school = {{Cornell}}, year = 1992}
+@techreport{rep1993, author = {Mustoe, G.}, title = {{Fences}}, type = {Report}, number = {R-93-20},
+  institution = {{A School and Department}}, month = 4, year = 1993, pagetotal = 79}
+@misc{web, title = {{Web page}}, url = {https://a.org/b_c/}, note = {Chapter 4.}}
+)",
+                                         document);
+  for (const char* entry :
+       {"**strutt1877**: J. W. Strutt, Baron Rayleigh: *The Theory of Sound*, volume I. 2nd edition, Macmillan and Co, "
+        "London, 1877. Not at hand.",
+        "**ed1964**: M. Abramowitz, I. A. Stegun (eds.): *Handbook NBS*. 1964.",
+        "**art1990**: J.-N. da Cruz: Title of \"two\" Words. *ACM Notices* 25, no. 6 (1990) 5--18, 112--126, "
+        "[arXiv\u00a0cond-mat/06](https://arxiv.org/abs/cond-mat/06).",
+        "**in1974**: F. Krogh: Changing. *The Book*, *Lecture Notes* 362, 1974, 22--71.",
+        "**ms1989**: J. Lacy: Rockfalls. M.S. thesis, A University, Bozeman, April 1989.",
+        "**phd1992**: D. Baraff: Bodies. PhD thesis, Cornell, 1992.",
+        "**rep1993**: G. Mustoe: *Fences*. Report R-93-20, A School and Department, April 1993, 79 pages.",
+        "**web**: Web page. <https://a.org/b_c/>. Chapter 4."})
+    BOOST_TEST(contains(list, std::string(entry) + "\n"), entry << " in\n" << list);
+  BOOST_CHECK_THROW(static_cast<void>(references_of("@article{broken, title = {", document)), OutputError);
 }
 
 BOOST_AUTO_TEST_CASE(missing_tools_and_wrong_usage_have_their_exit_codes) {

@@ -49,7 +49,8 @@ struct Case {
   std::vector<Claim> requirements;         ///< What the case shows, and by which checks.
   std::vector<std::string> main_checks{};  ///< Names of the checks on the first page; each must be made.
   std::string source;                      ///< Full citation with page or equation.
-  std::string page;           ///< Raw Markdown: problem, sketch, equations, parameters, what would break it.
+  std::string page{};  ///< Markdown of the file beside the source: problem, sketch, equations, parameters, what would
+                       ///< break it. The catalogue fills it in.
   std::vector<Fault> faults;  ///< At least one: a case that cannot turn red shows nothing.
   Tier tier = Tier::quick;    ///< The lowest tier that runs this case.
   double time_limit = 60.0;   ///< Wall-clock limit [s] for the whole case, its faulty setups included.

@@ -5,11 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "verification/driver/errata.hpp"
-#include "verification/driver/peers.hpp"
-#include "verification/driver/references.hpp"
-#include "verification/driver/requirements.hpp"
-
 namespace talus::verification {
 
 namespace {
@@ -22,9 +17,9 @@ bool contains(const std::vector<std::string>& list, const std::string& word) {
 }
 
 /// Requirement -> cases that name it, and the checks in them that touch it.
-std::vector<records::Requirement> traceability(const std::vector<Record>& all) {
+std::vector<records::Requirement> traceability(const std::vector<Record>& all, const Catalogue& catalogue) {
   std::vector<records::Requirement> list;
-  for (const auto& requirement : all_requirements()) {
+  for (const auto& requirement : catalogue.requirements) {
     list.push_back({requirement.id, requirement.group, requirement.text, {}, requirement.order});
     for (const Record& record : all) {
       for (const Trace& trace : record.requirements) {
@@ -36,9 +31,9 @@ std::vector<records::Requirement> traceability(const std::vector<Record>& all) {
 }
 
 /// What peers check, and the cases that show the same.
-std::vector<records::Peer> checks_of_peers(const std::vector<Record>& all) {
+std::vector<records::Peer> checks_of_peers(const std::vector<Record>& all, const Catalogue& catalogue) {
   std::vector<records::Peer> list;
-  for (const auto& peer : all_peer_checks()) {
+  for (const auto& peer : catalogue.peers) {
     list.push_back({peer.suite, peer.id, peer.what, peer.form, peer.problems, peer.remark, {}});
     for (const Record& record : all) {
       const auto same = [&](const Trace& trace) { return trace.shown() && contains(peer.problems, trace.requirement); };
@@ -50,17 +45,17 @@ std::vector<records::Peer> checks_of_peers(const std::vector<Record>& all) {
 }
 
 /// The family that a case names or that follows from its problems.
-std::string resolved_family(const Record& record) {
+std::string resolved_family(const Record& record, const Catalogue& catalogue) {
   std::vector<std::string> ids;
   for (const Trace& trace : record.requirements)
     ids.push_back(trace.requirement);
-  return family_of(record.family, ids);
+  return catalogue.family_of(record.family, ids);
 }
 
 /// Only what a registered case proves is printed.
-std::vector<records::Erratum> proved_errata(const std::vector<std::string>& registered) {
+std::vector<records::Erratum> proved_errata(const std::vector<std::string>& registered, const Catalogue& catalogue) {
   std::vector<records::Erratum> list;
-  for (const auto& each : all_errata()) {
+  for (const auto& each : catalogue.errata) {
     if (contains(registered, each.proved_by))
       list.push_back({each.id, each.where, each.printed, each.corrected, each.evidence, each.proved_by});
   }
@@ -69,16 +64,14 @@ std::vector<records::Erratum> proved_errata(const std::vector<std::string>& regi
 
 }  // namespace
 
-void complete(Results& results) {
+void complete(Results& results, const Catalogue& catalogue) {
   for (Record& record : results.records)
-    record.family = resolved_family(record);
-  results.requirements = traceability(results.records);
-  results.families = all_families();
-  results.errata = proved_errata(results.registered);
-  results.peers = checks_of_peers(results.records);
-  results.references.clear();
-  for (const auto& reference : all_references())
-    results.references.push_back({reference.key, reference.text});
+    record.family = resolved_family(record, catalogue);
+  results.requirements = traceability(results.records, catalogue);
+  results.families = catalogue.families;
+  results.errata = proved_errata(results.registered, catalogue);
+  results.peers = checks_of_peers(results.records, catalogue);
+  results.bibliography = catalogue.bibliography.text;
 }
 
 }  // namespace talus::verification

@@ -1,5 +1,6 @@
 #include "verification/record/csv.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -149,7 +150,7 @@ void CsvText::cell(std::string_view text) {
 
 void CsvText::number(double value) {
   separate();
-  fmt::format_to(std::back_inserter(text_), "{}", value);
+  fmt::format_to(std::back_inserter(text_), FMT_COMPILE("{}"), value);
 }
 
 void CsvText::number(double value, int digits) {

@@ -74,8 +74,8 @@ struct Columns {
 /// `values` likewise (heat; shapes and circles that are coloured by them).
 struct Series {
   std::string label;
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> x{};
+  std::vector<double> y{};
   Style style = Style::linespoints;
   std::vector<double> y_low{};
   std::vector<double> y_high{};
@@ -85,6 +85,12 @@ struct Series {
   std::vector<double> line{};    ///< Of shapes: the number of the line that a point belongs to.
   std::vector<double> radius{};  ///< Of circles, in units of the abscissa.
   Columns columns{};             ///< Where the numbers stand in the CSV file.
+
+  /// Adds the point (at, value).
+  void add(double at, double value) {
+    x.push_back(at);
+    y.push_back(value);
+  }
 };
 
 /// Whether the points of a series have values, or will have them when they are read.
@@ -130,7 +136,7 @@ struct Figure {
   std::string caption;  ///< What is seen and what it shows; Markdown.
   Axis x;
   Axis y;
-  std::vector<Series> series;
+  std::vector<Series> series{};
   std::vector<Slope> slopes{};
   std::vector<Line> lines{};
   std::vector<std::string> panels{};  ///< Titles of panels side by side with the same axes; empty: one without a title.

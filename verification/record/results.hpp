@@ -57,7 +57,7 @@ struct Requirement {
 
 /// A check that another code or a published benchmark set makes, and the cases that show the same.
 struct Peer {
-  std::string suite;                  ///< Key of a Reference.
+  std::string suite;                  ///< Key of a work in the bibliography.
   std::string id;                     ///< Its name there.
   std::string what;                   ///< The set-up.
   std::string form;                   ///< What it is compared with.
@@ -76,24 +76,19 @@ struct Erratum {
   std::string case_id;
 };
 
-/// A work that the cases cite.
-struct Reference {
-  std::string key;
-  std::string text;
-};
-
 /// All that one run of the driver found; `results.json`.
 struct Results {
   Provenance provenance;
   Tier tier = Tier::quick;
   std::vector<std::string> registered;  ///< Ids of all cases.
   std::vector<std::string> selected;    ///< Ids of those that were to run.
+  std::vector<std::string> only{};      ///< Ids that --only named; empty: all of the tier.
   std::vector<Record> records;          ///< One for each selected case.
   std::vector<Requirement> requirements;
   std::vector<std::string> families;  ///< Of cases, in the order of the report.
   std::vector<Erratum> errata;
   std::vector<Peer> peers;
-  std::vector<Reference> references;
+  std::string bibliography;  ///< The works that are cited, in BibTeX; may be empty.
 };
 
 [[nodiscard]] Counts counts_of(const Results& results);

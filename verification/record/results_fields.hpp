@@ -80,11 +80,6 @@ void fields(auto& f, Like<Erratum> auto& erratum) {
   f.value("case", erratum.case_id);
 }
 
-void fields(auto& f, Like<Reference> auto& reference) {
-  f.words("key", reference.key);
-  f.words("text", reference.text);
-}
-
 void fields(auto& f, Like<Results> auto& results) {
   f.derived("schema", schema);
   f.value("provenance", results.provenance);
@@ -98,7 +93,8 @@ void fields(auto& f, Like<Results> auto& results) {
   f.value("cases", results.records);
   f.value("errata", results.errata);
   f.value("peers", results.peers);
-  f.value("references", results.references);
+  f.value_if(!results.bibliography.empty(), "bibliography", results.bibliography);
+  f.value_if(!results.only.empty(), "only", results.only);
   f.derived("counts", counts_of(results), ", which the cases hold");
   f.derived("verdict", std::string(holds(results) ? "pass" : "fail"), ", which follows from the cases");
 }

@@ -12,7 +12,7 @@ struct Table {
   std::string name;     ///< Unique in its case.
   std::string caption;  ///< What the rows show; Markdown.
   std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;  ///< Each as long as `columns`.
+  std::vector<std::vector<std::string>> rows{};  ///< Each as long as `columns`.
 };
 
 /// A table of data in tidy form, a row for each measurement: kept as NAME.csv beside the record.

@@ -111,7 +111,7 @@ std::string read_whole(const fs::path& file) {
   }
 }
 
-void write_whole(const fs::path& file, std::string_view content) {
+void write_whole(const fs::path& file, std::string_view content, Durability durability) {
   struct stat present {};
   if (::stat(file.c_str(), &present) == 0 && !S_ISREG(present.st_mode) && !S_ISDIR(present.st_mode)) {
     return write_directly(file, content);
@@ -119,12 +119,17 @@ void write_whole(const fs::path& file, std::string_view content) {
   std::string path;
   Descriptor temporary = temporary_file(file, path);
   int reason = write_all(temporary.number(), content);
-  if (reason == 0 && ::fsync(temporary.number()) != 0) reason = errno;
+  if (reason == 0 && durability == Durability::now && ::fsync(temporary.number()) != 0) reason = errno;
   const int closing = temporary.close();
   if (reason == 0) reason = closing;
   if (reason == 0 && ::rename(path.c_str(), file.c_str()) != 0) reason = errno;
   if (reason != 0) throw file_error(file, reason);
   temporary.keep();
+}
+
+void sync_folder(const fs::path& folder) {
+  const Descriptor opened{::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC), {}};
+  if (opened.number() < 0 || ::syncfs(opened.number()) != 0) throw file_error(folder, errno);
 }
 
 void remove_remains(const fs::path& folder, const std::function<bool(std::string_view)>& of) {

@@ -277,14 +277,14 @@ std::string cell_state_vtp(CellRun& run) {
   const Discs discs = run.discs();
   const ShearCell& cell = run.cell();
   PolyData data;
-  std::string ids, radii, velocities, spins, walls, forces, kinds, verts, vert_ends, lines, line_ends;
+  std::string coordinates, ids, radii, velocities, spins, walls, forces, kinds, verts, vert_ends, lines, line_ends;
   const auto add = [](std::string& text, auto&&... values) {
     (fmt::format_to(std::back_inserter(text), "{} ", values), ...);
   };
   const auto point = [&](std::size_t disc, Vec2 at, bool image) {
     const auto number = static_cast<long>(disc) + 1;
-    add(data.coordinates, at.x, at.y, 0);
-    data.coordinates.back() = '\n';
+    add(coordinates, at.x, at.y, 0);
+    coordinates.back() = '\n';
     add(ids, image ? -number : number), add(radii, 0.5 * cell.diameter);
     if (cell.friction) add(spins, discs.spin[disc]);
     add(velocities, discs.vx[disc], discs.vy[disc], 0), add(walls, run.start().shapes.wall[disc]);
@@ -302,12 +302,15 @@ std::string cell_state_vtp(CellRun& run) {
     add(lines, contact.a, here ? static_cast<long>(contact.b) : point(contact.b, b, true));
     add(line_ends, 2 * ++data.lines), add(forces, contact.force), add(kinds, contact.multiple ? 1 : 0);
   }
-  data.point_data = vtk_array("Int64", "id", 1, ids) + vtk_array("Float64", "radius", 1, radii) +
-                    vtk_array("Float64", "velocity", 3, velocities) + vtk_array("UInt8", "wall", 1, walls);
-  if (cell.friction) data.point_data += vtk_array("Float64", "spin", 1, spins);
-  data.cell_data = vtk_array("Float64", "force", 1, forces) + vtk_array("UInt8", "multiple", 1, kinds);
-  data.vert_arrays = vtk_array("Int64", "connectivity", 1, verts) + vtk_array("Int64", "offsets", 1, vert_ends);
-  data.line_arrays = vtk_array("Int64", "connectivity", 1, lines) + vtk_array("Int64", "offsets", 1, line_ends);
+  data.coordinates = coordinates;
+  data.point_data = {{"Int64", "id", 1, ids},
+                     {"Float64", "radius", 1, radii},
+                     {"Float64", "velocity", 3, velocities},
+                     {"UInt8", "wall", 1, walls}};
+  if (cell.friction) data.point_data.push_back({"Float64", "spin", 1, spins});
+  data.cell_data = {{"Float64", "force", 1, forces}, {"UInt8", "multiple", 1, kinds}};
+  data.vert_arrays = {{"Int64", "connectivity", 1, verts}, {"Int64", "offsets", 1, vert_ends}};
+  data.line_arrays = {{"Int64", "connectivity", 1, lines}, {"Int64", "offsets", 1, line_ends}};
   return vtk_text(data);
 }
 

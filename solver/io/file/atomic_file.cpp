@@ -12,9 +12,18 @@ namespace talus {
 
 namespace fs = std::filesystem;
 
-void write_whole(const fs::path& file, std::string_view content) {
+void write_whole(const fs::path& file, std::string_view content, Durability durability) {
   try {
-    records::write_whole(file, content);
+    const bool now = durability == Durability::now;
+    records::write_whole(file, content, now ? records::Durability::now : records::Durability::later);
+  } catch (const records::FileError& error) {
+    throw IoError{error.what()};
+  }
+}
+
+void sync_folder(const fs::path& folder) {
+  try {
+    records::sync_folder(folder);
   } catch (const records::FileError& error) {
     throw IoError{error.what()};
   }

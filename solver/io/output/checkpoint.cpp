@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int schema = 1;
+constexpr int schema = 2;
 constexpr std::string_view hash_line = "\"fnv1a\": ";
 
 Json item(const std::vector<double>& numbers) {

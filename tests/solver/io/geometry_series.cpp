@@ -46,9 +46,9 @@ BOOST_AUTO_TEST_CASE(what_was_written_is_read) {
   const Dynamics dynamics{input.made.scene.model};
   VtpSeries series{dynamics, folder.path, "s", 20};
   std::vector<State> states;
-  run_fence(input, dynamics, 40, [&](const State& state, const StepInfo& info) {
-    series(state, info);
-    if (info.step % 20 == 0) states.push_back(state);
+  run_fence(input, dynamics, 40, [&](const Snapshot& snapshot, const StepInfo& info) {
+    series(snapshot, info);
+    if (info.step % 20 == 0) states.push_back(snapshot.state());
   });
   series.write_index();
   const std::vector<GeometryFile> files = read_geometry_index(folder.path / "s.pvd");

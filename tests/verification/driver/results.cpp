@@ -22,7 +22,7 @@ using namespace talus::verification;
 namespace {
 
 nlohmann::json written(Results results) {
-  complete(results);
+  complete(results, read_catalogue(TALUS_CATALOGUE));
   return nlohmann::json::parse(text_of(results));
 }
 
@@ -107,6 +107,11 @@ BOOST_AUTO_TEST_CASE(families_orders_and_peers_are_told) {
   for (const auto& peer : shown.at("peers"))
     found += peer.at("cases").size();
   BOOST_TEST(found == 2u);  // MFiX's DEM04 and LAMMPS's sphere that slides until it rolls
+}
+
+// The report sets the references of a run without another look at the sources.
+BOOST_AUTO_TEST_CASE(the_bibliography_is_recorded_as_it_is_in_the_file) {
+  BOOST_TEST(written(one_case()).at("bibliography") == read_catalogue(TALUS_CATALOGUE).bibliography.text);
 }
 
 BOOST_AUTO_TEST_CASE(the_line_of_a_failed_check_shows_an_error_above_its_bound) {
