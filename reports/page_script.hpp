@@ -7,21 +7,22 @@
 #include <vector>
 
 #include "reports/gnuplot_script.hpp"
+#include "reports/pictures.hpp"
 
 namespace talus::reports {
 
-/// A page with the numbers of its panels read.
+/// A page with what drawing its panels needs.
 struct PagePlot {
-  Page page;
+  Page page;  ///< without its panels
   std::vector<Plot> panels;
   std::optional<double> panel_high{};  ///< [cm]; chosen from the width if absent
   bool two_hues{};                     ///< of the scale: blue against red, else pale to dark
 };
 
-/// Reads the numbers of a page; throws as plot_of() does.
-[[nodiscard]] PagePlot page_plot_of(const Page& page, const std::filesystem::path& folder);
+/// The plots of a page whose figures hold their points; throws as plot_of() does.
+[[nodiscard]] PagePlot page_plot_of(Page page);
 
-/// The page of a figure that has panels, its numbers read. They have no key, since their titles and the caption say
+/// The page of a figure that has panels, whose points are read from its CSV file in `folder`. They have no key, since their titles and the caption say
 /// what is drawn; lines over heat maps are black. Throws as plot_of() does.
 [[nodiscard]] PagePlot panelled(const Figure& figure, const std::filesystem::path& folder);
 

@@ -19,7 +19,6 @@ using records::Kind;
 using records::Line;
 using records::Look;
 using records::Mark;
-using records::Page;
 using records::Peer;
 using records::Provenance;
 using records::Record;

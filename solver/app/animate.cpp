@@ -44,16 +44,15 @@ std::vector<GeometryFile> chosen_files(const RunFolder& run, const AnimateOption
 
 /// A page for each frame: the side view, and beside it the view along the fence if there is one.
 template <class Drawn>
-records::Film film(const Drawn& drawn, const std::string& name, const std::string& title, const FrameStyle& side,
+reports::Film film(const Drawn& drawn, const std::string& name, const std::string& title, const FrameStyle& side,
                    const FrameStyle& along, double seconds) {
-  records::Film made{name, seconds / static_cast<double>(drawn.frames.size()), {}};
+  reports::Film made{name, seconds / static_cast<double>(drawn.frames.size()), {}};
   for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
-    const std::string csv = fmt::format("frame{}.csv", i);
-    records::Page page{.name = fmt::format("page{}", i),
+    reports::Page page{.name = fmt::format("page{}", i),
                        .title = title,
-                       .panels = {frame_figure(drawn, i, side, csv)},
+                       .panels = {frame_figure(drawn, i, side)},
                        .scale = colour_scale(drawn)};
-    if (drawn.has_depth) page.panels.push_back(frame_figure(drawn, i, along, csv));
+    if (drawn.has_depth) page.panels.push_back(frame_figure(drawn, i, along));
     page.columns = static_cast<int>(page.panels.size());
     made.pages.push_back(std::move(page));
   }
@@ -62,7 +61,7 @@ records::Film film(const Drawn& drawn, const std::string& name, const std::strin
 
 /// `drawn`: DrawnGeometry or DrawnDiscs.
 template <class Drawn>
-int animate(const Drawn& drawn, const KeptRun& run, const AnimateOptions& options) {
+DrawingRequest animation(const Drawn& drawn, const KeptRun& run, const AnimateOptions& options) {
   FrameStyle side{View::side, window_of(drawn, View::side), options.numbers, true, {}};
   if (!options.window.empty())
     side.window = {options.window[0], options.window[1], options.window[2], options.window[3]};
@@ -70,33 +69,30 @@ int animate(const Drawn& drawn, const KeptRun& run, const AnimateOptions& option
   const PictureOptions& picture = options.picture;
   const std::string name = picture.name.empty() ? "animation" : picture.name;
   const std::string title = picture.title.empty() ? run.run.title : picture.title;
-  const DrawingRecord record{picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder}};
-  records::Plots plots;
-  if (options.gif) {
-    for (std::size_t i = 0; i < drawn.frames.size(); ++i)
-      record.add(fmt::format("frame{}.csv", i), frame_csv(drawn, i));
-    plots.films.push_back(film(drawn, name, title, side, along, options.seconds));
-  }
-  if (options.html || !options.gif) {
-    record.add("player.json", player_json(drawn, run, side.window, along.window));
-    plots.players.push_back({name, title, "player.json"});
-  }
-  return record.draw(plots, {"svg"});
+  DrawingRequest request{
+      .pictures = {},
+      .target = picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder},
+      .formats = {}};
+  if (options.gif) request.pictures.films.push_back(film(drawn, name, title, side, along, options.seconds));
+  if (options.html || !options.gif)
+    request.pictures.players.push_back({name, title, player_json(drawn, run, side.window, along.window)});
+  return request;
 }
 
-int animate(const AnimateOptions& options) {
+int animate(const AnimateOptions& options, const DrawingSink& sink) {
   if (!options.window.empty() && !(options.window[0] < options.window[2] && options.window[1] < options.window[3])) {
     throw InputError{fmt::format("--window: found {}; it must be x-min y-min x-max y-max, with min < max",
                                  fmt::join(options.window, " "))};
   }
   const KeptRun run = read_kept_run(options.folder);
   const DrawnStates states = read_states(run.run, chosen_files(run.run, options), options.picture.colour);
-  return std::visit([&](const auto& drawn) { return animate(drawn, run, options); }, states);
+  sink(std::visit([&](const auto& drawn) { return animation(drawn, run, options); }, states));
+  return ok;
 }
 
 }  // namespace
 
-Command add_animate(CLI::App& talus) {
+Command add_animate(CLI::App& talus, const DrawingSink& sink) {
   CLI::App* app = talus.add_subcommand("animate", "Show a run as it moves: an HTML page that plays it, or a GIF");
   const auto options = std::make_shared<AnimateOptions>();
   app->add_option("DIR", options->folder, "folder that `talus run --out` or `talus cell --out` wrote")->required();
@@ -116,7 +112,7 @@ Command add_animate(CLI::App& talus) {
       "  talus run cases/fence/sample2.DAT --out out --frames 200 && talus animate out\n"
       "  talus animate out --gif --seconds 10\n"
       "  talus cell cases/cell/ice.toml --out cell && talus animate cell --colour force --gif --html");
-  return {app, [options] { return animate(*options); }};
+  return {app, [options, sink] { return animate(*options, sink); }};
 }
 
 }  // namespace talus::app

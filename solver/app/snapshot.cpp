@@ -76,18 +76,18 @@ int usual_columns(const Window& window, std::size_t panels) {
 }
 
 template <class Drawn>
-void add_pages(std::vector<records::Page>& pages, const Drawn& drawn, View view, const SnapshotOptions& options) {
+void add_pages(std::vector<reports::Page>& pages, const Drawn& drawn, View view, const SnapshotOptions& options) {
   FrameStyle style{view, window_of(drawn, view), options.numbers, !options.no_grid, options.divisions};
   if (!options.window.empty())
     style.window = {options.window[0], options.window[1], options.window[2], options.window[3]};
   const std::string stem = fmt::format("{}_{}", options.picture.name.empty() ? "snapshot" : options.picture.name,
                                        view == View::side ? "side" : "along");
-  records::Page page{.name = stem,
+  reports::Page page{.name = stem,
                      .title = options.picture.title.empty() ? drawn.run.title : options.picture.title,
                      .panels = {},
                      .scale = colour_scale(drawn)};
   for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
-    page.panels.push_back(frame_figure(drawn, i, style, fmt::format("frame{}.csv", i)));
+    page.panels.push_back(frame_figure(drawn, i, style));
     if (!options.single) continue;
     page.name = fmt::format("{}_{:02}", stem, i + 1);
     pages.push_back(page);
@@ -100,34 +100,36 @@ void add_pages(std::vector<records::Page>& pages, const Drawn& drawn, View view,
 
 /// `drawn`: DrawnGeometry or DrawnDiscs.
 template <class Drawn>
-int snapshot(const Drawn& drawn, const SnapshotOptions& options) {
+DrawingRequest snapshot(const Drawn& drawn, const SnapshotOptions& options) {
   if (options.view != "side" && !drawn.has_depth) {
     throw InputError{
         fmt::format("--view: found \"{}\"; in {} nothing has a place along z", options.view, options.folder)};
   }
-  records::Plots plots;
-  if (options.view != "along") add_pages(plots.pages, drawn, View::side, options);
-  if (options.view != "side") add_pages(plots.pages, drawn, View::along, options);
   const PictureOptions& picture = options.picture;
-  const DrawingRecord record{picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder}};
-  for (std::size_t i = 0; i < drawn.frames.size(); ++i)
-    record.add(fmt::format("frame{}.csv", i), frame_csv(drawn, i));
-  return record.draw(plots, picture.formats);
+  DrawingRequest request{
+      .pictures = {},
+      .target = picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder},
+      .formats = picture.formats};
+  std::vector<reports::Page>& pages = request.pictures.pages;
+  if (options.view != "along") add_pages(pages, drawn, View::side, options);
+  if (options.view != "side") add_pages(pages, drawn, View::along, options);
+  return request;
 }
 
-int snapshot(const SnapshotOptions& options) {
+int snapshot(const SnapshotOptions& options, const DrawingSink& sink) {
   if (!options.window.empty() && !(options.window[0] < options.window[2] && options.window[1] < options.window[3])) {
     throw InputError{fmt::format("--window: found {}; it must be x-min y-min x-max y-max, with min < max",
                                  fmt::join(options.window, " "))};
   }
   const RunFolder run = read_run_folder(options.folder);
   const DrawnStates states = read_states(run, chosen_files(state_files(run), options, run), options.picture.colour);
-  return std::visit([&](const auto& drawn) { return snapshot(drawn, options); }, states);
+  sink(std::visit([&](const auto& drawn) { return snapshot(drawn, options); }, states));
+  return ok;
 }
 
 }  // namespace
 
-Command add_snapshot(CLI::App& talus) {
+Command add_snapshot(CLI::App& talus, const DrawingSink& sink) {
   CLI::App* app = talus.add_subcommand("snapshot", "Draw bodies and cables, or discs, of a run at chosen times");
   const auto options = std::make_shared<SnapshotOptions>();
   app->add_option("DIR", options->folder, "folder that `talus run --out` or `talus cell --out` wrote")->required();
@@ -159,7 +161,7 @@ Command add_snapshot(CLI::App& talus) {
       "  talus snapshot out --times \"0 s,20 ms,50 ms\" --view both --numbers\n"
       "  talus cell cases/cell/ice.toml --out cell && talus snapshot cell --colour force --count 4\n"
       "  talus snapshot out --count 1 --window -10 -15 10 9.69 --format ps");
-  return {app, [options] { return snapshot(*options); }};
+  return {app, [options, sink] { return snapshot(*options, sink); }};
 }
 
 }  // namespace talus::app

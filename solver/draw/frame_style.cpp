@@ -23,19 +23,21 @@ records::Figure frame_figure(const RunFolder& run, const FrameStyle& style, cons
           .x = axis(frame.abscissa, window.left, window.right, 0),
           .y = axis("y", window.bottom, window.top, 1),
           .series = std::move(series),
-          .csv = frame.csv_file,
           .marks = std::move(marks),
           .grid = style.grid,
           .equal = true};
 }
 
-records::Series frame_series(const std::string& where, const std::string& label, records::Style style,
-                             records::Look look) {
-  records::Series series{.label = label, .x = {}, .y = {}, .style = style, .look = std::move(look)};
-  series.columns.x = "x";
-  series.columns.y = "y";
-  series.columns.where = where;
-  return series;
+records::Series frame_series(const std::string& label, records::Style style, records::Look look) {
+  return {.label = label, .x = {}, .y = {}, .style = style, .look = std::move(look)};
+}
+
+void add_polyline(records::Series& shapes, const std::vector<Vec2>& points) {
+  const double line = shapes.line.empty() ? 0.0 : shapes.line.back() + 1.0;
+  for (const Vec2& p : points) {
+    shapes.add(p.x, p.y);
+    shapes.line.push_back(line);
+  }
 }
 
 std::optional<records::Scale> colour_scale(const std::string& words, const std::string& unit, double largest) {

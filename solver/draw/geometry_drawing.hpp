@@ -7,12 +7,8 @@
 
 namespace talus::app {
 
-/// A frame's shapes as the CSV file that figures of it name; for both views.
-[[nodiscard]] std::string frame_csv(const DrawnGeometry& geometry, std::size_t frame);
-
-/// A frame as a figure of the drawing record, over its CSV file.
-[[nodiscard]] records::Figure frame_figure(const DrawnGeometry& geometry, std::size_t frame, const FrameStyle& style,
-                                           const std::string& csv_file);
+/// A frame's outlines, cables and hangers as a figure.
+[[nodiscard]] records::Figure frame_figure(const DrawnGeometry& geometry, std::size_t frame, const FrameStyle& style);
 
 /// The scale of tensions for a page; nothing without cables that ever pull.
 [[nodiscard]] std::optional<records::Scale> colour_scale(const DrawnGeometry& geometry);

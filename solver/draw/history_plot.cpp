@@ -12,7 +12,6 @@
 #include "solver/draw/curve_choice.hpp"
 #include "solver/draw/frame_style.hpp"
 #include "solver/draw/history_choice.hpp"
-#include "verification/record/csv.hpp"
 
 namespace talus::app {
 namespace {
@@ -78,8 +77,8 @@ std::vector<CurvePanel> panels_of(const HistoryPlotOptions& options) {
   return panels;
 }
 
-/// Leaves the curves with the largest ranges: of several runs all of a quantity, or none.
-void limit(CurvePanel& panel) {
+/// Leaves the curves with the largest ranges: of several runs all of a quantity, or none. Notes what is left out.
+void limit(CurvePanel& panel, std::vector<std::string>& notes) {
   if (panel.curves.size() <= most_curves) return;
   using Quantity = std::pair<std::string, std::string>;
   const auto quantity_of = [](const RunCurve& each) { return Quantity{each.curve.y.subject, each.curve.y.words}; };
@@ -101,8 +100,8 @@ void limit(CurvePanel& panel) {
     if (std::binary_search(kept.begin(), kept.end(), static_cast<std::size_t>(known - quantities.begin())))
       curves.push_back(std::move(each));
   }
-  print_left_out(panel.key.empty() ? "panel" : fmt::format("panel [{}]", panel.key), curves.size(),
-                 panel.curves.size());
+  note_left_out(panel.key.empty() ? "panel" : fmt::format("panel [{}]", panel.key), curves.size(), panel.curves.size(),
+                notes);
   panel.curves = std::move(curves);
 }
 
@@ -137,21 +136,6 @@ records::Axis axis(const std::string& title, const std::string& fallback, const 
   return made;
 }
 
-std::string csv_of(const CurvePanel& panel) {
-  records::CsvText csv{{"series", "x", "y"}};
-  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
-    const ChosenCurve& curve = panel.curves[i].curve;
-    const std::string key = fmt::format("{}", i);
-    for (std::size_t row = 0; row < curve.x.values.size(); ++row) {
-      csv.cell(key);
-      csv.number(curve.x.values[row]);
-      csv.number(curve.y.values[row]);
-      csv.end_row();
-    }
-  }
-  return std::move(csv).text();
-}
-
 void demand_one_unit(const CurvePanel& panel) {
   const auto x_unit = [](const RunCurve& each) { return each.curve.x.unit; };
   const auto y_unit = [](const RunCurve& each) { return each.curve.y.unit; };
@@ -164,27 +148,30 @@ void demand_one_unit(const CurvePanel& panel) {
   }
 }
 
-records::Figure figure(const CurvePanel& panel, const HistoryPlotOptions& options, std::size_t place, bool alone) {
+/// Takes the values of the panel's curves.
+records::Figure figure(CurvePanel& panel, const HistoryPlotOptions& options, std::size_t place, bool alone) {
   demand_one_unit(panel);
   const ChosenCurve& first = panel.curves.front().curve;
-  std::vector<records::Series> series;
-  for (std::size_t i = 0; i < panel.curves.size(); ++i)
-    series.push_back(frame_series(fmt::format("{}", i), label(panel.curves[i], panel), records::Style::lines, {}));
   const std::string common = shared(panel.curves, words);
   const bool of_time = options.abscissa == "time";
   const std::string x_words = of_time || first.x.subject.empty() ? first.x.words
                               : first.x.subject == first.y.subject
                                   ? first.x.words
                                   : fmt::format("{} of {}", first.x.words, first.x.subject);
+  const std::string y_words = common.empty() ? "value" : common;
   const std::vector<int> divisions = options.divisions.empty() ? std::vector<int>{0, 0} : options.divisions;
-  return {.name = fmt::format("panel{}", place),
-          .title = alone ? "" : fmt::format("({})", static_cast<char>('a' + static_cast<int>(place % 26))),
-          .caption = "",
-          .x = axis(options.x_title, x_words, first.x.unit, options.x_limits, divisions[0]),
-          .y = axis(options.y_title, common.empty() ? "value" : common, first.y.unit, options.y_limits, divisions[1]),
-          .series = std::move(series),
-          .csv = fmt::format("panel{}.csv", place),
-          .grid = !options.no_grid};
+  records::Figure made{.name = fmt::format("panel{}", place),
+                       .title = alone ? "" : fmt::format("({})", static_cast<char>('a' + static_cast<int>(place % 26))),
+                       .caption = "",
+                       .x = axis(options.x_title, x_words, first.x.unit, options.x_limits, divisions[0]),
+                       .y = axis(options.y_title, y_words, first.y.unit, options.y_limits, divisions[1]),
+                       .grid = !options.no_grid};
+  for (RunCurve& each : panel.curves) {
+    records::Series& series = made.series.emplace_back(frame_series(label(each, panel), records::Style::lines, {}));
+    series.x = std::move(each.curve.x.values);
+    series.y = std::move(each.curve.y.values);
+  }
+  return made;
 }
 
 /// "top_tension" of one history asked for, else "histories".
@@ -199,25 +186,28 @@ std::string file_stem(const HistoryPlotOptions& options) {
 
 }  // namespace
 
-int plot_histories(const HistoryPlotOptions& options) {
+DrawingRequest history_drawing(const HistoryPlotOptions& options) {
   std::vector<CurvePanel> panels = panels_of(options);
-  if (!options.all && options.elements.empty()) std::for_each(panels.begin(), panels.end(), limit);
   const PictureOptions& picture = options.picture;
-  const fs::path target =
-      picture.folder.empty() ? fs::path{options.folders.front()} / "plots" : fs::path{picture.folder};
+  DrawingRequest request{
+      .pictures = {},
+      .target = picture.folder.empty() ? fs::path{options.folders.front()} / "plots" : fs::path{picture.folder},
+      .formats = picture.formats};
+  if (!options.all && options.elements.empty()) {
+    for (CurvePanel& panel : panels)
+      limit(panel, request.notes);
+  }
   const std::string own_title = options.folders.size() == 1 ? read_run_folder(options.folders.front()).title : "";
-  records::Page page{.name = file_stem(options),
+  reports::Page page{.name = file_stem(options),
                      .title = picture.title.empty() ? own_title : picture.title,
                      .columns = options.columns > 0 ? options.columns
                                 : panels.size() > 2 ? 2
                                                     : 1,
                      .panels = {}};
-  const DrawingRecord record{target};
-  for (std::size_t i = 0; i < panels.size(); ++i) {
+  for (std::size_t i = 0; i < panels.size(); ++i)
     page.panels.push_back(figure(panels[i], options, i, panels.size() == 1));
-    record.add(page.panels.back().csv, csv_of(panels[i]));
-  }
-  return record.draw({.pages = {std::move(page)}}, picture.formats);
+  request.pictures.pages.push_back(std::move(page));
+  return request;
 }
 
 int list_histories(const std::vector<std::string>& folders) {

@@ -1,20 +1,17 @@
 #include "solver/draw/run_figures.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "solver/base/error.hpp"
 #include "solver/draw/curve_choice.hpp"
-#include "solver/draw/drawing.hpp"
 #include "solver/draw/history_choice.hpp"
-#include "solver/io/output/read_history.hpp"
 #include "verification/record/error.hpp"
+#include "verification/record/figure_points.hpp"
 #include "verification/record/plots.hpp"
 
 namespace talus::app {
@@ -48,22 +45,20 @@ void keep_elements(std::vector<records::Figure>& figures, const KeptRun& run,
   std::erase_if(figures, [](const records::Figure& figure) { return figure.series.empty(); });
 }
 
-/// Leaves the curves with the largest ranges.
-void keep_widest(records::Figure& figure, const KeptHistory& history) {
+/// Leaves the curves with the largest ranges. Notes what is left out.
+void keep_widest(records::Figure& figure, std::vector<std::string>& notes) {
   std::vector<double> ranges;
-  for (const records::Series& curve : figure.series) {
-    const KeptColumn* column = history.find(curve.label);
-    ranges.push_back(column != nullptr ? range_of(column->values) : 0.0);
-  }
+  for (const records::Series& curve : figure.series)
+    ranges.push_back(range_of(curve.y));
   std::vector<records::Series> kept;
   for (const std::size_t place : places_of_largest(ranges, most_curves))
     kept.push_back(std::move(figure.series[place]));
-  print_left_out(figure.name, kept.size(), figure.series.size());
+  note_left_out(figure.name, kept.size(), figure.series.size(), notes);
   figure.series = std::move(kept);
 }
 
-/// The figures that the run describes. Errors: IoError, InputError.
-records::Plots figures_of(const fs::path& file) {
+/// The figures that the run describes, without their points. Errors: IoError, InputError.
+std::vector<records::Figure> figures_of(const fs::path& file) {
   try {
     return records::read_plots(file);
   } catch (const records::FileError& error) {
@@ -75,24 +70,21 @@ records::Plots figures_of(const fs::path& file) {
 
 }  // namespace
 
-int draw_run_figures(const RunFigureOptions& options) {
-  records::Plots plots = figures_of(options.folder / "plot.json");
-  if (!options.elements.empty()) keep_elements(plots.figures, read_kept_run(options.folder.string()), options.elements);
-  if (!options.all && options.elements.empty()) {
-    std::map<std::string, KeptHistory> histories;
-    for (records::Figure& figure : plots.figures) {
-      if (figure.series.size() <= most_curves) continue;
-      if (!histories.contains(figure.csv)) histories.emplace(figure.csv, read_history(options.folder / figure.csv));
-      keep_widest(figure, histories.at(figure.csv));
-    }
+DrawingRequest run_drawing(const RunFigureOptions& options) {
+  std::vector<records::Figure> figures = figures_of(options.folder / "plot.json");
+  if (!options.elements.empty()) keep_elements(figures, read_kept_run(options.folder.string()), options.elements);
+  try {
+    records::read_points(figures, options.folder);
+  } catch (const records::RecordError& error) {
+    throw InputError{error.what()};
   }
-  const DrawingRecord record{options.target};
-  std::set<std::string> csv_files;
-  for (const records::Figure& figure : plots.figures)
-    csv_files.insert(figure.csv);
-  for (const std::string& csv : csv_files)
-    record.link(csv, options.folder / csv);
-  return record.draw(plots, options.formats);
+  DrawingRequest request{.pictures = {}, .target = options.target, .formats = options.formats};
+  if (!options.all && options.elements.empty()) {
+    for (records::Figure& figure : figures)
+      if (figure.series.size() > most_curves) keep_widest(figure, request.notes);
+  }
+  request.pictures.figures = std::move(figures);
+  return request;
 }
 
 }  // namespace talus::app

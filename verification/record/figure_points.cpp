@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,15 @@ std::vector<Source> sources_of(Series& series, const Csv& csv) {
   add(series.columns.radius, series.radius);
   add(series.style == Style::shapes ? "line" : "", series.line);
   return sources;
+}
+
+/// The CSV file that a figure names; that it cannot be read is a fault of the record.
+Csv csv_beside(const Figure& figure, const std::filesystem::path& folder) {
+  try {
+    return read_csv(folder / figure.csv);
+  } catch (const FileError& fault) {
+    throw RecordError(fault.what());
+  }
 }
 
 }  // namespace
@@ -92,10 +102,15 @@ void read_points(Figure& figure, const Csv& csv, Rows rows) {
 }
 
 void read_points(Figure& figure, const std::filesystem::path& folder, Rows rows) {
-  try {
-    read_points(figure, read_csv(folder / figure.csv), rows);
-  } catch (const FileError& fault) {
-    throw RecordError(fault.what());
+  read_points(figure, csv_beside(figure, folder), rows);
+}
+
+void read_points(std::vector<Figure>& figures, const std::filesystem::path& folder) {
+  std::map<std::string, Csv> files;
+  for (Figure& figure : figures) {
+    auto file = files.find(figure.csv);
+    if (file == files.end()) file = files.emplace(figure.csv, csv_beside(figure, folder)).first;
+    read_points(figure, file->second, Rows::some);
   }
 }
 
