@@ -231,7 +231,12 @@ Made make_sheet(const fs::path& run, const Workplace& workplace) {
   const std::string latex = rendered(templates / "sheet.tex.mustache", record, latex_text, latex_table, "drawing.pdf");
   records::write_whole(folder / "sheet.tex",
                        printable(latex, records::read_whole(workplace.resources / "pandoc" / "header.tex")));
-  make_pdf({.folder = folder, .stem = "sheet", .title = record.title, .resources = workplace.resources, .epoch = 0});
+  make_pdf({.folder = folder,
+            .stem = "sheet",
+            .title = record.title,
+            .resources = workplace.resources,
+            .epoch = 0,
+            .has_contents = false});
   for (const char* name : {"sheet.html", "sheet.pdf"}) {
     workshop.publish(name);
     made.files.push_back(run / name);
