@@ -64,6 +64,8 @@ auto with_own_errors(Work&& work) {
     throw IoError{error.what()};
   } catch (const reports::OutputError& error) {
     throw IoError{error.what()};
+  } catch (const fs::filesystem_error& error) {
+    throw IoError{error.what()};
   }
 }
 

@@ -48,7 +48,7 @@ struct DrawingRequest {
 using DrawingSink = std::function<void(DrawingRequest)>;
 
 /// Prints the notes, draws the pictures and prints their files. Errors: InputError for what cannot be drawn; IoError if
-/// gnuplot is missing or fails, or a file cannot be written; the target is then as it was.
+/// gnuplot is missing or fails, or a file cannot be written; no file is then half written.
 void draw(DrawingRequest request);
 
 /// Makes sheet.pdf and sheet.html in the folder of a run from its sheet.json. Errors: IoError.
