@@ -215,6 +215,17 @@ BOOST_AUTO_TEST_CASE(step_control_keeps_its_tolerance) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(step_control_repeats_steps_that_overflow) {
+  // The first step that is tried is the whole interval: x'' = -x^3 takes the stages of one of 1000 beyond all numbers.
+  constexpr double tolerance = 1e-6, duration = 1000.0;
+  for (const Integrator& integrator : controlled_integrators(tolerance)) {
+    const State end = integrated(integrator, 1, duration).state;
+    const double energy = 0.5 * end.v[0] * end.v[0] + 0.25 * std::pow(end.q[0], 4.0);
+    // A step is about as long as the time unit, and its error within the tolerance.
+    BOOST_TEST(std::abs(energy - (0.5 * 0.0625 + 0.25)) < duration * tolerance, name(integrator) << ": " << energy);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(linear_motion_is_exact) {
   // x = e^(-.15 t) (cos w t + (.25 + .15)/w sin w t), w^2 = 4 - .15^2; energy x'^2/2 + 2 x^2.
   const double t = 20.0, w = std::sqrt(4.0 - 0.0225), b = 0.4 / w, decay = std::exp(-0.15 * t);
