@@ -155,9 +155,8 @@ BOOST_AUTO_TEST_CASE(declared_order_is_measured) {
       const double coarse = error(integrated(integrator, n, duration).state, exact);
       const double fine = error(integrated(integrator, 2 * n, duration).state, exact);
       const double slope = std::log2(coarse / fine);
-      // Two points of a nonlinear motion: the next order's share of the error moves the slope by less than one.
-      BOOST_TEST(slope > order(integrator) - 0.8);
-      BOOST_TEST(slope < order(integrator) + 1.3);
+      // Found: at most 0.35 off with orders of 8, else 0.1. A method of the next order would be 1 off.
+      BOOST_TEST(std::abs(slope - order(integrator)) < 0.5, slope);
     }
   }
 }
