@@ -121,7 +121,7 @@ void Recorder::fill_row(const Snapshot& snapshot) {
     if (body.turns) add({state.q[body.angle], poses.w[i]});
   }
   for (std::size_t i = 0; i < forces.contacts.size(); ++i)
-    add({dynamics_->contact_depth(snapshot.geometry(), static_cast<ContactId>(i)), forces.contacts[i]});
+    add({dynamics_->contact_depth(snapshot.depths(), static_cast<ContactId>(i)), forces.contacts[i]});
   for (std::size_t i = 0; i < forces.tensions.size(); ++i)
     add({dynamics_->elongation(snapshot.geometry(), static_cast<CableId>(i)), forces.tensions[i]});
   if (ledger_) {

@@ -32,8 +32,13 @@ void Snapshot::evaluate_state() const {
 void Snapshot::evaluate_geometry() const {
   const State& now = state();
   if (!placed_) dynamics_->update_everywhere(now, work_);
-  dynamics_->update_depths(now, work_);
   done(Stage::geometry);
+}
+
+void Snapshot::evaluate_depths() const {
+  static_cast<void>(geometry());
+  dynamics_->update_depths(state_, work_);
+  done(Stage::depths);
 }
 
 void Snapshot::evaluate_pulls() const {

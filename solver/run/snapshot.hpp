@@ -7,7 +7,7 @@
 namespace talus {
 
 /// The state of a run after a step, as its observers see it: all parts at the same time and modes up to date, with all
-/// that follows from it. Each stage (state, geometry, pulls, loads, forces, energies) is evaluated when it is first
+/// that follows from it. Each stage (state, geometry, depths, pulls, loads, forces, energies) is evaluated when it is first
 /// requested, once for all observers; what nobody requests costs nothing.
 class Snapshot {
  public:
@@ -26,10 +26,14 @@ class Snapshot {
     if (!has(Stage::state)) evaluate_state();
     return state_;
   }
-  /// Poses and velocities of all bodies, paths of all cables, gaps of the contacts within reach; of those out of reach
-  /// the depths alone.
+  /// Poses and velocities of all bodies, paths of all cables, gaps of the contacts within reach.
   const Workspace& geometry() const {
     if (!has(Stage::geometry)) evaluate_geometry();
+    return work_;
+  }
+  /// The same with the depths of the contacts out of reach, which for some shapes take a search.
+  const Workspace& depths() const {
+    if (!has(Stage::depths)) evaluate_depths();
     return work_;
   }
   /// The same with the sums of the cables' pulls at their joints (JointPoints::force).
@@ -66,12 +70,21 @@ class Snapshot {
   void end();
 
  private:
-  enum class Stage : unsigned { state = 1, geometry = 2, pulls = 4, loads = 8, forces = 16, energies = 32 };
+  enum class Stage : unsigned {
+    state = 1,
+    geometry = 2,
+    depths = 4,
+    pulls = 8,
+    loads = 16,
+    forces = 32,
+    energies = 64
+  };
 
   bool has(Stage stage) const { return (stages_ & static_cast<unsigned>(stage)) != 0; }
   void done(Stage stage) const { stages_ |= static_cast<unsigned>(stage); }
   void evaluate_state() const;
   void evaluate_geometry() const;
+  void evaluate_depths() const;
   void evaluate_pulls() const;
   void evaluate_loads() const;
   void evaluate_forces() const;

@@ -47,31 +47,27 @@ inline RunEnd run_steps(const Scene& scene, Integrator integrator, double step, 
 /// NaN if there are none within `most` [T].
 [[nodiscard]] double period_of(const Scene& scene, Integrator integrator, double step, double most);
 
-/// Forces, overlaps and energies of a model in any state, evaluated apart from any run.
+/// Forces, overlaps and elongations of a model in any state, evaluated apart from any run.
 class Probe {
  public:
-  explicit Probe(const Model& model) : dynamics_{model}, work_{dynamics_.workspace()} {}
+  explicit Probe(const Model& model) : dynamics_{model}, seen_{dynamics_} {}
 
-  /// Evaluates the state; what follows is of this state.
-  void evaluate(const State& state) {
-    dynamics_.update_all(state, work_);
-    dynamics_.forces(state, work_, forces_);
-  }
+  /// What follows is of this state.
+  void evaluate(const State& state) { seen_.set(state); }
   /// The normal force of each contact law and the tension of each cable [F].
-  [[nodiscard]] const LawForces& forces() const { return forces_; }
+  [[nodiscard]] const LawForces& forces() const { return seen_.forces(); }
   /// Elongation of a cable [L]; negative while slack.
   [[nodiscard]] double elongation(std::size_t cable) const {
-    return dynamics_.elongation(work_, static_cast<CableId>(cable));
+    return dynamics_.elongation(seen_.geometry(), static_cast<CableId>(cable));
   }
   /// Overlap of a contact [L].
   [[nodiscard]] double overlap(std::size_t contact) const {
-    return dynamics_.contact_depth(work_, static_cast<ContactId>(contact));
+    return dynamics_.contact_depth(seen_.depths(), static_cast<ContactId>(contact));
   }
 
  private:
   Dynamics dynamics_;
-  Workspace work_;
-  LawForces forces_;
+  Snapshot seen_;
 };
 
 /// The balances of energy and momentum of a run of a model, against its first state.
