@@ -53,7 +53,7 @@ Slot friction_slot(const ContactGroup& group, std::size_t instance) {
 template <class L>
 double friction_dashpot(const ContactGroup& group, const L& law, std::span<const double> memory) {
   double time = 0.0;
-  if constexpr (requires { law.retardation_time(memory); }) time = law.retardation_time(memory);
+  if constexpr (HasRetardationTime<L>) time = law.retardation_time(memory);
   return group.friction->dashpot(time);
 }
 
@@ -109,7 +109,7 @@ double viscous_stretch(const Workspace& work, const Slider& slider) {
 void start_spring(State& state, const Workspace& work, const Slider& slider) {
   const double rate = work.rates[slider.instance];
   if (!(rate > 0.0)) return;
-  const double slip = slip_rate(work, slider) * work.gaps[slider.instance].depth / rate;
+  const double slip = slip_rate(work, slider) * std::max(work.gaps[slider.instance].depth, 0.0) / rate;
   state.z[slider.slot.memory] = slider.law.begin(slip, slider.normal);
 }
 
@@ -152,7 +152,8 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) : mobilit
     const Slot slot = layout.contact_slots[c];
     const std::size_t instances = layout.contact_instances[c];
     search_.add({contact.a, contact.b, bounds(model.bodies[index(contact.a)].shape),
-                 bounds(model.bodies[index(contact.b)].shape), slot.mode, slot.mode + instances});
+                 bounds(model.bodies[index(contact.b)].shape), slot.mode, slot.mode + instances,
+                 std::visit([](const auto& law) { return reach(law); }, contact.law)});
     std::visit(
         [&]<class L>(const L& law) {
           auto& arrays = std::get<ContactArrays<L>>(laws_);
@@ -244,8 +245,8 @@ void ContactForces::begin(State& state, const Workspace& work) const {
 [[gnu::flatten]] void ContactForces::settle(State& state, const Workspace& work, const State* before) const {
   if (starts_by_mass_) start_contacts(state, work);
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup& group) {
-    // The gap declares onset: what does not act and does not touch stays so.
-    if (state.mode[slot.mode] == 0 && work.gaps[slot.mode].depth < 0.0) return;
+    // The gap declares onset: a contact that does not act stays so out of the law's reach.
+    if (state.mode[slot.mode] == 0 && work.gaps[slot.mode].depth < -reach(law)) return;
     settle_mode(law, slot, kinematics(work, slot.mode), state, group.copies);
   });
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
@@ -280,7 +281,7 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
     const auto gaps = work.gaps.begin();
     const bool touches =
         std::any_of(gaps + static_cast<std::ptrdiff_t>(pair.first), gaps + static_cast<std::ptrdiff_t>(pair.last),
-                    [](const Gap& gap) { return gap.depth >= 0.0; });
+                    [&pair](const Gap& gap) { return gap.depth >= -pair.reach; });
     if (!touches) continue;
     for (const BodyId body : {pair.a, pair.b}) {
       if (!work.waking.awake[index(body)]) woken.push_back(body);
@@ -426,7 +427,7 @@ void ContactForces::start_contacts(State& state, const Workspace& work) const {
           double begins = 0.0;  // closing speed of one that begins
           for (std::size_t i = group.first; i < group.last; ++i) {
             const std::size_t instance = array.slots[i].mode;
-            if (state.mode[instance] == 0 && work.gaps[instance].depth >= 0.0)
+            if (state.mode[instance] == 0 && work.gaps[instance].depth >= -reach(array.laws[i]))
               begins = std::max(begins, std::max(work.rates[instance], std::numeric_limits<double>::min()));
           }
           if (begins == 0.0) continue;
@@ -434,7 +435,7 @@ void ContactForces::start_contacts(State& state, const Workspace& work) const {
             const std::size_t instance = array.slots[i].mode;
             if (memory_count(array.laws[i]) == 0) continue;
             const bool first = state.mode[instance] == 0;
-            if (first ? work.gaps[instance].depth >= 0.0 : work.rates[instance] > 0.5 * begins)
+            if (first ? work.gaps[instance].depth >= -reach(array.laws[i]) : work.rates[instance] > 0.5 * begins)
               visit(array.laws[i], array.slots[i], group);
           }
         }
@@ -468,10 +469,8 @@ bool ContactForces::follows(const State& state) const {
     using L = typename std::decay_t<decltype(array.laws)>::value_type;
     for (const ContactGroup& group : array.groups) {
       const std::size_t count = group.last - group.first;
-      if constexpr (requires { L::tracking; }) {
-        for (std::size_t i = group.first; i < group.last; ++i)
-          found = found || state.mode[array.slots[i].mode] == L::tracking;
-      }
+      for (std::size_t i = group.first; Tracks<L> && i < group.last; ++i)
+        found = found || memory_follows<L>(state.mode[array.slots[i].mode]);
       if (!group.friction) continue;
       const auto first = state.mode.begin() + static_cast<std::ptrdiff_t>(group.first_friction.mode);
       found = found || std::any_of(first, first + static_cast<std::ptrdiff_t>(count),
@@ -519,7 +518,7 @@ std::vector<ContactForces::LinearContact> ContactForces::linear_contacts(const S
                                                                          const Workspace& work) const {
   std::vector<LinearContact> found;
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup& group) {
-    if constexpr (requires(std::span<const double> m, Mode mode) { law.linear_part(m, mode); }) {
+    if constexpr (HasLinearPart<L>) {
       const Tangent slopes = law.linear_part(memory(law, state, slot), state.mode[slot.mode]);
       if (slopes.stiffness == 0.0 && slopes.damping == 0.0) return;
       found.push_back({group.a, group.b, work.gaps[slot.mode].n_AB, slopes, group.share_a, group.share_b});

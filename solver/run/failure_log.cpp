@@ -6,8 +6,17 @@
 #include <variant>
 
 #include "solver/base/error.hpp"
+#include "solver/dynamics/law_modes.hpp"
 
 namespace talus {
+namespace {
+
+/// Elongation at which a cable is just slack [L].
+double elongation(const CableLaw& law, const State& state, Slot slot) {
+  return std::visit([&](const auto& of) { return natural_elongation(of, memory(of, state, slot)); }, law);
+}
+
+}  // namespace
 
 FailureLog::FailureLog(const Dynamics& dynamics) {
   const Model& model = dynamics.model();
@@ -16,28 +25,29 @@ FailureLog::FailureLog(const Dynamics& dynamics) {
     const std::string part = fmt::format("cable '{}'", model.cables[c].name);
     std::visit(
         [&]<class L>(const L&) {
-          for (std::size_t mode = 0; mode < L::modes.size(); ++mode) {
-            const std::string_view what = L::modes[mode] == "yielding" ? "yields" : "breaks";
-            if (L::modes[mode] != "yielding" && L::modes[mode] != "broken") continue;
-            watches_.push_back({layout.cable_slots[c].mode, static_cast<Mode>(mode), {0.0, part, what}, false, {}});
-            if constexpr (std::is_same_v<L, ElasticPlastic>) {
-              // Drawn out within a step it may be taut again at its end.
-              if (what == "yields") watches_.back().stretch = layout.cable_slots[c].memory;
+          const Slot slot = layout.cable_slots[c];
+          for (Mode mode = 0; mode < L::modes.size(); ++mode) {
+            if constexpr (Yields<L>) {
+              if (L::yields(mode))
+                watches_.push_back({slot.mode, mode, {0.0, part, "yields"}, false, &model.cables[c].law, slot});
             }
+            if (is_broken<L>(mode)) watches_.push_back({slot.mode, mode, {0.0, part, "breaks"}, false, {}, {}});
           }
         },
         model.cables[c].law);
   }
   for (std::size_t h = 0; h < model.hangers.size(); ++h) {
     const std::string part = fmt::format("hanger '{}'", model.hangers[h].name);
-    watches_.push_back({layout.first_hanger + h, Mode{1}, {0.0, part, "breaks"}, false, {}});
+    watches_.push_back({layout.first_hanger + h, Mode{1}, {0.0, part, "breaks"}, false, {}, {}});
   }
 }
 
 void FailureLog::operator()(const State& state, const StepInfo&) {
   for (Watch& watch : watches_) {
-    const bool drawn = watch.stretch && state.z[*watch.stretch] > 0.0;
-    if (watch.seen || (state.mode[watch.slot] != watch.mode && !drawn)) continue;
+    if (watch.seen) continue;
+    // Drawn out within a step, a cable may be taut again at its end.
+    const bool drawn = watch.yielding && elongation(*watch.yielding, state, watch.memory) > 0.0;
+    if (state.mode[watch.slot] != watch.mode && !drawn) continue;
     watch.seen = true;
     failures_.push_back(watch.failure);
     failures_.back().time = state.t;

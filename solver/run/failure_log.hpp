@@ -39,7 +39,8 @@ class FailureLog {
     Mode mode{};
     Failure failure;
     bool seen{};
-    std::optional<std::size_t> stretch{};  ///< memory that is > 0 once the cable has yielded
+    const CableLaw* yielding{};  ///< of a cable that may yield; its natural elongation grows then, from 0
+    Slot memory{};               ///< of that cable
   };
   std::vector<Watch> watches_;
   std::vector<Failure> failures_;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/laws/latching_spring.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/study/common_formula.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/laws/latching_spring.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 
 namespace talus::verification::problems {

@@ -1,4 +1,4 @@
-#include "solver/granular/fast_disc_system.hpp"
+#include "solver/granular/fast_disc_engine.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/base/pack.hpp"
+#include "solver/granular/disc_sweep.hpp"
 
 namespace talus {
 namespace {
@@ -29,14 +30,18 @@ double common(const std::vector<double>& numbers) {
 
 }  // namespace
 
-template <SettledLaw L, class F>
-FastDiscSystem<L, F>::FastDiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin, const F& friction,
-                                     std::size_t threads)
-    : shapes_{std::move(shapes)}, law_{law}, friction_{friction}, list_{box, skin}, skin_{skin}, stripes_(threads) {
+FastDiscEngine::FastDiscEngine(const Traits& traits, DiscShapes shapes, PeriodicBox box, double skin,
+                               std::size_t threads)
+    : traits_{traits},
+      shapes_{std::move(shapes)},
+      list_{box, skin, traits.reach},
+      skin_{skin},
+      kinds_{.largest = traits.remembers, .stretch = traits.turns, .normal = traits.turns},
+      stripes_(threads) {
   if (threads == 0) throw InputError{"threads: found 0; it must be >= 1"};
   equal_radii_ = 2.0 * common(shapes_.radius);
   equal_masses_ = common(shapes_.inverse_mass) != 0.0;
-  if (turns) {
+  if (traits_.turns) {
     for (const double radius : shapes_.radius)
       per_mass_.push_back(2.0 / (radius * radius));
   }
@@ -55,14 +60,13 @@ FastDiscSystem<L, F>::FastDiscSystem(DiscShapes shapes, PeriodicBox box, const L
     stripe.wall_pushes.resize(wall_forces_.size());
 }
 
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::begin(Discs& discs) {
-  if (turns) discs.spin.resize(discs.size());
+void FastDiscEngine::begin(Discs& discs) {
+  if (traits_.turns) discs.spin.resize(discs.size());
   for (Stripe& stripe : stripes_)
     stripe.own.contacts.clear(kinds_), stripe.outgoing.contacts.clear(kinds_);
   lost_ = 0.0;
   rebuild(discs);
-  if (!turns) return;
+  if (!traits_.turns) return;
   // Contacts that are there stick.
   std::vector<Kept> there;
   list_.for_each_pair(discs, [&](std::size_t a, std::size_t b, std::size_t, Vec2 d, const auto&) {
@@ -72,15 +76,13 @@ void FastDiscSystem<L, F>::begin(Discs& discs) {
   take_contacts(there);
 }
 
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::kick(Discs& discs, double h) {
+void FastDiscEngine::kick(Discs& discs, double h) {
   load(discs);
   sweep(h, 0.0);
   store(discs);
 }
 
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::drift(Discs& discs, double h) {
+void FastDiscEngine::drift(Discs& discs, double h) {
   load(discs);
   sweep(0.0, h);
   end_drift(discs, h);
@@ -88,9 +90,8 @@ void FastDiscSystem<L, F>::drift(Discs& discs, double h) {
 }
 
 /// Does the same for each stripe, by its own thread if there are several.
-template <SettledLaw L, class F>
 template <class Work>
-void FastDiscSystem<L, F>::each(Work&& work) {
+void FastDiscEngine::each(Work&& work) {
   if (team_ != nullptr) {
     team_->each([&](std::size_t k) { work(stripes_[k]); });
   } else {
@@ -99,8 +100,7 @@ void FastDiscSystem<L, F>::each(Work&& work) {
   }
 }
 
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::evaluate(Discs& discs, DiscRates& out) {
+void FastDiscEngine::evaluate(Discs& discs, DiscRates& out) {
   load(discs);
   rates_.assign(velocities_.size(), 0.0), spin_rates_.assign(spins_.size(), 0.0);
   begin_kick();
@@ -113,23 +113,21 @@ void FastDiscSystem<L, F>::evaluate(Discs& discs, DiscRates& out) {
   std::copy(spin_rates_.begin(), spin_rates_.end(), out.spin.begin());
   discs.work = work_;
   out.work.fill(0.0);
-  out.work[static_cast<std::size_t>(L::dissipation)] = power_;
+  out.work[static_cast<std::size_t>(traits_.dissipation)] = power_;
 }
 
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::settle(Discs& discs) {
+void FastDiscEngine::settle(Discs& discs) {
   DiscRates none{discs};
   evaluate(discs, none);
   --evaluations_;
 }
 
 /// One step, the parts of it whose length is not 0.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::sweep(double kick, double drift) {
+void FastDiscEngine::sweep(double kick, double drift) {
   if (kick != 0.0) begin_kick();
-  double fastest = sweep_pairs(kick, turns ? 0.0 : drift);
-  if (kick != 0.0) work_[static_cast<std::size_t>(L::dissipation)] += kick * power_;
-  if (turns && drift != 0.0) {
+  double fastest = sweep_pairs(kick, traits_.turns ? 0.0 : drift);
+  if (kick != 0.0) work_[static_cast<std::size_t>(traits_.dissipation)] += kick * power_;
+  if (traits_.turns && drift != 0.0) {
     each([&](Stripe& stripe) {
       if (kick == 0.0) place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
       DiscSweep of = work(stripe, false, drift);
@@ -145,15 +143,13 @@ void FastDiscSystem<L, F>::sweep(double kick, double drift) {
   way_ = list_.approach(drift, fastest);
 }
 
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::begin_kick() {
+void FastDiscEngine::begin_kick() {
   ++evaluations_;
   if (sees_rates()) each([this](Stripe& stripe) { copy_before(stripe); });
 }
 
 /// The largest square of own speeds, if discs drift.
-template <SettledLaw L, class F>
-double FastDiscSystem<L, F>::sweep_pairs(double kick, double drift) {
+double FastDiscEngine::sweep_pairs(double kick, double drift) {
   if (kick != 0.0) {
     if (kick != kicked_) {
       kicked_ = kick;
@@ -169,7 +165,7 @@ double FastDiscSystem<L, F>::sweep_pairs(double kick, double drift) {
       if (&earlier == &stripe || kick == 0.0) break;
       receive(of, earlier.pushes);
     }
-    stripe.fastest = sweep_discs(law_, friction_, of);
+    stripe.fastest = sweep_discs(of);
   });
   if (kick != 0.0) book(), kick_walls(kick);
   double fastest = 0.0;
@@ -179,8 +175,7 @@ double FastDiscSystem<L, F>::sweep_pairs(double kick, double drift) {
   return fastest;
 }
 
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::kick_walls(double kick) {
+void FastDiscEngine::kick_walls(double kick) {
   for (std::size_t wall = 1; wall < wall_forces_.size(); ++wall) {
     Vec2 force;
     for (const Stripe& stripe : stripes_) {
@@ -198,8 +193,7 @@ void FastDiscSystem<L, F>::kick_walls(double kick) {
 }
 
 /// When the forces on them are known; the largest square of their own speeds.
-template <SettledLaw L, class F>
-double FastDiscSystem<L, F>::drift_walls(double drift) {
+double FastDiscEngine::drift_walls(double drift) {
   double fastest = 0.0;
   for (const WallDiscs& of : moved_) {
     DiscSweep those = work(stripes_.front(), false, drift);
@@ -210,8 +204,7 @@ double FastDiscSystem<L, F>::drift_walls(double drift) {
 }
 
 /// What contacts kept at this evaluation, in the order of pairs.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::book() {
+void FastDiscEngine::book() {
   power_ = 0.0;
   parted_.clear();
   for (Stripe& stripe : stripes_) {
@@ -221,17 +214,17 @@ void FastDiscSystem<L, F>::book() {
   const SweptContacts::Kinds kinds = stripes_.front().own.contacts.kinds;
   if (parted_.empty() && !kinds.told()) return;
   std::sort(parted_.begin(), parted_.end(), [](const auto& a, const auto& b) { return a.pair < b.pair; });
-  [[maybe_unused]] double& released = work_[static_cast<std::size_t>(L::release)];
-  [[maybe_unused]] double& slid = work_[static_cast<std::size_t>(Mechanism::friction)];
+  double& released = work_[static_cast<std::size_t>(traits_.release)];
+  double& slid = work_[static_cast<std::size_t>(Mechanism::friction)];
   auto parted = parted_.begin();
   const auto book_parted = [&](std::size_t before) {
     for (; parted != parted_.end() && parted->pair < before; ++parted) {
-      if constexpr (remembers) lost_ += law_.lost(parted->largest);
-      if constexpr (turns) slid += kinds.slid ? friction_.stored_energy(parted->stretch) : 0.0;
+      lost_ += hysteresis_loss(parted->largest);
+      if (kinds.slid) slid += friction_energy(parted->stretch);
     }
   };
   if (kinds.told()) {
-    for_each_touching([&](const SweptContacts& of, std::size_t t, [[maybe_unused]] std::size_t pair) {
+    for_each_touching([&](const SweptContacts& of, std::size_t t, std::size_t pair) {
       if (kinds.slid) book_parted(pair), slid += of.slid[t];
       if (kinds.power) power_ += of.power[t], released += of.released[t];
     });
@@ -239,16 +232,14 @@ void FastDiscSystem<L, F>::book() {
   book_parted(list_.size());
 }
 
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::copy_before(Stripe& stripe) {
+void FastDiscEngine::copy_before(Stripe& stripe) {
   const std::size_t discs = stripe.end - stripe.begin;
   std::copy_n(velocities_.data() + 2 * stripe.begin, 2 * discs, before_.data() + 2 * stripe.begin);
-  if (turns) std::copy_n(spins_.data() + stripe.begin, discs, spins_before_.data() + stripe.begin);
+  if (traits_.turns) std::copy_n(spins_.data() + stripe.begin, discs, spins_before_.data() + stripe.begin);
 }
 
 /// What goes out of a stripe.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::find_outgoing(Stripe& stripe) {
+void FastDiscEngine::find_outgoing(Stripe& stripe) {
   place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
   if (sees_rates()) place_ghosts(stripe, before_.data(), &NeighbourList::Shift::vx);
   for (std::vector<Vec2>& pushes : stripe.wall_pushes)
@@ -256,17 +247,17 @@ void FastDiscSystem<L, F>::find_outgoing(Stripe& stripe) {
   if (stripes_.size() == 1) return;
   DiscSweep of = work(stripe, true, 0.0);
   of.pairs = &stripe.outgoing.near, of.contacts = &stripe.outgoing.contacts;
-  find_pushes(law_, friction_, of, stripe.pushes);
+  find_pushes(of, stripe.pushes);
 }
 
-template <SettledLaw L, class F>
-DiscSweep FastDiscSystem<L, F>::work(Stripe& stripe, bool kicks, double drift) {
+DiscSweep FastDiscEngine::work(Stripe& stripe, bool kicks, double drift) {
   return {.kicks = kicks,
           .drift = drift,
+          .reach = traits_.reach,
           .flow = list_.flow(),
           .places = places_.data(),
           .velocities = velocities_.data(),
-          .spins = turns ? spins_.data() : nullptr,
+          .spins = traits_.turns ? spins_.data() : nullptr,
           .before = sees_rates() ? before_.data() : nullptr,
           .spins_before = spins_before_.data(),
           .discs = shapes_.size(),
@@ -292,8 +283,7 @@ DiscSweep FastDiscSystem<L, F>::work(Stripe& stripe, bool kicks, double drift) {
 }
 
 /// After all discs have moved: what lists them follows.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::end_drift(Discs& discs, double h) {
+void FastDiscEngine::end_drift(Discs& discs, double h) {
   slid_ += h * list_.box().sliding();
   if (list_.box().sliding() != 0.0) list_.shifts(slid_, shifts_);
   list_.use(way_);
@@ -305,34 +295,31 @@ void FastDiscSystem<L, F>::end_drift(Discs& discs, double h) {
   if (all_near_ || used_ > (1.0 - round_off) * reach_) prune();
 }
 
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::load(const Discs& discs) {
+void FastDiscEngine::load(const Discs& discs) {
   each([&](const Stripe& stripe) {
     for (std::size_t i = stripe.begin; i < stripe.end; ++i) {
       places_[2 * i] = discs.x[i], places_[2 * i + 1] = discs.y[i];
       velocities_[2 * i] = discs.vx[i], velocities_[2 * i + 1] = discs.vy[i];
     }
   });
-  if (turns) std::copy(discs.spin.begin(), discs.spin.end(), spins_.begin());
+  if (traits_.turns) std::copy(discs.spin.begin(), discs.spin.end(), spins_.begin());
   slid_ = discs.slid, work_ = discs.work;
   list_.shifts(slid_, shifts_);
 }
 
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::store(Discs& discs) {
+void FastDiscEngine::store(Discs& discs) {
   each([&](const Stripe& stripe) {
     for (std::size_t i = stripe.begin; i < stripe.end; ++i) {
       discs.x[i] = places_[2 * i], discs.y[i] = places_[2 * i + 1];
       discs.vx[i] = velocities_[2 * i], discs.vy[i] = velocities_[2 * i + 1];
     }
   });
-  if (turns) std::copy(spins_.begin(), spins_.end(), discs.spin.begin());
+  if (traits_.turns) std::copy(spins_.begin(), spins_.end(), discs.spin.begin());
   discs.slid = slid_, discs.work = work_;
 }
 
 /// Of ghosts the places, or the velocities before the kick.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::place_ghosts(Stripe& stripe, double* numbers, double NeighbourList::Shift::*along) {
+void FastDiscEngine::place_ghosts(Stripe& stripe, double* numbers, double NeighbourList::Shift::*along) {
   const bool places = along == &NeighbourList::Shift::x;
   double* ghost = numbers + velocities_.size() + 2 * stripe.first_ghost;
   for (std::size_t g = stripe.first_ghost; g < stripe.end_of_ghosts; ++g, ghost += 2) {
@@ -343,8 +330,7 @@ void FastDiscSystem<L, F>::place_ghosts(Stripe& stripe, double* numbers, double 
 }
 
 /// Lists the pairs anew; what contacts remember goes with them.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::rebuild(Discs& discs) {
+void FastDiscEngine::rebuild(Discs& discs) {
   std::vector<Kept> kept = kept_contacts();
   wrap(list_.box(), discs);
   list_.build(shapes_, discs, team_);
@@ -354,7 +340,7 @@ void FastDiscSystem<L, F>::rebuild(Discs& discs) {
   // A step may be so long that what touched is beyond the list: it has ended.
   std::erase_if(kept, [&](const Kept& contact) {
     if (list_.find(contact.first, contact.second) < list_.size()) return false;
-    if constexpr (remembers) lost_ += law_.lost(contact.memory.largest);
+    lost_ += hysteresis_loss(contact.memory.largest);
     return true;
   });
   take_contacts(kept);
@@ -362,8 +348,7 @@ void FastDiscSystem<L, F>::rebuild(Discs& discs) {
   prune();
 }
 
-template <SettledLaw L, class F>
-auto FastDiscSystem<L, F>::kept_contacts() const -> std::vector<Kept> {
+auto FastDiscEngine::kept_contacts() const -> std::vector<Kept> {
   std::vector<Kept> kept;
   for_each_touching([&](const SweptContacts& contacts, std::size_t t, std::size_t pair) {
     kept.push_back({disc(pairs_.first[pair]), disc(pairs_.second[pair]), contacts.memory(contacts.now, t)});
@@ -372,8 +357,7 @@ auto FastDiscSystem<L, F>::kept_contacts() const -> std::vector<Kept> {
 }
 
 /// Contacts in the order of the pairs of the list, as at the last evaluation.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::take_contacts(const std::vector<Kept>& kept) {
+void FastDiscEngine::take_contacts(const std::vector<Kept>& kept) {
   for (Stripe& stripe : stripes_)
     stripe.own.contacts.clear(kinds_), stripe.outgoing.contacts.clear(kinds_);
   for (const Kept& contact : kept) {
@@ -390,8 +374,7 @@ void FastDiscSystem<L, F>::take_contacts(const std::vector<Kept>& kept) {
 }
 
 /// Contacts keep their numbers in the whole list when a near list goes.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::number_as_listed() {
+void FastDiscEngine::number_as_listed() {
   each([this](Stripe& stripe) {
     for (Swept* const swept : {&stripe.own, &stripe.outgoing})
       swept->contacts.number_as_listed(pairs(*swept));
@@ -399,8 +382,7 @@ void FastDiscSystem<L, F>::number_as_listed() {
 }
 
 /// Stripes of about as many listed pairs each.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::list_stripes() {
+void FastDiscEngine::list_stripes() {
   std::size_t disc = 0;
   for (std::size_t s = 0; s < stripes_.size(); ++s) {
     stripes_[s].begin = disc;
@@ -412,8 +394,7 @@ void FastDiscSystem<L, F>::list_stripes() {
 }
 
 /// Places of the discs, of the ghosts that the list needs, and one that is nowhere; the pairs of them.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::list_places() {
+void FastDiscEngine::list_places() {
   const std::size_t discs = shapes_.size();
   constexpr std::uint8_t here = NeighbourList::images / 2;
   using Ghost = std::pair<std::uint32_t, std::uint8_t>;
@@ -459,15 +440,14 @@ void FastDiscSystem<L, F>::list_places() {
   const std::size_t nowhere = discs + ghost_disc_.size();
   places_.resize(2 * (nowhere + 1));
   velocities_.resize(2 * discs);
-  if (turns) spins_.resize(discs), spins_before_.resize(discs);
+  if (traits_.turns) spins_.resize(discs), spins_before_.resize(discs);
   if (sees_rates()) before_.resize(2 * (nowhere + 1));
   std::fill(places_.end() - 2, places_.end(), std::numeric_limits<double>::quiet_NaN());
   pairs_.fill_up(static_cast<std::uint32_t>(2 * nowhere));
 }
 
 /// Makes the near list, if there is to be one.
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::prune() {
+void FastDiscEngine::prune() {
   if (all_near_ && used_ <= long_time * skin_) return;
   used_ = 0.0;
   number_as_listed();
@@ -477,8 +457,7 @@ void FastDiscSystem<L, F>::prune() {
   each([this](Stripe& stripe) { prune(stripe); });
 }
 
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::prune(Stripe& stripe) {
+void FastDiscEngine::prune(Stripe& stripe) {
   DiscSweep of = work(stripe, false, 0.0);
   of.pairs = &pairs_;
   SweptPairs &own_near = stripe.own.near, &outgoing_near = stripe.outgoing.near;
@@ -489,7 +468,7 @@ void FastDiscSystem<L, F>::prune(Stripe& stripe) {
   for (std::size_t block = from; block < last; block += sweep_block) {
     // Blocks end with a pack, and so a little behind the stripe.
     const std::size_t to = std::min(block + sweep_block, block + whole(last - block, pack_size));
-    std::size_t near = find_near(of, reach_, block, to, found.data()), own = near, out = 0;
+    std::size_t near = find_near(of, traits_.reach + reach_, block, to, found.data()), own = near, out = 0;
     if (stripes_.size() > 1) {
       own = 0;
       for (std::size_t f = 0; f < near && found[f] < last; ++f)
@@ -503,8 +482,7 @@ void FastDiscSystem<L, F>::prune(Stripe& stripe) {
 }
 
 /// The reach of the next near list from what the last one was like; whether all listed pairs are near instead.
-template <SettledLaw L, class F>
-bool FastDiscSystem<L, F>::choose_reach() {
+bool FastDiscEngine::choose_reach() {
   // After a while without one a list is made, so that the next choice is by how things are then.
   const bool looks_again = std::exchange(all_near_, false);
   if (reach_ == 0.0) reach_ = first_reach * skin_;
@@ -523,18 +501,16 @@ bool FastDiscSystem<L, F>::choose_reach() {
   return all_near_ = stripes_.size() == 1 && settled && near + making / last > worth * listed;
 }
 
-template <SettledLaw L, class F>
-double FastDiscSystem<L, F>::lost() const {
+double FastDiscEngine::lost() const {
   double lost = lost_;
-  if constexpr (remembers)
-    for_each_touching([&](const SweptContacts& contacts, std::size_t t, std::size_t) {
-      lost += law_.lost(contacts.memory(contacts.now, t).largest);
-    });
+  if (!traits_.remembers) return lost;
+  for_each_touching([&](const SweptContacts& contacts, std::size_t t, std::size_t) {
+    lost += hysteresis_loss(contacts.memory(contacts.now, t).largest);
+  });
   return lost;
 }
 
-template <SettledLaw L, class F>
-void FastDiscSystem<L, F>::remember(Memory& memory, const Discs& discs) {
+void FastDiscEngine::remember(Memory& memory, const Discs& discs) {
   memory.part("list", [&] { list_.remember(memory, shapes_); });
   std::vector<double> first, second, largest, stretch, normal;
   if (!memory.puts_back()) {
@@ -567,10 +543,5 @@ void FastDiscSystem<L, F>::remember(Memory& memory, const Discs& discs) {
   load(discs);
   prune();
 }
-
-template class FastDiscSystem<LinearSpringDashpot>;
-template class FastDiscSystem<LatchingSpring>;
-template class FastDiscSystem<LinearSpringDashpot, CoulombFriction>;
-template class FastDiscSystem<LatchingSpring, CoulombFriction>;
 
 }  // namespace talus

@@ -1,0 +1,316 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "solver/base/fields.hpp"
+#include "solver/laws/kinematics.hpp"
+#include "solver/laws/unilateral_spring.hpp"
+#include "solver/state/state.hpp"
+
+namespace talus {
+
+/// A law of force along one line: a small value that turns kinematics, memory and mode into a force. It sees no body, no
+/// time step and no other law, remembers nothing itself, and is smooth inside a mode. This page is its contract. A law
+/// with a hook of one of these names but another signature does not compile (HooksAreWellFormed).
+///
+/// Required of every law
+///   name                          its name in scenes
+///   modes                         the names of its modes; mode 0 is "not acting", mode 1 that of a contact that is
+///                                 pressed, or of a cable that is stretched
+///   memory_size                   number of doubles that it remembers, where the parameters do not decide it
+///   dissipation, release          mechanisms of the work of its dissipative force, and of the energy that resets release
+///   fields()                      its parameters with dimension, range and meaning
+///   acts(mode)                    static: whether it exerts a force in the mode
+///   law(x, memory, mode)          the force [F]; evaluated twice it gives the same bits
+///   stored_energy(x, memory, mode)  [F L]; within a mode its derivative by the deformation is the elastic force
+///   guard(x, memory, mode)        positive while the mode lasts; all its ends in one unit
+///   reset(x, memory, mode)        the mode that follows, and the energy released [F L]; sets the memory it starts with
+///   tangent()                     stiffness [F/L] and damping [F T/L] of the stiffest branch while it acts
+///
+/// Optional, of every law
+///   orders()                      pairs of parameters of which one is at least the other
+///   memory_count()                number of doubles in place of memory_size, where the parameters decide it
+///   track(x, memory, mode)        updates memory that follows the motion within a mode, such as a maximum, and
+///   memory_follows(mode)          static: whether there is such memory in the mode
+///   linear_part(memory, mode)     slopes [F/L, F T/L] in a mode; only if in every mode the force is linear in
+///                                 deformation and rate
+///   linear_piece(memory, mode)    the straight line that it is in a mode, where the rate has no part in it; of laws with
+///                                 at most one double of memory. Chains of cables are then evaluated without the law
+///
+/// Optional, of cables
+///   natural_elongation(memory)    elongation at which it is just slack [L]
+///   yields(mode)                  static: whether it is drawn out in the mode; with natural_elongation, which grows then,
+///                                 and
+///   largest_yield()               the largest tension that it has there [F]
+///   is_broken(mode)               static: whether it carries nothing for good
+///
+/// Optional, of contacts
+///   reach()                       how far apart the surfaces may be where it acts [L] >= 0. Without it, it acts between
+///                                 surfaces that touch only
+///   start_contact(memory, m_eff)  sets memory when the bodies touch, before the first reset, by the effective mass along
+///                                 the normal [M]; only called while memory_count() > 0; and
+///   tangent(m_eff)                tangent() of a contact of that effective mass
+///   retardation_time(memory)      c/k of a spring and dashpot [T]; friction that sticks has the same by default
+///   contact_time(m_eff)           how long a slow impact of that effective mass lasts [T]; infinite if it does not end,
+///   restitution(m_eff)            the ratio of speeds after and before it, and
+///   largest_overlap(m_eff, speed) its largest overlap at that speed of approach [L]
+///   restitution_field             static: the parameter that sets the restitution, and
+///   set_restitution(e, m_eff)     sets that parameter, for impacts of that effective mass, e in (0, 1]
+///   set_every_restitution(e)      the same whatever the effective mass; with these two
+///
+/// Optional, of contacts between discs: one of two
+///   is_clamped()                  the law is one-sided: without memory, in mode 1 k overlap + c rate with the slopes of
+///                                 linear_part({}, 1), as long as the surfaces overlap (false) or that is positive (true)
+///   needs_rate(), force(..), dissipated_power(..) or hysteresis_loss(..)
+///                                 its contact kernel, written by hand (laws/contact_kernel.hpp)
+///
+/// Optional parameters that others ask for
+///   end_rule (EndRule), damping (double) [F T/L], damping_ratio (double), table (std::vector<YieldPoint>)
+template <class L>
+concept HasLawParts = std::equality_comparable<L> &&
+    requires(const L law, Kinematics x, std::span<const double> memory, std::span<double> writable, Mode mode) {
+  { L::name } -> std::convertible_to<std::string_view>;
+  { L::modes[0] } -> std::convertible_to<std::string_view>;
+  { L::memory_size } -> std::convertible_to<std::size_t>;
+  { L::dissipation } -> std::convertible_to<Mechanism>;
+  { L::release } -> std::convertible_to<Mechanism>;
+  L::fields();
+  { L::acts(mode) } -> std::same_as<bool>;
+  { law(x, memory, mode) } -> std::same_as<LawForce>;
+  { law.stored_energy(x, memory, mode) } -> std::same_as<double>;
+  { law.guard(x, memory, mode) } -> std::same_as<double>;
+  { law.reset(x, writable, mode) } -> std::same_as<Reset>;
+  { law.tangent() } -> std::same_as<Tangent>;
+};
+
+/// Concepts of the optional hooks, in the order of the page above.
+template <class L>
+concept HasOrders = requires(const L law) {
+  { law.*L::orders()[0].larger } -> std::convertible_to<double>;
+  { law.*L::orders()[0].smaller } -> std::convertible_to<double>;
+  { L::orders()[0].why } -> std::convertible_to<std::string_view>;
+};
+template <class L>
+concept CountsMemory = requires(const L law) {
+  { law.memory_count() } -> std::same_as<std::size_t>;
+};
+template <class L>
+concept Tracks = requires(const L law, Kinematics x, std::span<double> memory, Mode mode) {
+  { law.track(x, memory, mode) } -> std::same_as<void>;
+  { L::memory_follows(mode) } -> std::same_as<bool>;
+};
+template <class L>
+concept HasLinearPart = requires(const L law, std::span<const double> memory, Mode mode) {
+  { law.linear_part(memory, mode) } -> std::same_as<Tangent>;
+};
+template <class L>
+concept HasLinearPiece = L::memory_size <= 1 && requires(const L law, std::span<const double> memory, Mode mode) {
+  { law.linear_piece(memory, mode) } -> std::same_as<LinearPiece>;
+};
+template <class L>
+concept HasNaturalElongation = requires(const L law, std::span<const double> memory) {
+  { law.natural_elongation(memory) } -> std::same_as<double>;
+};
+template <class L>
+concept Yields = HasNaturalElongation<L> && requires(const L law, Mode mode) {
+  { L::yields(mode) } -> std::same_as<bool>;
+  { law.largest_yield() } -> std::same_as<double>;
+};
+template <class L>
+concept Breaks = requires(Mode mode) {
+  { L::is_broken(mode) } -> std::same_as<bool>;
+};
+template <class L>
+concept ActsAtDistance = requires(const L law) {
+  { law.reach() } -> std::same_as<double>;
+};
+template <class L>
+concept StartsByMass = requires(const L law, std::span<double> memory, double effective_mass) {
+  { law.start_contact(memory, effective_mass) } -> std::same_as<void>;
+  { law.tangent(effective_mass) } -> std::same_as<Tangent>;
+};
+template <class L>
+concept HasRetardationTime = requires(const L law, std::span<const double> memory) {
+  { law.retardation_time(memory) } -> std::same_as<double>;
+};
+template <class L>
+concept KnowsImpacts = requires(const L law, double effective_mass, double speed) {
+  { law.contact_time(effective_mass) } -> std::same_as<double>;
+  { law.restitution(effective_mass) } -> std::same_as<double>;
+  { law.largest_overlap(effective_mass, speed) } -> std::same_as<double>;
+};
+template <class L>
+concept SetsRestitution = requires(L law, double e, double effective_mass) {
+  { L::restitution_field } -> std::convertible_to<RestitutionField>;
+  { law.set_restitution(e, effective_mass) } -> std::same_as<void>;
+};
+template <class L>
+concept SetsEveryRestitution = SetsRestitution<L> && requires(L law, double e) {
+  { law.set_every_restitution(e) } -> std::same_as<void>;
+};
+template <class L>
+concept OneSided = L::memory_size == 0 && HasLinearPart<L> && requires(const L law) {
+  { law.is_clamped() } -> std::same_as<bool>;
+};
+/// Parts of a contact kernel: of laws without memory its power, of others what a contact has lost.
+template <class K>
+concept HasDissipatedPower = requires(const K kernel, double x, double& y) {
+  { kernel.dissipated_power(x, x, x, x, y, y) } -> std::same_as<void>;
+};
+template <class K>
+concept HasHysteresisLoss = requires(const K kernel, double x) {
+  { kernel.hysteresis_loss(x) } -> std::same_as<double>;
+};
+template <class K>
+concept ContactKernel = requires(const K kernel, double x, double& y) {
+  requires(HasDissipatedPower<K> != HasHysteresisLoss<K>);
+  { kernel.needs_rate() } -> std::same_as<bool>;
+  { kernel.force(x, x, y, y) } -> std::same_as<void>;
+};
+/// A kernel that stands in the law itself.
+template <class L>
+concept IsKernel = ContactKernel<L> && L::memory_size == (HasHysteresisLoss<L> ? 1 : 0);
+template <class L>
+concept HasEndRule = requires(L law) {
+  { law.end_rule } -> std::same_as<EndRule&>;
+};
+template <class L>
+concept HasDamping = requires(L law) {
+  { law.damping } -> std::same_as<double&>;
+};
+template <class L>
+concept HasDampingRatio = requires(L law) {
+  { law.damping_ratio } -> std::same_as<double&>;
+};
+template <class L>
+concept HasYieldTable = requires(L law) {
+  { law.yield } -> std::same_as<double&>;
+  { law.table } -> std::same_as<std::vector<YieldPoint>&>;
+};
+
+/// Of each optional hook, whether a type that names it has it with the signature of the page above, and with those that
+/// go with it. A name is found whatever it is of: beside another of that name it is ambiguous.
+namespace hook {
+
+template <class L, class Other>
+struct Beside : L, Other {};
+
+// clang-format off
+#define TALUS_HOOK(NAME, IS)                              \
+  struct Other_##NAME { int NAME; };                      \
+  template <class L>                                      \
+  concept NAME = IS<L> || requires { &Beside<L, Other_##NAME>::NAME; };
+// clang-format on
+TALUS_HOOK(orders, HasOrders)
+TALUS_HOOK(memory_count, CountsMemory)
+TALUS_HOOK(track, Tracks)
+TALUS_HOOK(memory_follows, Tracks)
+TALUS_HOOK(linear_part, HasLinearPart)
+TALUS_HOOK(linear_piece, HasLinearPiece)
+TALUS_HOOK(natural_elongation, HasNaturalElongation)
+TALUS_HOOK(yields, Yields)
+TALUS_HOOK(largest_yield, Yields)
+TALUS_HOOK(is_broken, Breaks)
+TALUS_HOOK(reach, ActsAtDistance)
+TALUS_HOOK(start_contact, StartsByMass)
+TALUS_HOOK(retardation_time, HasRetardationTime)
+TALUS_HOOK(contact_time, KnowsImpacts)
+TALUS_HOOK(restitution, KnowsImpacts)
+TALUS_HOOK(largest_overlap, KnowsImpacts)
+TALUS_HOOK(restitution_field, SetsRestitution)
+TALUS_HOOK(set_restitution, SetsRestitution)
+TALUS_HOOK(set_every_restitution, SetsEveryRestitution)
+TALUS_HOOK(is_clamped, OneSided)
+TALUS_HOOK(needs_rate, IsKernel)
+TALUS_HOOK(force, IsKernel)
+TALUS_HOOK(dissipated_power, IsKernel)
+TALUS_HOOK(hysteresis_loss, IsKernel)
+TALUS_HOOK(end_rule, HasEndRule)
+TALUS_HOOK(damping, HasDamping)
+TALUS_HOOK(damping_ratio, HasDampingRatio)
+TALUS_HOOK(table, HasYieldTable)
+#undef TALUS_HOOK
+
+}  // namespace hook
+
+template <class L>
+concept HooksAreWellFormed =
+    hook::orders<L> &&
+    hook::memory_count<L> &&
+    hook::track<L> &&
+    hook::memory_follows<L> &&
+    hook::linear_part<L> &&
+    hook::linear_piece<L> &&
+    hook::natural_elongation<L> &&
+    hook::yields<L> &&
+    hook::largest_yield<L> &&
+    hook::is_broken<L> &&
+    hook::reach<L> &&
+    hook::start_contact<L> &&
+    hook::retardation_time<L> &&
+    hook::contact_time<L> &&
+    hook::restitution<L> &&
+    hook::largest_overlap<L> &&
+    hook::restitution_field<L> &&
+    hook::set_restitution<L> &&
+    hook::set_every_restitution<L> &&
+    hook::is_clamped<L> &&
+    hook::needs_rate<L> &&
+    hook::force<L> &&
+    hook::dissipated_power<L> &&
+    hook::hysteresis_loss<L> &&
+    hook::end_rule<L> &&
+    hook::damping<L> &&
+    hook::damping_ratio<L> &&
+    hook::table<L>;
+
+template <class L>
+concept Law = HasLawParts<L> && HooksAreWellFormed<L>;
+
+/// Number of doubles that a law remembers.
+template <Law L>
+constexpr std::size_t memory_count(const L& law) {
+  if constexpr (CountsMemory<L>) return law.memory_count();
+  return L::memory_size;
+}
+
+/// Whether memory of the law follows the motion in a mode.
+template <Law L>
+constexpr bool memory_follows([[maybe_unused]] Mode mode) {
+  if constexpr (Tracks<L>) return L::memory_follows(mode);
+  return false;
+}
+
+/// Whether the law carries nothing for good in a mode.
+template <Law L>
+constexpr bool is_broken([[maybe_unused]] Mode mode) {
+  if constexpr (Breaks<L>) return L::is_broken(mode);
+  return false;
+}
+
+/// How far apart the surfaces may be where a contact law acts [L]; 0 of laws that act in contact only.
+template <Law L>
+constexpr double reach([[maybe_unused]] const L& law) {
+  if constexpr (ActsAtDistance<L>) return law.reach();
+  return 0.0;
+}
+
+/// Elongation at which a cable is just slack [L].
+template <Law L>
+constexpr double natural_elongation([[maybe_unused]] const L& law, [[maybe_unused]] std::span<const double> memory) {
+  if constexpr (HasNaturalElongation<L>) return law.natural_elongation(memory);
+  return 0.0;
+}
+
+/// Stiffest branch of a law at a contact of this effective mass [M].
+template <Law L>
+constexpr Tangent tangent(const L& law, [[maybe_unused]] double effective_mass) {
+  if constexpr (StartsByMass<L>) return law.tangent(effective_mass);
+  return law.tangent();
+}
+
+}  // namespace talus
