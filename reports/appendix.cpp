@@ -21,7 +21,6 @@ std::string group_title(std::string group) {
 
 /// The checks that touch a requirement: of each case the first few by name, and how many more.
 std::string shown_by(const Results& results, const Requirement& requirement) {
-  if (requirement.shown_by.empty()) return joined_links(results, requirement.cases);
   constexpr std::size_t named = 2;
   std::string text;
   for (const ShownBy& shown : requirement.shown_by) {
@@ -36,6 +35,14 @@ std::string shown_by(const Results& results, const Requirement& requirement) {
   return text;
 }
 
+/// The number of checks that touch a requirement.
+std::size_t check_count(const Requirement& requirement) {
+  std::size_t count = 0;
+  for (const ShownBy& shown : requirement.shown_by)
+    count += shown.checks.size();
+  return count;
+}
+
 }  // namespace
 
 std::string provenance(const Results& results) {
@@ -43,7 +50,7 @@ std::string provenance(const Results& results) {
   std::string libraries;
   for (const auto& [name, version] : p.libraries)
     libraries += (libraries.empty() ? "" : ", ") + name + " " + version;
-  const Rows rows{{"date, tier", cell(p.date + (results.tier.empty() ? "" : ", tier " + results.tier))},
+  const Rows rows{{"date, tier", cell(fmt::format("{}, tier {}", p.date, name_of(results.tier)))},
                   {"revision", cell(p.revision) + (p.dirty ? " (**with uncommitted changes**)" : "")},
                   {"compiler", cell(p.compiler + (p.build_type.empty() ? "" : ", " + p.build_type))},
                   {"flags", p.flags.empty() ? "" : markdown::code(p.flags)},
@@ -66,11 +73,11 @@ std::string traceability(const Results& results) {
     for (const Requirement& requirement : results.requirements) {
       if (requirement.group != group) continue;
       ++all;
-      if (requirement.cases.empty()) {
+      if (requirement.shown_by.empty()) {
         bare += (bare.empty() ? "" : "; ") + markdown::words(requirement.id);
       } else {
         rows.push_back({cell(requirement.id), cell(requirement.text), shown_by(results, requirement),
-                        fmt::format("{}", requirement.checks)});
+                        fmt::format("{}", check_count(requirement))});
       }
     }
     text += fmt::format("## Requirements: {}\n\n{} of {} have a case.\n\n", group_title(group), rows.size(), all);

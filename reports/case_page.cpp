@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "reports/markdown.hpp"
 #include "reports/page_cells.hpp"
@@ -16,7 +15,7 @@ using markdown::Column;
 using Rows = std::vector<std::vector<std::string>>;
 
 /// The checks that stand for a case on the first pages: those the case marks, else the failed ones and the first few.
-std::vector<Check> main_checks(const CaseRecord& record) {
+std::vector<Check> main_checks(const Record& record) {
   std::vector<Check> chosen;
   const auto marked = [](const Check& check) { return check.main; };
   const bool any = std::any_of(record.checks.begin(), record.checks.end(), marked);
@@ -27,7 +26,7 @@ std::vector<Check> main_checks(const CaseRecord& record) {
   return chosen;
 }
 
-std::string main_check_table(const CaseRecord& record) {
+std::string main_check_table(const Record& record) {
   Rows rows;
   for (const Check& check : main_checks(record))
     rows.push_back({name_with_unit(check), measured_text(check, 7), reference_text(check, 7), margin_text(check),
@@ -37,7 +36,7 @@ std::string main_check_table(const CaseRecord& record) {
 }
 
 /// The checks of a case, and below them the arguments of their bounds, each once: alike checks share one.
-std::string check_table(const CaseRecord& record) {
+std::string check_table(const Record& record) {
   Rows rows;
   std::vector<std::string> arguments;
   for (const Check& check : record.checks) {
@@ -65,19 +64,20 @@ std::string check_table(const CaseRecord& record) {
 
 std::string control_margin(const Control& control) {
   if (control.bound == 0.0 && control.error == 0.0) return "0";
-  return markdown::margin(control.error / control.bound, control.observed == "green", 2);
+  return records::margin_text(control.error / control.bound, control.observed == Colour::green, 2);
 }
 
 /// The planted faults, and what the check that each must turn red said to it.
-std::string control_table(const CaseRecord& record) {
+std::string control_table(const Record& record) {
   Rows rows;
   for (const Control& control : record.controls) {
-    const bool made = !std::isnan(control.bound);
+    const bool made = control.observed != Colour::missing;
     const int digits = markdown::digits_to_tell(control.measured, control.reference);
+    const std::string observed = name_of(control.observed);
     rows.push_back({cell(control.name), cell(control.what), cell(control.turns_red),
                     made ? markdown::number(control.measured, digits) : "",
                     made ? markdown::number(control.reference, digits) : "", made ? control_margin(control) : "",
-                    control.pass ? cell(control.observed) : "**" + cell(control.observed) + "**"});
+                    control.pass() ? observed : "**" + observed + "**"});
   }
   return markdown::table({{"control"},
                           {"the planted fault"},
@@ -101,8 +101,8 @@ std::string alternative_text(const Figure& figure) {
 enum class Place { over_caption, beside_caption };
 
 /// Figures from `first` on, before `last`.
-std::string figures(const CaseRecord& record, std::size_t chapter, const Drawn& drawn, std::size_t first,
-                    std::size_t last, Place place) {
+std::string figures(const Record& record, std::size_t chapter, const Drawn& drawn, std::size_t first, std::size_t last,
+                    Place place) {
   std::string text;
   for (std::size_t i = first; i < std::min(last, record.figures.size()); ++i) {
     const Figure& figure = record.figures[i];
@@ -125,7 +125,7 @@ std::string figures(const CaseRecord& record, std::size_t chapter, const Drawn& 
   return text;
 }
 
-std::string tables(const CaseRecord& record, std::size_t chapter) {
+std::string tables(const Record& record, std::size_t chapter) {
   std::string text;
   for (std::size_t i = 0; i < record.tables.size(); ++i) {
     const Table& table = record.tables[i];
@@ -144,20 +144,20 @@ std::string tables(const CaseRecord& record, std::size_t chapter) {
 }
 
 /// Of the case's section in the appendix.
-std::string details_heading(const CaseRecord& record) { return "Details of " + record.id; }
+std::string details_heading(const Record& record) { return "Details of " + record.id; }
 
 }  // namespace
 
-std::string picture_stem(const CaseRecord& record, const Figure& figure) { return record.id + "-" + figure.name; }
+std::string picture_stem(const Record& record, const Figure& figure) { return record.id + "-" + figure.name; }
 
-std::string case_page(const CaseRecord& record, std::size_t chapter, const Drawn& drawn,
+std::string case_page(const Record& record, std::size_t chapter, const Drawn& drawn,
                       const std::filesystem::path& templates) {
   mustache::data values;
   values.set("heading", case_heading(record));
   values.set("status", status_word(record));
   values.set("message", record.message);
   values.set("seconds", fmt::format("{:.2f}", record.seconds));
-  values.set("tier", record.tier);
+  values.set("tier", name_of(record.tier));
   values.set("page", markdown::with_headings_below(record.page, 2));
   values.set("main_checks", record.checks.empty() ? "No check ran.\n" : main_check_table(record));
   const bool panels = !record.figures.empty() && !record.figures.front().panels.empty();
@@ -166,17 +166,19 @@ std::string case_page(const CaseRecord& record, std::size_t chapter, const Drawn
                                  record.checks.size(), record.controls.size(), record.tables.size(),
                                  record.figures.empty() ? 0 : record.figures.size() - 1,
                                  markdown::heading_id(details_heading(record))));
-  for (const char* part : {"message", "tier"})
-    values.set(std::string("has_") + part, !values.get(part)->string_value().empty());
+  values.set("has_message", !record.message.empty());
   return filled(templates / "case.mustache", values);
 }
 
-std::string case_details(const CaseRecord& record, std::size_t chapter, const Drawn& drawn,
+std::string case_details(const Record& record, std::size_t chapter, const Drawn& drawn,
                          const std::filesystem::path& templates) {
   mustache::data values;
   values.set("heading", details_heading(record));
   values.set("source", record.source);
-  values.set("requirements", fmt::format("{}", fmt::join(record.requirements, "; ")));
+  std::string requirements;
+  for (const records::Trace& trace : record.requirements)
+    requirements += (requirements.empty() ? "" : "; ") + trace.requirement;
+  values.set("requirements", requirements);
   values.set("checks", record.checks.empty() ? "No check ran.\n" : check_table(record));
   values.set("controls", record.controls.empty() ? "" : control_table(record));
   values.set("figures", figures(record, chapter, drawn, 1, record.figures.size(), Place::over_caption));

@@ -25,9 +25,9 @@ constexpr double steps = 48.0;
 
 }  // namespace
 
-long scale_colour(double place, bool two_hues) {
+long ColourScale::colour(double value) const {
   const std::span<const Stop> stops = two_hues ? std::span<const Stop>{two_hues_apart} : one_hue;
-  const double at = std::round(std::clamp(place, 0.0, 1.0) * steps) / steps;
+  const double at = std::round(std::clamp((value - min) / (max - min), 0.0, 1.0) * steps) / steps;
   std::size_t upper = 1;
   while (upper + 1 < stops.size() && stops[upper].place < at)
     ++upper;

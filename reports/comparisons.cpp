@@ -29,7 +29,7 @@ std::string comparison(const Table& table) {
 
 std::string common_formulas(const Results& results) {
   std::string text;
-  for (const CaseRecord& record : results.cases) {
+  for (const Record& record : results.records) {
     for (const Table& table : record.tables) {
       if (table.name.rfind("common_formula", 0) != 0) continue;
       text += fmt::format("{} Case {}.\n\n{}\n", table.caption, case_link(record), comparison(table));

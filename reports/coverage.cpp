@@ -100,7 +100,7 @@ std::string contact_laws(const Results& results) {
 }
 
 const Check* find(const Results& results, const std::string& case_id, const std::string& name) {
-  for (const CaseRecord& record : results.cases) {
+  for (const Record& record : results.records) {
     if (record.id != case_id) continue;
     for (const Check& check : record.checks) {
       if (check.name == name) return &check;

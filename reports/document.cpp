@@ -6,15 +6,15 @@
 #include <set>
 
 #include "reports/error.hpp"
-#include "reports/file.hpp"
 #include "reports/process.hpp"
+#include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
 namespace {
 
 /// Raw TeX and HTML are off: a record's text must look the same in every format. Citations are off: `@` is a letter.
 constexpr const char* dialect =
-    "--from=markdown-raw_tex-raw_html-raw_attribute-native_divs-native_spans-citations-example_lists"
+    "markdown-raw_tex-raw_html-raw_attribute-native_divs-native_spans-citations-example_lists"
     "-yaml_metadata_block-pandoc_title_block+gfm_auto_identifiers";
 
 struct Letter {
@@ -81,25 +81,39 @@ std::string printable(const std::string& markdown, const std::string& header) {
   return result;
 }
 
+std::string references_of(const std::string& bibliography, const Document& d) {
+  const std::string file = d.stem + ".bibtex";
+  records::write_whole(d.folder / file, bibliography);
+  return run_or_throw({"pandoc",
+                       {"--from=bibtex", std::string("--to=") + dialect, "--wrap=none", "--fail-if-warnings",
+                        "--citeproc", "--csl=" + (d.resources / "references.csl").string(),
+                        "--lua-filter=" + (d.resources / "references.lua").string(), file},
+                       d.folder,
+                       fixed_time(d)},
+                      file)
+      .output;
+}
+
 std::string make_html(const Document& d) {
-  return run_or_throw(
-             {"pandoc",
-              {dialect, "--to=html5", "--standalone", "--self-contained", "--mathml", "--no-highlight", "--toc",
-               "--toc-depth=1", "--columns=40", "--metadata=pagetitle:" + d.title, "--metadata=lang:en",
-               "--css=" + (d.resources / "report.css").string(), "--output=" + d.stem + ".html", d.stem + ".md"},
-              d.folder,
-              fixed_time(d)},
-             d.stem + ".html")
+  return run_or_throw({"pandoc",
+                       {std::string("--from=") + dialect, "--to=html5", "--standalone", "--self-contained", "--mathml",
+                        "--no-highlight", "--toc", "--toc-depth=1", "--columns=40", "--metadata=pagetitle:" + d.title,
+                        "--metadata=lang:en", "--css=" + (d.resources / "report.css").string(),
+                        "--output=" + d.stem + ".html", d.stem + ".md"},
+                       d.folder,
+                       fixed_time(d)},
+                      d.stem + ".html")
       .messages;
 }
 
 std::string make_latex(const Document& d) {
   const std::filesystem::path header = d.resources / "header.tex";
   const std::string copy = d.stem + ".printable.md";
-  write_file(d.folder / copy, printable(read_file(d.folder / (d.stem + ".md")), read_file(header)));
+  records::write_whole(d.folder / copy,
+                       printable(records::read_whole(d.folder / (d.stem + ".md")), records::read_whole(header)));
   return run_or_throw(
              {"pandoc",
-              {dialect, "--to=latex", "--standalone", "--no-highlight", "--columns=40",
+              {std::string("--from=") + dialect, "--to=latex", "--standalone", "--no-highlight", "--columns=40",
                "--include-in-header=" + header.string(), "--lua-filter=" + (d.resources / "pdf.lua").string(),
                "--variable=documentclass:article", "--variable=classoption:a4paper", "--variable=fontsize:10pt",
                "--variable=geometry:top=16mm,bottom=14mm,left=18mm,right=18mm,headsep=4mm,footskip=7mm",

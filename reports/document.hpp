@@ -11,9 +11,13 @@ struct Document {
   std::filesystem::path folder;     ///< holds the document and its pictures; results go there too
   std::string stem;                 ///< of the Markdown file and of what is made from it
   std::string title;                ///< of the browser's window
-  std::filesystem::path resources;  ///< reports/pandoc: header.tex, pdf.lua, report.css
+  std::filesystem::path resources;  ///< reports/pandoc: header.tex, pdf.lua, references.csl, ...
   long long epoch{};                ///< date of the document, seconds since 1970
 };
+
+/// The works of a bibliography in BibTeX as a Markdown list, each behind its key, in their order. Throws OutputError as
+/// run_or_throw(), also where pandoc warns.
+[[nodiscard]] std::string references_of(const std::string& bibliography, const Document& document);
 
 /// Writes folder/stem.html, one file with all in it; returns pandoc's warnings. Throws OutputError as run_or_throw().
 std::string make_html(const Document& document);

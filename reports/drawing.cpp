@@ -6,10 +6,10 @@
 #include <functional>
 
 #include "reports/error.hpp"
-#include "reports/file.hpp"
 #include "reports/parallel.hpp"
 #include "reports/process.hpp"
 #include "reports/progress.hpp"
+#include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
 namespace {
@@ -45,7 +45,7 @@ std::string draw(const std::vector<Drawing>& drawings, const std::filesystem::pa
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     tasks.emplace_back([&, i] {
       const std::filesystem::path script = folder / fmt::format("drawing-{}.gp", i);
-      write_file(script, drawings[i].script);
+      records::write_whole(script, drawings[i].script);
       const Command gnuplot{"gnuplot", {script.string()}, folder, {{"LC_ALL", "C.UTF-8"}, {"GNUTERM", "svg"}}};
       const std::string said = run_or_throw(gnuplot, drawings[i].name).messages;
       if (!said.empty() && !counts_frames(said))
@@ -60,7 +60,7 @@ std::string draw(const std::vector<Drawing>& drawings, const std::filesystem::pa
 void date_picture(const std::filesystem::path& file, long long epoch_seconds) {
   for (const DateField& field : date_fields) {
     if (file.extension() != field.extension) continue;
-    std::string bytes = read_file(file);
+    std::string bytes = records::read_whole(file);
     const std::string mark = field.mark;
     const std::size_t place = bytes.find(mark);
     const std::string date = date_text(field.form, static_cast<std::time_t>(epoch_seconds));
@@ -68,7 +68,7 @@ void date_picture(const std::filesystem::path& file, long long epoch_seconds) {
       throw OutputError(file.string() + ": has no creation date where cairo writes it");
     }
     bytes.replace(place + mark.size(), date.size(), date);
-    write_file(file, bytes);
+    records::write_whole(file, bytes);
   }
 }
 

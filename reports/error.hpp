@@ -1,17 +1,17 @@
-/// What can go wrong in a report, by whose hands it must be mended.
+/// What can go wrong in a report, by whose hands it must be mended. Exit codes of talus_report: 2 for RecordError, 4
+/// for FileError and OutputError.
 #pragma once
 
 #include <stdexcept>
 
+#include "verification/record/error.hpp"
+
 namespace talus::reports {
 
-/// A record, CSV file or option is not what the schema says; the words name file and field. Exit code 2.
-class RecordError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+using records::FileError;
+using records::RecordError;
 
-/// A file cannot be read or written, or a tool (gnuplot, pandoc, pdflatex) is absent or failed. Exit code 4.
+/// A folder cannot be made, or a tool (gnuplot, pandoc, pdflatex) is absent or failed.
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

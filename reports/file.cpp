@@ -3,32 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include "reports/error.hpp"
 
 namespace talus::reports {
 namespace fs = std::filesystem;
-
-std::string read_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) throw OutputError(file.string() + ": cannot be read");
-  return text.str();
-}
-
-void write_file(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-  stream << text;
-  stream.close();
-  if (!stream) {
-    std::error_code ignored;
-    fs::remove(file, ignored);
-    throw OutputError(file.string() + ": cannot be written");
-  }
-}
 
 Workshop::Workshop(fs::path target)
     : target_(fs::absolute(target)), folder_(target_ / fmt::format(".partial-{}", getpid())) {

@@ -6,12 +6,6 @@
 
 namespace talus::reports {
 
-/// The whole file; throws OutputError when it cannot be read.
-[[nodiscard]] std::string read_file(const std::filesystem::path& file);
-
-/// Writes the text; throws OutputError (the partial file is removed) when the disk refuses.
-void write_file(const std::filesystem::path& file, const std::string& text);
-
 /// A new folder beside the results-to-be, removed with all it holds at the end of its scope. What is finished is
 /// moved out of it by publish(), so that a reader of the target never sees half a file.
 class Workshop {

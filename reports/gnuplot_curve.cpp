@@ -9,8 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "reports/colour_scale.hpp"
-#include "reports/gnuplot_script.hpp"
+#include "reports/gnuplot_text.hpp"
 
 namespace talus::reports {
 namespace {
@@ -25,7 +24,7 @@ std::string line_rows(const Curve& curve) {
   const Point* first = nullptr;
   for (const Point& point : curve.points) {
     text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", point.x, point.y, point.low, point.high);
-    if (curve.style != "outlines") continue;
+    if (curve.style != Style::outlines) continue;
     const bool closed = first && first->x == point.x && first->y == point.y;
     if (closed) text += "\n";
     first = closed ? nullptr : first ? first : &point;
@@ -34,23 +33,22 @@ std::string line_rows(const Curve& curve) {
 }
 
 /// Rows with an empty one between two lines; the third number is the colour of the value.
-std::string shape_rows(const Curve& curve, const Scale& scale) {
+std::string shape_rows(const Curve& curve, const ColourScale& scale) {
   std::string text;
   double line = curve.points.front().line;
   for (const Point& point : curve.points) {
     if (point.line != line) text += "\n";
     line = point.line;
-    const double place = (point.value - scale.min) / (scale.max - scale.min);
-    text += fmt::format("{:.6g} {:.6g} {}\n", point.x, point.y, scale_colour(place));
+    text += fmt::format("{:.6g} {:.6g} {}\n", point.x, point.y, scale.colour(point.value));
   }
   return text;
 }
 
 /// Rows of a grid with red, green and blue of each value.
-std::string heat_rows(const Curve& curve, const Scale& scale) {
+std::string heat_rows(const Curve& curve, const ColourScale& scale) {
   std::string text;
   for (const Point& point : curve.points) {
-    const long colour = scale_colour((point.value - scale.min) / (scale.max - scale.min), scale.two_hues);
+    const long colour = scale.colour(point.value);
     text += fmt::format("{:.6g} {:.6g} {} {} {}\n", point.x, point.y, colour / 65536, colour / 256 % 256, colour % 256);
   }
   return text;
@@ -65,24 +63,24 @@ std::string shape_command(const Curve& curve, const std::string& block) {
     return fmt::format("{} using 1:2 with filledcurves closed fc rgb '{}' lw {:g} fs transparent solid 0.85 {} notitle",
                        block, look.fill, look.width, border);
   }
-  const bool by_value = !look.value.empty();
+  const bool by_value = curve.by_value;
   return fmt::format("{} using 1:2{} with lines lw {:g} dt {} lc rgb {} notitle", block, by_value ? ":3" : "",
                      look.width, look.dashed ? "(6,4)" : "1", by_value ? "variable" : fmt::format("'{}'", look.colour));
 }
 
 std::string line_command(const Curve& curve, const std::string& block, std::size_t index) {
   const std::string title = curve.label.empty() ? "notitle" : "title " + gnuplot_text(curve.label);
-  const std::string with = curve.style == "errorbars"  ? "yerrorbars"
-                           : curve.style == "crosses"  ? "points"
-                           : curve.style == "outlines" ? "lines"
-                                                       : curve.style;
-  const std::string columns = curve.style == "errorbars" ? "1:2:3:4" : "1:2";
-  const std::string crosses = curve.style == "crosses" ? " pt 2 ps 0.7" : "";
+  const std::string with = curve.style == Style::errorbars  ? "yerrorbars"
+                           : curve.style == Style::crosses  ? "points"
+                           : curve.style == Style::outlines ? "lines"
+                                                            : name_of(curve.style);
+  const std::string columns = curve.style == Style::errorbars ? "1:2:3:4" : "1:2";
+  const std::string crosses = curve.style == Style::crosses ? " pt 2 ps 0.7" : "";
   const std::string colour = curve.look.colour.empty() ? "" : fmt::format(" lc rgb '{}'", curve.look.colour);
   // The preamble has seven colours; lines without points are distinguished by dashes from the eighth on.
   constexpr std::size_t colours = 7;
   constexpr std::array dashes{"", " dt (8,4)", " dt (2,3)", " dt (10,3,2,3)"};
-  const std::string dash = curve.style == "lines" ? dashes[index / colours % dashes.size()] : "";
+  const std::string dash = curve.style == Style::lines ? dashes[index / colours % dashes.size()] : "";
   return fmt::format("{} using {} with {} linetype {}{}{}{} {}", block, columns, with, index + 1, colour, dash, crosses,
                      title);
 }
@@ -107,14 +105,13 @@ std::string circle_rows(const std::vector<Point>& circles, double width) {
 }
 
 /// Circles of one colour are drawn together: gnuplot fills a curve in one.
-CurveScript circles_script(const Curve& curve, const std::string& block, const Scale& scale) {
+CurveScript circles_script(const Curve& curve, const std::string& block, const ColourScale& scale) {
   const Look& look = curve.look;
   std::map<long, std::vector<Point>> by_colour;
   double left = curve.points.front().x, right = left;
   for (const Point& point : curve.points) {
-    const double place = (point.value - scale.min) / (scale.max - scale.min);
-    by_colour[look.value.empty() ? std::stol(look.fill.substr(1), nullptr, 16) : scale_colour(place, scale.two_hues)]
-        .push_back(point);
+    by_colour[curve.by_value ? scale.colour(point.value) : std::stol(look.fill.substr(1), nullptr, 16)].push_back(
+        point);
     left = std::min(left, point.x - point.radius), right = std::max(right, point.x + point.radius);
   }
   const std::string border = look.colour.empty() ? "noborder" : fmt::format("border lc rgb '{}'", look.colour);
@@ -130,10 +127,10 @@ CurveScript circles_script(const Curve& curve, const std::string& block, const S
 
 }  // namespace
 
-CurveScript curve_script(const Curve& curve, const std::string& block, std::size_t index, const Scale& scale) {
-  if (curve.style == "circles") return circles_script(curve, block, scale);
-  if (curve.style == "shapes") return {data_block(block, shape_rows(curve, scale)), shape_command(curve, block)};
-  if (curve.style == "heat") {
+CurveScript curve_script(const Curve& curve, const std::string& block, std::size_t index, const ColourScale& scale) {
+  if (curve.style == Style::circles) return circles_script(curve, block, scale);
+  if (curve.style == Style::shapes) return {data_block(block, shape_rows(curve, scale)), shape_command(curve, block)};
+  if (curve.style == Style::heat) {
     return {data_block(block, heat_rows(curve, scale)), fmt::format("{} using 1:2:3:4:5 with rgbimage notitle", block)};
   }
   return {data_block(block, line_rows(curve)), line_command(curve, block, index)};

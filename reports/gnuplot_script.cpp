@@ -4,52 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 #include "reports/gnuplot_curve.hpp"
+#include "reports/gnuplot_text.hpp"
 
 namespace talus::reports {
 namespace {
-
-bool letter_or_digit(char letter) { return std::isalnum(static_cast<unsigned char>(letter)) != 0; }
-
-/// Length of what `^` or `_` applies to, from `place`: {...}, (...), a signed number, or a short word; 0 if nothing.
-std::size_t script_length(const std::string& text, std::size_t place) {
-  if (place >= text.size()) return 0;
-  if (text[place] == '{' || text[place] == '(') {
-    const std::size_t end = text.find(text[place] == '{' ? '}' : ')', place);
-    return end == std::string::npos ? 0 : end + 1 - place;
-  }
-  std::size_t end = place;
-  if (text[end] == '-' || text[end] == '+') ++end;
-  const std::size_t sign = end - place;
-  while (end < text.size() && (letter_or_digit(text[end]) ||
-                               (text[end] == '.' && end + 1 < text.size() && letter_or_digit(text[end + 1])))) {
-    ++end;
-  }
-  const std::size_t length = end - place;
-  return length > sign && length <= 5 ? length : 0;
-}
-
-/// `_` is a subscript's mark only after a symbol of one letter, so that names such as two_cable stay names.
-bool follows_symbol(const std::string& text, std::size_t place) {
-  if (place == 0) return false;
-  const bool ascii = static_cast<unsigned char>(text[place - 1]) < 0x80;
-  if (!ascii) return true;
-  return std::isalpha(static_cast<unsigned char>(text[place - 1])) != 0 &&
-         (place == 1 || (!letter_or_digit(text[place - 2]) && text[place - 2] != '_'));
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char letter : text) {
-    if (std::string("\\{}^_@&~").find(letter) != std::string::npos) result += '\\';
-    if (letter == '\'') result += '\'';
-    result += letter;
-  }
-  return result;
-}
 
 /// The part of a power law that lies in the plot: a third of the x axis to each side of its point, clipped.
 std::array<Point, 2> slope_ends(const Slope& slope, const Plot& plot) {
@@ -95,7 +56,7 @@ std::string slope_commands(const Plot& plot, std::string& curves) {
 
 std::string line_commands(const Plot& plot) {
   std::string text;
-  for (const LimitLine& line : plot.figure.lines) {
+  for (const Line& line : plot.figure.lines) {
     const Extent& extent = line.axis == 'x' ? plot.x : plot.y;
     if (line.at < extent.low || line.at > extent.high) continue;  // the record's own limits leave it out
     const std::string from = line.axis == 'x' ? fmt::format("first {:.9g}, graph 0", line.at)
@@ -154,37 +115,6 @@ std::size_t key_columns(const Plot& plot, const Canvas& canvas) {
 
 }  // namespace
 
-std::string gnuplot_quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char letter : text) {
-    if (letter == '\'') result += '\'';
-    result += letter;
-  }
-  return result + "'";
-}
-
-std::string gnuplot_text(const std::string& words) {
-  std::string text = words;
-  text.erase(std::remove(text.begin(), text.end(), '$'), text.end());
-  for (char& letter : text)
-    if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = ' ';  // a deck's title may hold tabs
-  std::string result = "'";
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool raises = text[i] == '^';
-    const bool lowers = text[i] == '_' && follows_symbol(text, i);
-    const std::size_t length = raises || lowers ? script_length(text, i + 1) : 0;
-    if (length == 0) {
-      result += escaped(text.substr(i, 1));
-      continue;
-    }
-    std::string script = text.substr(i + 1, length);
-    if (script.front() == '{' || script.front() == '(') script = script.substr(1, script.size() - 2);
-    result += fmt::format("{}{{{}}}", text[i], escaped(script));
-    i += length;
-  }
-  return result + "'";
-}
-
 std::string log_tics(char axis, const Extent& extent) {
   const int first = static_cast<int>(std::ceil(std::log10(extent.low) - 1e-9));
   const int last = static_cast<int>(std::floor(std::log10(extent.high) + 1e-9));
@@ -235,7 +165,7 @@ std::string drawn_in_each_format(const Canvas& canvas, const std::string& stem, 
   return text;
 }
 
-Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale, const Canvas& canvas) {
+Panel panel_of(const Plot& plot, const std::string& prefix, const ColourScale& scale, const Canvas& canvas) {
   Panel panel;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const Curve& curve = plot.curves[i];
@@ -244,8 +174,8 @@ Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale, 
     const CurveScript script = curve_script(curve, block, i, scale);
     panel.settings += script.data;
     panel.curves += (panel.curves.empty() ? "" : ", ") + script.command;
-    if (!has_look(curve.style) && curve.style != "heat" && !curve.label.empty()) ++panel.in_key;
-    if (curve.style == "outlines") panel.settings += "set size ratio -1\n";
+    if (!has_look(curve.style) && curve.style != Style::heat && !curve.label.empty()) ++panel.in_key;
+    if (curve.style == Style::outlines) panel.settings += "set size ratio -1\n";
   }
   panel.settings += axis_commands('x', plot.figure.x, plot.x) + axis_commands('y', plot.figure.y, plot.y);
   if (!plot.figure.grid) panel.settings += "unset grid\n";

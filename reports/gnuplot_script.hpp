@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "reports/colour_scale.hpp"
 #include "reports/plot.hpp"
 
 namespace talus::reports {
@@ -29,14 +30,6 @@ struct Canvas {
   Letters letters{};                ///< of a figure
 };
 
-/// A label for gnuplot's enhanced text, in single quotes. Words as in a record: `$` is dropped, `^` followed by a
-/// number or letters raises them, `_` after a single letter lowers what follows (`k_n`); any other mark stands for
-/// itself.
-[[nodiscard]] std::string gnuplot_text(const std::string& words);
-
-/// Text as a single-quoted gnuplot string, for file names.
-[[nodiscard]] std::string gnuplot_quoted(const std::string& text);
-
 /// `set xtics` (axis 'x' or 'y') for a log axis, each place written out: powers of ten where there are two or more,
 /// else 1-2-5 numbers.
 [[nodiscard]] std::string log_tics(char axis, const Extent& extent);
@@ -56,7 +49,8 @@ struct Panel {
 
 /// The parts of a plot's script; the names of its data blocks begin with `prefix`, and `scale` colours its values. The
 /// key may be as wide as the canvas.
-[[nodiscard]] Panel panel_of(const Plot& plot, const std::string& prefix, const Scale& scale, const Canvas& canvas);
+[[nodiscard]] Panel panel_of(const Plot& plot, const std::string& prefix, const ColourScale& scale,
+                             const Canvas& canvas);
 
 /// The commands that draw the plot as folder/stem.<format>.
 [[nodiscard]] std::string figure_script(const Plot& plot, const Canvas& canvas, const std::string& stem);

@@ -3,21 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "reports/gnuplot_script.hpp"
+#include "reports/gnuplot_text.hpp"
 
 namespace talus::reports {
 namespace {
 
-struct Kind {
-  const char* name;
-  const char* label;
-};
-constexpr std::array<Kind, 5> kinds{{{"truncation", "truncation"},
-                                     {"round_off", "round-off"},
-                                     {"model", "model"},
-                                     {"interval", "interval"},
-                                     {"exact", "exact"}}};
+constexpr std::array kinds{std::pair{Kind::truncation, "truncation"}, std::pair{Kind::round_off, "round-off"},
+                           std::pair{Kind::model, "model"}, std::pair{Kind::interval, "interval"},
+                           std::pair{Kind::exact, "exact"}};
 
 /// Smallest error/bound drawn to scale; smaller ones stand at the axis' left end.
 constexpr double least_margin = 1e-5;
@@ -31,10 +27,10 @@ double place_of(const Check& check) {
 }
 
 /// The dots of one kind: place on the axis, row of the case; the checks of a case spread over its row.
-std::string dots(const Results& results, const std::string& kind, bool passed, bool& some) {
+std::string dots(const Results& results, Kind kind, bool passed, bool& some) {
   std::string text;
-  for (std::size_t row = 0; row < results.cases.size(); ++row) {
-    const std::vector<Check>& checks = results.cases[row].checks;
+  for (std::size_t row = 0; row < results.records.size(); ++row) {
+    const std::vector<Check>& checks = results.records[row].checks;
     for (std::size_t i = 0; i < checks.size(); ++i) {
       if (checks[i].kind != kind || checks[i].pass != passed) continue;
       const double spread = (static_cast<double>(i) + 0.5) / static_cast<double>(checks.size()) - 0.5;
@@ -47,8 +43,8 @@ std::string dots(const Results& results, const std::string& kind, bool passed, b
 
 std::string frame(const Results& results, std::size_t rows) {
   std::string names;
-  for (std::size_t row = 0; row < results.cases.size(); ++row) {
-    names += fmt::format("{}{} {}", row == 0 ? "" : ", ", gnuplot_text(results.cases[row].id), row + 1);
+  for (std::size_t row = 0; row < results.records.size(); ++row) {
+    names += fmt::format("{}{} {}", row == 0 ? "" : ", ", gnuplot_text(results.records[row].id), row + 1);
   }
   std::string text = fmt::format("set yrange [{}:0.4]\nset ytics ({})\n", static_cast<double>(rows) + 0.6, names);
   text +=
@@ -78,20 +74,20 @@ std::string frame(const Results& results, std::size_t rows) {
 }  // namespace
 
 std::string margin_script(const Results& results, const Canvas& canvas, const std::string& stem) {
-  const std::size_t rows = std::max<std::size_t>(results.cases.size(), 1);
+  const std::size_t rows = std::max<std::size_t>(results.records.size(), 1);
   std::string text = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string())) + frame(results, rows);
   std::string curves;
   std::size_t in_key = 0;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     for (const bool passed : {true, false}) {
       bool some = false;
-      const std::string points = dots(results, kinds[i].name, passed, some);
+      const std::string points = dots(results, kinds[i].first, passed, some);
       if (!some) continue;
       ++in_key;
       const std::string block = fmt::format("${}{}", passed ? "kind" : "failed", i);
       text += fmt::format("{} << END\n{}END\n", block, points);
       curves += fmt::format("{}{} using 1:2 with points linetype {}{} title '{}{}'", curves.empty() ? "" : ", ", block,
-                            i + 1, passed ? "" : " pt 2 ps 1.3 lw 3", kinds[i].label, passed ? "" : " (failed)");
+                            i + 1, passed ? "" : " pt 2 ps 1.3 lw 3", kinds[i].second, passed ? "" : " (failed)");
     }
   }
   if (curves.empty()) curves = "NaN notitle";  // no check at all: the frame and the cases' names still tell that

@@ -190,18 +190,6 @@ std::string number(double value, int digits) {
   return fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, digits);
 }
 
-std::string margin(double value, bool pass, int digits) {
-  const auto shows_verdict = [&](const std::string& text) {
-    const double shown = std::stod(text);
-    return pass ? shown < 1.0 : !(shown <= 1.0);
-  };
-  const std::string rounded = number(value, digits);
-  if (shows_verdict(rounded)) return rounded;
-  const std::string decimals = fmt::format("{:.3f}", value);
-  if (shows_verdict(decimals)) return decimals;
-  return pass ? "0.999" : "1.001";
-}
-
 int digits_to_tell(double measured, double reference) {
   const double size = std::max(std::abs(measured), std::abs(reference));
   const double difference = std::abs(measured - reference);

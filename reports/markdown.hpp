@@ -37,11 +37,6 @@ struct Column {
 /// A number in few digits ("3.82651", "1.2e-07"), `digits` significant ones; "nan" and "inf" as words.
 [[nodiscard]] std::string number(double value, int digits);
 
-/// error/bound of a check as number() has it, on the right side of 1: below it for a check that passes, above it for
-/// one that fails. Where rounding would hide the verdict there are three decimals, 0.999 and 1.001 nearest to 1.
-/// (verification/check/check.hpp has the same for the terminal; reports include nothing of it.)
-[[nodiscard]] std::string margin(double value, bool pass, int digits);
-
 /// Significant digits that show where the two numbers differ and one digit more; between 5 and 12.
 [[nodiscard]] int digits_to_tell(double measured, double reference);
 

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "reports/error.hpp"
-#include "reports/file.hpp"
 #include "reports/markdown.hpp"
+#include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
 
@@ -15,23 +14,23 @@ namespace mustache = kainjow::mustache;
 using markdown::cell;
 
 std::string filled(const std::filesystem::path& file, const mustache::data& values) {
-  mustache::mustache page(read_file(file));
+  mustache::mustache page(records::read_whole(file));
   page.set_custom_escape([](const std::string& text) { return markdown::words(text); });
   const std::string text = page.render(values);
   if (!page.is_valid()) throw OutputError(fmt::format("{}: {}", file.string(), page.error_message()));
   return text;
 }
 
-std::string case_heading(const CaseRecord& record) {
+std::string case_heading(const Record& record) {
   return record.title.empty() ? record.id : record.id + ": " + record.title;
 }
 
-std::string case_link(const CaseRecord& record) {
+std::string case_link(const Record& record) {
   return fmt::format("[{}](#{})", markdown::words(record.id), markdown::heading_id(case_heading(record)));
 }
 
 std::string link_of(const Results& results, const std::string& id) {
-  for (const CaseRecord& record : results.cases) {
+  for (const Record& record : results.records) {
     if (record.id == id) return case_link(record);
   }
   return cell(id);
@@ -44,13 +43,14 @@ std::string joined_links(const Results& results, const std::vector<std::string>&
   return text;
 }
 
-std::string status_word(const CaseRecord& record) {
-  return record.status == "pass" ? "pass" : "**" + record.status + "**";
+std::string status_word(const Record& record) {
+  const std::string name = name_of(record.status);
+  return record.status == Status::pass ? name : "**" + name + "**";
 }
 
 std::string margin_text(const Check& check) {
-  if (!check.pass) return "**" + markdown::margin(check.margin, false, 3) + "**";
-  return markdown::margin(check.margin, true, 2) + (check.slack ? " (slack)" : "");
+  if (!check.pass) return "**" + records::margin_text(check.margin, false, 3) + "**";
+  return records::margin_text(check.margin, true, 2) + (check.slack ? " (slack)" : "");
 }
 
 std::string measured_text(const Check& check, int most_digits) {
@@ -60,7 +60,6 @@ std::string measured_text(const Check& check, int most_digits) {
 }
 
 std::string reference_text(const Check& check, int most_digits) {
-  if (std::isnan(check.reference)) return "–";
   const int digits = markdown::digits_to_tell(check.measured, check.reference);
   return markdown::number(check.reference, std::min(digits, most_digits));
 }
@@ -70,7 +69,7 @@ std::string name_with_unit(const Check& check) {
   return cell(check.name + (bare ? "" : " [" + check.unit + "]"));
 }
 
-std::string kind_text(const Check& check) { return check.kind == "round_off" ? "round-off" : check.kind; }
+std::string kind_text(const Check& check) { return check.kind == Kind::round_off ? "round-off" : name_of(check.kind); }
 
 std::string reason(const Check& check) { return fmt::format("*{}.* {}", kind_text(check), cell(check.why)); }
 

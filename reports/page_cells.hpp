@@ -14,10 +14,10 @@ namespace talus::reports {
 [[nodiscard]] std::string filled(const std::filesystem::path& file, const kainjow::mustache::data& values);
 
 /// Heading of a case's page, as plain text: "id: title".
-[[nodiscard]] std::string case_heading(const CaseRecord& record);
+[[nodiscard]] std::string case_heading(const Record& record);
 
 /// The case's id, linked to its page.
-[[nodiscard]] std::string case_link(const CaseRecord& record);
+[[nodiscard]] std::string case_link(const Record& record);
 
 /// The case of that id, linked to its page; the bare id if it has no record.
 [[nodiscard]] std::string link_of(const Results& results, const std::string& id);
@@ -26,7 +26,7 @@ namespace talus::reports {
 [[nodiscard]] std::string joined_links(const Results& results, const std::vector<std::string>& ids);
 
 /// The case's status, bold unless it passed.
-[[nodiscard]] std::string status_word(const CaseRecord& record);
+[[nodiscard]] std::string status_word(const Record& record);
 
 // Cells of a check's row. Digits: as many as tell measured and reference apart, up to a limit (the error is beside).
 [[nodiscard]] std::string name_with_unit(const Check& check);

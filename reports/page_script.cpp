@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "reports/colour_scale.hpp"
+#include "reports/gnuplot_text.hpp"
 
 namespace talus::reports {
 namespace {
@@ -138,13 +138,18 @@ std::string legend_entry(const Series& series) {
     return fmt::format("keyentry with boxes fs solid 0.75 border lc rgb '{}' fc rgb '{}' title {}",
                        look.colour.empty() ? look.fill : look.colour, look.fill, label);
   }
-  const std::string colour = look.value.empty() ? fmt::format("rgb '{}'", look.colour) : "rgb 'black'";
+  const std::string colour = coloured_by_value(series) ? "rgb 'black'" : fmt::format("rgb '{}'", look.colour);
   return fmt::format("keyentry with lines lw {:g} dt {} lc {} title {}", std::max(look.width, 1.5),
                      look.dashed ? "(6,4)" : "1", colour, label);
 }
 
+/// The colours of a page's values.
+ColourScale colours_of(const Page& page) {
+  return page.scale ? ColourScale{page.scale->min, page.scale->max, page.two_hues} : ColourScale{};
+}
+
 /// The bar of colours with its numbers, `top` its upper edge.
-std::string bar_commands(const Scale& scale, double top, double height) {
+std::string bar_commands(const Scale& scale, const ColourScale& colours, double top, double height) {
   constexpr double left = 0.60;
   constexpr double width = 0.35;
   constexpr int parts = 96;  // each reaches into the next: no seams
@@ -155,7 +160,7 @@ std::string bar_commands(const Scale& scale, double top, double height) {
         "set object rect from screen {:.6f}, screen {:.6f} to screen {:.6f}, screen {:.6f} fs solid "
         "noborder fc rgb {}\n",
         left + width * i / parts, up(0.35), std::min(left + width * (i + 2) / parts, left + width), up(0.1),
-        scale_colour((i + 0.5) / parts, scale.two_hues));
+        colours.colour(scale.min + (i + 0.5) / parts * (scale.max - scale.min)));
   }
   const double step = round_step((scale.max - scale.min) / 4.0);
   const long last = std::lround(std::floor(scale.max / step + 1e-9));
@@ -182,7 +187,7 @@ std::string legend_commands(const PagePlot& page, const std::vector<Series>& ent
       "unset border\nunset tics\nunset grid\nset xrange [0:1]\nset yrange [0:1]\nset lmargin at screen 0\n"
       "set rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen {:.6f}\n",
       layout.legend / h);
-  if (bar) text += bar_commands(*page.page.scale, layout.legend, h);
+  if (bar) text += bar_commands(*page.page.scale, colours_of(page.page), layout.legend, h);
   text += entries.empty()
               ? "unset key\n"
               : fmt::format("set key at screen {:.6f}, screen {:.6f} {} top maxrows {} samplen 2.2 reverse Left\n",
@@ -201,8 +206,7 @@ std::pair<std::string, double> page_commands(const PagePlot& page, const Canvas&
   const double legend = page.page.scale ? 1.5 : entries.empty() ? 0.0 : 0.8;
   std::vector<Panel> panels;
   for (const Plot& plot : page.panels)
-    panels.push_back(
-        panel_of(plot, fmt::format("panel{}_", panels.size() + 1), page.page.scale.value_or(Scale{}), canvas));
+    panels.push_back(panel_of(plot, fmt::format("panel{}_", panels.size() + 1), colours_of(page.page), canvas));
   const Layout layout = layout_of(page, panels, legend);
   const auto columns = std::min(static_cast<std::size_t>(page.page.columns), panels.size());
   const std::string clean = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string()));
@@ -221,7 +225,7 @@ std::pair<std::string, double> page_commands(const PagePlot& page, const Canvas&
 }  // namespace
 
 Page panelled(const Figure& figure) {
-  Page page{figure.name, {}, figure.columns, {}, figure.scale, 2.8};
+  Page page{figure.name, {}, figure.columns, {}, figure.scale, 2.8, true};
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {
     Figure panel = figure;
     panel.title = figure.panels[p];
@@ -230,7 +234,7 @@ Page panelled(const Figure& figure) {
     for (Series series : figure.series) {
       if (series.panel != static_cast<int>(p)) continue;
       series.label.clear();
-      if (figure.scale && series.style != "heat") series.look.colour = "#000000";
+      if (figure.scale && series.style != Style::heat) series.look.colour = "#000000";
       panel.series.push_back(series);
     }
     if (!panel.series.empty()) page.panels.push_back(panel);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reports/gnuplot_script.hpp"
+#include "reports/run_plots.hpp"
 
 namespace talus::reports {
 

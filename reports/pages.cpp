@@ -7,7 +7,6 @@
 #include "reports/appendix.hpp"
 #include "reports/comparisons.hpp"
 #include "reports/coverage.hpp"
-#include "reports/markdown.hpp"
 #include "reports/page_cells.hpp"
 #include "reports/summary.hpp"
 
@@ -18,14 +17,14 @@ namespace mustache = kainjow::mustache;
 /// When and from what, in a line; the appendix has all of it.
 std::string run_in_words(const Results& results) {
   const Provenance& p = results.provenance;
-  return fmt::format("Run of {}{}, revision {}{}.", p.date, results.tier.empty() ? "" : ", tier " + results.tier,
-                     p.revision.substr(0, 10), p.dirty ? " with uncommitted changes" : "");
+  return fmt::format("Run of {}, tier {}, revision {}{}.", p.date, name_of(results.tier), p.revision.substr(0, 10),
+                     p.dirty ? " with uncommitted changes" : "");
 }
 
 std::string front(const Results& results, const std::filesystem::path& templates) {
-  const Counts& c = results.counts;
+  const Counts c = counts_of(results);
   mustache::data values;
-  values.set("verdict", results.verdict == "pass" ? "PASS" : "FAIL");
+  values.set("verdict", holds(results) ? "PASS" : "FAIL");
   values.set("counts", fmt::format("{} cases: {} passed, {} failed. {} checks: {} failed, {} slack ({} exact or "
                                    "round-off ones are exempt from that rule). {} negative controls: "
                                    "{} failed.",
@@ -51,16 +50,12 @@ std::string front(const Results& results, const std::filesystem::path& templates
 }
 
 std::string back(const Results& results, const Drawn& drawn, const std::filesystem::path& templates,
-                 const std::string& tools) {
-  std::string references;
-  for (const Reference& r : results.references) {
-    references += fmt::format("- **{}**: {}\n", markdown::words(r.key), markdown::words(r.text));
-  }
+                 const std::string& references, const std::string& tools) {
   mustache::data values;
   values.set("provenance", provenance(results));
   std::string details;
-  for (std::size_t i = 0; i < results.cases.size(); ++i)
-    details += fmt::format("{}\n", case_details(results.cases[i], i + 1, drawn, templates));
+  for (std::size_t i = 0; i < results.records.size(); ++i)
+    details += fmt::format("{}\n", case_details(results.records[i], i + 1, drawn, templates));
   values.set("details", details);
   values.set("traceability", traceability(results));
   values.set("references", references.empty() ? "None.\n" : references);
@@ -72,12 +67,12 @@ std::string back(const Results& results, const Drawn& drawn, const std::filesyst
 }  // namespace
 
 std::string report_markdown(const Results& results, const Drawn& drawn, const std::filesystem::path& templates,
-                            const std::string& tools) {
+                            const std::string& references, const std::string& tools) {
   std::string text = front(results, templates);
-  for (std::size_t i = 0; i < results.cases.size(); ++i) {
-    text += fmt::format("\n{}", case_page(results.cases[i], i + 1, drawn, templates));
+  for (std::size_t i = 0; i < results.records.size(); ++i) {
+    text += fmt::format("\n{}", case_page(results.records[i], i + 1, drawn, templates));
   }
-  return fmt::format("{}\n{}", text, back(results, drawn, templates, tools));
+  return fmt::format("{}\n{}", text, back(results, drawn, templates, references, tools));
 }
 
 }  // namespace talus::reports

@@ -22,20 +22,22 @@ struct Drawn {
 };
 
 /// The file stem of a figure's picture in the report's folder figures/.
-[[nodiscard]] std::string picture_stem(const CaseRecord& record, const Figure& figure);
+[[nodiscard]] std::string picture_stem(const Record& record, const Figure& figure);
 
 /// The page of one case, the chapter of that number (figures and tables are numbered within it): its text, its main
 /// checks (of a case that marks none the failed ones and the first few) and its first figure.
-[[nodiscard]] std::string case_page(const CaseRecord& record, std::size_t chapter, const Drawn& drawn,
+[[nodiscard]] std::string case_page(const Record& record, std::size_t chapter, const Drawn& drawn,
                                     const std::filesystem::path& templates);
 
 /// The rest of the case, for the appendix: all checks, controls, tables, further figures, notes.
-[[nodiscard]] std::string case_details(const CaseRecord& record, std::size_t chapter, const Drawn& drawn,
+[[nodiscard]] std::string case_details(const Record& record, std::size_t chapter, const Drawn& drawn,
                                        const std::filesystem::path& templates);
 
 /// The whole report as Markdown, pictures linked as figures/<stem>.svg. `templates` is the folder of the Mustache
-/// templates; `tools` is a line naming the tools' versions. Throws OutputError when a template is missing or wrong.
+/// templates; `references` is the list of references as Markdown, empty if there are none; `tools` is a line naming the
+/// tools' versions. Throws OutputError when a template is missing or wrong.
 [[nodiscard]] std::string report_markdown(const Results& results, const Drawn& drawn,
-                                          const std::filesystem::path& templates, const std::string& tools);
+                                          const std::filesystem::path& templates, const std::string& references,
+                                          const std::string& tools);
 
 }  // namespace talus::reports

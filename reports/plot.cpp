@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "reports/csv.hpp"
-#include "reports/error.hpp"
+#include "verification/record/figure_points.hpp"
 
 namespace talus::reports {
 namespace {
@@ -18,24 +18,23 @@ bool drawable(const Point& point, const Figure& figure) {
   return !(figure.x.log && point.x <= 0.0) && !(figure.y.log && point.y <= 0.0);
 }
 
-Curve curve_of(const Series& series, const Figure& figure, const Csv& csv, std::size_t& undrawn) {
-  const std::size_t x = csv.column(series.x);
-  const std::size_t y = csv.column(series.y);
-  const bool bars = series.style == "errorbars";
-  const std::size_t low = bars ? csv.column(series.y_low) : y;
-  const std::size_t high = bars ? csv.column(series.y_high) : y;
-  const std::size_t filter = series.where.empty() ? 0 : csv.column("series");
-  const bool shapes = series.style == "shapes";
-  const std::size_t line = shapes ? csv.column("line") : y;
-  const std::size_t value = series.look.value.empty() ? y : csv.column(series.look.value);
-  const std::size_t radius = series.look.radius.empty() ? y : csv.column(series.look.radius);
-  Curve curve{series.label, series.style, {}, series.look};
-  std::size_t rows = 0;
-  for (std::size_t row = 0; row < csv.rows.size(); ++row) {
-    if (!series.where.empty() && csv.rows[row][filter] != series.where) continue;
-    ++rows;
-    Point point{csv.number(row, x),    csv.number(row, y),     csv.number(row, low),   csv.number(row, high),
-                csv.number(row, line), csv.number(row, value), csv.number(row, radius)};
+/// The number of a point, or a substitute where the series has no such numbers.
+double number(const std::vector<double>& numbers, std::size_t i, double substitute) {
+  return numbers.empty() ? substitute : numbers[i];
+}
+
+/// The curve of a series, whose points it takes.
+Curve curve_of(Series& series, const Figure& figure, std::size_t& undrawn) {
+  Curve curve{series.label, series.style, {}, series.look, coloured_by_value(series)};
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    const double y = series.y[i];
+    Point point{series.x[i],
+                y,
+                number(series.y_low, i, y),
+                number(series.y_high, i, y),
+                number(series.line, i, 0.0),
+                number(series.values, i, 0.0),
+                number(series.radius, i, 0.0)};
     if (!drawable(point, figure)) {
       ++undrawn;
       continue;
@@ -44,12 +43,11 @@ Curve curve_of(const Series& series, const Figure& figure, const Csv& csv, std::
     if (figure.y.log && point.low <= 0.0) point.low = 0.1 * point.y;
     curve.points.push_back(point);
   }
-  if (rows == 0) {
-    throw RecordError(fmt::format("{}: figure '{}': series '{}' (columns '{}', '{}'{}) has no row", csv.file.string(),
-                                  figure.name, series.label, series.x, series.y,
-                                  series.where.empty() ? "" : ", series = '" + series.where + "'"));
+  for (auto* const numbers :
+       {&series.x, &series.y, &series.y_low, &series.y_high, &series.line, &series.values, &series.radius}) {
+    *numbers = {};
   }
-  if (!has_look(series.style) && series.style != "outlines" && series.style != "heat")
+  if (!has_look(series.style) && series.style != Style::outlines && series.style != Style::heat)
     curve.points = thinned(curve.points, most_points);
   return curve;
 }
@@ -93,28 +91,34 @@ std::vector<Point> thinned(const std::vector<Point>& points, std::size_t limit) 
   return kept;
 }
 
-Plot plot_of(const Figure& figure, const std::filesystem::path& folder) {
-  const Csv csv = read_csv(folder / figure.csv);
-  Plot plot{figure, {}, {}, {}, 0};
+Plot plot_of(Figure figure) {
+  Plot plot{std::move(figure), {}, {}, {}, 0};
   std::vector<double> xs;
   std::vector<double> ys;
-  for (const Series& series : figure.series) {
-    plot.curves.push_back(curve_of(series, figure, csv, plot.undrawn));
+  for (Series& series : plot.figure.series) {
+    plot.curves.push_back(curve_of(series, plot.figure, plot.undrawn));
     for (const Point& point : plot.curves.back().points) {
       xs.push_back(point.x);
       ys.insert(ys.end(), {point.y, point.low, point.high});
     }
   }
   if (xs.empty()) {
-    throw RecordError(fmt::format("{}: figure '{}' is empty: no point can be drawn", csv.file.string(), figure.name));
+    throw RecordError(
+        fmt::format("{}: figure '{}' is empty: no point can be drawn", plot.figure.csv, plot.figure.name));
   }
-  for (const LimitLine& line : figure.lines)
+  for (const Line& line : plot.figure.lines)
     (line.axis == 'x' ? xs : ys).push_back(line.at);
-  plot.x = extent_of(xs, figure.x.log);
-  plot.y = extent_of(ys, figure.y.log);
-  set_limits(plot.x, figure.x, figure.name);
-  set_limits(plot.y, figure.y, figure.name);
+  plot.x = extent_of(xs, plot.figure.x.log);
+  plot.y = extent_of(ys, plot.figure.y.log);
+  set_limits(plot.x, plot.figure.x, plot.figure.name);
+  set_limits(plot.y, plot.figure.y, plot.figure.name);
   return plot;
+}
+
+Plot plot_of(const Figure& figure, const std::filesystem::path& folder) {
+  Figure filled = figure;
+  records::read_points(filled, folder, records::Rows::some);
+  return plot_of(std::move(filled));
 }
 
 }  // namespace talus::reports

@@ -19,9 +19,10 @@ struct Point {
 /// One curve's points, in the order of the file.
 struct Curve {
   std::string label;
-  std::string style;
+  Style style{};
   std::vector<Point> points;
   Look look{};
+  bool by_value{};  ///< coloured by Point::value
 };
 
 /// Limits of one axis, low < high.
@@ -30,12 +31,15 @@ struct Extent {
 };
 
 struct Plot {
-  Figure figure;
+  Figure figure;  ///< without its points
   std::vector<Curve> curves;
   Extent x;
   Extent y;
   std::size_t undrawn{};  ///< points at or below zero, which a log axis cannot show
 };
+
+/// The plot of a figure whose series hold their points. Throws RecordError when nothing is left to draw.
+[[nodiscard]] Plot plot_of(Figure figure);
 
 /// Reads the figure's CSV file in `folder`. Throws RecordError (file, column, line) when file or column is missing, a
 /// cell is not a number, a series has no row, or nothing is left to draw.

@@ -14,12 +14,13 @@
 #include "reports/parallel.hpp"
 #include "reports/process.hpp"
 #include "reports/progress.hpp"
+#include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
 namespace fs = std::filesystem;
 namespace {
 
-bool broke_off(const CaseRecord& record) { return record.status != "pass" && record.status != "fail"; }
+bool broke_off(const Record& record) { return !finished(record.status); }
 
 /// One script for each case and one for the margin chart.
 std::vector<Drawing> drawings_of(const Results& results, const fs::path& verify, const Canvas& canvas, Drawn& drawn) {
@@ -28,7 +29,7 @@ std::vector<Drawing> drawings_of(const Results& results, const fs::path& verify,
   small.width = page_figure_wide;
   small.height = 4.8;
   small.letters = {0.36, 9.5};
-  for (const CaseRecord& record : results.cases) {
+  for (const Record& record : results.records) {
     std::string script;
     for (const Figure& figure : record.figures) {
       const std::string key = record.id + "/" + figure.name;
@@ -85,7 +86,7 @@ fs::path find_resources() {
 }
 
 std::string make_report(const fs::path& verify, const fs::path& report, const Workplace& workplace) {
-  const Results results = read_results(verify / "results.json");
+  const Results results = records::read_results(verify / "results.json");
   const Workshop workshop(report);
   const fs::path figures = workshop.folder() / "figures";
   fs::create_directory(figures);
@@ -94,9 +95,12 @@ std::string make_report(const fs::path& verify, const fs::path& report, const Wo
   const std::vector<Drawing> drawings = drawings_of(results, verify, canvas, drawn);
 
   const Document document{workshop.folder(), "verification", "Talus verification report",
-                          workplace.resources / "pandoc", epoch_seconds(results.provenance.date)};
-  write_file(workshop.folder() / "verification.md",
-             report_markdown(results, drawn, workplace.resources / "templates", tool_versions()));
+                          workplace.resources / "pandoc", records::epoch_seconds(results.provenance.date)};
+  const std::string tools = tool_versions();
+  const std::string references =
+      results.bibliography.empty() ? std::string{} : references_of(results.bibliography, document);
+  records::write_whole(workshop.folder() / "verification.md",
+                       report_markdown(results, drawn, workplace.resources / "templates", references, tools));
   std::string html_warnings;
   std::string latex_warnings;
   std::string picture_warnings;

@@ -7,6 +7,8 @@
 #include "reports/file.hpp"
 #include "reports/page_script.hpp"
 #include "reports/report.hpp"
+#include "reports/run_plots.hpp"
+#include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
 namespace fs = std::filesystem;
@@ -31,9 +33,9 @@ std::string within_script(const std::string& json) {
 std::string player_page(const Player& player, const fs::path& run, const fs::path& resources) {
   mustache::data values;
   values.set("title", player.title);
-  values.set("data", within_script(read_file(run / player.data)));
+  values.set("data", within_script(records::read_whole(run / player.data)));
   const fs::path file = resources / "templates" / "player.mustache";
-  mustache::mustache page(read_file(file));
+  mustache::mustache page(records::read_whole(file));
   const std::string text = page.render(values);
   if (!page.is_valid()) throw OutputError(fmt::format("{}: {}", file.string(), page.error_message()));
   return text;
@@ -75,7 +77,7 @@ std::vector<fs::path> make_plots(const fs::path& run, const fs::path& target, co
   if (!warnings.empty()) fmt::print(stderr, "{}", warnings);
   for (const Player& player : plots.players) {
     names.push_back(player.name + ".html");
-    write_file(workshop.folder() / names.back(), player_page(player, run, workplace.resources));
+    records::write_whole(workshop.folder() / names.back(), player_page(player, run, workplace.resources));
   }
   std::vector<fs::path> files;
   for (const std::string& name : names) {

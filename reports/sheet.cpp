@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <kainjow/mustache.hpp>
+#include <map>
 
 #include "reports/document.hpp"
 #include "reports/drawing.hpp"
@@ -10,6 +11,7 @@
 #include "reports/sheet_drawing.hpp"
 #include "reports/sheet_tables.hpp"
 #include "reports/sheet_verdict.hpp"
+#include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
 namespace fs = std::filesystem;
@@ -160,7 +162,7 @@ std::string tables_at(SheetTable::Place place, const std::vector<SheetTable>& ta
 template <class Write>
 std::string rendered(const fs::path& page, const SheetRecord& record, const Escape& escape, Write&& write,
                      const std::string& picture, const std::string& phone_picture = "") {
-  mustache::mustache frame{read_file(page)};
+  mustache::mustache frame{records::read_whole(page)};
   frame.set_custom_escape(escape);
   mustache::data data;
   data["title"] = record.title;
@@ -218,10 +220,12 @@ std::vector<fs::path> make_sheet(const fs::path& run, const Workplace& workplace
   date_picture(folder / "drawing.pdf", 0);
 
   const fs::path templates = workplace.resources / "templates";
-  write_file(folder / "sheet.html", rendered(templates / "sheet.html.mustache", record, html_text, html_table,
-                                             read_file(folder / "drawing.svg"), read_file(folder / "phone.svg")));
+  records::write_whole(folder / "sheet.html", rendered(templates / "sheet.html.mustache", record, html_text, html_table,
+                                                       records::read_whole(folder / "drawing.svg"),
+                                                       records::read_whole(folder / "phone.svg")));
   const std::string latex = rendered(templates / "sheet.tex.mustache", record, latex_text, latex_table, "drawing.pdf");
-  write_file(folder / "sheet.tex", printable(latex, read_file(workplace.resources / "pandoc" / "header.tex")));
+  records::write_whole(folder / "sheet.tex",
+                       printable(latex, records::read_whole(workplace.resources / "pandoc" / "header.tex")));
   make_pdf({.folder = folder, .stem = "sheet", .title = record.title, .resources = workplace.resources, .epoch = 0});
   std::vector<fs::path> files;
   for (const char* name : {"sheet.html", "sheet.pdf"}) {

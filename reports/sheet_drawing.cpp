@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "reports/gnuplot_text.hpp"
+
 namespace talus::reports {
 namespace {
 

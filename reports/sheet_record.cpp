@@ -1,10 +1,19 @@
 #include "reports/sheet_record.hpp"
 
-#include "reports/file.hpp"
-#include "reports/json_node.hpp"
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "reports/error.hpp"
+#include "verification/record/json_node.hpp"
 
 namespace talus::reports {
 namespace {
+
+using records::Json;
+using records::Node;
 
 template <std::size_t count>
 std::array<double, count> numbers(const Node& node) {
@@ -25,16 +34,16 @@ std::string verdict(const Node& node) {
   return node.one_of({"stopped", "undecided", "passed_under", "passed_over", "broke_through"});
 }
 
-std::optional<double> balance(const Node& node, const json& all) {
-  if (all.at("energy_balance").is_string()) return std::nullopt;
+std::optional<double> balance(const Node& node) {
+  if (node.at("energy_balance").json().is_string()) return std::nullopt;
   return node.at("energy_balance").finite();
 }
 
-SheetQuality quality(const Node& node, const json& all) {
+SheetQuality quality(const Node& node) {
   SheetQuality found{.usable = node.at("usable").flag(),
                      .flaw = node.at("flaw").text(),
                      .step = node.at("step").text(),
-                     .balance = balance(node, all),
+                     .balance = balance(node),
                      .contact_steps = {},
                      .touching = {},
                      .repeat = {},
@@ -50,7 +59,7 @@ SheetQuality quality(const Node& node, const json& all) {
   if (node.has("repair")) {
     const Node repair = node.at("repair");
     found.repair = {repair.at("option").text(), repair.at("flaw").text(), verdict(repair.at("verdict")),
-                    balance(repair, all.at("repair"))};
+                    balance(repair)};
   }
   return found;
 }
@@ -84,8 +93,8 @@ SheetHeight height(const Node& node) {
 }
 
 /// Energies that are there: their change; losses that are not zero; the closure.
-std::vector<SheetEnergy> energies(const Node& sheet, const json& all) {
-  if (all.at("energy").is_string()) return {};
+std::vector<SheetEnergy> energies(const Node& sheet) {
+  if (sheet.at("energy").json().is_string()) return {};
   const Node node = sheet.at("energy");
   std::vector<SheetEnergy> lines{{"kinetic energy at the start", node.at("start").at("kinetic").finite()},
                                  {"kinetic energy at the end", node.at("end").at("kinetic").finite()}};
@@ -96,9 +105,11 @@ std::vector<SheetEnergy> energies(const Node& sheet, const json& all) {
     const double change = node.at("end").at(key).finite() - node.at("start").at(key).finite();
     if (std::abs(change) > 1e-9 * node.at("scale").finite()) lines.push_back({words, change});
   }
-  for (const auto& item : all.at("energy").at("lost").items()) {
-    const double lost = node.at("lost").at(item.key().c_str()).finite();
-    std::string words = item.key();
+  std::map<std::string, double> losses;  // in the order of their names
+  for (const auto& [mechanism, lost] : node.at("lost").members())
+    losses[mechanism] = lost.finite();
+  for (const auto& [mechanism, lost] : losses) {
+    std::string words = mechanism;
     std::replace(words.begin(), words.end(), '_', ' ');
     if (lost != 0.0) lines.push_back({"lost: " + words, lost});
   }
@@ -159,8 +170,7 @@ void read_drawing(const Node& sheet, SheetRecord& record) {
 }  // namespace
 
 SheetRecord read_sheet(const std::filesystem::path& file) {
-  const json all = json::parse(read_file(file), nullptr, false);
-  if (!all.is_object()) throw RecordError(file.string() + ": is not a JSON object");
+  const Json all = records::read_json(file);
   const Node sheet{all, file.string()};
   if (sheet.at("schema").integer() != 2) sheet.at("schema").complain("must be 2");
   const Node run = sheet.at("run"), fence = sheet.at("fence");
@@ -168,7 +178,7 @@ SheetRecord read_sheet(const std::filesystem::path& file) {
   record.title = sheet.at("title").text();
   record.outcome = run.at("outcome").text();
   record.verdict = verdict(sheet.at("verdict"));
-  record.quality = quality(sheet.at("quality"), all.at("quality"));
+  record.quality = quality(sheet.at("quality"));
   record.us_units = fence.at("scene_units").text() == "US";
   record.integrator = run.at("integrator").text();
   record.end = run.at("time").finite();
@@ -187,7 +197,7 @@ SheetRecord read_sheet(const std::filesystem::path& file) {
   for (const Node& node : sheet.at("layers").list())
     record.heights.push_back({height(node.at("top")), height(node.at("bottom"))});
   read_forces(sheet, record);
-  record.energies = energies(sheet, all);
+  record.energies = energies(sheet);
   read_drawing(sheet, record);
   return record;
 }

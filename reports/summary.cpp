@@ -15,6 +15,9 @@ namespace {
 using markdown::cell;
 using Rows = std::vector<std::vector<std::string>>;
 
+bool passes(const Check& check) { return check.pass; }
+bool passes(const Control& control) { return control.pass(); }
+
 /// How many of a list pass.
 struct Share {
   std::size_t passed{}, all{};
@@ -23,7 +26,7 @@ struct Share {
   void add(const Items& items) {
     all += items.size();
     for (const auto& item : items)
-      passed += item.pass ? 1 : 0;
+      passed += passes(item) ? 1 : 0;
   }
   /// "12", or "**11 of 12**".
   [[nodiscard]] std::string text() const {
@@ -32,16 +35,16 @@ struct Share {
 };
 
 /// The largest error/bound of a case's checks. One that failed counts as larger than all that passed, NaN as infinite.
-std::string worst_margin(const CaseRecord& record) {
+std::string worst_margin(const Record& record) {
   const auto badness = [](const Check& check) {
     return std::pair{!check.pass, std::isnan(check.margin) ? HUGE_VAL : check.margin};
   };
   const auto worst = std::max_element(record.checks.begin(), record.checks.end(),
                                       [&](const Check& a, const Check& b) { return badness(a) < badness(b); });
-  return worst == record.checks.end() ? "" : markdown::margin(worst->margin, worst->pass, 2);
+  return worst == record.checks.end() ? "" : records::margin_text(worst->margin, worst->pass, 2);
 }
 
-std::vector<std::string> row_of(const CaseRecord& record) {
+std::vector<std::string> row_of(const Record& record) {
   Share checks, controls;
   checks.add(record.checks);
   controls.add(record.controls);
@@ -60,11 +63,11 @@ void append_family(Rows& rows, const std::string& family, const Results& results
   Share checks, controls;
   double seconds = 0.0;
   std::size_t cases = 0, passed = 0;
-  for (const CaseRecord& record : results.cases) {
+  for (const Record& record : results.records) {
     if (record.family != family) continue;
     if (cases == 0) rows.emplace_back();
     ++cases;
-    passed += record.status == "pass" ? 1 : 0;
+    passed += record.status == Status::pass ? 1 : 0;
     checks.add(record.checks);
     controls.add(record.controls);
     seconds += record.seconds;
@@ -87,21 +90,22 @@ std::string failures(const Results& results) {
   Rows checks;
   Rows controls;
   std::string others;
-  for (const CaseRecord& record : results.cases) {
+  for (const Record& record : results.records) {
     for (const Check& check : record.checks) {
       if (check.pass) continue;
       checks.push_back({case_link(record), name_with_unit(check), measured_text(check), reference_text(check),
                         margin_text(check), reason(check)});
     }
     for (const Control& control : record.controls) {
-      if (control.pass) continue;
-      controls.push_back({case_link(record), cell(control.name), cell(control.turns_red), cell(control.expected),
-                          "**" + cell(control.observed) + "**", cell(control.what)});
+      if (control.pass()) continue;
+      controls.push_back({case_link(record), cell(control.name), cell(control.turns_red), name_of(Colour::red),
+                          fmt::format("**{}**", name_of(control.observed)), cell(control.what)});
     }
-    if (record.status != "pass" && !record.message.empty()) {
-      others += fmt::format("- {}: **{}**. {}\n", case_link(record), record.status, markdown::words(record.message));
-    } else if (record.status != "pass" && record.status != "fail") {
-      others += fmt::format("- {}: **{}**, without a message.\n", case_link(record), record.status);
+    if (record.status != Status::pass && !record.message.empty()) {
+      others +=
+          fmt::format("- {}: **{}**. {}\n", case_link(record), name_of(record.status), markdown::words(record.message));
+    } else if (!finished(record.status)) {
+      others += fmt::format("- {}: **{}**, without a message.\n", case_link(record), name_of(record.status));
     }
   }
   std::string text = others.empty() ? "" : others + "\n";

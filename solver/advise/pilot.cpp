@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "solver/base/error.hpp"
+#include "solver/run/simulate.hpp"
 #include "solver/stability/watch.hpp"
 
 namespace talus {
@@ -97,7 +98,7 @@ void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, P
   Watch watch{scene, dynamics_, start};
   LargestBetween largest, least;
   const std::vector<double> lengths = dynamics_.lengths();
-  const Observer observer = [&](const State& seen, const StepInfo& info) {
+  const Observer observer = [&](const Snapshot& seen, const StepInfo& info) {
     recorder(seen, info);
     std::optional<Watch::Balance> balance;
     if (recorder.ledger()) balance = {recorder.accounts().energy_closure, recorder.ledger()->energy_scale()};
@@ -106,7 +107,7 @@ void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, P
     pilot.values.push_back(value);
     largest(value);
     least(-value);
-    pilot.speed = std::max(pilot.speed, largest_speed(seen, lengths));
+    pilot.speed = std::max(pilot.speed, largest_speed(seen.state(), lengths));
   };
   Integrator integrator = scene.integrator;
   const Outcome outcome = simulate(system, integrator, start, scene.plan, {&observer, 1}, [&](const State& seen) {
@@ -121,7 +122,7 @@ void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, P
     }
   }
   if (!pilot.failure.empty()) return;
-  const Recorder::Extreme& extreme = recorder.extremes()[quantity_->column];
+  const Extreme extreme = recorder.extremes()[quantity_->column];
   pilot.printed = quantity_->of(extreme.least, extreme.largest, pilot.values.back());
   pilot.between = quantity_->of(-least.largest(), largest.largest(), pilot.values.back());
   pilot.size = std::max(std::abs(extreme.least), std::abs(extreme.largest));

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/run/quantity.hpp"
 #include "solver/scenes/scene.hpp"
 

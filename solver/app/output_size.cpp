@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/app/scene_files.hpp"
+#include "solver/app/outputs/geometry_output.hpp"
 #include "solver/io/cell/cell_restart.hpp"
 #include "solver/io/cell/write_cell.hpp"
 #include "solver/io/fence1993/out_listing.hpp"
@@ -39,7 +39,7 @@ Pilot pilot(const Scene& scene, const Dynamics& dynamics) {
   RunPlan plan = scene.plan;
   plan.end = std::min(plan.end, scene.initial.t + steps * plan.step);
   Recorder recorder{dynamics, scene.initial, plan.ledger};
-  const Observer observers[] = {[&](const State& seen, const StepInfo& info) { recorder(seen, info); }};
+  const Observer observers[] = {std::ref(recorder)};
   static_cast<void>(simulate(system, integrator, made.state, plan, observers));
   made.row = recorder.row();
   return made;
@@ -110,7 +110,7 @@ OutputSize expected_output(const SceneFile& file, const Dynamics& dynamics, cons
   for (std::size_t i = 1; i < columns.size(); ++i)
     row += seen.row[i] != 0.0 ? full : bytes_of_zero(file, columns[i].name);
   const auto states = static_cast<double>(size.states);
-  const std::string state = GeometryText{dynamics}.text(seen.state).value_or("");
+  const std::string state = GeometryText{dynamics}.text(Snapshot{dynamics, seen.state}).value_or("");
   const double index_line = 76.0 + 2.0 * static_cast<double>(scene_file.stem().string().size());
   size.bytes = static_cast<double>(size.rows) * row + states * (static_cast<double>(state.size()) + index_line) +
                static_cast<double>(size.columns) * bytes_of_column +

@@ -72,6 +72,7 @@ void write_checkpoint(const RunOrder& order, SceneRun& run) {
   Memory memory;
   run.remember(memory);
   const Scene& scene = order.file.scene;
+  sync_folder(order.folder);  // the states of the geometry that it counts on
   write_whole(order.checkpoint(), checkpoint_text({.scene_file = fs::absolute(order.scene).string(),
                                                    .scene_fnv1a = fnv1a(order.text),
                                                    .integrator = std::string{name(scene.integrator)},
@@ -109,7 +110,7 @@ Outcome followed(const RunOrder& order, SceneRun& run, const StopCondition& stop
     const Clock::time_point due = Clock::now() + std::chrono::seconds{1};
     bool stops = false;
     long asked = 0;
-    const auto pauses = [&](const State& seen) {
+    const auto pauses = [&](const Snapshot& seen) {
       stops = stop(seen);
       return stops || (++asked % 64 == 0 && Clock::now() >= due);
     };
@@ -166,13 +167,13 @@ int run(const RunOptions& options) {
   // Without a folder there is nowhere to leave the run: a signal then ends the program as usual.
   std::optional<Interruption> interruption;
   if (!order.folder.empty()) interruption.emplace();
-  const StopCondition interrupted = [&](const State&) { return interruption && interruption->signal() != 0; };
+  const StopCondition interrupted = [&](const Snapshot&) { return interruption && interruption->signal() != 0; };
   const Scene& scene = order.file.scene;
   const double until = run->standing().start + static_cast<double>(last) * scene.plan.step;
   bool there = false;
-  Outcome outcome = followed(order, *run, [&](const State& seen) {
-    there = scene.early_end && reached(*scene.early_end, scene.model, seen);
-    return there || seen.t >= until || interrupted(seen);
+  Outcome outcome = followed(order, *run, [&](const Snapshot& seen) {
+    there = scene.early_end && reached(*scene.early_end, scene.model, seen.state());
+    return there || seen.state().t >= until || interrupted(seen);
   });
   if (there) outcome.kind = Outcome::Kind::finished;
   if (!outcome && run->watch().breach().empty() && !run->watch().step_ratio().empty())

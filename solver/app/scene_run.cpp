@@ -6,15 +6,24 @@
 #include <ctime>
 
 #include "solver/app/start_warnings.hpp"
+#include "solver/base/error.hpp"
 #include "solver/io/file/atomic_file.hpp"
-#include "solver/io/output/write_history.hpp"
-#include "solver/io/output/write_plot.hpp"
-#include "solver/io/output/write_sheet.hpp"
-#include "solver/io/output/write_summary.hpp"
 #include "solver/scenes/fence_plausibility.hpp"
 #include "solver/state/state_memory.hpp"
 
 namespace talus::app {
+namespace {
+
+/// Errors name the scene's file.
+RunOutputs outputs_of(const OutputRequest& request, const std::filesystem::path& scene) {
+  try {
+    return RunOutputs{request};
+  } catch (const InputError& error) {
+    throw InputError{scene.string() + ": " + error.what()};
+  }
+}
+
+}  // namespace
 
 SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene,
                    long frames, bool sheet)
@@ -24,7 +33,7 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       dynamics_{file.scene.model},
       system_{dynamics_, file.scene.plan.ledger},
       standing_{standing_at_start(file.scene.integrator, begun(file.scene.initial))},
-      seen_{standing_.state},
+      seen_{dynamics_, standing_.state},
       integrator_why_{file.scene.integrator_why},
       recorder_{dynamics_, standing_.state, file.scene.plan.ledger},
       failures_{dynamics_},
@@ -32,7 +41,7 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       start_warnings_{app::start_warnings(file, dynamics_)},
       sheet_{sheet},
       parts_{dynamics_, file.scene.plan.ledger} {
-  if (!folder.empty()) files_.emplace(file, dynamics_, folder, scene, frames);
+  if (!folder.empty()) outputs_ = outputs_of({file, dynamics_, folder, scene.stem().string(), frames, sheet}, scene);
   if (file.fence) fence_.emplace(file.fence->fence, file.fence->made, dynamics_);
 }
 
@@ -43,34 +52,33 @@ State SceneRun::begun(State state) {
 
 void SceneRun::remember(Memory& memory) {
   memory.part("run", [&] { standing_.remember(memory); });
-  memory.part("seen", [&] { talus::remember(memory, seen_); });
+  State seen = seen_.state();
+  memory.part("seen", [&] { talus::remember(memory, seen); });
+  if (memory.puts_back()) seen_.set(seen);
   memory.text("integrator_why", integrator_why_);
   memory.part("recorder", [&] { recorder_.remember(memory); });
   memory.part("failures", [&] { failures_.remember(memory); });
   memory.part("watch", [&] { watch_.remember(memory); });
-  if (files_) memory.part("files", [&] { files_->remember(memory); });
+  if (!folder_.empty()) memory.part("outputs", [&] { outputs_.remember(memory); });
   if (fence_) memory.part("fence", [&] { fence_->remember(memory); });
   memory.flag("sheet", sheet_);
 }
 
-void SceneRun::bring_files(const std::filesystem::path& from) {
-  if (files_) files_->bring_files(from);
-}
+void SceneRun::bring_files(const std::filesystem::path& from) { outputs_.bring_files(from); }
 
 Outcome SceneRun::go_on(const StopCondition& stop, Progress& progress) {
-  const auto observe = [&](const State& seen, const StepInfo& info) {
+  const auto observe = [&](const Snapshot& seen, const StepInfo& info) {
     recorder_(seen, info);
-    failures_(seen, info);
-    if (files_) (*files_)(seen, info);
-    if (fence_) fence_->look(seen, info, recorder_.work(), recorder_.forces());
+    failures_(seen.state(), info);
+    outputs_(seen, info);
+    if (fence_) (*fence_)(seen, info);
     if (progress.due()) {
-      const double end = scene_->plan.end;
-      progress.show(fmt::format("t = {:.5g} of {:.5g}  ({:3.0f} %)", seen.t, end, 100.0 * seen.t / end));
+      const double time = seen.state().t, end = scene_->plan.end;
+      progress.show(fmt::format("t = {:.5g} of {:.5g}  ({:3.0f} %)", time, end, 100.0 * time / end));
     }
-    seen_ = seen;
   };
   using Clock = std::chrono::steady_clock;
-  const Observer observers[] = {[&](const State& seen, const StepInfo& info) {
+  const Observer observers[] = {[&](const Snapshot& seen, const StepInfo& info) {
     if (!StepParts::timed(info.step)) {
       observe(seen, info);
     } else {
@@ -78,10 +86,10 @@ Outcome SceneRun::go_on(const StopCondition& stop, Progress& progress) {
       observe(seen, info);
       parts_.observed(Clock::now() - start);
     }
-    parts_.look(seen, info);
+    parts_.look(seen.state(), info);
   }};
   const auto broken = [&] { return !watch_.breach().empty(); };
-  const auto look = [&](const State& seen, long at) {
+  const auto look = [&](const Snapshot& seen, long at) {
     std::optional<Watch::Balance> balance;
     if (recorder_.ledger()) balance = {recorder_.accounts().energy_closure, recorder_.ledger()->energy_scale()};
     watch_.look(seen, at, balance);
@@ -89,15 +97,16 @@ Outcome SceneRun::go_on(const StopCondition& stop, Progress& progress) {
   const std::clock_t start = std::clock();
   const long first = standing_.step, evaluations = standing_.evaluations;
   long step = first;
-  if (step == 0) watch_.look(standing_.state, step);
+  if (step == 0) watch_.look(seen_, step);
   if (broken()) {
-    observers[0](standing_.state, {0, 0, true, true, true, &standing_.state});
+    observers[0](seen_, {0, 0, true, true, true, &standing_.state});
     return {Outcome::Kind::diverged, standing_.state.t, watch_.breach()};
   }
-  Outcome outcome = simulate(system_, standing_, scene_->plan, observers, [&](const State& seen) {
+  const StopCondition stops = [&](const Snapshot& seen) {
     look(seen, ++step);
     return broken() || (stop && stop(seen));
-  });
+  };
+  Outcome outcome = simulate(system_, standing_, scene_->plan, observers, stops, &seen_);
   parts_.ended(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, standing_.step - first,
                standing_.evaluations - evaluations);
   // Nobody is asked whether to stop with the last step.
@@ -156,9 +165,9 @@ RunRecord SceneRun::record(Outcome outcome) const {
   record.laws = dynamics_.layout().mode_count;
   record.contacts = scene_->model.contacts.size();
   record.cables = scene_->model.cables.size();
-  record.bodies = body_states(scene_->model, seen_);
-  record.cables_left = cable_states(dynamics_, seen_);
-  record.hangers_left = hanger_states(dynamics_, seen_);
+  record.bodies = body_states(scene_->model, seen_.state());
+  record.cables_left = cable_states(dynamics_, seen_.state());
+  record.hangers_left = hanger_states(dynamics_, seen_.state());
   record.failures = failures_.failures();
   record_history(record, recorder_);
   record.quality = quality(record.outcome);
@@ -173,24 +182,19 @@ RunRecord SceneRun::record(Outcome outcome) const {
     warn(scenes::implausible_motion(file_->fence->fence, *record.fence));
   }
   record.watched = watch_lines(watch_, *scene_);
-  if (files_) record.notes = files_->left_out();
+  record.notes = outputs_.left_out();
   return record;
 }
 
 void SceneRun::write(const RunRecord& record) const {
-  write_whole(folder_ / "history.csv", csv(record.history, record.units));
-  write_whole(folder_ / "final_state.json", final_state_json(record));
-  write_whole(folder_ / "plot.json", plot_json(record, "history.csv", files_->drawn_from()));
-  files_->write();
-  if (sheet_) write_whole(folder_ / "sheet.json", sheet_json(record, *file_->fence, dynamics_, *fence_));
+  outputs_.write({record, seen_, fence_ ? &*fence_ : nullptr});
+  // All at once: one by one they would take longer than the run.
+  sync_folder(folder_);
 }
 
 std::vector<std::string> SceneRun::file_names() const {
-  std::vector<std::string> names{"history.csv", "final_state.json", "summary.json", "plot.json"};
-  if (!files_) return names;
-  for (std::string& name : files_->names())
-    names.push_back(std::move(name));
-  if (sheet_) names.insert(names.end(), {"sheet.json", "sheet.pdf", "sheet.html"});
+  std::vector<std::string> names = outputs_.files();
+  names.insert(names.begin(), "summary.json");
   return names;
 }
 

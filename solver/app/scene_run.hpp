@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/app/scene_files.hpp"
+#include "solver/app/outputs/run_outputs.hpp"
 #include "solver/app/step_parts.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/io/output/run_record.hpp"
@@ -18,8 +18,8 @@ namespace talus::app {
 /// A scene's run with all that it leaves in a folder, which can be stopped between two steps and taken on by another.
 class SceneRun {
  public:
-  /// `folder` empty: nothing is written. `scene` names files, `frames` is the number of states of the geometry: see
-  /// SceneFiles. With `sheet` a fence's sheet is among its files. The scene must outlive it. Errors: as SceneFiles.
+  /// `folder` empty: nothing is written. `scene` is its file, whose name others take; `frames` and `sheet`: see
+  /// OutputRequest. The scene must outlive it. Errors: InputError, which names the scene's file; IoError.
   SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene, long frames,
            bool sheet);
 
@@ -56,13 +56,13 @@ class SceneRun {
   Dynamics dynamics_;
   RigidBodySystem system_;
   Standing standing_;
-  State seen_;                  ///< by the observers, last
+  Snapshot seen_;               ///< of the last step
   std::string integrator_why_;  ///< the scene's, or that of the run that is taken on
   Recorder recorder_;
   FailureLog failures_;
   Watch watch_;
   std::vector<std::string> start_warnings_;
-  std::optional<SceneFiles> files_;
+  RunOutputs outputs_;
   std::optional<scenes::FenceWatch> fence_;  ///< of a fence
   bool sheet_{};
   StepParts parts_;

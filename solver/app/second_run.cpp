@@ -16,8 +16,8 @@ std::optional<RunRecord> record_of(const SceneFile& file, long most, const StopC
   const Scene& scene = file.scene;
   bool there = false, given_up = false;
   Progress progress;
-  const auto ends = [&](const State& seen) {
-    there = scene.early_end && reached(*scene.early_end, scene.model, seen);
+  const auto ends = [&](const Snapshot& seen) {
+    there = scene.early_end && reached(*scene.early_end, scene.model, seen.state());
     given_up = run.standing().evaluations > most;
     return there || given_up || (stop && stop(seen));
   };

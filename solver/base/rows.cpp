@@ -37,4 +37,19 @@ TALUS_CLONES bool all_finite(const double* x, const double* y, std::size_t count
   return rest == 0 && !any_bit(found);
 }
 
+TALUS_CLONES void take_extremes(const double* x, double time, std::size_t count, double* least, double* least_time,
+                                double* largest, double* largest_time) {
+  const Pack now = Pack{} + time;
+  // A value that is taken a second time, in a last pack that overlaps the one before, is beyond no extreme.
+  for_packs(count, [&](std::size_t i, auto left) {
+    Pack value, low, low_time, high, high_time;
+    load(value, x + i, left);
+    load(low, least + i, left), load(low_time, least_time + i, left);
+    load(high, largest + i, left), load(high_time, largest_time + i, left);
+    store(value < low ? value : low, least + i, left), store(value < low ? now : low_time, least_time + i, left);
+    store(value > high ? value : high, largest + i, left),
+        store(value > high ? now : high_time, largest_time + i, left);
+  });
+}
+
 }  // namespace talus

@@ -102,7 +102,7 @@ Followed follow_impact(const Scene& scene, ContactId contact) {
   if (scene.plan.watch.tunnelling != Breach::off) run_watch.emplace(scene, dynamics, state);
   Integrator integrator = scene.integrator;
   const Observer observer = std::ref(watch);
-  const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1}, [&](const State& seen) {
+  const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1}, [&](const Snapshot& seen) {
     if (run_watch) run_watch->look(seen, ++step);
     return watch.over() || (run_watch && !run_watch->breach().empty());
   });

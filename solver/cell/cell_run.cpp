@@ -323,7 +323,7 @@ void CellRun::check_numbers() {
 
 Discs CellRun::discs() {
   return std::visit(
-      [&](auto& method, auto& system) -> Discs { return method.synchronized(system, discs_, plan_.step); }, method_,
+      [&](auto& method, auto& system) -> Discs { return synchronized(method, system, discs_, plan_.step); }, method_,
       system_);
 }
 

@@ -40,6 +40,16 @@ BodyForces::BodyForces(const Model& model, const Layout& layout) : gravity_{mode
                             has_x(body.mobility)};
     array(body.mobility).push_back(compiled);
   }
+  for (const Compiled& body : free_)
+    weigh(body, body.first + 2);
+  for (const Compiled& body : particles_)
+    weigh(body, none);
+  for (const Compiled& body : pinned_)
+    weigh(body, body.first);
+  for (const Compiled& body : sliding_)
+    weigh(body, none);
+  for (const Compiled& body : guided_)
+    weigh(body, body.first + 1);
   only_free_ = particles_.empty() && pinned_.empty() && sliding_.empty() && guided_.empty();
   for (std::size_t i = 0; i < free_.size(); ++i) {
     append(free_runs_, run_of(i));
@@ -201,36 +211,45 @@ void BodyForces::guided_rates(const Compiled& body, const Workspace& work, Rates
   book(out, body.copies, pose.p_WB - r, body.along_x ? Vec2{0.0, reaction} : Vec2{reaction, 0.0}, 0.0);
 }
 
+void BodyForces::weigh(const Compiled& body, std::size_t angle) {
+  weighed_.push_back({.body = body.body,
+                      .angle = angle,
+                      .kinetic = 0.5 * body.copies * body.mass,
+                      .turning = 0.5 * body.copies * body.inertia,
+                      .weight = body.copies * body.mass,
+                      .copies = body.copies,
+                      .mass = body.mass,
+                      .inertia = body.inertia,
+                      .force = body.force,
+                      .moment = body.moment,
+                      .p_WB = body.p_WB,
+                      .orientation = body.angle});
+}
+
 Energies BodyForces::energies(const State& state, const Workspace& work) const {
+  const Poses& poses = work.poses;
   Energies sum;
-  const auto add = [&](const Compiled& body, double turned) {
-    const Pose pose = work.poses[body.body];
-    sum.kinetic += 0.5 * body.copies * body.mass * dot(pose.v_WB, pose.v_WB);
-    if (body.inertia > 0.0) sum.kinetic += 0.5 * body.copies * body.inertia * pose.w_WB * pose.w_WB;
-    sum.gravity -= body.copies * body.mass * dot(gravity_, pose.p_WB);
-    sum.applied -= body.copies * (dot(body.force, pose.p_WB - body.p_WB) + body.moment * turned);
-  };
-  for (const Compiled& body : free_)
-    add(body, state.q[body.first + 2] - body.angle);
-  for (const Compiled& body : particles_)
-    add(body, 0.0);
-  for (const Compiled& body : pinned_)
-    add(body, state.q[body.first] - body.angle);
-  for (const Compiled& body : sliding_)
-    add(body, 0.0);
-  for (const Compiled& body : guided_)
-    add(body, state.q[body.first + 1] - body.angle);
+  for (const Weighed& body : weighed_) {
+    const std::size_t i = body.body;
+    const Vec2 p{poses.x[i], poses.y[i]}, v{poses.vx[i], poses.vy[i]};
+    const double w = poses.w[i];
+    const double turned = body.angle == none ? 0.0 : state.q[body.angle] - body.orientation;
+    sum.kinetic += body.kinetic * dot(v, v);
+    if (body.inertia > 0.0) sum.kinetic += body.turning * w * w;
+    sum.gravity -= body.weight * dot(gravity_, p);
+    sum.applied -= body.copies * (dot(body.force, p - body.p_WB) + body.moment * turned);
+  }
   return sum;
 }
 
 Momenta BodyForces::momenta(const Workspace& work) const {
+  const Poses& poses = work.poses;
   Momenta sum;
-  for (const auto* bodies : {&free_, &particles_, &pinned_, &sliding_, &guided_}) {
-    for (const Compiled& body : *bodies) {
-      const Pose pose = work.poses[body.body];
-      sum.linear += body.copies * body.mass * pose.v_WB;
-      sum.angular += body.copies * (body.mass * cross(pose.p_WB, pose.v_WB) + body.inertia * pose.w_WB);
-    }
+  for (const Weighed& body : weighed_) {
+    const std::size_t i = body.body;
+    const Vec2 p{poses.x[i], poses.y[i]}, v{poses.vx[i], poses.vy[i]};
+    sum.linear += body.weight * v;
+    sum.angular += body.copies * (body.mass * cross(p, v) + body.inertia * poses.w[i]);
   }
   return sum;
 }

@@ -54,6 +54,23 @@ class BodyForces {
     bool along_x{};            ///< of a sliding or guided body: whether its guide is x, else y
   };
 
+  /// What the energies and momenta of one body need, side by side for all.
+  struct Weighed {
+    std::size_t body{};
+    std::size_t angle{};  ///< its coordinate; none for a body that does not turn
+    double kinetic{};     ///< copies m/2
+    double turning{};     ///< copies I/2
+    double weight{};      ///< copies m
+    double copies{};
+    double mass{}, inertia{};
+    Vec2 force;            ///< applied [F]
+    double moment{};       ///< applied [F L]
+    Vec2 p_WB;             ///< reference position [L]
+    double orientation{};  ///< reference [rad]
+  };
+  static constexpr std::size_t none = ~std::size_t{0};
+  void weigh(const Compiled& body, std::size_t angle);
+
   void pinned_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const;
   void sliding_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const;
   void guided_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const;
@@ -73,7 +90,8 @@ class BodyForces {
   std::vector<Compiled> sliding_;
   std::vector<Compiled> guided_;
   std::vector<Compiled> fixed_;
-  bool only_free_{};  ///< none moves in another way
+  std::vector<Weighed> weighed_;  ///< all that move, by mobility
+  bool only_free_{};              ///< none moves in another way
 };
 
 }  // namespace talus

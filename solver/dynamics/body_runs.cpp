@@ -171,4 +171,18 @@ TALUS_CLONES void box_depths(const Row& x, const Row& y, std::size_t first, std:
   }
 }
 
+TALUS_CLONES void plane_depths(const Row& x, const Row& y, const Row& radius, std::size_t first, std::size_t count,
+                               const Placement& A_in_B, double* depths) {
+  const Rotation R = A_in_B.R;
+  const Vec2 p = A_in_B.p;
+  for (std::size_t i = 0; i < count; i += pack_size) {
+    const double *const x_A = x.at(first + i), *const y_A = y.at(first + i), *const r = radius.at(first + i);
+    Lanes depth;
+    for_lanes([&](std::size_t l) { depth[l] = r[l] - (p + R * Vec2{x_A[l], y_A[l]}).y; });
+    Pack pack;
+    depth.get(pack);
+    store(pack, depths + i);
+  }
+}
+
 }  // namespace talus

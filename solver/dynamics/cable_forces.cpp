@@ -313,6 +313,12 @@ double CableForces::stored_energy(const State& state, const Workspace& work) con
 }
 
 void CableForces::tensions(const State& state, const Workspace& work, std::span<double> out) const {
+  if (work.waking.quiet && work.waking.whole && !work.waking.loaded) {
+    // Of a slack cable the line gives -0.
+    for (std::size_t c = 0; c < size(); ++c)
+      out[c] = work.paths.tension[c] + 0.0;
+    return;
+  }
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
     out[c] = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
   });

@@ -41,7 +41,8 @@ struct ContactArrays {
     std::vector<ContactGroup> groups;
     std::vector<ShapeA> shapes_a;
     std::vector<ShapeB> shapes_b;
-    Row node_x, node_y;  ///< centres of the shapes A, if they are nodes of a rule that looks at boxes first [L]
+    Row node_x, node_y;  ///< centres of the shapes A, if their depths are found side by side [L]
+    Row radius;          ///< and theirs, over a half-plane [L]
     std::vector<L> laws;
     std::vector<Slot> slots;
   };
@@ -51,7 +52,7 @@ struct ContactArrays {
              Array<Superquadric, HalfPlane>, Array<RectangleEnd, Rectangle>, Array<Superquadric, Superquadric>,
              Array<Rectangle, Superquadric>>
       arrays;
-  bool used{};  ///< some array has an instance
+  unsigned used{};  ///< a bit for each array: it has an instance
 };
 
 /// The two bodies of a law instance, in the order of its gap's normal.
@@ -59,6 +60,14 @@ struct InstancePair {
   BodyId a{};
   BodyId b{};
 };
+
+/// Place of an array among those of its law.
+template <class Array, class... Arrays>
+constexpr unsigned place_of(const std::tuple<Arrays...>&) {
+  unsigned place = 0;
+  static_cast<void>(((std::is_same_v<Array, Arrays> || (++place, false)) || ...));
+  return place;
+}
 
 /// Fills the arrays of one law from the model, contact by contact.
 template <class L>
@@ -83,12 +92,17 @@ class ContactCompiler {
  private:
   template <class ShapeA, class ShapeB>
   void add(BodyId id_a, const ShapeA& a, BodyId id_b, const ShapeB& b) {
-    auto& array = std::get<typename ContactArrays<L>::template Array<ShapeA, ShapeB>>(arrays_.arrays);
+    using Array = typename ContactArrays<L>::template Array<ShapeA, ShapeB>;
+    auto& array = std::get<Array>(arrays_.arrays);
+    arrays_.used |= 1U << place_of<Array>(arrays_.arrays);
     if (array.groups.empty() || array.groups.back().candidate != candidate_ || array.groups.back().a != id_a)
       array.groups.push_back(group(id_a, id_b, array.laws.size()));
     array.shapes_a.push_back(a);
     array.shapes_b.push_back(b);
-    if constexpr (BoxedRule<ShapeB>) array.node_x.push_back(a.center_A.x), array.node_y.push_back(a.center_A.y);
+    constexpr bool over_plane = std::is_same_v<ShapeA, Ball> && std::is_same_v<ShapeB, HalfPlane>;
+    if constexpr (BoxedRule<ShapeB> || over_plane)
+      array.node_x.push_back(a.center_A.x), array.node_y.push_back(a.center_A.y);
+    if constexpr (over_plane) array.radius.push_back(a.radius);
     array.laws.push_back(law_);
     array.slots.push_back(next_);
     array.groups.back().last = array.laws.size();

@@ -17,11 +17,16 @@ namespace {
 /// Calls visit(array) for each array that the scene uses: the one dispatch an evaluation makes.
 template <class Laws, class Visit>
 void for_each_array(Laws& laws, Visit&& visit) {
-  const auto visit_array = [&visit](auto& array) {
-    if (!array.groups.empty()) visit(array);
-  };
-  const auto visit_law = [&visit_array](auto& law) {
-    if (law.used) std::apply([&visit_array](auto&... array) { (visit_array(array), ...); }, law.arrays);
+  const auto visit_law = [&visit](auto& law) {
+    const unsigned used = law.used;
+    if (used == 0) return;
+    const auto visit_arrays = [&]<std::size_t... I>(std::index_sequence<I...>) {
+      const auto visit_array = [&](auto& array, unsigned bit) {
+        if (used & bit) visit(array);
+      };
+      (visit_array(std::get<I>(law.arrays), 1U << I), ...);
+    };
+    visit_arrays(std::make_index_sequence<std::tuple_size_v<std::decay_t<decltype(law.arrays)>>>{});
   };
   std::apply([&visit_law](auto&... law) { (visit_law(law), ...); }, laws);
 }
@@ -157,7 +162,6 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) : mobilit
     std::visit(
         [&]<class L>(const L& law) {
           auto& arrays = std::get<ContactArrays<L>>(laws_);
-          arrays.used = true;
           if constexpr (StartsByMass<L>) starts_by_mass_ = starts_by_mass_ || memory_count(law) > 0;
           ContactCompiler<L>{model, arrays, pairs_}.add(c, contact, law, slot, layout.friction_slots[c]);
         },
@@ -189,6 +193,13 @@ bool ContactForces::find(const State& state, Workspace& work) const {
 }
 
 void ContactForces::update(const State& state, Workspace& work) const { update_gaps(laws_, &state, work); }
+
+void ContactForces::update_depths(const State& state, Workspace& work) const {
+  for (char& near : work.near)
+    near = near ? Workspace::known : Workspace::wanted;
+  update_gaps(laws_, &state, work);
+  std::replace(work.near.begin(), work.near.end(), Workspace::wanted, char{0});
+}
 
 void ContactForces::update_all(Workspace& work) const {
   std::fill(work.near.begin(), work.near.end(), Workspace::wanted);

@@ -34,6 +34,8 @@ class ContactForces {
   bool find(const State& state, Workspace& work) const;
   /// Their gaps.
   void update(const State& state, Workspace& work) const;
+  /// After update(): of the pairs out of reach the depths alone.
+  void update_depths(const State& state, Workspace& work) const;
   /// Gaps of all pairs.
   void update_all(Workspace& work) const;
   /// After update(): the gaps that it left out, but of bodies that at their present speed, and under this pull [L/T^2],

@@ -123,6 +123,17 @@ void Dynamics::update(const State& state, Workspace& work) const {
   if (near) contacts_.update(state, work);
 }
 
+void Dynamics::update_everywhere(const State& state, Workspace& work) const {
+  const bool rerigged = cables_.rig(state, work.rigging);
+  const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
+  const std::vector<Mode>& known = work.waking.modes;
+  const bool changed = !std::equal(known.begin(), known.end(), modes, state.mode.end());
+  if (rerigged || changed || !work.waking.whole) list_awake(state, work, true);
+  bodies_.update(state, work);
+  cables_.update(state, work);
+  if (contacts_.find(state, work)) contacts_.update(state, work);
+}
+
 void Dynamics::update_all(const State& state, Workspace& work) const {
   const bool rerigged = cables_.rig(state, work.rigging);
   if (rerigged || !layout_.sleepers.empty()) list_awake(state, work, true);
@@ -136,22 +147,26 @@ void Dynamics::begin(State& state, Workspace& work) const {
   settle(state, work);
 }
 
-void Dynamics::settle(State& state, Workspace& work, const State* before) const {
+bool Dynamics::settle(State& state, Workspace& work, const State* before) const {
   // Calls of what has nothing to do would be a thirtieth of a small fence's step.
   if (work.any_near) contacts_.settle(state, work, before);
   if (!work.waking.quiet) cables_.settle(state, work);
-  if (!model_.hangers.empty() && (part_chains(state, work) || break_hangers(state, work))) return settle(state, work);
-  if (!work.waking.any_asleep) return;
+  if (!model_.hangers.empty() && (part_chains(state, work) || break_hangers(state, work))) {
+    settle(state, work);
+    return true;
+  }
+  if (!work.waking.any_asleep) return false;
   std::vector<BodyId> woken;
   std::copy_if(restless_.begin(), restless_.end(), std::back_inserter(woken),
                [&work](BodyId body) { return !work.waking.awake[index(body)]; });
   contacts_.list_woken(work, woken);
   cables_.list_woken(state, work, model_.sleep == Sleep::exact ? 0.0 : 1e-13, woken);
-  if (woken.empty()) return;
+  if (woken.empty()) return false;
   wake(state, woken);
   // A woken body's own cables may wake its neighbours.
   update(state, work);
   settle(state, work);
+  return true;
 }
 
 void Dynamics::wake(State& state, const std::vector<BodyId>& bodies) const {

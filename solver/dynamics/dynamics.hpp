@@ -43,7 +43,11 @@ class Dynamics {
   /// Poses, paths and gaps of the state: what every function below reads. Gaps are worked out only of bodies within
   /// reach of each other.
   void update(const State& state, Workspace& work) const;
-  /// The same with all gaps, however far apart the bodies.
+  /// The same for who reports the state: sleeping bodies with their cables, too.
+  void update_everywhere(const State& state, Workspace& work) const;
+  /// After update() or update_everywhere(): of the gaps out of reach the depths alone.
+  void update_depths(const State& state, Workspace& work) const { contacts_.update_depths(state, work); }
+  /// As update_everywhere(), with all gaps, however far apart the bodies.
   void update_all(const State& state, Workspace& work) const;
   /// After update(): the gaps of bodies out of reach as well that may come within it in the time ahead [T] at the speed
   /// they have, under their weight. Those of others have none, and infinite guards. As longest_step(), up to that time.
@@ -59,8 +63,8 @@ class Dynamics {
   void begin(State& state, Workspace& work) const;
   /// Brings each law's mode up to date, breaks hangers, books the energy released by those changes, and wakes bodies on
   /// which something acts otherwise than at rest. `before`: the state at the beginning of the step that led here, if
-  /// its rates were taken with `slip_power`.
-  void settle(State& state, Workspace& work, const State* before = nullptr) const;
+  /// its rates were taken with `slip_power`. Whether something broke or woke: then it was evaluated again, by update().
+  bool settle(State& state, Workspace& work, const State* before = nullptr) const;
   /// Rates of change in the state's modes; with `ledger` off the powers and impulses are left at zero. `slip_power`:
   /// the work of friction that slips is a power, too, which a method integrates to its order. Without it settle()
   /// accumulates that work with the limit at the end of the step.

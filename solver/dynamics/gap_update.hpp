@@ -28,23 +28,27 @@ class GapUpdate {
  private:
   static constexpr bool are_balls = std::is_same_v<typename Array::ShapeA, Ball>;
   static constexpr bool boxed = BoxedRule<typename Array::ShapeB>;
+  static constexpr bool over_plane = are_balls && std::is_same_v<typename Array::ShapeB, HalfPlane>;
   static constexpr std::size_t block = 64;
 
   void update(const ContactGroup& group) const {
     const Pose A = work_.poses[index(group.a)], B = work_.poses[index(group.b)];
     [[maybe_unused]] const Placement A_in_B = placement(A, B);
-    if constexpr (boxed) {
+    if constexpr (boxed || over_plane) {
       if (state_) return update_nodes(group, A, B, A_in_B);
     }
     for (std::size_t i = group.first; i < group.last; ++i)
       update(i, A, B, A_in_B);
   }
-  /// Of nodes, which are points, the depths in the box at once: few are in it.
+  /// Of nodes, which are points, the depths in the box at once, of balls those in a half-plane: few are in it.
   void update_nodes(const ContactGroup& group, const Pose& A, const Pose& B, const Placement& A_in_B) const {
     std::array<double, block + pack_size> depths;
     for (std::size_t first = group.first; first < group.last; first += block) {
       const std::size_t count = std::min(block, group.last - first);
-      box_depths(array_.node_x, array_.node_y, first, count, A_in_B, array_.shapes_b[first].outline, depths.data());
+      if constexpr (boxed)
+        box_depths(array_.node_x, array_.node_y, first, count, A_in_B, array_.shapes_b[first].outline, depths.data());
+      else
+        plane_depths(array_.node_x, array_.node_y, array_.radius, first, count, A_in_B, depths.data());
       for (std::size_t i = 0; i < count; ++i) {
         if (!is_idle(first + i, depths[i])) update(first + i, A, B, A_in_B);
       }

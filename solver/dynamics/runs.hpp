@@ -67,6 +67,10 @@ bool stay_straight(std::size_t first, std::size_t count, const Row& rest_length,
 void box_depths(const Row& x, const Row& y, std::size_t first, std::size_t count, const Placement& A_in_B,
                 const Superquadric& outline, double* depths);
 
+/// The same of balls of these radii in the half-plane y < 0 of B.
+void plane_depths(const Row& x, const Row& y, const Row& radius, std::size_t first, std::size_t count,
+                  const Placement& A_in_B, double* depths);
+
 /// Adds the pulls at joints to the wrenches of the neighbouring bodies that they are on.
 void load_bodies(const JointRun& run, const JointPoints& joints, Wrenches& wrenches);
 

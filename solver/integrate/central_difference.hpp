@@ -36,14 +36,12 @@ struct CentralDifferenceOf {
   /// Coordinates, and the memory that follows them, taken back by half a step with the present velocity: second order,
   /// and exact where no force acts.
   template <class System>
-  StateType synchronized(System& system, const StateType& state, Scalar h) const {
+  void synchronize(System& system, StateType& copy, Scalar h) const {
     // What a system keeps beside its state stays as it is.
-    if constexpr (requires { system.drifted(state, h); }) {
-      return system.drifted(state, -h / 2);
+    if constexpr (requires { system.drifted(copy, h); }) {
+      copy = system.drifted(copy, -h / 2);
     } else {
-      StateType same_time = state;
-      system.drift(same_time, -h / 2);
-      return same_time;
+      system.drift(copy, -h / 2);
     }
   }
 

@@ -46,7 +46,9 @@ concept Differentiable = Evaluable<S, StateType> &&
 ///   name, order                     its name in scenes; its order on smooth motion
 ///   start(system, state, h)         once before the first step of length h (a staggered method shifts the state here)
 ///   step(system, state, h)          advances state by h, time included
-///   synchronized(system, state, h)  the state with all parts at the same time, state.t; what observers see
+///   synchronize(system, copy, h)    only of staggered methods: brings all parts of a copy of the state to the same
+///   time,
+///                                   state.t (see synchronized())
 ///   remember(memory, like)          names all that the method carries from one step to the next. After it is put back
 ///                                   into a method of the same name, step() goes on bit for bit, without start();
 ///                                   `like`, a state of the same scene, tells the sizes
@@ -58,8 +60,26 @@ concept IntegratorFor = requires(I integrator, S& system, State& state, const St
   { I::order } -> std::convertible_to<int>;
   integrator.start(system, state, h);
   integrator.step(system, state, h);
-  { integrator.synchronized(system, fixed, h) } -> std::convertible_to<State>;
   integrator.remember(memory, fixed);
 };
+
+/// A method whose states hold velocities and coordinates at different times.
+template <class I, class S, class StateType>
+concept Staggered = requires(const I integrator, S& system, StateType& copy, typename StateType::Number h) {
+  integrator.synchronize(system, copy, h);
+};
+
+/// Brings all parts of a copy of the method's state to the same time, copy.t: what observers see.
+template <class I, class S, class StateType>
+void synchronize(const I& integrator, S& system, StateType& copy, typename StateType::Number h) {
+  if constexpr (Staggered<I, S, StateType>) integrator.synchronize(system, copy, h);
+}
+
+/// The state of a method with all parts at the same time.
+template <class I, class S, class StateType>
+[[nodiscard]] StateType synchronized(const I& integrator, S& system, StateType state, typename StateType::Number h) {
+  synchronize(integrator, system, state, h);
+  return state;
+}
 
 }  // namespace talus

@@ -34,11 +34,6 @@ class EulerOf {
     state.t += h;
   }
 
-  template <class System>
-  const StateType& synchronized(System&, const StateType& state, Scalar) const {
-    return state;
-  }
-
   /// Nothing but room for the rates.
   void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
     if (memory.puts_back()) rates_ = Rates{like};

@@ -25,11 +25,6 @@ struct EulerCromerOf {
     state.t += h;
   }
 
-  template <class System>
-  const StateType& synchronized(System&, const StateType& state, Scalar) const {
-    return state;
-  }
-
   void remember(Memory&, const StateType&) const {}
 };
 

@@ -50,8 +50,8 @@ class LaggedCentralDifferenceOf {
 
   /// As for the central difference.
   template <class System>
-  StateType synchronized(System& system, const StateType& state, Scalar h) const {
-    return CentralDifferenceOf<StateType>{}.synchronized(system, state, h);
+  void synchronize(System& system, StateType& copy, Scalar h) const {
+    CentralDifferenceOf<StateType>{}.synchronize(system, copy, h);
   }
 
   void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {

@@ -67,11 +67,6 @@ class LocatedSteps {
     state.t = t;
   }
 
-  template <class System>
-  const State& synchronized(System&, const State& state, double) const {
-    return state;
-  }
-
   /// Events located so far.
   long events() const { return events_; }
   /// Why there are no more steps; empty while there are.

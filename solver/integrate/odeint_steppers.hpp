@@ -91,11 +91,6 @@ class Odeint {
     stepper_->advance(std::cref(derivative), std::cref(accepted), x_, state.t, h);
   }
 
-  template <class System>
-  const State& synchronized(System&, const State& state, double) const {
-    return state;
-  }
-
   void remember(Memory& memory, const State& like) {
     if (memory.puts_back()) prepare(like);
     stepper_->remember(memory, x_.size());

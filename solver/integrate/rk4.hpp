@@ -53,11 +53,6 @@ class RungeKutta4Of {
     system.settle(state);
   }
 
-  template <class System>
-  const StateType& synchronized(System&, const StateType& state, Scalar) const {
-    return state;
-  }
-
   /// Nothing but room for the stages.
   void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
     if (memory.puts_back()) rates_.fill(Rates{like});

@@ -37,11 +37,6 @@ class TaylorOf {
     state.t += h;
   }
 
-  template <class System>
-  const StateType& synchronized(System&, const StateType& state, Scalar) const {
-    return state;
-  }
-
   /// Nothing but room for the rates.
   void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
     if (memory.puts_back()) rates_ = Rates{like};

@@ -38,11 +38,6 @@ class VelocityVerletOf {
     state.t += h;
   }
 
-  template <class System>
-  const StateType& synchronized(System&, const StateType& state, Scalar) const {
-    return state;
-  }
-
   void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
     if (memory.puts_back()) rates_ = Rates{like};
     using talus::remember;

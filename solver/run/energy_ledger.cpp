@@ -9,20 +9,20 @@ namespace talus {
 double Accounts::dissipated() const { return std::accumulate(lost.begin(), lost.end(), 0.0); }
 
 EnergyLedger::EnergyLedger(const Dynamics& dynamics, const State& start)
-    : dynamics_{&dynamics}, work_{dynamics.workspace()}, start_{start} {
-  dynamics.update(start_, work_);
-  start_energies_ = dynamics.energies(start_, work_);
-  start_momenta_ = dynamics.momenta(work_);
+    : dynamics_{&dynamics}, start_work_{start.work}, start_impulse_{start.impulse} {
+  const Snapshot first{dynamics, start};
+  start_energies_ = first.energies();
+  start_momenta_ = first.momenta();
   energy_scale_ = start_energies_.kinetic;
 }
 
-Accounts EnergyLedger::accounts(const State& state) {
-  dynamics_->update(state, work_);
+Accounts EnergyLedger::accounts(const Snapshot& snapshot) {
+  const State& state = snapshot.state();
   Accounts now;
-  now.energies = dynamics_->energies(state, work_);
-  now.momenta = dynamics_->momenta(work_);
+  now.energies = snapshot.energies();
+  now.momenta = snapshot.momenta();
   for (std::size_t i = 0; i < mechanism_count; ++i)
-    now.lost[i] = state.work[i] - start_.work[i];
+    now.lost[i] = state.work[i] - start_work_[i];
   // Change by change: a potential that is large because its zero is far away must not swallow the digits of the rest.
   const Energies& first = start_energies_;
   const double kinetic = now.energies.kinetic - first.kinetic;
@@ -31,9 +31,9 @@ Accounts EnergyLedger::accounts(const State& state) {
   const double contacts = now.energies.contacts - first.contacts;
   const double cables = now.energies.cables - first.cables;
   now.energy_closure = kinetic + gravity + applied + contacts + cables + now.dissipated();
-  const Vec2 impulse{state.impulse[0] - start_.impulse[0], state.impulse[1] - start_.impulse[1]};
+  const Vec2 impulse{state.impulse[0] - start_impulse_[0], state.impulse[1] - start_impulse_[1]};
   now.momentum_closure = now.momenta.linear - start_momenta_.linear - impulse;
-  now.angular_momentum_closure = now.momenta.angular - start_momenta_.angular - (state.impulse[2] - start_.impulse[2]);
+  now.angular_momentum_closure = now.momenta.angular - start_momenta_.angular - (state.impulse[2] - start_impulse_[2]);
   largest_energy_closure_ = std::max(largest_energy_closure_, std::abs(now.energy_closure));
   energy_scale_ = std::max({energy_scale_, now.energies.kinetic, std::abs(gravity), std::abs(applied),
                             std::abs(contacts), std::abs(cables)});

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "solver/base/memory.hpp"
-#include "solver/dynamics/dynamics.hpp"
+#include "solver/run/snapshot.hpp"
 
 namespace talus {
 
@@ -27,7 +27,9 @@ class EnergyLedger {
   /// ledger.
   EnergyLedger(const Dynamics& dynamics, const State& start);
 
-  [[nodiscard]] Accounts accounts(const State& state);
+  [[nodiscard]] Accounts accounts(const Snapshot& snapshot);
+  /// The same of a state alone, which is evaluated for it.
+  [[nodiscard]] Accounts accounts(const State& state) { return accounts(Snapshot{*dynamics_, state}); }
 
   /// Energies of the first state.
   const Energies& start() const { return start_energies_; }
@@ -43,8 +45,8 @@ class EnergyLedger {
 
  private:
   const Dynamics* dynamics_;
-  Workspace work_;
-  State start_;
+  std::array<double, mechanism_count> start_work_{};
+  Impulse<double> start_impulse_{};
   Energies start_energies_;
   Momenta start_momenta_;
   double largest_energy_closure_{};

@@ -9,14 +9,13 @@
 #include "solver/dynamics/law_modes.hpp"
 
 namespace talus {
-namespace {
 
-/// Elongation at which a cable is just slack [L].
-double elongation(const CableLaw& law, const State& state, Slot slot) {
-  return std::visit([&](const auto& of) { return natural_elongation(of, memory(of, state, slot)); }, law);
+/// Drawn out within a step, a cable may be taut again at its end.
+bool FailureLog::drawn_out(const Watch& watch, const State& state) {
+  if (!watch.yielding) return false;
+  return std::visit([&](const auto& law) { return natural_elongation(law, memory(law, state, watch.slot)) > 0.0; },
+                    *watch.yielding);
 }
-
-}  // namespace
 
 FailureLog::FailureLog(const Dynamics& dynamics) {
   const Model& model = dynamics.model();
@@ -28,28 +27,31 @@ FailureLog::FailureLog(const Dynamics& dynamics) {
           const Slot slot = layout.cable_slots[c];
           for (Mode mode = 0; mode < L::modes.size(); ++mode) {
             if constexpr (Yields<L>) {
-              if (L::yields(mode))
-                watches_.push_back({slot.mode, mode, {0.0, part, "yields"}, false, &model.cables[c].law, slot});
+              if (L::yields(mode)) {
+                watches_.push_back({.slot = slot, .mode = mode, .yielding = &model.cables[c].law});
+                awaited_.push_back({0.0, part, "yields"});
+              }
             }
-            if (is_broken<L>(mode)) watches_.push_back({slot.mode, mode, {0.0, part, "breaks"}, false, {}, {}});
+            if (!is_broken<L>(mode)) continue;
+            watches_.push_back({.slot = slot, .mode = mode});
+            awaited_.push_back({0.0, part, "breaks"});
           }
         },
         model.cables[c].law);
   }
   for (std::size_t h = 0; h < model.hangers.size(); ++h) {
     const std::string part = fmt::format("hanger '{}'", model.hangers[h].name);
-    watches_.push_back({layout.first_hanger + h, Mode{1}, {0.0, part, "breaks"}, false, {}, {}});
+    watches_.push_back({.slot = {.mode = layout.first_hanger + h}, .mode = Mode{1}});
+    awaited_.push_back({0.0, part, "breaks"});
   }
 }
 
 void FailureLog::operator()(const State& state, const StepInfo&) {
-  for (Watch& watch : watches_) {
-    if (watch.seen) continue;
-    // Drawn out within a step, a cable may be taut again at its end.
-    const bool drawn = watch.yielding && elongation(*watch.yielding, state, watch.memory) > 0.0;
-    if (state.mode[watch.slot] != watch.mode && !drawn) continue;
+  for (std::size_t i = 0; i < watches_.size(); ++i) {
+    Watch& watch = watches_[i];
+    if (watch.seen || (state.mode[watch.slot.mode] != watch.mode && !drawn_out(watch, state))) continue;
     watch.seen = true;
-    failures_.push_back(watch.failure);
+    failures_.push_back(awaited_[i]);
     failures_.back().time = state.t;
   }
 }
@@ -58,10 +60,10 @@ void FailureLog::operator()(const State& state, const StepInfo&) {
 void FailureLog::remember(Memory& memory) {
   std::vector<double> times, places;
   for (const Failure& failure : failures_) {
-    const auto is = [&](const Watch& watch) {
-      return watch.failure.part == failure.part && watch.failure.what == failure.what;
+    const auto is = [&](const Failure& awaited) {
+      return awaited.part == failure.part && awaited.what == failure.what;
     };
-    places.push_back(static_cast<double>(std::find_if(watches_.begin(), watches_.end(), is) - watches_.begin()));
+    places.push_back(static_cast<double>(std::find_if(awaited_.begin(), awaited_.end(), is) - awaited_.begin()));
     times.push_back(failure.time);
   }
   memory.list("times", times);
@@ -73,9 +75,9 @@ void FailureLog::remember(Memory& memory) {
     if (!(places[i] >= 0.0 && places[i] < static_cast<double>(watches_.size()))) {
       throw InputError{fmt::format("places: found {}; it must be from 0 to below {}", places[i], watches_.size())};
     }
-    Watch& watch = watches_[static_cast<std::size_t>(places[i])];
-    watch.seen = true;
-    failures_.push_back(watch.failure);
+    const auto place = static_cast<std::size_t>(places[i]);
+    watches_[place].seen = true;
+    failures_.push_back(awaited_[place]);
     failures_.back().time = times[i];
   }
 }

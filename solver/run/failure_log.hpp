@@ -1,13 +1,12 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "solver/base/memory.hpp"
 #include "solver/dynamics/dynamics.hpp"
-#include "solver/run/simulate.hpp"
+#include "solver/run/observer.hpp"
 
 namespace talus {
 
@@ -35,14 +34,15 @@ class FailureLog {
  private:
   /// One mode of one part that is waited for.
   struct Watch {
-    std::size_t slot{};
+    Slot slot{};
     Mode mode{};
-    Failure failure;
     bool seen{};
-    const CableLaw* yielding{};  ///< of a cable that may yield; its natural elongation grows then, from 0
-    Slot memory{};               ///< of that cable
+    const CableLaw* yielding{};  ///< of a cable that may yield: its natural elongation then grows from 0
   };
+  static bool drawn_out(const Watch& watch, const State& state);
+
   std::vector<Watch> watches_;
+  std::vector<Failure> awaited_;  ///< of each
   std::vector<Failure> failures_;
 };
 

@@ -79,75 +79,59 @@ void History::remember(Memory& memory) {
     rows.emplace_back(from, from + static_cast<std::ptrdiff_t>(columns.size()));
 }
 
-Recorder::Recorder(const Dynamics& dynamics, const State& start, bool ledger)
-    : dynamics_{&dynamics}, work_{dynamics.workspace()} {
+Recorder::Recorder(const Dynamics& dynamics, const State& start, bool ledger) : dynamics_{&dynamics} {
   history_.columns = history_columns(dynamics.model(), ledger);
+  row_.resize(history_.columns.size());
+  const Model& model = dynamics.model();
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    if (model.bodies[i].mobility == Mobility::fixed) continue;
+    moving_.push_back({i, turns(model.bodies[i]), dynamics.layout().first[i + 1] - 1});
+  }
   if (ledger) ledger_.emplace(dynamics, start);
 }
 
-void Recorder::operator()(const State& state, const StepInfo& info) {
-  fill_row(state);
-  if (ledger_) {
-    accounts_ = ledger_->accounts(state);
-    fill_accounts();
-  }
-  if (extremes_.empty()) {
-    for (const double value : row_)
-      extremes_.push_back({value, state.t, value, state.t});
-  }
-  for (std::size_t i = 0; i < row_.size(); ++i) {
-    Extreme& extreme = extremes_[i];
-    if (row_[i] < extreme.least) extreme.least = row_[i], extreme.least_time = state.t;
-    if (row_[i] > extreme.largest) extreme.largest = row_[i], extreme.largest_time = state.t;
-  }
+void Recorder::operator()(const Snapshot& snapshot, const StepInfo& info) {
+  if (ledger_) accounts_ = ledger_->accounts(snapshot);
+  fill_row(snapshot);
+  extremes_.add(snapshot.state().t, row_);
   history_.go_on();
   if (info.due || info.stop) history_.add(row_, info.due);
 }
 
 void Recorder::remember(Memory& memory) {
   memory.part("history", [&] { history_.remember(memory); });
-  std::vector<double> numbers;
-  for (const Extreme& e : extremes_)
-    numbers.insert(numbers.end(), {e.least, e.least_time, e.largest, e.largest_time});
-  numbers.resize(4 * history_.columns.size());
-  memory.numbers("extremes", numbers);
-  extremes_.clear();
-  for (std::size_t i = 0; i < numbers.size(); i += 4)
-    extremes_.push_back({numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3]});
+  extremes_.remember(memory, history_.columns.size());
   if (!ledger_) return;
   memory.part("ledger", [&] { ledger_->remember(memory); });
   memory.part("accounts", [&] { accounts_.remember(memory); });
 }
 
-void Recorder::fill_row(const State& state) {
-  const Model& model = dynamics_->model();
-  dynamics_->update_all(state, work_);
-  dynamics_->forces(state, work_, forces_);
-  row_.assign({state.t});
-  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-    if (model.bodies[i].mobility == Mobility::fixed) continue;
-    const Pose pose = work_.poses[i];
-    row_.insert(row_.end(), {pose.p_WB.x, pose.p_WB.y, pose.v_WB.x, pose.v_WB.y});
-    if (turns(model.bodies[i])) row_.insert(row_.end(), {state.q[dynamics_->layout().first[i + 1] - 1], pose.w_WB});
+void Recorder::fill_row(const Snapshot& snapshot) {
+  const State& state = snapshot.state();
+  const Poses& poses = snapshot.geometry().poses;
+  const LawForces& forces = snapshot.forces();
+  double* next = row_.data();
+  const auto add = [&next](std::initializer_list<double> numbers) {
+    next = std::copy(numbers.begin(), numbers.end(), next);
+  };
+  add({state.t});
+  for (const Moving& body : moving_) {
+    const std::size_t i = body.body;
+    add({poses.x[i], poses.y[i], poses.vx[i], poses.vy[i]});
+    if (body.turns) add({state.q[body.angle], poses.w[i]});
   }
-  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
-    const auto contact = static_cast<ContactId>(i);
-    row_.push_back(dynamics_->contact_depth(work_, contact));
-    row_.push_back(forces_.contacts[i]);
+  for (std::size_t i = 0; i < forces.contacts.size(); ++i)
+    add({dynamics_->contact_depth(snapshot.geometry(), static_cast<ContactId>(i)), forces.contacts[i]});
+  for (std::size_t i = 0; i < forces.tensions.size(); ++i)
+    add({dynamics_->elongation(snapshot.geometry(), static_cast<CableId>(i)), forces.tensions[i]});
+  if (ledger_) {
+    const Energies& energies = accounts_.energies;
+    add({energies.kinetic, energies.gravity, energies.applied, energies.contacts, energies.cables});
+    next = std::copy(accounts_.lost.begin(), accounts_.lost.end(), next);
+    add({accounts_.energy_closure, accounts_.momentum_closure.x, accounts_.momentum_closure.y,
+         accounts_.angular_momentum_closure});
   }
-  for (std::size_t i = 0; i < model.cables.size(); ++i) {
-    const auto cable = static_cast<CableId>(i);
-    row_.push_back(dynamics_->elongation(work_, cable));
-    row_.push_back(forces_.tensions[i]);
-  }
-}
-
-void Recorder::fill_accounts() {
-  const Energies& energies = accounts_.energies;
-  row_.insert(row_.end(), {energies.kinetic, energies.gravity, energies.applied, energies.contacts, energies.cables});
-  row_.insert(row_.end(), accounts_.lost.begin(), accounts_.lost.end());
-  row_.insert(row_.end(), {accounts_.energy_closure, accounts_.momentum_closure.x, accounts_.momentum_closure.y,
-                           accounts_.angular_momentum_closure});
+  TALUS_ASSERT(next == row_.data() + row_.size());
 }
 
 }  // namespace talus

@@ -6,7 +6,8 @@
 
 #include "solver/base/dimension.hpp"
 #include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
+#include "solver/run/extremes.hpp"
+#include "solver/run/observer.hpp"
 
 namespace talus {
 
@@ -45,15 +46,12 @@ class Recorder {
 
   /// Writes a row when one is due, and one for a step with which the run stops, which gives way when it is taken on.
   /// The ledger and the extremes are brought up to date with every step.
-  void operator()(const State& state, const StepInfo& info);
+  void operator()(const Snapshot& snapshot, const StepInfo& info);
 
   /// Names what the recorder carries from one step to the next; a recorder of the same start goes on from it.
   void remember(Memory& memory);
 
   const History& history() const { return history_; }
-  /// The evaluation of the last step seen, of all bodies, for other observers of the same step.
-  Workspace& work() { return work_; }
-  const LawForces& forces() const { return forces_; }
   /// All columns at the last step seen.
   const std::vector<double>& row() const { return row_; }
   /// Empty when the ledger is off.
@@ -61,27 +59,26 @@ class Recorder {
   /// The accounts at the last step seen; all zero when the ledger is off.
   const Accounts& accounts() const { return accounts_; }
 
-  /// Smallest and largest value of each column over all steps, with their times.
-  struct Extreme {
-    double least{};
-    double least_time{};
-    double largest{};
-    double largest_time{};
-  };
-  const std::vector<Extreme>& extremes() const { return extremes_; }
+  /// Of each column over all steps.
+  const Extremes& extremes() const { return extremes_; }
 
  private:
-  void fill_row(const State& state);
-  void fill_accounts();
+  void fill_row(const Snapshot& snapshot);
+
+  /// A body with columns.
+  struct Moving {
+    std::size_t body{};
+    bool turns{};
+    std::size_t angle{};  ///< its coordinate
+  };
 
   const Dynamics* dynamics_;
-  Workspace work_;
   std::optional<EnergyLedger> ledger_;
   Accounts accounts_;
   History history_;
-  LawForces forces_;
+  std::vector<Moving> moving_;
   std::vector<double> row_;
-  std::vector<Extreme> extremes_;
+  Extremes extremes_;
 };
 
 }  // namespace talus

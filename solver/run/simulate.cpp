@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
 
 #include "solver/base/error.hpp"
 #include "solver/base/rows.hpp"
@@ -29,10 +32,26 @@ Outcome diverged(const RigidBodySystem& system, const State& state, std::size_t 
           fmt::format("diverged at t = {:.6g}: '{}' is not finite (step {:.6g})", state.t, which, h)};
 }
 
+/// A snapshot that follows a run as long as this stands.
+class Following {
+ public:
+  Following(Snapshot* snapshot, std::function<void(State&)> synchronise) : snapshot_{snapshot} {
+    if (snapshot_) snapshot_->follow(std::move(synchronise));
+  }
+  Following(const Following&) = delete;
+  Following& operator=(const Following&) = delete;
+  ~Following() {
+    if (snapshot_) snapshot_->end();
+  }
+
+ private:
+  Snapshot* snapshot_;
+};
+
 /// Takes the standing run on with its own integrator, which is of type Method.
 template <class Method>
 Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const RunPlan& plan,
-            std::span<const Observer> observers, const StopCondition& stop) {
+            std::span<const Observer> observers, const StopCondition& stop, Snapshot* seen) {
   static_assert(IntegratorFor<Method, RigidBodySystem>);
   const double start = standing.start;
   const long steps =
@@ -41,13 +60,24 @@ Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const R
   const long every = std::max(1L, std::lround(std::min(plan.interval / plan.step, 1e15)));
   const long before = standing.evaluations - system.evaluations();
   State& state = standing.state;
-  State seen = state;
+  // Nothing is prepared for nobody.
+  std::optional<Snapshot> own;
+  if (!observers.empty() || stop) {
+    if (!seen) seen = &own.emplace(system.dynamics());
+  } else {
+    seen = nullptr;
+  }
   if (standing.step == 0) {
     system.begin(state);
+    if (seen) seen->set(state);
     for (const Observer& observe : observers)
-      observe(state, {0, before + system.evaluations(), true, false, false, &state});
+      observe(*seen, {0, before + system.evaluations(), true, false, false, &state});
     method.start(system, state, plan.step);
   }
+  const Following following{seen, [&](State& copy) {
+                              copy = state;
+                              synchronize(method, system, copy, plan.step);
+                            }};
   while (standing.step < steps) {
     method.step(system, state, plan.step);
     if constexpr (requires { method.failure(); }) {
@@ -61,15 +91,12 @@ Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const R
     if (const std::size_t bad = first_not_finite(state, moving); bad < moving)
       return diverged(system, state, bad, plan.step);
     standing.step = n;
-    if (observers.empty() && !stop) continue;
-    // A copy with its own modes: a method may hold those of before its last kick, by which a slack cable would seem to
-    // push.
-    seen = method.synchronized(system, state, plan.step);
-    system.settle(seen);
+    if (!seen) continue;
+    seen->advance();
     const bool ends = n == steps;
-    const bool stops = !ends && stop && stop(seen);
+    const bool stops = !ends && stop && stop(*seen);
     for (const Observer& observe : observers)
-      observe(seen, {n, standing.evaluations, ends || n % every == 0, ends || stops, stops, &state});
+      observe(*seen, {n, standing.evaluations, ends || n % every == 0, ends || stops, stops, &state});
     if (stops) return {Outcome::Kind::stopped, state.t, {}};
   }
   return {Outcome::Kind::finished, state.t, {}};
@@ -96,16 +123,15 @@ Standing standing_at_start(const Integrator& integrator, const State& state) {
 }
 
 State synchronized(const Standing& standing, RigidBodySystem& system, const RunPlan& plan) {
-  State state =
-      std::visit([&](const auto& method) { return State{method.synchronized(system, standing.state, plan.step)}; },
-                 standing.integrator);
+  State state = std::visit([&](const auto& method) { return synchronized(method, system, standing.state, plan.step); },
+                           standing.integrator);
   system.settle(state);
   return state;
 }
 
 Outcome simulate(RigidBodySystem& system, Standing& standing, const RunPlan& plan, std::span<const Observer> observers,
-                 const StopCondition& stop) {
-  return std::visit([&](auto& method) { return run(system, method, standing, plan, observers, stop); },
+                 const StopCondition& stop, Snapshot* seen) {
+  return std::visit([&](auto& method) { return run(system, method, standing, plan, observers, stop, seen); },
                     standing.integrator);
 }
 

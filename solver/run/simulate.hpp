@@ -1,31 +1,14 @@
 #pragma once
 
-#include <functional>
 #include <span>
 
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/integrator_list.hpp"
+#include "solver/run/observer.hpp"
 #include "solver/run/outcome.hpp"
 #include "solver/run/run_plan.hpp"
 
 namespace talus {
-
-/// What an observer is told beside the state.
-struct StepInfo {
-  long step{};          ///< steps done; 0 for the initial state
-  long evaluations{};   ///< force evaluations done
-  bool due{};           ///< a record of the history falls on this step, as it does on the plan's first and last
-  bool last{};          ///< no step follows: the plan ends with this one, or the run stops
-  bool stop{};          ///< the run stops with this step, before its plan's end
-  const State* held{};  ///< the state as the integrator holds it: of a staggered method, velocities at t and
-                        ///< coordinates half a step on, as the listings of 1993 print them
-};
-
-/// Sees the state, all parts at the same time, after the start and after each step; cannot change the run.
-using Observer = std::function<void(const State&, const StepInfo&)>;
-
-/// Ends a run early when it returns true for the state after a step.
-using StopCondition = std::function<bool(const State&)>;
 
 /// Steps that a plan takes.
 [[nodiscard]] long step_count(const RunPlan& plan);
@@ -53,8 +36,10 @@ struct Standing {
 /// often it is stopped and taken on, also by another process, the bits are those of a run that never was: observers
 /// see each step once, the first state only at the very start. The plan stays the same throughout.
 /// The outcome is `diverged` when a coordinate or velocity is no longer finite, with the body and the time.
+/// `seen` is what the observers see, if it is to outlast the run: afterwards it is of the last state that they saw, if
+/// they requested it.
 Outcome simulate(RigidBodySystem& system, Standing& standing, const RunPlan& plan,
-                 std::span<const Observer> observers = {}, const StopCondition& stop = {});
+                 std::span<const Observer> observers = {}, const StopCondition& stop = {}, Snapshot* seen = nullptr);
 
 /// The same from the state's own time. On return the state is synchronised: all its parts are at state.t.
 Outcome simulate(RigidBodySystem& system, Integrator& integrator, State& state, const RunPlan& plan,

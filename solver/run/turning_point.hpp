@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "solver/run/simulate.hpp"
+#include "solver/run/observer.hpp"
 
 namespace talus {
 

@@ -116,14 +116,16 @@ const ColumnRecord* FenceSummary::closest_hanger() const {
 }
 
 FenceWatch::FenceWatch(const Fence& fence, const FenceScene& made, const Dynamics& dynamics)
-    : fence_{&fence}, made_{&made}, dynamics_{&dynamics}, work_{dynamics.workspace()}, rates_{made.scene.initial} {
+    : fence_{&fence}, made_{&made}, dynamics_{&dynamics} {
   list_parts();
+  list_places();
   touch_x_.resize(rocks_.size());
+  last_spin_.resize(rocks_.size());
   last_hanger_.resize(summary_.columns.size());
   last_anchor_.resize(summary_.anchors.size());
   last_tension_.resize(summary_.segments.size());
   summary_.layers.resize(static_cast<std::size_t>(fence.layers));
-  summary_.start = summary_.at_travel = summary_.end = made.scene.initial;
+  summary_.start = summary_.at_travel = made.scene.initial;
   history_.columns = {{"time", dimension::time}};
   for (const RockPassage& rock : summary_.rocks) {
     history_.columns.push_back({rock.name + ".x", dimension::length});
@@ -132,6 +134,29 @@ FenceWatch::FenceWatch(const Fence& fence, const FenceScene& made, const Dynamic
   }
   for (const char* force : {"hanger", "top", "bottom"})
     history_.columns.push_back({force, dimension::force});
+}
+
+/// What does not move, once for all.
+void FenceWatch::list_places() {
+  const Model& model = dynamics_->model();
+  const Body& ground = model.bodies[index(*made_->members.front().body)];
+  const bool plane = !std::holds_alternative<Terrain>(ground.shape);
+  const Pose pose{ground.p_WB, rotation(ground.angle), {}, 0.0};
+  ground_ = {pose.p_WB, pose.R_WB * Vec2{0.0, 1.0}, plane ? nullptr : &ground, pose};
+  of_layer_.resize(static_cast<std::size_t>(fence_->layers));
+  for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
+    of_layer_[static_cast<std::size_t>(summary_.columns[i].layer - 1)].push_back(i);
+    rest_x_.push_back(model.bodies[index(summary_.columns[i].body)].p_WB.x);
+  }
+  const CableForces& cables = dynamics_->cables();
+  for (const AnchorRecord& anchor : summary_.anchors) {
+    std::vector<AnchoredCable>& listed = anchored_.emplace_back();
+    for (std::size_t c = 0; c < cables.size(); ++c) {
+      const auto [a, b] = cables.ends()[c];
+      if (a != anchor.joint && b != anchor.joint) continue;
+      listed.push_back({c, a == anchor.joint ? 1.0 : -1.0, cables.joints()[b].along - cables.joints()[a].along});
+    }
+  }
 }
 
 void FenceWatch::add_column(const Joint& hanger, int layer) {
@@ -209,17 +234,6 @@ double FenceWatch::kinetic(std::size_t rock, const State& state) const {
   return energy;
 }
 
-double FenceWatch::height(Vec2 p) const {
-  const BodyId ground = *made_->members.front().body;
-  return height_over(dynamics_->model().bodies[index(ground)], now_->poses[index(ground)], p);
-}
-
-void FenceWatch::approach(std::size_t i, const State& before) {
-  const Pose pose = talus::pose(dynamics_->model(), before, rocks_[i]);
-  RockPassage& rock = summary_.rocks[i];
-  rock.approach_velocity = pose.v_WB, rock.approach_spin = pose.w_WB, rock.approach_energy = kinetic(i, before);
-}
-
 /// A rock that touches from the start approaches as the deck says: a half kick has by then taken a little of it.
 void FenceWatch::begin(const State& state) {
   begun_ = true;
@@ -229,23 +243,18 @@ void FenceWatch::begin(const State& state) {
   for (std::size_t i = 0; i < rocks_.size(); ++i) {
     State given = state;
     set_velocity(dynamics_->model(), given, rocks_[i], fence_->rocks[i].velocity, fence_->rocks[i].spin);
-    approach(i, given);
+    const Pose pose = talus::pose(dynamics_->model(), given, rocks_[i]);
+    RockPassage& rock = summary_.rocks[i];
+    rock.approach_velocity = pose.v_WB, rock.approach_spin = pose.w_WB, rock.approach_energy = kinetic(i, given);
     const Vec2 velocity = fence_->rocks[i].velocity;
     const double towards = fence_->column.position.x - fence_->rocks[i].position.x;
     directions_.push_back(std::copysign(1.0, velocity.x != 0.0 ? velocity.x : towards));
   }
 }
 
-void FenceWatch::operator()(const State& state, const StepInfo& info) {
-  // All of it: of a sleeping column beside an awake one only half the pulls would be summed.
-  dynamics_->update_all(state, work_);
-  dynamics_->forces(state, work_, forces_);
-  look(state, info, work_, forces_);
-}
-
-void FenceWatch::look(const State& state, const StepInfo& info, Workspace& evaluated, const LawForces& forces) {
-  now_ = &evaluated, forces_now_ = &forces;
-  dynamics_->rates(state, evaluated, rates_, false);
+void FenceWatch::operator()(const Snapshot& snapshot, const StepInfo& info) {
+  const State& state = snapshot.state();
+  now_ = &snapshot.pulls(), forces_now_ = &snapshot.forces();
   if (!begun_) begin(state);
   watch_rocks(state);
   watch_columns(state);
@@ -255,7 +264,6 @@ void FenceWatch::look(const State& state, const StepInfo& info, Workspace& evalu
   history_.go_on();
   if (info.due || info.stop) history_.add(row(state), info.due);
   time_ = state.t;
-  summary_.end = state;
 }
 
 bool FenceWatch::anything_broken(const State& state) const {
@@ -311,8 +319,12 @@ void FenceWatch::watch_rocks(const State& state) {
       rock.touched = true;
       rock.touch_time = state.t;
       touch_x_[i] = now.p_WB.x;
-      if (state.t > summary_.start.t) approach(i, summary_.end);
+      if (state.t > summary_.start.t) {
+        rock.approach_velocity = rock.end_velocity, rock.approach_energy = rock.end_energy;
+        rock.approach_spin = last_spin_[i];
+      }
     }
+    last_spin_[i] = now.w_WB;
     watch_passing(i, state);
     if (!rock.touched) continue;
     const double way = rock.approach_velocity.x < 0.0 ? -1.0 : 1.0;
@@ -335,8 +347,7 @@ void FenceWatch::watch_columns(const State& state) {
     const bool broken = !now_->rigging.broken.empty() && now_->rigging.broken[hangers_[i]];
     const Vec2 pull = broken ? Vec2{} : now_->joints.force(hangers_[i]);
     add(column.hanger, {pull.x, pull.y, 0.0}, last_hanger_[i], state.t, h);
-    const Pose now = now_->poses[index(column.body)];
-    const double travel = std::abs(now.p_WB.x - dynamics_->model().bodies[index(column.body)].p_WB.x);
+    const double travel = std::abs(now_->poses.x[index(column.body)] - rest_x_[i]);
     if (travel > column.travel) column.travel = travel, column.travel_time = state.t;
     if (travel > summary_.travel) summary_.travel = travel, summary_.at_travel = state;
   }
@@ -356,18 +367,13 @@ void FenceWatch::watch_cables(const State& state) {
 /// Each segment pulls an anchor towards its other end, in space.
 void FenceWatch::watch_anchors(const State& state) {
   const double h = state.t - time_;
-  const CableForces& cables = dynamics_->cables();
   for (std::size_t i = 0; i < summary_.anchors.size(); ++i) {
     Vec3 force;
-    for (std::size_t c = 0; c < cables.size(); ++c) {
-      const auto [a, b] = cables.ends()[c];
-      if (a != summary_.anchors[i].joint && b != summary_.anchors[i].joint) continue;
-      const Path path = now_->paths[c];
-      const double way = a == summary_.anchors[i].joint ? 1.0 : -1.0;
+    for (const AnchoredCable& anchored : anchored_[i]) {
+      const Vec2 pull = now_->paths.pull(anchored.cable);
       // The rest of the unit vector: through a broken hanger the cable does not run to its own joint.
-      const double along = std::copysign(std::sqrt(std::max(0.0, 1.0 - dot(path.pull_A, path.pull_A))),
-                                         cables.joints()[b].along - cables.joints()[a].along);
-      force = force + way * forces_now_->tensions[c] * Vec3{path.pull_A.x, path.pull_A.y, along};
+      const double along = std::copysign(std::sqrt(std::max(0.0, 1.0 - dot(pull, pull))), anchored.along);
+      force = force + anchored.way * forces_now_->tensions[anchored.cable] * Vec3{pull.x, pull.y, along};
     }
     add(summary_.anchors[i].force, force, last_anchor_[i], state.t, h);
   }
@@ -377,8 +383,7 @@ void FenceWatch::watch_heights(const State& state) {
   const bool first = state.t == summary_.start.t;
   for (std::size_t layer = 0; layer < summary_.layers.size(); ++layer) {
     double top = std::numeric_limits<double>::infinity(), bottom = -top;
-    for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
-      if (summary_.columns[i].layer != static_cast<int>(layer) + 1) continue;
+    for (const std::size_t i : of_layer_[layer]) {
       const Pose column = now_->poses[index(summary_.columns[i].body)];
       top = std::min(top, height(world_point(column, joints_[i][0])));
       bottom = std::max(bottom, height(world_point(column, joints_[i][1])));
@@ -414,6 +419,7 @@ void FenceWatch::remember(Memory& memory) {
   memory.flag("begun", begun_);
   memory.number("time", time_);
   memory.numbers("touch_x", touch_x_);
+  memory.numbers("last_spin", last_spin_);
   memory.numbers("last_tension", last_tension_);
   memory.list("directions", directions_);
   for (std::size_t i = 0; i < crossings_.size(); ++i) {
@@ -444,7 +450,6 @@ void FenceWatch::remember(Memory& memory) {
   memory.number("travel", s.travel);
   memory.part("start", [&] { talus::remember(memory, s.start); });
   memory.part("at_travel", [&] { talus::remember(memory, s.at_travel); });
-  memory.part("end", [&] { talus::remember(memory, s.end); });
   memory.part("history", [&] { history_.remember(memory); });
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/run/history.hpp"
+#include "solver/scenes/fence_element.hpp"
 #include "solver/scenes/fence_scene.hpp"
 
 namespace talus::scenes {
@@ -111,7 +112,6 @@ struct FenceSummary {
   double travel{};  ///< largest of all columns' [L]
   State start;      ///< the first state
   State at_travel;  ///< the state of the largest travel
-  State end;        ///< the last state
 
   /// Of the rock with which the fence did worst.
   Verdict verdict() const;
@@ -131,9 +131,7 @@ class FenceWatch {
   /// All arguments must outlive it.
   FenceWatch(const Fence& fence, const FenceScene& made, const Dynamics& dynamics);
 
-  void operator()(const State& state, const StepInfo& info);
-  /// The same of a state that is evaluated already: by update_all() and forces().
-  void look(const State& state, const StepInfo& info, Workspace& evaluated, const LawForces& forces);
+  void operator()(const Snapshot& snapshot, const StepInfo& info);
   /// Names what it carries from one step to the next; one of the same run goes on from it.
   void remember(Memory& memory);
 
@@ -144,9 +142,9 @@ class FenceWatch {
 
  private:
   void list_parts();
+  void list_places();
   void add_column(const Joint& hanger, int layer);
   void begin(const State& state);
-  void approach(std::size_t rock, const State& before);
   void watch_rocks(const State& state);
   void watch_passing(std::size_t rock, const State& state);
   bool anything_broken(const State& state) const;
@@ -157,16 +155,13 @@ class FenceWatch {
   std::vector<double> row(const State& state) const;
   bool touches(std::size_t rock, const State& state) const;
   double kinetic(std::size_t rock, const State& state) const;
-  double height(Vec2 p) const;
+  double height(Vec2 p) const { return ground_.height(p); }
 
   const Fence* fence_;
   const FenceScene* made_;
   const Dynamics* dynamics_;
-  Workspace work_;
-  LawForces forces_;
   const Workspace* now_{};  ///< of the state that is looked at
   const LawForces* forces_now_{};
-  Rates rates_;
   std::vector<BodyId> rocks_;
   std::vector<std::array<Vec2, 2>> joints_;         ///< top and bottom joint of each column, in its axes [L]
   std::vector<std::size_t> hangers_;                ///< joint of each column's hanger
@@ -175,7 +170,8 @@ class FenceWatch {
   History history_;
   double time_{};  ///< of the step before
   bool begun_{false};
-  std::vector<double> touch_x_;  ///< of each rock at its touch
+  std::vector<double> touch_x_;    ///< of each rock at its touch
+  std::vector<double> last_spin_;  ///< of each rock, at the step before [rad/T]
   /// A rock and a column that it can touch.
   struct Crossing {
     std::size_t column{};  ///< in FenceSummary::columns
@@ -185,6 +181,24 @@ class FenceWatch {
   };
   std::vector<std::vector<Crossing>> crossings_;  ///< of each rock
   std::vector<double> directions_;                ///< +-1: along x, in which each rock comes
+  /// The ground, which stands still.
+  struct Ground {
+    Vec2 p_W;          ///< its origin [L]
+    Vec2 up_W;         ///< normal of a plane one
+    const Body* body;  ///< of one that is not plane, else null
+    Pose pose;
+    double height(Vec2 p) const { return body ? height_over(*body, pose, p) : dot(p - p_W, up_W); }
+  };
+  Ground ground_;
+  /// A cable that ends at an anchor.
+  struct AnchoredCable {
+    std::size_t cable{};
+    double way{};    ///< 1 if the anchor is at its end A, else -1
+    double along{};  ///< from end A to end B, along the fence [L]
+  };
+  std::vector<std::vector<AnchoredCable>> anchored_;  ///< of each anchor
+  std::vector<std::vector<std::size_t>> of_layer_;    ///< columns of each layer
+  std::vector<double> rest_x_;                        ///< of each column's centre [L]
   std::vector<Vec3> last_hanger_, last_anchor_;
   std::vector<double> last_tension_;
 };

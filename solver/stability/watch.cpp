@@ -43,7 +43,7 @@ Rectangle box_around(const Bounds& bounds) { return {bounds.half_width, bounds.h
 }  // namespace
 
 Watch::Watch(const Scene& scene, const Dynamics& dynamics, const State& start)
-    : scene_{&scene}, dynamics_{&dynamics}, work_{dynamics.workspace()}, ledger_{dynamics, start}, modes_{start.mode} {
+    : scene_{&scene}, dynamics_{&dynamics}, ledger_{dynamics, start}, modes_{start.mode} {
   fixed_step_ = tolerance(scene.integrator) == 0.0 && !located_events(scene.integrator);
   const std::vector<Contact>& contacts = scene.model.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -79,7 +79,8 @@ void Watch::take(Watched which, double value, double limit, Breach breach, const
   }
 }
 
-void Watch::look(const State& seen, long step, const std::optional<Balance>& balance) {
+void Watch::look(const Snapshot& snapshot, long step, const std::optional<Balance>& balance) {
+  const State& seen = snapshot.state();
   const WatchRules& rules = scene_->plan.watch;
   const bool turn = step % every_ == 0;
   const bool changed = seen.mode != modes_;
@@ -93,10 +94,10 @@ void Watch::look(const State& seen, long step, const std::optional<Balance>& bal
   if (last_.touching) last_.time = seen.t;
   if (changed) modes_ = seen.mode;
   if ((rules.tunnelling != Breach::off || rules.accuracy != Breach::off) && (step % 8 == 0 || touches(seen))) {
-    look_at_pairs(seen);
-    if (step % 8 == 0) look_at_unseen(seen);
+    look_at_pairs(snapshot);
+    if (step % 8 == 0) look_at_unseen(snapshot);
   }
-  if ((turn || balance) && scene_->plan.ledger && rules.accuracy != Breach::off) look_at_drift(seen, balance);
+  if ((turn || balance) && scene_->plan.ledger && rules.accuracy != Breach::off) look_at_drift(snapshot, balance);
 }
 
 /// Whether some contact acts.
@@ -140,13 +141,14 @@ void Watch::look_at_frequency(const State& seen) {
   });
 }
 
-void Watch::look_at_pairs(const State& seen) {
+void Watch::look_at_pairs(const Snapshot& snapshot) {
   if (dynamics_->contacts().candidates() == 0) return;
   const WatchRules& rules = scene_->plan.watch;
   const auto contact_name = [this](ContactId contact) { return dynamics_->model().contacts[index(contact)].name; };
-  dynamics_->update(seen, work_);
+  const State& seen = snapshot.state();
+  const Workspace& work = snapshot.geometry();
   if (fixed_step_ && rules.tunnelling != Breach::off) {
-    const auto passing = dynamics_->contacts().passing(work_, norm(dynamics_->model().gravity));
+    const auto passing = dynamics_->contacts().passing(work, norm(dynamics_->model().gravity));
     if (std::isfinite(passing.longest_step)) {
       take(Watched::passing, scene_->plan.step / passing.longest_step, 1.0, rules.tunnelling, seen, passing.contact,
            [&] {
@@ -157,7 +159,7 @@ void Watch::look_at_pairs(const State& seen) {
            });
     }
   }
-  const auto overlap = dynamics_->contacts().deepest_overlap(work_);
+  const auto overlap = dynamics_->contacts().deepest_overlap(work);
   take_overlap(Watched::overlap, overlap.share, seen, overlap.contact, [](bool through) {
     return fmt::format(
         "{}; it needs a stiffer contact (overlaps go with 1/sqrt(k)), a slower impact, or bodies farther apart at the "
@@ -167,17 +169,18 @@ void Watch::look_at_pairs(const State& seen) {
 }
 
 /// Outlines may cross where no node of either is in the other: sides of two bars laid across, a peak of the ground.
-void Watch::look_at_unseen(const State& seen) {
+void Watch::look_at_unseen(const Snapshot& snapshot) {
+  const Workspace& work = snapshot.geometry();
   for (const ContactId contact : by_nodes_) {
     const std::size_t c = index(contact);
     const Candidate& pair = dynamics_->contacts().pair(contact);
     const auto none_in = [&] {
-      const auto gaps = work_.gaps.begin();
+      const auto gaps = work.gaps.begin();
       return std::none_of(gaps + static_cast<std::ptrdiff_t>(pair.first), gaps + static_cast<std::ptrdiff_t>(pair.last),
                           [](const Gap& gap) { return gap.depth > 0.0; });
     };
-    if (!work_.near[c] || !none_in()) continue;
-    const Pose A = work_.poses[index(pair.a)], B = work_.poses[index(pair.b)];
+    if (!work.near[c] || !none_in()) continue;
+    const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
     const double size = smaller_size(pair);
     // Boxes around the outlines cost little and overlap at least as far.
     if (!endless(pair.bounds_a) && !endless(pair.bounds_b) &&
@@ -187,7 +190,7 @@ void Watch::look_at_unseen(const State& seen) {
     const double share = penetration(bodies[index(pair.a)].shape, A, bodies[index(pair.b)].shape, B) / size;
     // Between two nodes of a curved outline there is always a little.
     if (share <= deep_share) continue;
-    take_overlap(Watched::unseen, share, seen, contact, [](bool) {
+    take_overlap(Watched::unseen, share, snapshot.state(), contact, [](bool) {
       return "no node of either is in the other, so that no force acts; it needs more nodes, or the method resultant";
     });
   }
@@ -221,17 +224,17 @@ void Watch::look_at_contacts(const State& seen) {
   }
 }
 
-void Watch::look_at_drift(const State& seen, const std::optional<Balance>& balance) {
+void Watch::look_at_drift(const Snapshot& snapshot, const std::optional<Balance>& balance) {
   Balance now;
   if (balance) {
     now = *balance;
   } else {
-    now.error = ledger_.accounts(seen).energy_closure;
+    now.error = ledger_.accounts(snapshot).energy_closure;
     now.scale = ledger_.energy_scale();
   }
   // What is not a number is the largest.
   const double error = std::abs(now.error);
-  if (!(error <= balance_.error)) balance_.error = error, drift_time_ = seen.t;
+  if (!(error <= balance_.error)) balance_.error = error, drift_time_ = snapshot.state().t;
   balance_.scale = std::max(balance_.scale, now.scale);
   if (scene_->plan.watch.accuracy == Breach::error && !(drift() <= largest_balance_error)) breach_ = drift_words();
 }

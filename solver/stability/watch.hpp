@@ -51,7 +51,7 @@ class Watch {
     double scale{};  ///< largest energy so far [F L]
   };
   /// Looks at the state after a step (0: before the first). Without a balance the watch draws its own, 64 times a run.
-  void look(const State& seen, long step, const std::optional<Balance>& balance = {});
+  void look(const Snapshot& seen, long step, const std::optional<Balance>& balance = {});
 
   /// Largest error of the energy balance over the largest energy, and when it was.
   double drift() const { return balance_.scale > 0.0 ? balance_.error / balance_.scale : 0.0; }
@@ -84,13 +84,13 @@ class Watch {
   bool touches(const State& seen) const;
   void follow_contacts(const State& seen);
   void look_at_frequency(const State& seen);
-  void look_at_pairs(const State& seen);
-  void look_at_unseen(const State& seen);
+  void look_at_pairs(const Snapshot& snapshot);
+  void look_at_unseen(const Snapshot& snapshot);
   /// Takes an overlap as a share of the size, with both its limits.
   template <class Words>
   void take_overlap(Watched which, double share, const State& seen, ContactId contact, const Words& words);
   void look_at_contacts(const State& seen);
-  void look_at_drift(const State& seen, const std::optional<Balance>& balance);
+  void look_at_drift(const Snapshot& snapshot, const std::optional<Balance>& balance);
   std::string drift_words() const;
   /// Takes a number into its extreme; a limit that it is beyond for the first time is a breach, with the words. A
   /// number may have two, the larger of which is the graver.
@@ -100,7 +100,6 @@ class Watch {
 
   const Scene* scene_;
   const Dynamics* dynamics_;
-  Workspace work_;
   EnergyLedger ledger_;
   bool fixed_step_{};
   long every_{};                       ///< steps between two looks at all

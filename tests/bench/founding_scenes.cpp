@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "solver/laws/restitution.hpp"
+#include "solver/run/simulate.hpp"
 #include "solver/run/turning_point.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
@@ -18,6 +19,7 @@
 #include "tests/bench/reading.hpp"
 #include "tests/bench/structure.hpp"
 #include "tests/bench/timing.hpp"
+#include "tests/bench/user_runs.hpp"
 #include "verification/reference/pendulum.hpp"
 #include "verification/reference/two_cable.hpp"
 
@@ -145,7 +147,14 @@ void print_work_precision(const std::string& title, const Scene& scene, double d
 
 }  // namespace
 
-int main() {
+int main(int count, char** arguments) {
+  if (count > 1 && std::string_view{arguments[1]} != "user-runs") {
+    fmt::print(stderr, "talus_bench: found \"{}\"; it must be user-runs, for the costs of users' runs alone\n",
+               arguments[1]);
+    return 2;
+  }
+  bench::print_user_run_costs();
+  if (count > 1) return 0;
   print_step_costs();
   bench::print_fence_costs();
   bench::print_search_costs();

@@ -36,22 +36,6 @@ BOOST_AUTO_TEST_CASE(digits_show_the_difference) {
   BOOST_TEST(md::digits_to_tell(std::numeric_limits<double>::infinity(), 1.0) == 5);
 }
 
-// The same numbers as for the terminal (tests/verification/check/check.cpp).
-BOOST_AUTO_TEST_CASE(a_printed_margin_shows_the_verdict) {
-  for (const int digits : {2, 3}) {
-    BOOST_TEST(md::margin(0.9996, true, digits) == "0.999");
-    BOOST_TEST(md::margin(1.0, true, digits) == "0.999");
-    BOOST_TEST(md::margin(1.0004, false, digits) == "1.001");
-    BOOST_TEST(md::margin(1.0, false, digits) == "1.001");
-    BOOST_TEST(md::margin(0.0, true, digits) == "0");
-    BOOST_TEST(md::margin(std::numeric_limits<double>::infinity(), false, digits) == "inf");
-    BOOST_TEST(md::margin(std::numeric_limits<double>::quiet_NaN(), false, digits) == "nan");
-  }
-  BOOST_TEST(md::margin(0.987, true, 2) == "0.99");
-  BOOST_TEST(md::margin(1.04, false, 2) == "1.040");
-  BOOST_TEST(md::margin(34.56, false, 3) == "34.6");
-}
-
 BOOST_AUTO_TEST_CASE(a_table_has_a_cell_for_each_column) {
   BOOST_TEST(md::table({{"a"}, {"b", true}}, {{"x", ""}}, "") == "| a | b |\n|:----|----:|\n| x | – |\n");
 }

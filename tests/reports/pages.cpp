@@ -17,7 +17,7 @@ Check check(const std::string& name, bool pass = true) {
   made.name = name;
   made.pass = pass;
   made.margin = pass ? 0.5 : 3.0;
-  made.kind = "model";
+  made.kind = Kind::model;
   return made;
 }
 
@@ -28,16 +28,16 @@ Check order(const std::string& name, double measured) {
   return made;
 }
 
-CaseRecord record(const std::string& id, const std::string& family, std::vector<Check> checks) {
-  CaseRecord made;
+Record record(const std::string& id, const std::string& family, std::vector<Check> checks) {
+  Record made;
   made.id = id;
   made.title = "Title of " + id;
   made.family = family;
   made.checks = std::move(checks);
   made.seconds = 0.25;
-  made.status = "pass";
+  made.status = Status::pass;
   for (const Check& one : made.checks) {
-    if (!one.pass) made.status = "fail";
+    if (!one.pass) made.status = Status::fail;
   }
   return made;
 }
@@ -56,10 +56,10 @@ Requirement requirement(const std::string& id, const std::string& group, std::ve
 Results results() {
   Results all;
   all.families = {"A: motion", "B: contact", "C: friction"};
-  all.cases = {record("bounce", "B: contact",
-                      {order("order of rk4", 1.98), order("order of rk4, damped", 1.02), check("depth, clamped"),
-                       order("order of the stiffness", 0.5), order("false order of rk4", 4.01)}),
-               record("flight", "A: motion", {check("height"), check("speed", false)})};
+  all.records = {record("bounce", "B: contact",
+                        {order("order of rk4", 1.98), order("order of rk4, damped", 1.02), check("depth, clamped"),
+                         order("order of the stiffness", 0.5), order("false order of rk4", 4.01)}),
+                 record("flight", "A: motion", {check("height"), check("speed", false)})};
   all.requirements = {
       requirement("law.spring", "law", {{"bounce", {"depth, clamped", "order of rk4"}}}),
       requirement("end_rule.clamped", "end_rule", {{"bounce", {"depth, clamped"}}}),
@@ -91,14 +91,14 @@ BOOST_AUTO_TEST_CASE(the_summary_goes_by_families_and_adds_them_up) {
 
 BOOST_AUTO_TEST_CASE(a_case_without_a_family_is_not_lost) {
   Results all = results();
-  all.cases.push_back(record("stray", "", {check("value")}));
+  all.records.push_back(record("stray", "", {check("value")}));
   BOOST_TEST(contains(summary_by_family(all), "| **others** | *1 case* |"));
 }
 
 BOOST_AUTO_TEST_CASE(the_worst_margin_shows_the_verdict) {
   Results all = results();
   const auto worst_of = [&](std::vector<Check> checks) {
-    all.cases = {record("near", "A: motion", std::move(checks))};
+    all.records = {record("near", "A: motion", std::move(checks))};
     return summary_by_family(all);
   };
   Check passes = check("passes"), fails = check("fails", false);
@@ -123,8 +123,8 @@ BOOST_AUTO_TEST_CASE(coverage_counts_checks_and_names_empty_cells) {
 BOOST_AUTO_TEST_CASE(common_formulas_are_gathered_from_the_cases) {
   Results all = results();
   BOOST_TEST(common_formulas(all) == "None so far.\n");
-  all.cases[0].tables = {{"speeds", "Not this one.", {"a"}, {{"1"}}},
-                         {"common_formula_e", "**Restitution.**", {"where", "exact"}, {{"$e$ = .5", "0.550"}}}};
+  all.records[0].tables = {{"speeds", "Not this one.", {"a"}, {{"1"}}},
+                           {"common_formula_e", "**Restitution.**", {"where", "exact"}, {{"$e$ = .5", "0.550"}}}};
   const std::string text = common_formulas(all);
   BOOST_TEST(contains(text, "**Restitution.** Case [bounce]"), text);
   BOOST_TEST(contains(text, "| $e$ = .5 | 0.550 |"), text);
@@ -133,8 +133,8 @@ BOOST_AUTO_TEST_CASE(common_formulas_are_gathered_from_the_cases) {
 
 BOOST_AUTO_TEST_CASE(what_peers_check_and_we_do_not_says_none) {
   Results all = results();
-  all.peers = {{"code", "test 1", "falls", "$gt$", "", {"A1"}, {"flight"}},
-               {"code", "test 2", "sticks", "glue", "no glue", {}, {}}};
+  all.peers = {{"code", "test 1", "falls", "$gt$", {"A1"}, "", {"flight"}},
+               {"code", "test 2", "sticks", "glue", {}, "no glue", {}}};
   const std::string text = checks_of_peers(all);
   BOOST_TEST(contains(text, "| code | test 1 | falls | $gt$ | [flight](#flight-title-of-flight) (A1) |"), text);
   BOOST_TEST(contains(text, "**none**: no glue"), text);

@@ -7,12 +7,21 @@
 
 #include "reports/error.hpp"
 #include "reports/gnuplot_script.hpp"
+#include "reports/gnuplot_text.hpp"
 #include "reports/page_script.hpp"
 #include "tests/reports/scratch.hpp"
 
 using namespace talus::reports;
 
 namespace {
+
+/// A series over columns "h [s]" and "e".
+Series series_of(const std::string& label, Style style, const std::string& where, int panel = 0) {
+  Series series{.label = label, .x = {}, .y = {}, .style = style, .panel = panel};
+  series.columns = {.x = "h [s]", .y = "e", .where = where};
+  if (style == Style::heat) series.columns.value = "value";
+  return series;
+}
 
 Figure figure_of(bool log) {
   Figure figure;
@@ -21,7 +30,7 @@ Figure figure_of(bool log) {
   figure.x = {"step", "s", log, {}, {}};
   figure.y = {"error", "1", log, {}, {}};
   figure.csv = "f.csv";
-  figure.series = {{"two_cable", "h [s]", "e", "points", "", "", ""}};
+  figure.series = {series_of("two_cable", Style::points, "")};
   return figure;
 }
 
@@ -50,13 +59,13 @@ BOOST_AUTO_TEST_CASE(labels_are_text) {
 
 BOOST_AUTO_TEST_CASE(what_is_missing_is_named) {
   const Scratch scratch("plot");
-  BOOST_TEST(names(complaint(figure_of(false), scratch), "f.csv: the file is missing"));
+  BOOST_TEST(names(complaint(figure_of(false), scratch), "f.csv: No such file or directory"));
   write_csv(scratch, "h [s],error\n1,2\n");
   BOOST_TEST(names(complaint(figure_of(false), scratch), "has no column 'e'; its columns: h [s], error"));
   write_csv(scratch, "h [s],e\n1,2\n3\n");
-  BOOST_TEST(names(complaint(figure_of(false), scratch), "f.csv:3: has 1 cells"));
+  BOOST_TEST(names(complaint(figure_of(false), scratch), "f.csv:3: found 1 cells; the header has 2"));
   write_csv(scratch, "h [s],e\n1,nan\n");
-  BOOST_TEST(names(complaint(figure_of(false), scratch), "f.csv:2: column 'e' holds 'nan'"));
+  BOOST_TEST(names(complaint(figure_of(false), scratch), "f.csv:2: column 'e': found 'nan'"));
   write_csv(scratch, "h [s],e\n");
   BOOST_TEST(names(complaint(figure_of(false), scratch), "has no row"));
   write_csv(scratch, "h [s],e\n1,0\n");
@@ -90,7 +99,7 @@ BOOST_AUTO_TEST_CASE(a_script_draws_points_slopes_and_lines) {
   const Scratch scratch("plot");
   write_csv(scratch, "series,h [s],e\na,0.1,1e-2\nb,0.1,7\na,0.001,1e-6\na,0.01,0\n");
   Figure figure = figure_of(true);
-  figure.series[0].where = "a";
+  figure.series[0].columns.where = "a";
   figure.slopes = {{2.0, 1e-2, 1e-4, "h^2"}};
   figure.lines = {{'x', 0.02, "production"}, {'y', 1e-3, "limit"}};
   const Plot plot = plot_of(figure, scratch.folder);
@@ -124,12 +133,11 @@ BOOST_AUTO_TEST_CASE(log_tics_stand_at_powers_of_ten) {
 BOOST_AUTO_TEST_CASE(heat_maps_are_drawn_in_their_panels) {
   const Scratch scratch("heat");
   Figure figure = figure_of(false);
-  figure.series = {{"map", "h [s]", "e", "heat", "", "", "a", {"", "", "value"}, 0},
-                   {"limit", "h [s]", "e", "lines", "", "", "b", {}, 0},
-                   {"other", "h [s]", "e", "heat", "", "", "a", {"", "", "value"}, 1}};
+  figure.series = {series_of("map", Style::heat, "a"), series_of("limit", Style::lines, "b"),
+                   series_of("other", Style::heat, "a", 1)};
   figure.panels = {"first", "second"};
   figure.columns = 2;
-  figure.scale = Scale{"growth", "1", -1.0, 1.0, true};
+  figure.scale = Scale{"growth", -1.0, 1.0, "1"};
   write_csv(scratch, "series,h [s],e,value\na,0,1,-9\na,1,1,0\nb,0,1,0\nb,1,1,0\n");
   const PagePlot page = page_plot_of(panelled(figure), scratch.folder);
   BOOST_TEST(page.panels.size() == 2u);

@@ -6,12 +6,15 @@
 #include <regex>
 #include <thread>
 
+#include "reports/document.hpp"
 #include "reports/error.hpp"
-#include "reports/file.hpp"
 #include "reports/process.hpp"
 #include "tests/reports/scratch.hpp"
+#include "verification/record/whole_file.hpp"
 
 using namespace talus::reports;
+using talus::records::read_whole;
+using talus::records::write_whole;
 namespace fs = std::filesystem;
 
 namespace {
@@ -36,7 +39,7 @@ BOOST_AUTO_TEST_CASE(the_same_records_give_the_same_bytes) {
   BOOST_TEST_REQUIRE(program({(data / "pass").string(), second.string()}).status == 0);
   for (const char* name : {"verification.md", "verification.html", "verification.pdf", "figures/margins.svg",
                            "figures/margins.pdf", "figures/two_cable-stiffness.svg", "figures/pendulum-work.pdf"}) {
-    BOOST_TEST((read_file(first / name) == read_file(second / name)), name);
+    BOOST_TEST((read_whole(first / name) == read_whole(second / name)), name);
   }
   for (const auto& entry : fs::directory_iterator(first)) {
     BOOST_TEST(entry.path().filename().string().front() != '.', "left behind: " << entry.path());
@@ -46,7 +49,7 @@ BOOST_AUTO_TEST_CASE(the_same_records_give_the_same_bytes) {
 BOOST_AUTO_TEST_CASE(links_lead_somewhere_and_the_page_is_self_contained) {
   const Scratch scratch("report");
   BOOST_TEST_REQUIRE(program({(data / "pass").string(), scratch.folder.string()}).status == 0);
-  const std::string html = read_file(scratch.folder / "verification.html");
+  const std::string html = read_whole(scratch.folder / "verification.html");
   const std::regex link("href=\"#([^\"]+)\"");
   int links = 0;
   for (std::sregex_iterator it(html.begin(), html.end(), link), end; it != end; ++it) {
@@ -56,7 +59,7 @@ BOOST_AUTO_TEST_CASE(links_lead_somewhere_and_the_page_is_self_contained) {
   BOOST_TEST(links > 10);
   BOOST_TEST(!contains(html, "src=\"figures/"));
   BOOST_TEST(!contains(html, "http://talus"));
-  const std::string markdown = read_file(scratch.folder / "verification.md");
+  const std::string markdown = read_whole(scratch.folder / "verification.md");
   const std::regex picture(R"(\]\((figures/[^)]+\.svg)\))");
   int pictures = 0;
   for (std::sregex_iterator it(markdown.begin(), markdown.end(), picture), end; it != end; ++it) {
@@ -71,7 +74,7 @@ BOOST_AUTO_TEST_CASE(failures_stand_on_the_first_page) {
   const Scratch scratch("report");
   const Finished finished = program({(data / "fail").string(), scratch.folder.string()});
   BOOST_TEST_REQUIRE(finished.status == 0, finished.messages);
-  const std::string text = read_file(scratch.folder / "verification.md");
+  const std::string text = read_whole(scratch.folder / "verification.md");
   const std::string front = text.substr(0, text.find("\n# Coverage"));
   BOOST_TEST(contains(front, "**FAIL.**"));
   BOOST_TEST(contains(front, "| distance \\[m\\] | 4.9 | 3.8265 | **2.15e+03** |"));
@@ -86,7 +89,7 @@ BOOST_AUTO_TEST_CASE(failures_stand_on_the_first_page) {
 BOOST_AUTO_TEST_CASE(a_missing_column_stops_the_report_and_leaves_nothing) {
   const Scratch scratch("report");
   fs::copy(data / "pass", scratch.folder / "verify", fs::copy_options::recursive);
-  write_file(scratch.folder / "verify" / "pendulum" / "work.csv", "series,step\nrk4,1\n");
+  write_whole(scratch.folder / "verify" / "pendulum" / "work.csv", "series,step\nrk4,1\n");
   const Finished finished = program({(scratch.folder / "verify").string(), (scratch.folder / "report").string()});
   BOOST_TEST(finished.status == 2);
   BOOST_TEST(contains(finished.messages, "work.csv: has no column 'error'"));
@@ -96,7 +99,7 @@ BOOST_AUTO_TEST_CASE(a_missing_column_stops_the_report_and_leaves_nothing) {
 BOOST_AUTO_TEST_CASE(the_summary_comes_first_and_the_long_tables_last) {
   const Scratch scratch("report");
   BOOST_TEST_REQUIRE(program({(data / "pass").string(), scratch.folder.string()}).status == 0);
-  const std::string text = read_file(scratch.folder / "verification.md");
+  const std::string text = read_whole(scratch.folder / "verification.md");
   std::size_t before = 0;
   for (const char* heading :
        {"\n## Cases", "\n# Coverage", "\n# Common formulas", "\n# Checks of other codes", "\n# Errata",
@@ -108,9 +111,55 @@ BOOST_AUTO_TEST_CASE(the_summary_comes_first_and_the_long_tables_last) {
     before = place;
   }
   BOOST_TEST(contains(text, "exact or round-off ones are exempt"));
-  const std::string page = read_file(scratch.folder / "verification.html");
+  const std::string page = read_whole(scratch.folder / "verification.html");
   const std::regex with_maths(R"(alt="[^"]*[$\\])");
   BOOST_TEST(!std::regex_search(page, with_maths));
+}
+
+BOOST_AUTO_TEST_CASE(the_bibliography_becomes_the_list_of_references) {
+  const Scratch scratch("references");
+  BOOST_TEST_REQUIRE(program({(data / "pass").string(), scratch.folder.string()}).status == 0);
+  const std::string text = read_whole(scratch.folder / "verification.md");
+  BOOST_TEST(contains(text,
+                      "**schwager2007**: T. Schwager, T. Pöschel: Coefficient of restitution and linear-dashpot "
+                      "model revisited. *Granular Matter* 9 (2007) 465--469.\n"));
+  BOOST_TEST(contains(text, "**report1993**: *Rockfall fence report*. 1993.\n"));
+  BOOST_TEST(contains(read_whole(scratch.folder / "verification.html"), "<em>Granular Matter</em>"));
+}
+
+BOOST_AUTO_TEST_CASE(references_of_all_types_keep_what_is_known_of_them) {
+  const Scratch scratch("references");
+  const Document document{scratch.folder, "page", "Page", find_resources() / "pandoc", 0};
+  const std::string list = references_of(R"(
+@string{unseen = {Not at hand.}}
+@book{strutt1877, author = {{Strutt, Baron Rayleigh}, J. W.}, title = {{The Theory of Sound}}, volume = {I},
+  publisher = {{Macmillan and Co}}, address = {London}, edition = 2, year = 1877, note = unseen}
+@book{ed1964, editor = {Abramowitz, M. and Stegun, I. A.}, title = {{Handbook NBS}}, year = 1964}
+@article{art1990, author = {da Cruz, J.-N.}, title = {{Title of “two” Words}}, journal = {ACM Notices}, volume = 25,
+  number = 6, year = 1990, pages = {5-18, 112-126}, eprint = {cond-mat/06}, archiveprefix = {arXiv}}
+@incollection{in1974, author = {Krogh, F.}, title = {{Changing}}, booktitle = {{The Book}}, series = {{Lecture Notes}},
+  volume = 362, year = 1974, pages = {22-71}}
+@mastersthesis{ms1989, author = {Lacy, J.}, title = {{Rockfalls}}, type = {M.S. thesis}, school = {{A University}},
+  address = {Bozeman}, month = 4, year = 1989}
+@phdthesis{phd1992, author = {Baraff, D.}, title = {{Bodies}}, school = {{Cornell}}, year = 1992}
+@techreport{rep1993, author = {Mustoe, G.}, title = {{Fences}}, type = {Report}, number = {R-93-20},
+  institution = {{A School and Department}}, month = 4, year = 1993, pagetotal = 79}
+@misc{web, title = {{Web page}}, url = {https://a.org/b_c/}, note = {Chapter 4.}}
+)",
+                                         document);
+  for (const char* entry :
+       {"**strutt1877**: J. W. Strutt, Baron Rayleigh: *The Theory of Sound*, volume I. 2nd edition, Macmillan and Co, "
+        "London, 1877. Not at hand.",
+        "**ed1964**: M. Abramowitz, I. A. Stegun (eds.): *Handbook NBS*. 1964.",
+        "**art1990**: J.-N. da Cruz: Title of \"two\" Words. *ACM Notices* 25, no. 6 (1990) 5--18, 112--126, "
+        "[arXiv\u00a0cond-mat/06](https://arxiv.org/abs/cond-mat/06).",
+        "**in1974**: F. Krogh: Changing. *The Book*, *Lecture Notes* 362, 1974, 22--71.",
+        "**ms1989**: J. Lacy: Rockfalls. M.S. thesis, A University, Bozeman, April 1989.",
+        "**phd1992**: D. Baraff: Bodies. PhD thesis, Cornell, 1992.",
+        "**rep1993**: G. Mustoe: *Fences*. Report R-93-20, A School and Department, April 1993, 79 pages.",
+        "**web**: Web page. <https://a.org/b_c/>. Chapter 4."})
+    BOOST_TEST(contains(list, std::string(entry) + "\n"), entry << " in\n" << list);
+  BOOST_CHECK_THROW(static_cast<void>(references_of("@article{broken, title = {", document)), OutputError);
 }
 
 BOOST_AUTO_TEST_CASE(missing_tools_and_wrong_usage_have_their_exit_codes) {
@@ -126,9 +175,9 @@ BOOST_AUTO_TEST_CASE(missing_tools_and_wrong_usage_have_their_exit_codes) {
 
 BOOST_AUTO_TEST_CASE(a_run_is_plotted_in_each_format) {
   const Scratch scratch("plots");
-  write_file(scratch.folder / "history.csv", "time [s],x [m]\n0,1\n1,2\n2,1.5\n");
-  write_file(scratch.folder / "plot.json",
-             R"({"title": "run", "figures": [{"name": "path", "title": "Path", "csv": "history.csv",
+  write_whole(scratch.folder / "history.csv", "time [s],x [m]\n0,1\n1,2\n2,1.5\n");
+  write_whole(scratch.folder / "plot.json",
+              R"({"title": "run", "figures": [{"name": "path", "title": "Path", "csv": "history.csv",
                  "x": {"label": "time", "unit": "s"}, "y": {"label": "x", "unit": "m"},
                  "series": [{"label": "rock", "x": "time [s]", "y": "x [m]", "style": "lines"}]}]})");
   const Finished finished = program({"--plot", scratch.folder.string()});
@@ -160,9 +209,9 @@ std::string page_record(const std::string& more) {
 }
 
 void write_shapes(const fs::path& folder) {
-  write_file(folder / "shapes.csv",
-             "series,line,x,y,pull\nbody,0,0,0,0\nbody,0,1,0,0\nbody,0,1,1,0\nbody,0,0,1,0\nbody,0,0,0,0\n"
-             "cable,1,0,0,8\ncable,1,0,1.5,8\ncable,2,1,0,0\ncable,2,1,1.5,0\n");
+  write_whole(folder / "shapes.csv",
+              "series,line,x,y,pull\nbody,0,0,0,0\nbody,0,1,0,0\nbody,0,1,1,0\nbody,0,0,1,0\nbody,0,0,0,0\n"
+              "cable,1,0,0,8\ncable,1,0,1.5,8\ncable,2,1,0,0\ncable,2,1,1.5,0\n");
 }
 
 }  // namespace
@@ -170,21 +219,21 @@ void write_shapes(const fs::path& folder) {
 BOOST_AUTO_TEST_CASE(a_page_shows_shapes_in_the_colours_of_their_values) {
   const Scratch scratch("page");
   write_shapes(scratch.folder);
-  write_file(scratch.folder / "player.json", R"({"title": "</script>"})");
-  write_file(scratch.folder / "plot.json",
-             page_record(R"(, "players": [{"name": "play", "title": "A <b>", "data": "player.json"}])"));
+  write_whole(scratch.folder / "player.json", R"({"title": "</script>"})");
+  write_whole(scratch.folder / "plot.json",
+              page_record(R"(, "players": [{"name": "play", "title": "A <b>", "data": "player.json"}])"));
   const Finished finished =
       program({"--plot", scratch.folder.string(), "--format", "svg,ps", "--to", (scratch.folder / "to").string()});
   BOOST_TEST_REQUIRE(finished.status == 0, finished.messages);
   BOOST_TEST(finished.messages == "");
-  const std::string svg = read_file(scratch.folder / "to" / "page.svg");
+  const std::string svg = read_whole(scratch.folder / "to" / "page.svg");
   // The scale's dark end for a pull of 8, its pale one for none; a fill and its line; title, key and number.
   for (const char* part :
        {"rgb(103,   0,  31)", "rgb(254, 196,  79)", "rgb(160, 176, 192)", "Two", "square", "tension [N]", ">7<"})
     BOOST_TEST(contains(svg, part), part);
-  BOOST_TEST(contains(read_file(scratch.folder / "to" / "page.ps"), "%%CreationDate: Thu Jan  1 00:00:00 1970"));
-  BOOST_TEST(read_file(scratch.folder / "to" / "film.gif").rfind("GIF89a", 0) == 0U);
-  const std::string html = read_file(scratch.folder / "to" / "play.html");
+  BOOST_TEST(contains(read_whole(scratch.folder / "to" / "page.ps"), "%%CreationDate: Thu Jan  1 00:00:00 1970"));
+  BOOST_TEST(read_whole(scratch.folder / "to" / "film.gif").rfind("GIF89a", 0) == 0U);
+  const std::string html = read_whole(scratch.folder / "to" / "play.html");
   BOOST_TEST(contains(html, "<title>A &lt;b&gt;</title>"));
   BOOST_TEST(contains(html, R"({"title": "\u003c/script>"})"));
 }
@@ -193,8 +242,8 @@ BOOST_AUTO_TEST_CASE(a_page_shows_shapes_in_the_colours_of_their_values) {
 // where they are small.
 BOOST_AUTO_TEST_CASE(circles_are_filled_by_their_values) {
   const Scratch scratch("circles");
-  write_file(scratch.folder / "circles.csv",
-             "series,x,y,radius,speed\ndisc,0,0,0.5,0\ndisc,2,0,0.5,8\nwall,0,-1,0.01,3\n");
+  write_whole(scratch.folder / "circles.csv",
+              "series,x,y,radius,speed\ndisc,0,0,0.5,0\ndisc,2,0,0.5,8\nwall,0,-1,0.01,3\n");
   const std::string good = R"({"figures": [], "pages": [{"name": "page", "title": "", "columns": 1, "panels": [
       {"name": "p", "title": "", "csv": "circles.csv", "equal": true, "x": {"label": "x", "min": -1, "max": 3},
        "y": {"label": "y", "min": -2, "max": 1}, "series": [
@@ -202,12 +251,12 @@ BOOST_AUTO_TEST_CASE(circles_are_filled_by_their_values) {
          {"label": "wall", "x": "x", "y": "y", "style": "circles", "where": "wall", "radius": "radius",
           "fill": "#a0b0c0", "colour": "#102030"}]}],
       "scale": {"label": "speed", "unit": "m/s", "min": 0, "max": 8}}]})";
-  write_file(scratch.folder / "plot.json", good);
+  write_whole(scratch.folder / "plot.json", good);
   const Finished finished =
       program({"--plot", scratch.folder.string(), "--format", "svg", "--to", (scratch.folder / "to").string()});
   BOOST_TEST_REQUIRE(finished.status == 0, finished.messages);
   BOOST_TEST(finished.messages == "");
-  const std::string svg = read_file(scratch.folder / "to" / "page.svg");
+  const std::string svg = read_whole(scratch.folder / "to" / "page.svg");
   for (const char* part : {"rgb(103,   0,  31)", "rgb(254, 196,  79)", "rgb(160, 176, 192)", ">wall<", "speed [m/s]"})
     BOOST_TEST(contains(svg, part), part);
   for (const auto& [from, words] : std::vector<std::pair<std::string, std::string>>{
@@ -216,7 +265,7 @@ BOOST_AUTO_TEST_CASE(circles_are_filled_by_their_values) {
            {"\"fill\": \"#a0b0c0\", ", "series[1]: circles need a fill or a value"}}) {
     std::string text = good;
     text.replace(text.find(from), from.size(), from.find("radius") != std::string::npos ? "\"value\"" : "");
-    write_file(scratch.folder / "plot.json", text);
+    write_whole(scratch.folder / "plot.json", text);
     const Finished wrong = program({"--plot", scratch.folder.string()});
     BOOST_TEST(wrong.status == 2);
     BOOST_TEST(contains(wrong.messages, words), wrong.messages);
@@ -238,7 +287,7 @@ BOOST_AUTO_TEST_CASE(wrong_pages_are_named) {
   for (const auto& [change, words] : changes) {
     std::string text = good;
     text.replace(text.find(change.first), change.first.size(), change.second);
-    write_file(scratch.folder / "plot.json", text);
+    write_whole(scratch.folder / "plot.json", text);
     const Finished finished = program({"--plot", scratch.folder.string()});
     BOOST_TEST(finished.status == 2);
     BOOST_TEST(contains(finished.messages, words), finished.messages);

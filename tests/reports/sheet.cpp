@@ -4,13 +4,15 @@
 #include <boost/test/unit_test.hpp>
 
 #include "reports/error.hpp"
-#include "reports/file.hpp"
 #include "reports/process.hpp"
 #include "reports/sheet_tables.hpp"
 #include "reports/sheet_verdict.hpp"
 #include "tests/reports/scratch.hpp"
+#include "verification/record/whole_file.hpp"
 
 using namespace talus::reports;
+using talus::records::read_whole;
+using talus::records::write_whole;
 namespace fs = std::filesystem;
 
 namespace {
@@ -128,14 +130,14 @@ BOOST_AUTO_TEST_CASE(the_same_record_gives_the_same_pages) {
   const Scratch scratch("sheet");
   std::string before[2];
   for (std::string& pages : before) {
-    write_file(scratch.folder / "sheet.json", read_file(record_file));
+    write_whole(scratch.folder / "sheet.json", read_whole(record_file));
     const Finished made = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}});
     BOOST_TEST_REQUIRE(made.status == 0, made.messages);
-    pages = read_file(scratch.folder / "sheet.pdf") + read_file(scratch.folder / "sheet.html");
+    pages = read_whole(scratch.folder / "sheet.pdf") + read_whole(scratch.folder / "sheet.html");
   }
   BOOST_TEST((before[0] == before[1]));
   BOOST_TEST(std::distance(fs::directory_iterator{scratch.folder}, {}) == 3);
-  const std::string html = read_file(scratch.folder / "sheet.html");
+  const std::string html = read_whole(scratch.folder / "sheet.html");
   BOOST_TEST(contains(html, "<h1>A &amp; B: 50 % of {x_1} #2 &lt;\\&gt; ~ ^ µ ★</h1>"));
   BOOST_TEST(contains(html, "<svg"));
   BOOST_TEST(!contains(html, "src="));  // all in one file
@@ -143,26 +145,27 @@ BOOST_AUTO_TEST_CASE(the_same_record_gives_the_same_pages) {
   BOOST_TEST(contains(html, "name=\"viewport\""));
   BOOST_TEST(!contains(html, "class=\"unusable\""));
   // A run that is not usable is crossed out.
-  std::string flawed = replaced(read_file(record_file), "\"usable\": true", "\"usable\": false");
-  write_file(scratch.folder / "sheet.json", replaced(flawed, "\"flaw\": \"\"", "\"flaw\": \"it diverged\""));
+  std::string flawed = replaced(read_whole(record_file), "\"usable\": true", "\"usable\": false");
+  write_whole(scratch.folder / "sheet.json", replaced(flawed, "\"flaw\": \"\"", "\"flaw\": \"it diverged\""));
   BOOST_TEST(run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}}).status == 0);
-  BOOST_TEST(contains(read_file(scratch.folder / "sheet.html"), "class=\"unusable\""));
-  BOOST_TEST(contains(read_file(scratch.folder / "sheet.html"), "it diverged"));
-  BOOST_TEST(read_file(scratch.folder / "sheet.pdf") !=
-             before[0].substr(0, read_file(scratch.folder / "sheet.pdf").size()));
+  BOOST_TEST(contains(read_whole(scratch.folder / "sheet.html"), "class=\"unusable\""));
+  BOOST_TEST(contains(read_whole(scratch.folder / "sheet.html"), "it diverged"));
+  BOOST_TEST(read_whole(scratch.folder / "sheet.pdf") !=
+             before[0].substr(0, read_whole(scratch.folder / "sheet.pdf").size()));
 }
 
 BOOST_AUTO_TEST_CASE(records_that_are_wrong) {
   const Scratch scratch("sheet");
-  const std::string good = read_file(record_file);
+  const std::string good = read_whole(record_file);
   const fs::path file = scratch.folder / "sheet.json";
   for (const auto& [text, words] :
        {std::pair{replaced(good, "\"schema\": 2", "\"schema\": 1"), ".schema: must be 2"},
-        {replaced(good, "\"verdict\": \"passed_under\"", "\"verdict\": \"won\""), ".verdict: 'won' is not known"},
+        {replaced(good, "\"verdict\": \"passed_under\"", "\"verdict\": \"won\""),
+         ".verdict: must be one of stopped, undecided"},
         {replaced(good, "\"travel\": 0.3048", "\"far\": 1"), ".rocks[0].travel: is missing"},
         {replaced(good, "\"margin\": 0.0", "\"margin\": \"inf\""), ".margin: must be a finite"},
-        {std::string{"{"}, ": is not a JSON object"}}) {
-    write_file(file, text);
+        {std::string{"{"}, ": truncated or not JSON"}}) {
+    write_whole(file, text);
     const Finished refused = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}});
     BOOST_TEST(refused.status == 2);
     BOOST_TEST(contains(refused.messages, words), refused.messages);

@@ -7,17 +7,11 @@
 #include <vector>
 
 #include "verification/check/findings.hpp"
+#include "verification/record/case_record.hpp"
 
 namespace talus::verification {
 
-/// How much is run: `quick` for every change, `full` with the long studies as well.
-enum class Tier { quick, full };
-
-/// The word for `tier` in the records: "quick" or "full".
-[[nodiscard]] const char* name_of(Tier tier);
-
-/// The tier called `name`; std::invalid_argument for any other word.
-[[nodiscard]] Tier tier_named(const std::string& name);
+using records::Tier;
 
 /// What a case is asked to run: its right setup, or the same with one planted fault.
 struct Setup {
@@ -55,7 +49,8 @@ struct Case {
   std::vector<Claim> requirements;         ///< What the case shows, and by which checks.
   std::vector<std::string> main_checks{};  ///< Names of the checks on the first page; each must be made.
   std::string source;                      ///< Full citation with page or equation.
-  std::string page;           ///< Raw Markdown: problem, sketch, equations, parameters, what would break it.
+  std::string page{};  ///< Markdown of the file beside the source: problem, sketch, equations, parameters, what would
+                       ///< break it. The catalogue fills it in.
   std::vector<Fault> faults;  ///< At least one: a case that cannot turn red shows nothing.
   Tier tier = Tier::quick;    ///< The lowest tier that runs this case.
   double time_limit = 60.0;   ///< Wall-clock limit [s] for the whole case, its faulty setups included.

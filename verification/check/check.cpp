@@ -1,7 +1,5 @@
 #include "verification/check/check.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -28,35 +26,15 @@ double error_of(Check& check) {
   return distance / std::abs(check.reference);
 }
 
-double margin_of(double error, double bound) {
-  if (std::isnan(error)) return not_a_number;
-  if (bound > 0.0) return error / bound;
-  return error == 0.0 ? 0.0 : infinity;
-}
-
 Check judged(Check check) {
   check.error = error_of(check);
-  check.margin = margin_of(check.error, check.bound);
+  check.margin = records::margin_of(check.error, check.bound);
   check.pass = std::isfinite(check.error) && check.error <= check.bound;
-  const bool bound_was_chosen =
-      check.kind == Kind::truncation || check.kind == Kind::model || check.kind == Kind::interval;
-  check.slack = check.pass && bound_was_chosen && check.margin < slack_margin;
+  check.slack = check.pass && !exempt_from_slack(check.kind) && check.margin < records::slack_margin;
   return check;
 }
 
 }  // namespace
-
-std::string margin_text(double margin, bool pass, int digits) {
-  const auto shows_verdict = [&](const std::string& text) {
-    const double shown = std::stod(text);
-    return pass ? shown < 1.0 : !(shown <= 1.0);
-  };
-  const std::string rounded = fmt::format("{:.{}g}", margin, digits);
-  if (shows_verdict(rounded)) return rounded;
-  const std::string decimals = fmt::format("{:.3f}", margin);
-  if (shows_verdict(decimals)) return decimals;
-  return pass ? "0.999" : "1.001";
-}
 
 Check compare(std::string name, double measured, double reference, const Tolerance& tolerance, std::string unit) {
   Check check;

@@ -1,7 +1,6 @@
 #include "verification/check/figure.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <stdexcept>
@@ -10,14 +9,6 @@
 namespace talus::verification {
 
 namespace {
-
-constexpr std::array styles{std::pair{Style::points, "points"},
-                            std::pair{Style::lines, "lines"},
-                            std::pair{Style::linespoints, "linespoints"},
-                            std::pair{Style::errorbars, "errorbars"},
-                            std::pair{Style::crosses, "crosses"},
-                            std::pair{Style::outlines, "outlines"},
-                            std::pair{Style::heat, "heat"}};
 
 [[noreturn]] void refuse(const Figure& figure, const std::string& what) {
   throw std::invalid_argument("figure '" + figure.name + "': " + what);
@@ -35,18 +26,15 @@ void demand_well_formed(const Figure& figure, const Series& series) {
   if (series.values.size() != (series.style == Style::heat ? n : 0)) {
     refuse(figure, "series '" + series.label + "' needs as many values as points if it is a heat map, else none");
   }
-  if (series.style == Style::heat && !figure.scale) refuse(figure, "a heat map needs a scale");
-  if (series.panel < 0 || series.panel >= std::max(1, static_cast<int>(figure.panels.size()))) {
-    refuse(figure, "series '" + series.label + "' is in a panel that there is not");
-  }
-  if (series.style == Style::errorbars && !bars) refuse(figure, "series '" + series.label + "' has no bar ends");
 }
 
 bool can_be_drawn(double value, const Axis& axis) { return std::isfinite(value) && (!axis.log || value > 0.0); }
 
 /// Removes the points that cannot be drawn; returns how many.
 std::size_t prune(Series& series, const Axis& x, const Axis& y) {
-  Series kept{series.label, {}, {}, series.style, {}, {}, {}, series.panel};
+  Series kept = series;
+  for (auto* const numbers : {&kept.x, &kept.y, &kept.y_low, &kept.y_high, &kept.values})
+    numbers->clear();
   const bool bars = !series.y_low.empty();
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     bool draw = can_be_drawn(series.x[i], x) && can_be_drawn(series.y[i], y);
@@ -68,35 +56,17 @@ std::size_t prune(Series& series, const Axis& x, const Axis& y) {
 
 }  // namespace
 
-const char* name_of(Style style) {
-  for (const auto& entry : styles) {
-    if (entry.first == style) return entry.second;
-  }
-  throw std::invalid_argument("a style outside its enumeration");
-}
-
-Style style_named(const std::string& name) {
-  for (const auto& entry : styles) {
-    if (name == entry.second) return entry.first;
-  }
-  throw std::invalid_argument("style '" + name +
-                              "' is not known; known: points, lines, linespoints, errorbars, crosses, outlines, heat");
-}
-
 void demand_well_formed(const Figure& figure) {
   const bool plain = std::all_of(figure.name.begin(), figure.name.end(),
                                  [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
   if (figure.name.empty() || !plain) refuse(figure, "the name must be letters, digits and '_'");
   if (figure.title.empty() || figure.caption.empty()) refuse(figure, "a title and a caption are needed");
   if (figure.x.label.empty() || figure.y.label.empty()) refuse(figure, "both axes need a label");
-  if (figure.series.empty()) refuse(figure, "there is nothing to draw");
-  if (figure.columns < 1) refuse(figure, "there is no column for its panels");
-  if (figure.scale && !(figure.scale->min < figure.scale->max)) refuse(figure, "its scale is empty");
   for (const auto& series : figure.series)
     demand_well_formed(figure, series);
-  for (const auto& line : figure.lines) {
-    if (line.axis != 'x' && line.axis != 'y') refuse(figure, "a line belongs to axis 'x' or 'y'");
-  }
+  records::demand_sound(figure, [&](const std::string& part, const std::string& fault) {
+    refuse(figure, part.empty() ? fault : part + ": " + fault);
+  });
 }
 
 std::size_t not_finite(const Figure& figure) {

@@ -15,6 +15,18 @@ void demand_new(const std::vector<Named>& present, const std::string& name, cons
   if (known) throw std::logic_error("a " + what + " named '" + name + "' exists already in this case");
 }
 
+/// std::invalid_argument if `thing` has no columns or a row of another length.
+template <class Thing>
+void demand_rows(const Thing& thing, const std::string& what) {
+  const std::string whose = what + " '" + thing.name + "': ";
+  if (thing.columns.empty()) throw std::invalid_argument(whose + "it has no columns");
+  for (const auto& row : thing.rows) {
+    if (row.size() == thing.columns.size()) continue;
+    throw std::invalid_argument(whose + "a row of " + std::to_string(row.size()) + " cells under " +
+                                std::to_string(thing.columns.size()) + " columns");
+  }
+}
+
 }  // namespace
 
 bool Findings::add(Check check) {
@@ -56,17 +68,19 @@ void Findings::figure(Figure figure) {
   }
   figure = drawable(std::move(figure));
   if (figure.series.empty()) return note("Figure `" + figure.name + "` is not drawn: no point of it is finite.");
+  records::name_columns(figure);
   figures_.push_back(std::move(figure));
 }
 
 void Findings::table(Table table) {
-  demand_well_formed(table);
+  demand_rows(table, "table");
+  if (table.caption.empty()) throw std::invalid_argument("table '" + table.name + "': it has no caption");
   demand_new(tables_, table.name, "table");
   tables_.push_back(std::move(table));
 }
 
 void Findings::data(DataFile file) {
-  demand_well_formed(file);
+  demand_rows(file, "data file");
   demand_new(data_, file.name, "data file");
   data_.push_back(std::move(file));
 }

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "verification/check/check.hpp"
 #include "verification/check/convergence.hpp"
-#include "verification/check/data_file.hpp"
 #include "verification/check/figure.hpp"
 #include "verification/check/table.hpp"
 
@@ -40,7 +40,7 @@ class Findings {
   /// A paragraph of Markdown for the page, e.g. what does not match and by how much.
   void note(std::string markdown);
   /// Adds to the number of force evaluations (or right-hand sides) that the case has spent.
-  void count(std::uint64_t evaluations) { evaluations_ += evaluations; }
+  void count(std::integral auto evaluations) { evaluations_ += static_cast<std::uint64_t>(evaluations); }
 
   [[nodiscard]] const std::vector<Check>& checks() const { return checks_; }
   [[nodiscard]] const std::vector<Figure>& figures() const { return figures_; }

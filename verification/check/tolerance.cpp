@@ -1,34 +1,10 @@
 #include "verification/check/tolerance.hpp"
 
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 namespace talus::verification {
-
-namespace {
-
-constexpr std::array kinds{std::pair{Kind::exact, "exact"}, std::pair{Kind::round_off, "round_off"},
-                           std::pair{Kind::truncation, "truncation"}, std::pair{Kind::model, "model"},
-                           std::pair{Kind::interval, "interval"}};
-
-}  // namespace
-
-const char* name_of(Kind kind) {
-  for (const auto& entry : kinds) {
-    if (entry.first == kind) return entry.second;
-  }
-  throw std::invalid_argument("a kind of tolerance outside its enumeration");
-}
-
-Kind kind_named(const std::string& name) {
-  for (const auto& entry : kinds) {
-    if (name == entry.second) return entry.first;
-  }
-  throw std::invalid_argument("kind of tolerance '" + name +
-                              "' is not known; known: exact, round_off, truncation, model, interval");
-}
 
 Tolerance::Tolerance(Kind kind, double bound, std::string why) : kind_(kind), bound_(bound), why_(std::move(why)) {
   if (why_.find_first_not_of(" \t\n") == std::string::npos) {

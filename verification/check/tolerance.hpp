@@ -2,22 +2,11 @@
 
 #include <string>
 
+#include "verification/record/check.hpp"
+
 namespace talus::verification {
 
-/// What kind of argument stands behind a bound.
-enum class Kind {
-  exact,       ///< The two numbers must be equal: no rounding enters, or it is the same on both sides.
-  round_off,   ///< Only rounding separates them: so many operations, each half an epsilon of the largest term.
-  truncation,  ///< The step or mesh separates them: a predicted or measured constant times the step to its order.
-  model,       ///< The models differ: a stiffness for a rigid wall, a printed number with three digits.
-  interval,    ///< Two-sided range, e.g. for an observed order; not made from a Tolerance but by `expect_between`.
-};
-
-/// The word for `kind` in the records: "exact", "round_off", "truncation", "model", "interval".
-[[nodiscard]] const char* name_of(Kind kind);
-
-/// The kind called `name`; std::invalid_argument for any other word.
-[[nodiscard]] Kind kind_named(const std::string& name);
+using records::Kind;
 
 /// A bound and the words why it holds.
 ///

@@ -112,6 +112,7 @@ Record run_case(const Case& verification_case, Tier tier) {
       thrown_by(verification_case, findings, {.fault = "", .coarse = false, .tier = tier, .machine = machine_words()});
   record.evaluations = findings.evaluations();
   record.checks = findings.checks();
+  mark_main_checks(record);
   record.requirements = traced(verification_case.requirements, record.checks);
   record.figures = findings.figures();
   record.tables = findings.tables();

@@ -8,16 +8,22 @@
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "solver/base/error.hpp"
+#include "verification/catalogue/catalogue.hpp"
+#include "verification/driver/baseline_gate.hpp"
 #include "verification/driver/case_run.hpp"
-#include "verification/driver/catalogue.hpp"
+#include "verification/driver/flaw.hpp"
 #include "verification/driver/junit.hpp"
+#include "verification/driver/provenance.hpp"
 #include "verification/driver/results.hpp"
 #include "verification/driver/runner.hpp"
 #include "verification/driver/terminal.hpp"
+#include "verification/record/whole_file.hpp"
 
 namespace talus::verification {
 
@@ -29,6 +35,7 @@ constexpr int exit_pass = 0;
 constexpr int exit_fail = 1;
 constexpr int exit_usage = 2;
 constexpr int exit_io = 4;
+constexpr int exit_worse = 6;
 
 struct Options {
   std::string out = "build/verify";
@@ -37,18 +44,64 @@ struct Options {
   bool list = false;
   bool quick = false;
   bool full = false;
+  BaselineOptions baseline;
 };
+
+void declare_baseline(CLI::App& app, BaselineOptions& options) {
+  constexpr const char* group = "Comparison with a baseline";
+  auto* const baseline =
+      app.add_option("--baseline", options.baseline,
+                     "Compare with this earlier results.json of the same tier: baseline.json and baseline.md (a job "
+                     "summary) in --out")
+          ->group(group);
+  app.add_option("--compare", options.compare, "Run nothing: compare this results.json with --baseline")
+      ->needs(baseline)
+      ->excludes("--quick", "--full", "--jobs", "--list")
+      ->group(group);
+  app.add_option("--tolerance", options.tolerances,
+                 "Measured values may change by X times the error bound of their check (an exact check: times its "
+                 "reference): X for all, NAME=X for a family, its letter, or a case; the last that applies is taken. "
+                 "Default 0: the same values")
+      ->allow_extra_args(false)
+      ->type_name("[NAME=]X")
+      ->needs(baseline)
+      ->group(group);
+  app.add_option("--margin", options.margin, "error/bound may grow by X (default: the tolerance of the check)")
+      ->type_name("X")
+      ->needs(baseline)
+      ->group(group);
+  app.add_flag("--allow-round-off", options.allow_round_off,
+               "Measured values may change within round-off: by 1e-9 of the bound, by the bound in checks of kind "
+               "round_off")
+      ->needs(baseline)
+      ->group(group);
+  app.add_option("--evaluation-growth", options.evaluation_growth,
+                 "The force evaluations of a case may grow by this fraction")
+      ->type_name("X")
+      ->capture_default_str()
+      ->needs(baseline)
+      ->group(group);
+  app.add_option("--renamed", options.renamed,
+                 "File of what was renamed or removed (-) since the baseline, one in a line: 'old_case -> new_case', "
+                 "'old_case/old check -> new_case/new check', 'old_case/control: old -> new_case/control: new'")
+      ->needs(baseline)
+      ->group(group);
+}
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("--out", options.out, "Folder for records, results.json and junit.xml")->capture_default_str();
-  app.add_option("--only", options.only, "Run only these cases: ID[,ID...]")->delimiter(',');
+  app.add_option("--only", options.only, "Run or compare only these cases: ID[,ID...]")->delimiter(',');
   app.add_option("--jobs", options.jobs, "Cases at once (default: the processors of this machine)")
       ->check(CLI::Range(1u, 1024u));
   app.add_flag("--list", options.list, "List the cases and end");
   auto* const quick = app.add_flag("--quick", options.quick, "The quick tier (default)");
   app.add_flag("--full", options.full, "The long studies as well")->excludes(quick);
+  declare_baseline(app, options.baseline);
   app.footer(
-      "Exit status: 0 every check holds and every control turned red, 1 not so, 2 wrong command line, 4 cannot write.");
+      "Exit status: 0 every check holds and every control turned red, 1 not so, 2 wrong command line, catalogue, "
+      "baseline "
+      "or renames, 4 a file cannot be read or written, 6 something other than time is worse than the baseline (1 if a "
+      "check fails as well).");
 }
 
 /// Number of single-letter changes between two words (Levenshtein), by rows.
@@ -79,7 +132,7 @@ std::invalid_argument unknown_id(const std::string& id, const std::vector<Case>&
                                            nearest.empty() ? "none" : nearest, known.empty() ? "none" : known));
 }
 
-/// The cases to run, in the order of the catalogue; std::invalid_argument for an unknown id or one of the other tier.
+/// The cases to run, in the order of the list; std::invalid_argument for an unknown id or one of the other tier.
 std::vector<Case> chosen(const std::vector<Case>& cases, const std::vector<std::string>& only, Tier tier) {
   std::vector<Case> selection;
   for (const auto& c : cases) {
@@ -102,13 +155,13 @@ void print_list(const std::vector<Case>& cases) {
 }
 
 /// Cases with a flaw are not run: they fail with the flaw as their message. The others run.
-std::vector<Record> records_of(const std::vector<Case>& selection, const std::vector<Case>& all, const RunPlan& plan,
-                               Terminal& terminal) {
+std::vector<Record> records_of(const std::vector<Case>& selection, const std::vector<Case>& all,
+                               const Catalogue& catalogue, const RunPlan& plan, Terminal& terminal) {
   std::vector<Record> records(selection.size());
   std::vector<Case> sound;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < selection.size(); ++i) {
-    const std::string flaw = flaw_of(selection[i], all);
+    const std::string flaw = flaw_of(selection[i], all, catalogue);
     if (flaw.empty()) {
       sound.push_back(selection[i]);
       places.push_back(i);
@@ -129,9 +182,10 @@ std::vector<Record> records_of(const std::vector<Case>& selection, const std::ve
 /// costs address space only.
 constexpr std::size_t reserve_size = std::size_t{16} << 20U;
 
-void write_results(const Results& results, const fs::path& out) {
-  write_whole(out / "results.json", text_of(results));
-  write_whole(out / "junit.xml", junit_of(results.records));
+void write_results(Results& results, const Catalogue& catalogue, const fs::path& out) {
+  complete(results, catalogue);
+  records::write_whole(out / "results.json", text_of(results));
+  records::write_whole(out / "junit.xml", junit_of(results.records));
 }
 
 /// What remains of a record when there is no memory for all of it: head, checks and controls.
@@ -147,9 +201,10 @@ void shorten(Record& record) {
 }
 
 /// Writes both files, without the largest parts of the records if memory runs out.
-void write_results_within_memory(Results& results, const fs::path& out, std::unique_ptr<char[]> reserve) {
+void write_results_within_memory(Results& results, const Catalogue& catalogue, const fs::path& out,
+                                 std::unique_ptr<char[]> reserve) {
   try {
-    write_results(results, out);
+    write_results(results, catalogue, out);
     return;
   } catch (const std::bad_alloc&) {
     reserve.reset();
@@ -157,35 +212,85 @@ void write_results_within_memory(Results& results, const fs::path& out, std::uni
   std::fputs("talus_verify: out of memory; the results are written without figures, tables and notes\n", stderr);
   for (Record& record : results.records)
     shorten(record);
-  write_results(results, out);
+  write_results(results, catalogue, out);
 }
 
-int run(const std::vector<Case>& cases, const Options& options) {
+std::vector<std::string> ids_of(const std::vector<Case>& cases) {
+  std::vector<std::string> ids;
+  for (const auto& c : cases)
+    ids.push_back(c.id);
+  return ids;
+}
+
+/// The exit status of results that are compared with a baseline. That of the results themselves goes before.
+int exit_status(bool holds, GateVerdict verdict) {
+  if (!holds) return exit_fail;
+  if (verdict == GateVerdict::wrong_renames) return exit_usage;
+  return verdict == GateVerdict::worse ? exit_worse : exit_pass;
+}
+
+/// Compares the results just written. If memory runs out, the results remain.
+int compared(const BaselineGate& gate, const fs::path& out, bool holds) {
+  try {
+    return exit_status(holds, finish(gate, read_results(out / "results.json"), out));
+  } catch (const std::bad_alloc&) {
+    std::fputs("talus_verify: out of memory; the results were not compared with the baseline\n", stderr);
+    return holds ? exit_io : exit_fail;
+  }
+}
+
+int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Options& options) {
   const Tier tier = options.full ? Tier::full : Tier::quick;
   const auto selection = chosen(cases, options.only, tier);
   Results results;
   results.provenance = provenance();
   results.tier = tier;
-  for (const auto& c : cases)
-    results.registered.push_back(c.id);
-  for (const auto& c : selection)
-    results.selected.push_back(c.id);
+  results.registered = ids_of(cases);
+  results.selected = ids_of(selection);
+  results.only = options.only;
   const fs::path out = options.out;
+  // Before anything is removed: the baseline may be the results.json of the run before, in this folder.
+  std::optional<BaselineGate> gate;
+  if (!options.baseline.baseline.empty()) {
+    gate = read_gate(options.baseline, options.only, out);
+    validate(gate->before, tier, gate->allowance, gate->renames, catalogue.families, results.registered);
+  }
   fs::create_directories(out);
   fs::remove(out / "results.json");
   fs::remove(out / "junit.xml");
+  remove_comparison(out);
   Terminal terminal(selection.size());
   const unsigned jobs = options.jobs == 0 ? std::max(1u, results.provenance.cores) : options.jobs;
   auto reserve = std::make_unique_for_overwrite<char[]>(reserve_size);
-  results.records = records_of(selection, cases, {out, jobs, tier}, terminal);
-  write_results_within_memory(results, out, std::move(reserve));
+  results.records = records_of(selection, cases, catalogue, {out, jobs, tier}, terminal);
+  write_results_within_memory(results, catalogue, out, std::move(reserve));
   terminal.summarise(results, (out / "results.json").string());
+  if (gate) return compared(*gate, out, holds(results));
   return holds(results) ? exit_pass : exit_fail;
+}
+
+/// Compares two files; runs nothing.
+int compare_files(const Catalogue& catalogue, const Options& options) {
+  const fs::path out = options.out;
+  const BaselineGate gate = read_gate(options.baseline, options.only, out);
+  const RecordedResults after = read_results(options.baseline.compare);
+  std::vector<std::string> known = after.registered;
+  for (const auto& recorded : after.cases) {
+    if (std::find(known.begin(), known.end(), recorded.id) == known.end()) known.push_back(recorded.id);
+  }
+  validate(gate.before, after.source.tier, gate.allowance, gate.renames, catalogue.families, known);
+  for (const auto& id : options.only) {
+    if (find_case(after, id) == nullptr && find_case(gate.before, id) == nullptr)
+      throw unknown_name("--only: case", id, known);
+  }
+  fs::create_directories(out);
+  remove_comparison(out);
+  return exit_status(after.source.holds, finish(gate, after, out));
 }
 
 }  // namespace
 
-int verify(const std::vector<Case>& cases, int argc, const char* const* argv) {
+int verify(const std::vector<Case>& cases, const fs::path& catalogue_folder, int argc, const char* const* argv) {
   CLI::App app{"talus_verify: run the verification cases and record what they find"};
   Options options;
   declare(app, options);
@@ -199,8 +304,12 @@ int verify(const std::vector<Case>& cases, int argc, const char* const* argv) {
       print_list(cases);
       return exit_pass;
     }
-    return run(cases, options);
+    const Catalogue catalogue = read_catalogue(catalogue_folder);
+    return options.baseline.compare.empty() ? run(cases, catalogue, options) : compare_files(catalogue, options);
   } catch (const std::invalid_argument& fault) {
+    fmt::print(stderr, "talus_verify: {}\n", fault.what());
+    return exit_usage;
+  } catch (const InputError& fault) {
     fmt::print(stderr, "talus_verify: {}\n", fault.what());
     return exit_usage;
   } catch (const std::bad_alloc&) {

@@ -1,12 +1,10 @@
+#include "verification/driver/flaw.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-
-#include "verification/driver/catalogue.hpp"
-#include "verification/driver/references.hpp"
-#include "verification/driver/requirements.hpp"
 
 namespace talus::verification {
 
@@ -17,13 +15,11 @@ bool is_snake_case(const std::string& word) {
   return !word.empty() && std::all_of(word.begin(), word.end(), plain);
 }
 
-std::string flaw_of_requirements(const Case& verification_case) {
-  const auto known = all_requirements();
+std::string flaw_of_requirements(const Case& verification_case, const Catalogue& catalogue) {
   if (verification_case.requirements.empty()) return "it names no requirement";
   for (const auto& claim : verification_case.requirements) {
     const std::string& id = claim.requirement;
-    const bool listed = std::any_of(known.begin(), known.end(), [&](const Requirement& r) { return r.id == id; });
-    if (!listed) return fmt::format("requirement '{}' is in no closed list", id);
+    if (catalogue.requirement(id) == nullptr) return fmt::format("requirement '{}' is in no closed list", id);
     if (claim.parts.empty()) return fmt::format("it names no check for requirement '{}'", id);
     const auto same = [&](const Claim& other) { return other.requirement == id; };
     const auto& claims = verification_case.requirements;
@@ -33,13 +29,13 @@ std::string flaw_of_requirements(const Case& verification_case) {
   return "";
 }
 
-std::string flaw_of_family(const Case& verification_case) {
+std::string flaw_of_family(const Case& verification_case, const Catalogue& catalogue) {
   std::vector<std::string> ids;
   for (const auto& claim : verification_case.requirements)
     ids.push_back(claim.requirement);
-  const std::string family = family_of(verification_case.family, ids);
+  const std::string family = catalogue.family_of(verification_case.family, ids);
   if (family.empty()) return "it names no family and claims no problem of the catalogue";
-  const auto known = all_families();
+  const auto& known = catalogue.families;
   if (std::find(known.begin(), known.end(), family) == known.end()) {
     return fmt::format("its family '{}' is not known; known: {}", family, fmt::join(known, ", "));
   }
@@ -47,13 +43,13 @@ std::string flaw_of_family(const Case& verification_case) {
 }
 
 /// Of the source it names and of the paragraph of its page that tells of it.
-std::string flaw_of_citations(const Case& verification_case) {
+std::string flaw_of_citations(const Case& verification_case, const Catalogue& catalogue) {
   const std::string& page = verification_case.page;
   const std::string label = "**Source.**";
   const std::size_t place = page.find(label);
   const std::size_t start = place == std::string::npos ? page.size() : place + label.size();
   const std::string paragraph = page.substr(start, page.find("\n\n", start) - start);
-  const auto missing = citations_without_entry(verification_case.source + "; " + paragraph);
+  const auto missing = citations_in(verification_case.source + "; " + paragraph, catalogue.bibliography).missing;
   return missing.empty() ? "" : fmt::format("the bibliography has no entry for '{}'", missing.front());
 }
 
@@ -81,7 +77,7 @@ std::string flaw_of_faults(const Case& verification_case) {
 
 }  // namespace
 
-std::string flaw_of(const Case& verification_case, const std::vector<Case>& all) {
+std::string flaw_of(const Case& verification_case, const std::vector<Case>& all, const Catalogue& catalogue) {
   const Case& c = verification_case;
   if (!is_snake_case(c.id)) return fmt::format("its id '{}' is not snake_case", c.id);
   if (std::count_if(all.begin(), all.end(), [&](const Case& other) { return other.id == c.id; }) > 1) {
@@ -95,8 +91,8 @@ std::string flaw_of(const Case& verification_case, const std::vector<Case>& all)
     return "its time limit must be finite and greater than zero";
   if (!(std::isfinite(c.memory_limit) && c.memory_limit > 0.0))
     return "its memory limit must be finite and greater than zero";
-  for (const std::string& flaw :
-       {flaw_of_requirements(c), flaw_of_family(c), flaw_of_citations(c), flaw_of_main_checks(c), flaw_of_faults(c)}) {
+  for (const std::string& flaw : {flaw_of_requirements(c, catalogue), flaw_of_family(c, catalogue),
+                                  flaw_of_citations(c, catalogue), flaw_of_main_checks(c), flaw_of_faults(c)}) {
     if (!flaw.empty()) return flaw;
   }
   return "";

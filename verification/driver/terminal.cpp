@@ -43,7 +43,7 @@ std::string sentence(const std::string& id, const Check& check) {
   std::string words =
       fmt::format("{}.{}: {}, reference {}, error/bound {}", id, check.name,
                   check.text_measured.empty() ? with_unit(check.measured, check.unit) : check.text_measured,
-                  with_unit(check.reference, check.unit), margin_text(check.margin, check.pass, 3));
+                  with_unit(check.reference, check.unit), records::margin_text(check.margin, check.pass, 3));
   if (!check.message.empty()) words += "; " + check.message;
   return words + " (" + check.why + ")";
 }
@@ -68,9 +68,9 @@ void Terminal::report(const Record& record, const std::vector<std::string>& runn
   const bool pass = record.status == Status::pass;
   const Check* const farthest = worst(record.checks);
   const std::string margin =
-      farthest == nullptr
-          ? "-"
-          : fmt::format("worst error/bound {} ({})", margin_text(farthest->margin, farthest->pass, 2), farthest->name);
+      farthest == nullptr ? "-"
+                          : fmt::format("worst error/bound {} ({})",
+                                        records::margin_text(farthest->margin, farthest->pass, 2), farthest->name);
   fmt::print("{}  {:<18} {:>3} checks  {:>2} controls  {:>6.2f} s  {}\n",
              painted(fmt::format("{:<7}", name_of(record.status)), pass ? green : red), record.id, record.checks.size(),
              record.controls.size(), record.seconds, margin);
@@ -101,7 +101,7 @@ void Terminal::clear_progress() const {
 }
 
 void Terminal::summarise(const Results& results, const std::string& results_file) const {
-  const Counts counts = counts_of(results);
+  const records::Counts counts = counts_of(results);
   const bool pass = holds(results);
   const std::size_t unselected = results.registered.size() - results.selected.size();
   fmt::print(

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "verification/check/record.hpp"
 #include "verification/driver/results.hpp"
 
 namespace talus::verification {

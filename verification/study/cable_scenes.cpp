@@ -1,10 +1,7 @@
 #include "verification/study/cable_scenes.hpp"
 
-#include <cmath>
-
 #include "solver/model/model_builder.hpp"
-#include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -70,36 +67,32 @@ Scene parted_pair_scene(const reference::HungPair& pair, const State& at_break) 
 
 CableRun run_cables(const Scene& scene, const State& start, const Integrator& method, const CableRunPlan& plan,
                     Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics};
-  Workspace work = dynamics.workspace();
-  LawForces forces;
   CableRun run;
-  run.end = start;
-  system.begin(run.end);
-  EnergyLedger ledger{dynamics, run.end};
-  bool pulled = false;
-  const Observer observers[] = {[&](const State& state, const StepInfo&) {
-    dynamics.update_all(state, work);
-    dynamics.forces(state, work, forces);
+  Scene from = scene;
+  from.initial = start;
+  from.initial = first_state(from);
+  RunLedger ledger{scene.model, from.initial};
+  Probe probe{scene.model};
+  const Watcher watch = [&](const State& state, const StepInfo&) {
+    probe.evaluate(state);
+    const std::vector<double>& tensions = probe.forces().tensions;
     run.time.push_back(state.t);
-    run.elongation.push_back(dynamics.elongation(work, CableId{0}));
-    run.tension.push_back(forces.tensions[0]);
-    if (forces.tensions.size() > 1) run.second_tension.push_back(forces.tensions[1]);
-  }};
-  const StopCondition stop = [&](const State& state) {
-    const Mode mode = state.mode[dynamics.layout().cable_slots[0].mode];
+    run.elongation.push_back(probe.elongation(0));
+    run.tension.push_back(tensions[0]);
+    if (tensions.size() > 1) run.second_tension.push_back(tensions[1]);
+  };
+  const Layout layout{scene.model};
+  bool pulled = false;
+  const Until slack = [&](const State& state) {
+    const Mode mode = state.mode[layout.cable_slots[0].mode];
     pulled = pulled || mode == ElasticPlastic::taut || mode == ElasticPlastic::yielding;
     return (pulled && mode == ElasticPlastic::slack) || mode == ElasticPlastic::broken;
   };
-  Integrator used = method;
-  if (!simulate(system, used, run.end, {plan.step, plan.end, 1e9, true},
-                plan.watched ? std::span{observers} : std::span<const Observer>{},
-                plan.until_slack ? stop : StopCondition{}))
-    run.end.v[0] = std::nan("");
-  run.closure = ledger.accounts(run.end).energy_closure;
-  run.hanger_broken = !scene.model.hangers.empty() && run.end.mode[dynamics.layout().first_hanger] != 0;
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  run.end = run_scene(from, method, {plan.step, plan.end, 1e9, true}, findings, plan.watched ? watch : Watcher{},
+                      plan.until_slack ? slack : Until{})
+                .state;
+  run.closure = ledger(run.end).energy_closure;
+  run.hanger_broken = !scene.model.hangers.empty() && run.end.mode[layout.first_hanger] != 0;
   return run;
 }
 

@@ -13,8 +13,7 @@ namespace talus::verification::problems {
 [[nodiscard]] inline Table common_formula(const std::string& name, std::string caption) {
   return {.name = "common_formula_" + name,
           .caption = std::move(caption),
-          .columns = {"where", "common formula", "exact", "its error", "solver"},
-          .rows = {}};
+          .columns = {"where", "common formula", "exact", "its error", "solver"}};
 }
 
 }  // namespace talus::verification::problems

@@ -5,6 +5,7 @@
 
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/phases.hpp"
 
 namespace talus::verification::problems {
 
@@ -38,10 +39,8 @@ FollowedImpact impact_at_phase(const SceneAtGap& scene_at, const Integrator& int
 ImpactErrors impact_errors(const SceneAtGap& scene_at, const reference::ImpactEvents& exact, double steps,
                            const Integrator& integrator, Findings& findings, bool commensurate) {
   ImpactErrors found;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = commensurate ? exact.contact_time / steps : offset_step(exact.contact_time, steps, i);
-    const FollowedImpact impact =
-        impact_at_phase(scene_at, integrator, exact.contact_time, step, even_phases(fewest_phases)[i], findings);
+  for (const auto& [i, step, phase] : offset_phases(exact.contact_time, steps, fewest_phases, commensurate)) {
+    const FollowedImpact impact = impact_at_phase(scene_at, integrator, exact.contact_time, step, phase, findings);
     found.restitution.add(impact.restitution() / exact.restitution - 1.0);
     found.contact_time.add(impact.end_time / exact.contact_time - 1.0);
     found.largest_depth.add(impact.largest_depth / exact.largest_depth - 1.0);

@@ -3,7 +3,6 @@
 #include <functional>
 
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/followed_impact.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/run/simulate.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -89,17 +89,12 @@ class Follower {
 
 FollowedImpact follow_impact(const Scene& scene, Findings& findings) {
   const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, scene.plan.ledger};
   Follower follower{dynamics};
-  State state = scene.initial;
-  Integrator integrator = scene.integrator;
-  const Observer observer = [&follower](const State& seen, const StepInfo&) {
+  const Watcher follow = [&follower](const State& seen, const StepInfo&) {
     if (!follower.ended()) follower.observe(seen);
   };
-  const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1},
-                                   [&follower](const State&) { return follower.ended(); });
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  if (outcome && follower.ended()) return follower.found();
+  const RunEnd end = run_scene(scene, findings, follow, [&follower](const State&) { return follower.ended(); });
+  if (end.finished && follower.ended()) return follower.found();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   return {nan, nan, nan, nan, nan, scene.initial};
 }

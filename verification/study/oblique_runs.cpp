@@ -2,9 +2,8 @@
 
 #include <cmath>
 
-#include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
 #include "verification/check/convergence.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -31,17 +30,13 @@ void go_back(State& state, double t) {
 
 ObliqueRun run_oblique_at_step(const Scene& scene, double contact_time, double step, std::size_t phase,
                                Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics};
-  ObliqueRun run{scene.initial, 0.0, 0.0};
-  go_back(run.end, even_phases(fewest_phases)[phase] * step);
-  EnergyLedger ledger{dynamics, run.end};
-  Integrator verlet = VelocityVerlet{};
+  Scene from = scene;
+  go_back(from.initial, even_phases(fewest_phases)[phase] * step);
+  RunLedger ledger{scene.model, from.initial};
   const double steps = std::ceil(1.2 * contact_time / step) + 2.0;
-  if (!simulate(system, verlet, run.end, {step, step * steps, 1e9, true})) run.end.v[0] = std::nan("");
+  ObliqueRun run{run_scene(from, VelocityVerlet{}, {step, step * steps, 1e9, true}, findings).state, 0.0, 0.0};
   run.slip_rate = run.end.v[0] + (run.end.v.size() > 2 ? oblique_radius * run.end.v[2] : 0.0);
-  run.closure = ledger.accounts(run.end).energy_closure;
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  run.closure = ledger(run.end).energy_closure;
   return run;
 }
 

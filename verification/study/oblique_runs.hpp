@@ -1,7 +1,6 @@
 #pragma once
 
 #include "verification/check/case.hpp"
-#include "verification/check/findings.hpp"
 #include "verification/study/sliding_scenes.hpp"
 
 /// Oblique impacts of the case `friction`, one for each phase at which the surfaces can meet within a step.

@@ -34,7 +34,4 @@ struct PlaneRebound {
 /// x - floor(x).
 [[nodiscard]] double fraction(double x);
 
-/// Of two ratios the one farther from 1; a NaN stays.
-[[nodiscard]] double farther_from_one(double ratio, double other);
-
 }  // namespace talus::verification::problems

@@ -1,76 +1,96 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <span>
-#include <string_view>
-#include <vector>
+#include <utility>
 
+#include "solver/run/energy_ledger.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/scene.hpp"
+#include "verification/check/findings.hpp"
 
-/// A scene run for a given number of equal steps, and times of passage through a coordinate's zero, as the solver gives
-/// them.
+/// A scene run by the solver, and what a case reads off it on the way and afterwards.
 namespace talus::verification::problems {
 
+/// What a case does with the start and each step: a function of the Snapshot, or of its State alone.
+using Watcher = Observer;
+/// Ends a run when it returns true after a step.
+using Until = StopCondition;
+
 struct RunEnd {
-  State state{};       ///< synchronised, at the end
+  State state{};       ///< synchronised, at the end; q and v are NaN if the run diverged, so that no check passes on it
   long evaluations{};  ///< of the forces
+  bool finished{};     ///< it did not diverge
+  Integrator method{};  ///< as the run left it, which knows for example how many events it located
 };
 
-/// Runs `steps` steps of length `step` from the scene's start; the ledger is left off. A run that diverges ends in a
-/// state that is not finite, so that no check passes on it.
-inline RunEnd run_steps(const Scene& scene, Integrator integrator, double step, long steps,
-                        std::span<const Observer> observers = {}) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  RunEnd end{scene.initial, 0};
-  const RunPlan plan{.step = step, .end = step * static_cast<double>(steps), .interval = step, .ledger = false};
-  const Outcome outcome = simulate(system, integrator, end.state, plan, observers);
-  if (!outcome) end.state.q.assign(end.state.q.size(), std::numeric_limits<double>::quiet_NaN());
-  end.evaluations = system.evaluations();
-  return end;
+/// Runs a scene from its start by a method and a plan, work and impulse accumulated if the plan says so, and counts the
+/// evaluations. (Without findings they are not counted.)
+RunEnd run_scene(const Scene& scene, Integrator integrator, const RunPlan& plan, Findings* findings,
+                 const Watcher& watch = {}, const Until& until = {});
+inline RunEnd run_scene(const Scene& scene, Integrator integrator, const RunPlan& plan, Findings& findings,
+                        const Watcher& watch = {}, const Until& until = {}) {
+  return run_scene(scene, std::move(integrator), plan, &findings, watch, until);
+}
+/// The same by the scene's own method and plan.
+inline RunEnd run_scene(const Scene& scene, Findings& findings, const Watcher& watch = {}, const Until& until = {}) {
+  return run_scene(scene, scene.integrator, scene.plan, &findings, watch, until);
 }
 
-/// Where the cubic through four values, one step apart, falls or rises through zero between the second and the third,
-/// in steps from the second. Positions alone are used: the velocities of a method are not the rates of the curve on
-/// which its positions lie. The error is of order step^5 where the second derivative vanishes with the value, as at
-/// the bottom of a swing.
-inline double zero_of_cubic(const std::array<double, 4>& q) {
-  const auto value = [&](double s) {
-    return -q[0] * s * (s - 1.0) * (s - 2.0) / 6.0 + q[1] * (s + 1.0) * (s - 1.0) * (s - 2.0) / 2.0 -
-           q[2] * (s + 1.0) * s * (s - 2.0) / 2.0 + q[3] * (s + 1.0) * s * (s - 1.0) / 6.0;
-  };
-  double low = 0.0;
-  double high = 1.0;
-  for (int i = 0; i < 53; ++i) {
-    const double middle = 0.5 * (low + high);
-    (std::signbit(value(middle)) == std::signbit(q[1]) ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+/// Runs `steps` steps of length `step` from the scene's start; the ledger is left off.
+RunEnd run_steps(const Scene& scene, Integrator integrator, double step, long steps, Findings* findings = nullptr,
+                 const Watcher& watch = {});
+inline RunEnd run_steps(const Scene& scene, Integrator integrator, double step, long steps, Findings& findings,
+                        const Watcher& watch = {}) {
+  return run_steps(scene, std::move(integrator), step, steps, &findings, watch);
 }
 
 /// Time between the first and the third passage of the scene's first coordinate through zero, steps of length `step`;
 /// NaN if there are none within `most` [T].
-inline double period_of(const Scene& scene, Integrator integrator, double step, double most) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = scene.initial;
-  std::vector<double> passages;  // in steps
-  std::array<double, 4> q{};
-  long seen = 0;
-  const StopCondition third = [&](const State& now) {
-    q = {q[1], q[2], q[3], now.q[0]};
-    ++seen;
-    if (seen >= 4 && std::signbit(q[1]) != std::signbit(q[2]))
-      passages.push_back(static_cast<double>(seen - 2) + zero_of_cubic(q));
-    return passages.size() == 3;
-  };
-  const RunPlan plan{.step = step, .end = most, .interval = step, .ledger = false};
-  const Outcome outcome = simulate(system, integrator, state, plan, {}, third);
-  if (!outcome || passages.size() != 3) return std::numeric_limits<double>::quiet_NaN();
-  return (passages[2] - passages[0]) * step;
-}
+[[nodiscard]] double period_of(const Scene& scene, Integrator integrator, double step, double most);
+
+/// Forces, overlaps and energies of a model in any state, evaluated apart from any run.
+class Probe {
+ public:
+  explicit Probe(const Model& model) : dynamics_{model}, work_{dynamics_.workspace()} {}
+
+  /// Evaluates the state; what follows is of this state.
+  void evaluate(const State& state) {
+    dynamics_.update_all(state, work_);
+    dynamics_.forces(state, work_, forces_);
+  }
+  /// The normal force of each contact law and the tension of each cable [F].
+  [[nodiscard]] const LawForces& forces() const { return forces_; }
+  /// Elongation of a cable [L]; negative while slack.
+  [[nodiscard]] double elongation(std::size_t cable) const {
+    return dynamics_.elongation(work_, static_cast<CableId>(cable));
+  }
+  /// Overlap of a contact [L].
+  [[nodiscard]] double overlap(std::size_t contact) const {
+    return dynamics_.contact_depth(work_, static_cast<ContactId>(contact));
+  }
+
+ private:
+  Dynamics dynamics_;
+  Workspace work_;
+  LawForces forces_;
+};
+
+/// The balances of energy and momentum of a run of a model, against its first state.
+class RunLedger {
+ public:
+  RunLedger(const Model& model, const State& start) : dynamics_{model}, ledger_{dynamics_, start} {}
+  RunLedger(const RunLedger&) = delete;
+  RunLedger& operator=(const RunLedger&) = delete;
+
+  Accounts operator()(const State& state) { return ledger_.accounts(state); }
+  Accounts operator()(const Snapshot& seen) { return ledger_.accounts(seen); }
+  [[nodiscard]] const EnergyLedger& energy() const { return ledger_; }
+
+ private:
+  Dynamics dynamics_;
+  EnergyLedger ledger_;
+};
+
+/// The first state of a run of the scene: its start with the modes that a run gives it.
+[[nodiscard]] State first_state(const Scene& scene);
 
 }  // namespace talus::verification::problems

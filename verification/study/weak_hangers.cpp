@@ -4,8 +4,7 @@
 #include <filesystem>
 
 #include "solver/io/fence1993/read_deck.hpp"
-#include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -76,24 +75,21 @@ WeakFenceRun run_weak_fence(const scenes::Fence& fence, double step, double end,
   WeakFenceRun run;
   run.made = scenes::fence_scene(fence);
   const Dynamics dynamics{run.made.scene.model};
-  RigidBodySystem system{dynamics};
-  Integrator integrator = run.made.scene.integrator;
-  State state = run.made.scene.initial;
-  system.begin(state);
-  EnergyLedger ledger{dynamics, state};
+  const State start = first_state(run.made.scene);
+  RunLedger ledger{run.made.scene.model, start};
   FailureLog failures{dynamics};
-  Watch watch{run, dynamics, state, every};
-  const Observer observers[] = {[&](const State& seen, const StepInfo& info) {
-    failures(seen, info);
-    watch(seen, info);
-  }};
-  const Outcome outcome = simulate(system, integrator, state, {step, end, end, true}, observers);
-  run.end = state;
+  Watch watch{run, dynamics, start, every};
+  const RunEnd ended = run_scene(run.made.scene, run.made.scene.integrator, {step, end, end, true}, nullptr,
+                                 [&](const State& seen, const StepInfo& info) {
+                                   failures(seen, info);
+                                   watch(seen, info);
+                                 });
+  run.end = ended.state;
   run.failures = failures.failures();
-  run.closure = outcome ? ledger.accounts(state).energy_closure : std::nan("");
-  run.scale = ledger.energy_scale();
-  run.hanger_loss = state.work[static_cast<std::size_t>(Mechanism::hanger_break)];
-  run.evaluations = system.evaluations();
+  run.closure = ledger(run.end).energy_closure;
+  run.scale = ledger.energy().energy_scale();
+  run.hanger_loss = run.end.work[static_cast<std::size_t>(Mechanism::hanger_break)];
+  run.evaluations = ended.evaluations;
   return run;
 }
 

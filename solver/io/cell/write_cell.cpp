@@ -8,13 +8,15 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "solver/io/file/json_number.hpp"
 #include "solver/io/file/vtk_text.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/json_number.hpp"
 
 namespace talus {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using records::json_number;
 using Q = CellQuantity;
 
 std::string unit(const CellScene& scene, Dimension dimension) {
@@ -182,28 +184,29 @@ std::vector<CellNumber> cell_results(const CellRun& run) {
 }
 
 std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
-  std::string text = cell_header(scene, "time", dimension::time);
+  std::vector<std::string> names{cell_header(scene, "time", dimension::time)};
   for (const HistoryColumn& column : history_columns)
-    text.append(",").append(cell_header(scene, column.name, column.dimension));
-  text += ",stress_ratio,multiple_share";
+    names.push_back(cell_header(scene, column.name, column.dimension));
+  names.insert(names.end(), {"stress_ratio", "multiple_share"});
   if (scene.cell.friction)
-    text.append(",sliding_share,").append(cell_header(scene, "spin", dimension::angular_velocity));
-  text += "\n";
+    names.insert(names.end(), {"sliding_share", cell_header(scene, "spin", dimension::angular_velocity)});
+  records::CsvText csv{names};
   for (std::size_t k = 0; k < run.intervals(); ++k) {
     if (!run.interval_seen(k)) continue;
     const auto of = [&](Q quantity) { return run.interval_mean(k, quantity); };
     const double last = run.failure().empty() ? scene.plan.end : static_cast<double>(run.steps()) * scene.plan.step;
-    fmt::format_to(std::back_inserter(text), "{}",
-                   run.began() + std::min(static_cast<double>(k + 1) * scene.plan.every, last));
+    csv.number(run.began() + std::min(static_cast<double>(k + 1) * scene.plan.every, last));
     for (const HistoryColumn& column : history_columns)
-      fmt::format_to(std::back_inserter(text), ",{}", of(column.quantity));
-    fmt::format_to(std::back_inserter(text), ",{},{}", share_or_none(of(Q::top_shear), of(Q::top_normal)),
-                   share_or_none(of(Q::multiple), of(Q::contacts)));
-    if (scene.cell.friction)
-      fmt::format_to(std::back_inserter(text), ",{},{}", share_or_none(of(Q::sliding), of(Q::contacts)), of(Q::spin));
-    text += "\n";
+      csv.number(of(column.quantity));
+    csv.number(share_or_none(of(Q::top_shear), of(Q::top_normal)));
+    csv.number(share_or_none(of(Q::multiple), of(Q::contacts)));
+    if (scene.cell.friction) {
+      csv.number(share_or_none(of(Q::sliding), of(Q::contacts)));
+      csv.number(of(Q::spin));
+    }
+    csv.end_row();
   }
-  return text;
+  return std::move(csv).text();
 }
 
 std::vector<CellProfile::Layer> filled_layers(const CellRun& run) {
@@ -222,17 +225,21 @@ std::string cell_profile_csv(const CellScene& scene, const CellRun& run) {
                               {"temperature", dimension::energy, &CellProfile::Layer::temperature},
                               {"solid_fraction", dimension::number, &CellProfile::Layer::fraction}};
   if (scene.cell.friction) columns.push_back({"spin", dimension::angular_velocity, &CellProfile::Layer::spin});
-  std::string text = cell_header(scene, "y", dimension::length);
+  std::vector<std::string> names{cell_header(scene, "y", dimension::length)};
   for (const Column& column : columns) {
-    text += "," + cell_header(scene, column.name, column.dimension);
-    text += "," + cell_header(scene, column.name + "_error", column.dimension);
+    names.push_back(cell_header(scene, column.name, column.dimension));
+    names.push_back(cell_header(scene, column.name + "_error", column.dimension));
   }
+  records::CsvText csv{names};
   for (const CellProfile::Layer& layer : filled_layers(run)) {
-    fmt::format_to(std::back_inserter(text), "\n{}", layer.y);
-    for (const Column& column : columns)
-      fmt::format_to(std::back_inserter(text), ",{},{}", (layer.*column.of).value, (layer.*column.of).error);
+    csv.number(layer.y);
+    for (const Column& column : columns) {
+      csv.number((layer.*column.of).value);
+      csv.number((layer.*column.of).error);
+    }
+    csv.end_row();
   }
-  return text + "\n";
+  return std::move(csv).text();
 }
 
 std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOutcome& outcome) {
@@ -270,14 +277,14 @@ std::string cell_state_vtp(CellRun& run) {
   const Discs discs = run.discs();
   const ShearCell& cell = run.cell();
   PolyData data;
-  std::string ids, radii, velocities, spins, walls, forces, kinds, verts, vert_ends, lines, line_ends;
+  std::string coordinates, ids, radii, velocities, spins, walls, forces, kinds, verts, vert_ends, lines, line_ends;
   const auto add = [](std::string& text, auto&&... values) {
     (fmt::format_to(std::back_inserter(text), "{} ", values), ...);
   };
   const auto point = [&](std::size_t disc, Vec2 at, bool image) {
     const auto number = static_cast<long>(disc) + 1;
-    add(data.coordinates, at.x, at.y, 0);
-    data.coordinates.back() = '\n';
+    add(coordinates, at.x, at.y, 0);
+    coordinates.back() = '\n';
     add(ids, image ? -number : number), add(radii, 0.5 * cell.diameter);
     if (cell.friction) add(spins, discs.spin[disc]);
     add(velocities, discs.vx[disc], discs.vy[disc], 0), add(walls, run.start().shapes.wall[disc]);
@@ -295,12 +302,15 @@ std::string cell_state_vtp(CellRun& run) {
     add(lines, contact.a, here ? static_cast<long>(contact.b) : point(contact.b, b, true));
     add(line_ends, 2 * ++data.lines), add(forces, contact.force), add(kinds, contact.multiple ? 1 : 0);
   }
-  data.point_data = vtk_array("Int64", "id", 1, ids) + vtk_array("Float64", "radius", 1, radii) +
-                    vtk_array("Float64", "velocity", 3, velocities) + vtk_array("UInt8", "wall", 1, walls);
-  if (cell.friction) data.point_data += vtk_array("Float64", "spin", 1, spins);
-  data.cell_data = vtk_array("Float64", "force", 1, forces) + vtk_array("UInt8", "multiple", 1, kinds);
-  data.vert_arrays = vtk_array("Int64", "connectivity", 1, verts) + vtk_array("Int64", "offsets", 1, vert_ends);
-  data.line_arrays = vtk_array("Int64", "connectivity", 1, lines) + vtk_array("Int64", "offsets", 1, line_ends);
+  data.coordinates = coordinates;
+  data.point_data = {{"Int64", "id", 1, ids},
+                     {"Float64", "radius", 1, radii},
+                     {"Float64", "velocity", 3, velocities},
+                     {"UInt8", "wall", 1, walls}};
+  if (cell.friction) data.point_data.push_back({"Float64", "spin", 1, spins});
+  data.cell_data = {{"Float64", "force", 1, forces}, {"UInt8", "multiple", 1, kinds}};
+  data.vert_arrays = {{"Int64", "connectivity", 1, verts}, {"Int64", "offsets", 1, vert_ends}};
+  data.line_arrays = {{"Int64", "connectivity", 1, lines}, {"Int64", "offsets", 1, line_ends}};
   return vtk_text(data);
 }
 

@@ -2,16 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "solver/io/output/run_folder.hpp"
+#include "verification/record/figure_fields.hpp"
 
 namespace talus {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A column of one of the files as pictures name it.
 struct Drawn {
@@ -67,39 +66,44 @@ const std::vector<Kind>& profiles() {
   return all;
 }
 
-Json axis(const CellScene& scene, std::string_view label, Dimension dimension) {
-  return {{"label", label}, {"unit", scene.units ? symbol(*scene.units, dimension) : ""}, {"log", false}};
+records::Axis axis(const CellScene& scene, std::string_view label, Dimension dimension) {
+  return {.label = std::string{label}, .unit = scene.units ? symbol(*scene.units, dimension) : ""};
 }
 
-Json figure(const CellScene& scene, const Kind& kind, std::string_view csv, std::string_view words) {
-  return {{"name", kind.name},
-          {"title", kind.title},
-          {"caption", fmt::format("{}: {}{}.", scene.title, kind.title, words)},
-          {"csv", csv},
-          {"series", Json::array()}};
+records::Figure figure(const CellScene& scene, const Kind& kind, std::string_view csv, std::string_view words) {
+  return {.name = std::string{kind.name},
+          .title = std::string{kind.title},
+          .caption = fmt::format("{}: {}{}.", scene.title, kind.title, words),
+          .x = {},
+          .y = {},
+          .series = {},
+          .csv = std::string{csv}};
 }
 
-Json history_figure(const CellScene& scene, const Kind& kind) {
-  Json made = figure(scene, kind, "history.csv", ", means over each LOOP");
-  made["x"] = axis(scene, "time", dimension::time);
-  made["y"] = axis(scene, kind.axis, kind.dimension);
+records::Series series(std::string_view label, std::string x, std::string y) {
+  records::Series made{.label = std::string{label}, .x = {}, .y = {}};
+  made.columns.x = std::move(x);
+  made.columns.y = std::move(y);
+  return made;
+}
+
+records::Figure history_figure(const CellScene& scene, const Kind& kind) {
+  records::Figure made = figure(scene, kind, "history.csv", ", means over each LOOP");
+  made.x = axis(scene, "time", dimension::time);
+  made.y = axis(scene, kind.axis, kind.dimension);
   for (const Drawn& drawn : kind.columns) {
-    made["series"].push_back({{"label", drawn.words},
-                              {"x", cell_header(scene, "time", dimension::time)},
-                              {"y", cell_header(scene, drawn.column, kind.dimension)},
-                              {"style", "linespoints"}});
+    made.series.push_back(series(drawn.words, cell_header(scene, "time", dimension::time),
+                                 cell_header(scene, drawn.column, kind.dimension)));
   }
   return made;
 }
 
-Json profile_figure(const CellScene& scene, const Kind& kind) {
-  Json made = figure(scene, kind, "profile.csv", ", mean after the start-up");
-  made["x"] = axis(scene, kind.axis, kind.dimension);
-  made["y"] = axis(scene, "height y", dimension::length);
-  made["series"].push_back({{"label", ""},
-                            {"x", cell_header(scene, kind.columns.front().column, kind.dimension)},
-                            {"y", cell_header(scene, "y", dimension::length)},
-                            {"style", "linespoints"}});
+records::Figure profile_figure(const CellScene& scene, const Kind& kind) {
+  records::Figure made = figure(scene, kind, "profile.csv", ", mean after the start-up");
+  made.x = axis(scene, kind.axis, kind.dimension);
+  made.y = axis(scene, "height y", dimension::length);
+  made.series.push_back(series("", cell_header(scene, kind.columns.front().column, kind.dimension),
+                               cell_header(scene, "y", dimension::length)));
   return made;
 }
 
@@ -110,14 +114,14 @@ std::string cell_plot_json(const CellScene& scene, const CellRun& run) {
   files.histories = {"history.csv"};
   if (scene.pictures) files.geometry = "cell.pvd";
   files.period = scene.cell.width();
-  Json json = run_folder_json(scene.title, scene.units, files);
-  Json figures = Json::array();
+  records::Json json = run_folder_json(scene.title, scene.units, files);
+  std::vector<records::Figure> figures;
   for (const Kind& kind : histories())
     if (run.intervals() > 0) figures.push_back(history_figure(scene, kind));
   for (const Kind& kind : profiles())
     if (!filled_layers(run).empty() && (scene.cell.friction || !kind.with_friction))
       figures.push_back(profile_figure(scene, kind));
-  json["figures"] = std::move(figures);
+  json["figures"] = records::json_of(figures);
   return json.dump(2) + "\n";
 }
 

@@ -13,7 +13,7 @@ namespace talus {
 struct FenceSample {
   const Dynamics& dynamics;
   const State& state;
-  const Workspace& work;    ///< after Dynamics::rates at that state
+  const Workspace& work;    ///< of that state, with the loads on its bodies
   const LawForces& forces;  ///< at that state
   const scenes::FenceElement& element;
   const scenes::FenceMember& member;

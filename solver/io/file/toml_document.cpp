@@ -5,12 +5,10 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
 
 #include "solver/base/error.hpp"
+#include "verification/record/error.hpp"
+#include "verification/record/whole_file.hpp"
 
 namespace talus {
 namespace {
@@ -85,15 +83,11 @@ TomlValue parse_toml(std::string_view text, std::string_view name) {
 }
 
 std::string read_text(const std::filesystem::path& file) {
-  const auto fail = [&file] { throw IoError{fmt::format("{}: {}", file.string(), std::strerror(errno))}; };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{std::fopen(file.c_str(), "rb"), &std::fclose};
-  if (!stream) fail();
-  std::string text;
-  char block[65536];
-  while (const std::size_t count = std::fread(block, 1, sizeof block, stream.get()))
-    text.append(block, count);
-  if (std::ferror(stream.get()) != 0) fail();
-  return text;
+  try {
+    return records::read_whole(file);
+  } catch (const records::FileError& error) {
+    throw IoError{error.what()};
+  }
 }
 
 }  // namespace talus

@@ -24,22 +24,33 @@ constexpr std::string_view head =
 
 }  // namespace
 
-std::string vtk_array(std::string_view type, std::string_view name, int components, std::string_view values) {
-  return fmt::format(
-      "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n{}\n</DataArray>\n", type, name,
-      components, values);
-}
-
 std::string vtk_text(const PolyData& data) {
-  std::string text = fmt::format(head, "PolyData");
-  text += fmt::format(
-      "<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
-      "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
-      data.points, data.verts, data.lines);
-  text += "<PointData>\n" + data.point_data + "</PointData>\n<CellData>\n" + data.cell_data +
-          "</CellData>\n<Points>\n" + vtk_array("Float64", "Points", 3, data.coordinates) + "</Points>\n";
-  if (data.verts > 0) text += "<Verts>\n" + data.vert_arrays + "</Verts>\n";
-  return text + "<Lines>\n" + data.line_arrays + "</Lines>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+  fmt::memory_buffer text;
+  const auto append = [&text](std::string_view part) { text.append(part.data(), part.data() + part.size()); };
+  const auto add = [&](const VtkArray& array) {
+    fmt::format_to(fmt::appender{text},
+                   "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", array.type,
+                   array.name, array.components);
+    append(array.values), append("\n</DataArray>\n");
+  };
+  const auto add_part = [&](std::string_view name, const std::vector<VtkArray>& arrays) {
+    append("<"), append(name), append(">\n");
+    for (const VtkArray& array : arrays)
+      add(array);
+    append("</"), append(name), append(">\n");
+  };
+  fmt::format_to(fmt::appender{text}, head, "PolyData");
+  fmt::format_to(fmt::appender{text},
+                 "<PolyData>\n<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
+                 "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
+                 data.points, data.verts, data.lines);
+  add_part("PointData", data.point_data);
+  add_part("CellData", data.cell_data);
+  add_part("Points", {{"Float64", "Points", 3, data.coordinates}});
+  if (data.verts > 0) add_part("Verts", data.vert_arrays);
+  add_part("Lines", data.line_arrays);
+  append("</Piece>\n</PolyData>\n</VTKFile>\n");
+  return fmt::to_string(text);
 }
 
 std::string vtk_index(const std::vector<std::pair<double, std::string>>& files) {

@@ -7,16 +7,19 @@
 
 namespace talus {
 
-/// One array of numbers of a VTK XML file, as text.
-[[nodiscard]] std::string vtk_array(std::string_view type, std::string_view name, int components,
-                                    std::string_view values);
+/// One array of numbers of a VTK XML file. The text of its values must outlive it.
+struct VtkArray {
+  std::string_view type, name;
+  int components{1};
+  std::string_view values;
+};
 
 /// The parts of a piece of VTK XML poly data: points; verts and lines as arrays `connectivity` and `offsets`; data.
 struct PolyData {
   long points{}, verts{}, lines{};
-  std::string point_data, cell_data;  ///< arrays; cells are the verts, then the lines
-  std::string coordinates;            ///< x y z of each point
-  std::string vert_arrays, line_arrays;
+  std::vector<VtkArray> point_data, cell_data;  ///< cells are the verts, then the lines
+  std::string_view coordinates;                 ///< x y z of each point; must outlive it
+  std::vector<VtkArray> vert_arrays, line_arrays;
 };
 [[nodiscard]] std::string vtk_text(const PolyData& data);
 

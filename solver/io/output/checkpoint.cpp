@@ -4,25 +4,25 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "solver/base/error.hpp"
-#include "solver/io/file/json_number.hpp"
 #include "solver/io/file/toml_document.hpp"
+#include "verification/record/json_number.hpp"
 
 namespace talus {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr int schema = 1;
+constexpr int schema = 2;
 constexpr std::string_view hash_line = "\"fnv1a\": ";
 
 Json item(const std::vector<double>& numbers) {
   Json list = Json::array();
   for (const double value : numbers)
-    list.push_back(Json(json_number(value)));
+    list.push_back(Json(records::json_number(value)));
   return list;
 }
 
@@ -78,11 +78,9 @@ class Reader {
 
  private:
   double list_number(const std::string& name, const Json& element) const {
-    if (element.is_number()) return element.get<double>();
-    if (element == "nan") return std::numeric_limits<double>::quiet_NaN();
-    if (element == "inf") return std::numeric_limits<double>::infinity();
-    if (element == "-inf") return -std::numeric_limits<double>::infinity();
-    refuse("memory: " + name, element.dump(), "a number");
+    const std::optional<double> number = records::number_of(element);
+    if (!number) refuse("memory: " + name, element.dump(), "a number");
+    return *number;
   }
 
   const std::filesystem::path& file_;

@@ -11,7 +11,7 @@ namespace talus {
 /// A run that stands between two steps, as a file. With the scene's file it is all that is needed to take the run on.
 ///
 /// The file is JSON, one member a line, in this order:
-///   schema                            version of this description: 1
+///   schema                            version of this description: 2
 ///   talus                             version of the program; another may not give the same bits and is refused
 ///   scene_file, scene_fnv1a           where the scene is, and its hash: of a changed scene the run is not taken on
 ///   integrator, tolerance, step, end  what the run was asked for, options of the command line included; times in the

@@ -28,7 +28,7 @@ void demand_histories(const std::vector<int>& numbers) {
 }  // namespace
 
 FenceHistory::FenceHistory(const scenes::Fence& fence, const scenes::FenceScene& made, const Dynamics& dynamics)
-    : fence_{&fence}, made_{&made}, dynamics_{&dynamics}, work_{dynamics.workspace()}, rates_{made.scene.initial} {
+    : fence_{&fence}, made_{&made}, dynamics_{&dynamics} {
   demand_histories(fence.history_codes);
   history_.columns = {{"time", dimension::time}};
   for (const int number : fence.history_elements)
@@ -79,17 +79,15 @@ const scenes::FenceElement& FenceHistory::element(int number) const {
   return rock < fence_->rocks.size() ? fence_->rocks[rock] : fence_->column;
 }
 
-void FenceHistory::operator()(const State& state, const StepInfo& info) {
+void FenceHistory::operator()(const Snapshot& snapshot, const StepInfo& info) {
   history_.go_on();
   const bool due = info.step % fence_->history_every == 0;
   if (!due && !info.last) return;
-  // All of it: at a sleeping column beside an awake one only the awake side's pulls would be summed.
-  dynamics_->update_all(state, work_);
-  dynamics_->forces(state, work_, forces_);
-  dynamics_->rates(state, work_, rates_, false);
+  const State& state = snapshot.state();
+  const Workspace& work = snapshot.loads();
   std::vector<double> row{state.t};
   for (const Series& series : series_) {
-    row.push_back(series.code->value({*dynamics_, state, work_, forces_, element(series.element),
+    row.push_back(series.code->value({*dynamics_, state, work, snapshot.forces(), element(series.element),
                                       made_->members[static_cast<std::size_t>(series.element - 1)]}));
   }
   const bool finite = std::all_of(row.begin(), row.end(), [](double value) { return std::isfinite(value); });

@@ -19,7 +19,7 @@ class FenceHistory {
 
   /// Adds a row if one is due and all its numbers are finite. That of a step with which the run stops gives way when
   /// it is taken on.
-  void operator()(const State& state, const StepInfo& info);
+  void operator()(const Snapshot& snapshot, const StepInfo& info);
 
   /// Names what it carries from one step to the next; one of the same run goes on from it.
   void remember(Memory& memory) { history_.remember(memory); }
@@ -47,9 +47,6 @@ class FenceHistory {
   const scenes::Fence* fence_;
   const scenes::FenceScene* made_;
   const Dynamics* dynamics_;
-  Workspace work_;
-  LawForces forces_;
-  Rates rates_;
   std::vector<Series> series_;
   std::vector<std::string> left_out_;
   History history_;

@@ -31,7 +31,7 @@ struct PartState {
 /// Smallest and largest value of one quantity over all steps of a run.
 struct ExtremeRecord {
   Column column;
-  Recorder::Extreme extreme;
+  talus::Extreme extreme;
 };
 
 /// How far the results of a run can be trusted.

@@ -1,10 +1,10 @@
 #include "solver/io/output/write_geometry.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "solver/io/file/atomic_file.hpp"
@@ -19,19 +19,19 @@ namespace {
 class PolyLines {
  public:
   void add(Vec2 p, double z, long body) {
-    fmt::format_to(std::back_inserter(points_), "{} {} {}\n", p.x, p.y, z);
-    fmt::format_to(std::back_inserter(connectivity_), "{} ", count_);
-    fmt::format_to(std::back_inserter(point_bodies_), "{} ", body);
+    fmt::format_to(fmt::appender{points_}, FMT_COMPILE("{} {} {}\n"), p.x, p.y, z);
+    fmt::format_to(fmt::appender{connectivity_}, FMT_COMPILE("{} "), count_);
+    fmt::format_to(fmt::appender{point_bodies_}, FMT_COMPILE("{} "), body);
     finite_ = finite_ && std::isfinite(p.x) && std::isfinite(p.y);
     ++count_;
   }
   /// Ends a line of the points added since the last.
   void end(long body, long cable, double tension, bool slack) {
-    fmt::format_to(std::back_inserter(offsets_), "{} ", count_);
-    fmt::format_to(std::back_inserter(bodies_), "{} ", body);
-    fmt::format_to(std::back_inserter(cables_), "{} ", cable);
-    fmt::format_to(std::back_inserter(tensions_), "{} ", tension);
-    fmt::format_to(std::back_inserter(slacks_), "{} ", slack ? 1 : 0);
+    fmt::format_to(fmt::appender{offsets_}, FMT_COMPILE("{} "), count_);
+    fmt::format_to(fmt::appender{bodies_}, FMT_COMPILE("{} "), body);
+    fmt::format_to(fmt::appender{cables_}, FMT_COMPILE("{} "), cable);
+    fmt::format_to(fmt::appender{tensions_}, FMT_COMPILE("{} "), tension);
+    fmt::format_to(fmt::appender{slacks_}, FMT_COMPILE("{} "), slack ? 1 : 0);
     finite_ = finite_ && std::isfinite(tension);
     ++lines_;
   }
@@ -42,17 +42,20 @@ class PolyLines {
         {.points = count_,
          .verts = 0,
          .lines = lines_,
-         .point_data = vtk_array("Int32", "body", 1, point_bodies_),
-         .cell_data = vtk_array("Int32", "body", 1, bodies_) + vtk_array("Int32", "cable", 1, cables_) +
-                      vtk_array("Float64", "tension", 1, tensions_) + vtk_array("UInt8", "slack", 1, slacks_),
-         .coordinates = points_,
+         .point_data = {{"Int32", "body", 1, view(point_bodies_)}},
+         .cell_data = {{"Int32", "body", 1, view(bodies_)},
+                       {"Int32", "cable", 1, view(cables_)},
+                       {"Float64", "tension", 1, view(tensions_)},
+                       {"UInt8", "slack", 1, view(slacks_)}},
+         .coordinates = view(points_),
          .vert_arrays = {},
-         .line_arrays =
-             vtk_array("Int64", "connectivity", 1, connectivity_) + vtk_array("Int64", "offsets", 1, offsets_)});
+         .line_arrays = {{"Int64", "connectivity", 1, view(connectivity_)}, {"Int64", "offsets", 1, view(offsets_)}}});
   }
 
  private:
-  std::string points_, connectivity_, point_bodies_, offsets_, bodies_, cables_, tensions_, slacks_;
+  static std::string_view view(const fmt::memory_buffer& text) { return {text.data(), text.size()}; }
+
+  fmt::memory_buffer points_, connectivity_, point_bodies_, offsets_, bodies_, cables_, tensions_, slacks_;
   long count_{0}, lines_{0};
   bool finite_{true};
 };
@@ -60,7 +63,7 @@ class PolyLines {
 }  // namespace
 
 GeometryText::GeometryText(const Dynamics& dynamics)
-    : dynamics_{&dynamics}, work_{dynamics.workspace()}, along_(dynamics.model().bodies.size(), 0.0) {
+    : dynamics_{&dynamics}, along_(dynamics.model().bodies.size(), 0.0) {
   const Model& model = dynamics.model();
   for (const Joint& joint : dynamics.cables().joints()) {
     if (joint.on_body) along_[index(joint.body)] = joint.along;
@@ -72,24 +75,24 @@ GeometryText::GeometryText(const Dynamics& dynamics)
     outlines_.push_back(outline(body, 2.0 * reach));
 }
 
-std::optional<std::string> GeometryText::text(const State& state) {
-  dynamics_->update(state, work_);
-  dynamics_->forces(state, work_, forces_);
+std::optional<std::string> GeometryText::text(const Snapshot& snapshot) const {
+  const Workspace& work = snapshot.geometry();
+  const LawForces& forces = snapshot.forces();
   PolyLines lines;
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
     const auto body = static_cast<long>(i);
     for (const Vec2 p : outlines_[i])
-      lines.add(world_point(work_.poses[i], p), along_[i], body);
+      lines.add(world_point(work.poses[i], p), along_[i], body);
     if (!outlines_[i].empty()) lines.end(body, -1, 0.0, false);
   }
   const CableForces& cables = dynamics_->cables();
   for (std::size_t c = 0; c < cables.size(); ++c) {
     for (const std::size_t j : {cables.ends()[c].a, cables.ends()[c].b}) {
       const Joint& joint = cables.joints()[j];
-      const bool held = joint.on_body && (work_.rigging.broken.empty() || !work_.rigging.broken[j]);
-      lines.add(work_.joints.p_WP(j), joint.along, held ? static_cast<long>(index(joint.body)) : -1);
+      const bool held = joint.on_body && (work.rigging.broken.empty() || !work.rigging.broken[j]);
+      lines.add(work.joints.p_WP(j), joint.along, held ? static_cast<long>(index(joint.body)) : -1);
     }
-    lines.end(-1, static_cast<long>(c), forces_.tensions[c], forces_.tensions[c] == 0.0);
+    lines.end(-1, static_cast<long>(c), forces.tensions[c], forces.tensions[c] == 0.0);
   }
   if (!lines.finite()) return {};
   return lines.xml();
@@ -102,14 +105,14 @@ VtpSeries::VtpSeries(const Dynamics& dynamics, std::filesystem::path folder, std
   make_folder(folder_ / (name_ + "_geometry"));
 }
 
-void VtpSeries::operator()(const State& state, const StepInfo& info) {
+void VtpSeries::operator()(const Snapshot& snapshot, const StepInfo& info) {
   remove_stop();
   const bool due = info.step % every_ == 0;
   if (!due && !info.last) return;
-  const std::optional<std::string> text = geometry_.text(state);
+  const std::optional<std::string> text = geometry_.text(snapshot);
   if (!text) return;
-  const File file{state.t, info.step};
-  write_whole(folder_ / path(file), *text);
+  const File file{snapshot.state().t, info.step};
+  write_whole(folder_ / path(file), *text, Durability::later);
   if (due || !info.stop) return files_.push_back(file);
   of_stop_ = file;
 }
@@ -162,7 +165,7 @@ void VtpSeries::write_index() const {
   for (const File& file : files_)
     files.emplace_back(file.time, path(file));
   if (of_stop_) files.emplace_back(of_stop_->time, path(*of_stop_));
-  write_whole(folder_ / (name_ + ".pvd"), vtk_index(files));
+  write_whole(folder_ / (name_ + ".pvd"), vtk_index(files), Durability::later);
 }
 
 }  // namespace talus

@@ -17,12 +17,10 @@ class GeometryText {
   explicit GeometryText(const Dynamics& dynamics);
 
   /// The text of the file; none if a number in it is not finite.
-  [[nodiscard]] std::optional<std::string> text(const State& state);
+  [[nodiscard]] std::optional<std::string> text(const Snapshot& snapshot) const;
 
  private:
   const Dynamics* dynamics_;
-  Workspace work_;
-  LawForces forces_;
   std::vector<double> along_;                ///< place of each body along the fence [L]
   std::vector<std::vector<Vec2>> outlines_;  ///< of each body, in its own axes; closed but for a half-plane's
 };
@@ -42,7 +40,7 @@ class VtpSeries {
 
   /// Writes a file if one is due and all its numbers are finite. That of a step with which the run stops gives way when
   /// it is taken on. Errors: IoError.
-  void operator()(const State& state, const StepInfo& info);
+  void operator()(const Snapshot& snapshot, const StepInfo& info);
   /// Writes the index of the files written so far. Errors: IoError.
   void write_index() const;
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iterator>
+#include <utility>
+#include <vector>
 
 #include "solver/base/error.hpp"
+#include "verification/record/csv.hpp"
 
 namespace talus {
 
@@ -14,22 +16,18 @@ std::string csv_header(const Column& column, const UnitSystem& units) {
 }
 
 std::string csv(const History& history, const UnitSystem& units) {
-  std::string text;
-  for (std::size_t i = 0; i < history.columns.size(); ++i) {
-    if (i > 0) text += ',';
-    text += csv_header(history.columns[i], units);
-  }
-  text += '\n';
+  std::vector<std::string> names;
+  for (const Column& column : history.columns)
+    names.push_back(csv_header(column, units));
+  records::CsvText text{names};
   for (const std::vector<double>& row : history.rows) {
-    TALUS_DEMAND(row.size() == history.columns.size());
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      TALUS_DEMAND(std::isfinite(row[i]));
-      if (i > 0) text += ',';
-      fmt::format_to(std::back_inserter(text), "{}", row[i]);
+    for (const double value : row) {
+      TALUS_DEMAND(std::isfinite(value));
+      text.number(value);
     }
-    text += '\n';
+    text.end_row();
   }
-  return text;
+  return std::move(text).text();
 }
 
 }  // namespace talus

@@ -1,19 +1,19 @@
 #include "solver/io/output/write_plot.hpp"
 
 #include <fmt/format.h>
-#include <array>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "solver/io/output/write_history.hpp"
+#include "verification/record/figure_fields.hpp"
 
 namespace talus {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using records::Json;
 
 /// One kind of figure: all columns whose name ends (or begins) so, against time.
 struct Kind {
@@ -53,40 +53,39 @@ bool is_zero(const History& history, std::size_t column) {
                      [column](const std::vector<double>& row) { return row[column] == 0.0; });
 }
 
-Json axis(std::string_view label, const UnitSystem& units, Dimension dimension) {
-  return {{"label", label}, {"unit", symbol(units, dimension)}, {"log", false}};
+records::Axis axis(std::string_view label, const UnitSystem& units, Dimension dimension) {
+  return {.label = std::string{label}, .unit = symbol(units, dimension)};
 }
 
 }  // namespace
 
 std::string plot_json(const RunRecord& record, const std::string& csv_file, const RunFiles& files) {
   const History& history = record.history;
-  Json figures = Json::array();
+  std::vector<records::Figure> figures;
   for (const Kind& kind : kinds()) {
-    Json series = Json::array();
+    std::vector<records::Series> all;
     Dimension dimension;
     for (std::size_t i = 1; i < history.columns.size(); ++i) {
       const Column& column = history.columns[i];
       if (!belongs(column, kind) || is_zero(history, i)) continue;
       dimension = column.dimension;
-      series.push_back({{"label", column.name},
-                        {"x", csv_header(history.columns[0], record.units)},
-                        {"y", csv_header(column, record.units)},
-                        {"style", "lines"}});
+      records::Series& series = all.emplace_back();
+      series.label = column.name;
+      series.style = records::Style::lines;
+      series.columns.x = csv_header(history.columns[0], record.units);
+      series.columns.y = csv_header(column, record.units);
     }
-    if (series.empty()) continue;
-    figures.push_back({{"name", kind.name},
-                       {"title", kind.title},
-                       {"caption", fmt::format("{}: {}.", record.title, kind.title)},
-                       {"x", axis("time", record.units, dimension::time)},
-                       {"y", axis(kind.axis, record.units, dimension)},
-                       {"csv", csv_file},
-                       {"series", series},
-                       {"slopes", Json::array()},
-                       {"lines", Json::array()}});
+    if (all.empty()) continue;
+    figures.push_back({.name = std::string{kind.name},
+                       .title = std::string{kind.title},
+                       .caption = fmt::format("{}: {}.", record.title, kind.title),
+                       .x = axis("time", record.units, dimension::time),
+                       .y = axis(kind.axis, record.units, dimension),
+                       .series = std::move(all),
+                       .csv = csv_file});
   }
   Json json = run_folder_json(record.title, record.units, files);
-  json["figures"] = std::move(figures);
+  json["figures"] = records::json_of(figures);
   return json.dump(2) + "\n";
 }
 

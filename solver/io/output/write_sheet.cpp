@@ -18,8 +18,9 @@ using scenes::ForceRecord;
 /// Writes one run's sheet; quantities turn into SI here.
 class Sheet {
  public:
-  Sheet(const RunRecord& record, const FenceInput& input, const Dynamics& dynamics, const scenes::FenceWatch& watch)
-      : record_{record}, input_{input}, dynamics_{dynamics}, watch_{watch}, summary_{watch.summary()} {}
+  Sheet(const RunRecord& record, const FenceInput& input, const Dynamics& dynamics, const scenes::FenceWatch& watch,
+        const State& end)
+      : record_{record}, input_{input}, dynamics_{dynamics}, watch_{watch}, summary_{watch.summary()}, end_{end} {}
 
   Json json() const {
     return {{"schema", 2},
@@ -99,6 +100,7 @@ class Sheet {
   const Dynamics& dynamics_;
   const scenes::FenceWatch& watch_;
   const FenceSummary& summary_;
+  const State& end_;
 };
 
 Json Sheet::rocks() const {
@@ -252,7 +254,7 @@ Json Sheet::drawing() const {
   return {{"ground", std::move(line)},
           {"column_half_width", length(input_.fence.column.a)},
           {"states", Json::array({drawn("start", summary_.start), drawn("largest travel", summary_.at_travel),
-                                  drawn("end", summary_.end)})}};
+                                  drawn("end", end_)})}};
 }
 
 Json Sheet::history() const {
@@ -272,8 +274,8 @@ Json Sheet::history() const {
 }  // namespace
 
 std::string sheet_json(const RunRecord& record, const FenceInput& input, const Dynamics& dynamics,
-                       const scenes::FenceWatch& watch) {
-  return Sheet{record, input, dynamics, watch}.json().dump(1) + "\n";
+                       const scenes::FenceWatch& watch, const State& end) {
+  return Sheet{record, input, dynamics, watch, end}.json().dump(1) + "\n";
 }
 
 }  // namespace talus

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "solver/cell/cell_run.hpp"
+#include "verification/record/csv.hpp"
 
 namespace talus {
 
@@ -45,20 +47,22 @@ std::string study_text(const std::vector<StudyMean>& study, const std::vector<Ve
 }
 
 std::string study_csv(const std::vector<StudyMean>& study) {
-  std::string text = "series,overburden [Pa],speed [D/s],stiffness,seed";
+  std::vector<std::string> names{"series", "overburden [Pa]", "speed [D/s]", "stiffness", "seed"};
   for (const std::string_view name : study_names)
-    text.append(",").append(name).append(name == "depth" || name == "largest_overlap" ? " [D]" : "");
-  text += '\n';
+    names.push_back(fmt::format("{}{}", name, name == "depth" || name == "largest_overlap" ? " [D]" : ""));
+  records::CsvText text{names};
   for (const StudyMean& point : study) {
     for (const StudyMean::Run& run : point.runs) {
-      fmt::format_to(std::back_inserter(text), "{},{},{},{},{}", point.point.series, point.point.overburden,
-                     point.point.speed, point.point.stiffness, run.seed);
+      text.cell(point.point.series);
+      for (const double value : {point.point.overburden, point.point.speed, point.point.stiffness})
+        text.number(value);
+      text.cell(fmt::format("{}", run.seed));
       for (const double value : run.numbers)
-        fmt::format_to(std::back_inserter(text), ",{}", value);
-      text += '\n';
+        text.number(value);
+      text.end_row();
     }
   }
-  return text;
+  return std::move(text).text();
 }
 
 }  // namespace talus

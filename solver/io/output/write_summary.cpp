@@ -3,13 +3,13 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-
-#include "solver/io/file/json_number.hpp"
+#include "verification/record/json_number.hpp"
 
 namespace talus {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using records::json_number;
 
 Json vector(Vec2 value) { return Json::array({json_number(value.x), json_number(value.y)}); }
 

@@ -185,8 +185,8 @@ BOOST_AUTO_TEST_CASE(checkpoints_that_are_refused) {
   const std::string place = "talus: " + file.string() + ": ";
   const std::string hash = good.substr(good.rfind(": \"") + 3, 16);
   const std::vector<std::pair<std::string, std::string>> wrong{
-      {replaced(good, "\"schema\": 1", "\"schema\": 2"), "schema: found 2; it must be 1\n"},
-      {replaced(good, "\"schema\": 1,\n", ""), "schema: found nothing; it must be 1\n"},
+      {replaced(good, "\"schema\": 2", "\"schema\": 1"), "schema: found 1; it must be 2\n"},
+      {replaced(good, "\"schema\": 2,\n", ""), "schema: found nothing; it must be 2\n"},
       {replaced(good, "\"talus\": \"", "\"talus\": \"9"), "talus: found \"9"},
       {replaced(good, "\"steps\": 500", "\"steps\": 501"), "fnv1a: found \"" + hash + "\"; it must be \""},
       {good.substr(0, good.size() / 2),

@@ -31,9 +31,7 @@ struct Kept {
   Dynamics dynamics{input.made.scene.model};
   FenceHistory history{input.fence, input.made, dynamics};
 
-  Kept(FenceInput from, long steps) : input{std::move(from)} {
-    run_fence(input, dynamics, steps, [this](const State& state, const StepInfo& info) { history(state, info); });
-  }
+  Kept(FenceInput from, long steps) : input{std::move(from)} { run_fence(input, dynamics, steps, std::ref(history)); }
   double first(std::size_t column) const { return history.history().rows.at(0).at(column); }
   double last(std::size_t column) const { return history.history().rows.back().at(column); }
 };

@@ -46,9 +46,9 @@ BOOST_AUTO_TEST_CASE(what_was_written_is_read) {
   const Dynamics dynamics{input.made.scene.model};
   VtpSeries series{dynamics, folder.path, "s", 20};
   std::vector<State> states;
-  run_fence(input, dynamics, 40, [&](const State& state, const StepInfo& info) {
-    series(state, info);
-    if (info.step % 20 == 0) states.push_back(state);
+  run_fence(input, dynamics, 40, [&](const Snapshot& snapshot, const StepInfo& info) {
+    series(snapshot, info);
+    if (info.step % 20 == 0) states.push_back(snapshot.state());
   });
   series.write_index();
   const std::vector<GeometryFile> files = read_geometry_index(folder.path / "s.pvd");
@@ -163,9 +163,10 @@ BOOST_AUTO_TEST_CASE(histories_are_read_with_their_units) {
   const auto wrong = [&](const std::string& text) {
     return complaint([&] { static_cast<void>(read_history(folder.file("h.csv", text))); });
   };
-  BOOST_TEST(holds(wrong("time [s],x [m]\n0,1\n2\n"), "h.csv:3: found 1 numbers; its head has 2 columns"));
-  BOOST_TEST(holds(wrong("time [s],x [m]\n0,one\n"), "h.csv:2: x: found \"one\"; it must be a number"));
-  BOOST_TEST(holds(wrong("# only words\n"), "h.csv: found no head"));
+  BOOST_TEST(holds(wrong("time [s],x [m]\n0,1\n2\n"), "h.csv:3: found 1 cells; the header has 2"));
+  BOOST_TEST(
+      holds(wrong("time [s],x [m]\n0,one\n"), "h.csv:2: column 'x [m]': found 'one'; it must be a finite number"));
+  BOOST_TEST(holds(wrong("# only words\n"), "h.csv: found no header"));
 }
 
 BOOST_AUTO_TEST_CASE(what_no_run_left_is_named) {

@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(the_index_names_every_file_with_its_time) {
   const FenceInput input = sample();
   const Dynamics dynamics{input.made.scene.model};
   VtpSeries series{dynamics, folder.path, "a & \"b\"", 20};
-  run_fence(input, dynamics, 50, [&](const State& state, const StepInfo& info) { series(state, info); });
+  run_fence(input, dynamics, 50, std::ref(series));
   series.write_index();
   const ptree index = parsed(folder.path / "a & \"b\".pvd");
   BOOST_TEST(index.get<std::string>("VTKFile.<xmlattr>.type") == "Collection");
@@ -76,9 +76,9 @@ BOOST_AUTO_TEST_CASE(a_file_holds_outlines_and_cables) {
   const Dynamics dynamics{model};
   VtpSeries series{dynamics, folder.path, "s", 60};
   State seen;
-  run_fence(input, dynamics, 60, [&](const State& state, const StepInfo& info) {
-    series(state, info);
-    seen = state;
+  run_fence(input, dynamics, 60, [&](const Snapshot& snapshot, const StepInfo& info) {
+    series(snapshot, info);
+    seen = snapshot.state();
   });
   const ptree tree = parsed(folder.path / "s_geometry/s_00000060.vtp");
   BOOST_TEST(tree.get<std::string>("VTKFile.<xmlattr>.type") == "PolyData");

@@ -8,6 +8,7 @@
 #include "solver/base/error.hpp"
 #include "solver/run/failure_log.hpp"
 #include "solver/run/history.hpp"
+#include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/pendulum.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
@@ -42,9 +43,9 @@ class Leg {
 
   /// Goes on until so many steps are done.
   void run_to(long step) {
-    const Observer observers[] = {[this](const State& seen, const StepInfo& info) {
+    const Observer observers[] = {[this](const Snapshot& seen, const StepInfo& info) {
       recorder_(seen, info);
-      failures_(seen, info);
+      failures_(seen.state(), info);
     }};
     const double end = standing_.start + static_cast<double>(step) * plan_.step;
     const StopCondition stop = [end](const State& seen) { return seen.t >= end; };
@@ -64,8 +65,10 @@ class Leg {
              .held = standing_.state,
              .evaluations = standing_.evaluations,
              .rows = recorder_.history().rows};
-    for (const Recorder::Extreme& e : recorder_.extremes())
+    for (std::size_t i = 0; i < recorder_.extremes().size(); ++i) {
+      const Extreme e = recorder_.extremes()[i];
       all.extremes.insert(all.extremes.end(), {e.least, e.least_time, e.largest, e.largest_time});
+    }
     for (const Failure& failure : failures_.failures())
       all.failures += failure.part + " " + std::string{failure.what} + " at " + std::to_string(failure.time) + "\n";
     const Accounts& accounts = recorder_.accounts();

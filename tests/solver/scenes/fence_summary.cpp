@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(peaks_and_passage) {
   double deepest = 0.0;
   State exit;
   run.also = [&](const State& seen) {
-    recorder(seen, {0, 0, true, false, false, &seen});
+    recorder(Snapshot{run.dynamics, seen}, {0, 0, true, false, false, &seen});
     deepest = std::max(deepest, run.made.scene.initial.q[rock] - seen.q[rock]);
     if (run.summary().rocks.front().exit_time == seen.t) exit = seen;
   };
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(peaks_and_passage) {
     return recorder.extremes()[static_cast<std::size_t>(found - columns.begin())];
   };
   for (const SegmentRecord& segment : run.summary().segments) {
-    const Recorder::Extreme kept = peak(run.made.scene.model.cables[index(segment.cable)].name + ".tension");
+    const Extreme kept = peak(run.made.scene.model.cables[index(segment.cable)].name + ".tension");
     BOOST_TEST(segment.peak == kept.largest);
     BOOST_TEST(segment.peak_time == (kept.largest > 0.0 ? kept.largest_time : 0.0));
     BOOST_TEST(segment.margin() == kept.largest / 1e8);
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(peaks_and_passage) {
   double largest = 0.0;
   for (const ColumnRecord& c : run.summary().columns) {
     const std::string name = run.made.scene.model.bodies[index(c.body)].name;
-    const Recorder::Extreme kept = peak(name + ".x");
+    const Extreme kept = peak(name + ".x");
     BOOST_TEST(c.travel == std::max(-kept.least, kept.largest));  // columns start at x = 0
     largest = std::max(largest, c.travel);
   }
@@ -263,14 +263,14 @@ BOOST_AUTO_TEST_CASE(a_watch_goes_on) {
   Watched first{fence}, second{fence};
   const std::size_t half = seen.size() / 2;
   for (std::size_t i = 0; i < half; ++i)
-    first.watch(seen[i], {static_cast<long>(i), 0, false, false, false, &seen[i]});
+    first.watch(Snapshot{first.dynamics, seen[i]}, {static_cast<long>(i), 0, false, false, false, &seen[i]});
   Memory saving;
   first.watch.remember(saving);
   Memory putting_back{saving.items()};
   second.watch.remember(putting_back);
   BOOST_TEST(putting_back.left_over().empty());
   for (std::size_t i = half; i < seen.size(); ++i)
-    second.watch(seen[i], {static_cast<long>(i), 0, false, false, false, &seen[i]});
+    second.watch(Snapshot{second.dynamics, seen[i]}, {static_cast<long>(i), 0, false, false, false, &seen[i]});
   Memory one, other;
   whole.watch.remember(one);
   second.watch.remember(other);

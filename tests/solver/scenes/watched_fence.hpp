@@ -34,16 +34,16 @@ struct Watched {
     RunPlan plan = made.scene.plan;
     plan.end = end;
     Integrator integrator = made.scene.integrator;
-    const Observer observers[] = {[this](const State& seen, const StepInfo& info) {
+    const Observer observers[] = {[this](const Snapshot& seen, const StepInfo& info) {
       watch(seen, info);
-      also(seen);
+      also(seen.state());
     }};
     return simulate(system, integrator, state, plan, observers);
   }
   /// Shows a state made by hand.
   void show(State seen, double time) {
     seen.t = time;
-    watch(seen, {shown++, 0, true, false, false, &seen});
+    watch(Snapshot{dynamics, seen}, {shown++, 0, true, false, false, &seen});
   }
   const FenceSummary& summary() const { return watch.summary(); }
   std::size_t first(const char* body) const {

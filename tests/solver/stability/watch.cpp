@@ -30,10 +30,10 @@ WatchedRun run(Scene scene, double step, double end, const char* method = "veloc
   State state = scene.initial;
   system.begin(state);
   Watch watch{scene, dynamics, state};
-  watch.look(state, 0);
+  watch.look(Snapshot{dynamics, state}, 0);
   if (watch.breach().empty()) {
     long n = 0;
-    const Outcome outcome = simulate(system, scene.integrator, state, scene.plan, {}, [&](const State& seen) {
+    const Outcome outcome = simulate(system, scene.integrator, state, scene.plan, {}, [&](const Snapshot& seen) {
       watch.look(seen, ++n);
       return !watch.breach().empty();
     });
@@ -204,7 +204,7 @@ BOOST_AUTO_TEST_CASE(a_watch_put_back_goes_on) {
   State state = scene.initial;
   Watch watch{scene, dynamics, state}, other{scene, dynamics, state};
   long n = 0;
-  static_cast<void>(simulate(system, scene.integrator, state, scene.plan, {}, [&](const State& seen) {
+  static_cast<void>(simulate(system, scene.integrator, state, scene.plan, {}, [&](const Snapshot& seen) {
     watch.look(seen, ++n);
     return false;
   }));

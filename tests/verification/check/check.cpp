@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_fail) {
 
 // Rounded to two or three digits, .9996 and 1.0004 are both 1.
 BOOST_AUTO_TEST_CASE(a_printed_margin_shows_the_verdict) {
-  using talus::verification::margin_text;
+  using talus::records::margin_text;
   const double below = std::nextafter(1.0, 0.0), above = std::nextafter(1.0, 2.0);
   for (const int digits : {2, 3}) {
     BOOST_TEST(margin_text(0.9996, true, digits) == "0.999");

@@ -50,10 +50,3 @@ BOOST_AUTO_TEST_CASE(kind_words_and_relative_are_kept) {
   BOOST_TEST((relative.kind() == Kind::model));
   BOOST_TEST(Tolerance::exact("same bits").bound() == 0.0);
 }
-
-BOOST_AUTO_TEST_CASE(kinds_have_names_and_back) {
-  for (const Kind kind : {Kind::exact, Kind::round_off, Kind::truncation, Kind::model, Kind::interval}) {
-    BOOST_TEST((talus::verification::kind_named(talus::verification::name_of(kind)) == kind));
-  }
-  BOOST_CHECK_THROW((void)talus::verification::kind_named("about"), std::invalid_argument);
-}

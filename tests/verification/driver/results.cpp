@@ -14,11 +14,17 @@
 #include "tests/verification/driver/synthetic_cases.hpp"
 #include "verification/driver/case_run.hpp"
 #include "verification/driver/junit.hpp"
+#include "verification/driver/provenance.hpp"
 #include "verification/driver/terminal.hpp"
 
 using namespace talus::verification;
 
 namespace {
+
+nlohmann::json written(Results results) {
+  complete(results, read_catalogue(TALUS_CATALOGUE));
+  return nlohmann::json::parse(text_of(results));
+}
 
 Results one_case() {
   Results results;
@@ -65,7 +71,7 @@ BOOST_AUTO_TEST_CASE(a_selected_case_without_its_record_fails) {
 }
 
 BOOST_AUTO_TEST_CASE(requirements_are_traced_and_open_ones_are_shown) {
-  const auto json = nlohmann::json::parse(text_of(one_case()));
+  const auto json = written(one_case());
   bool traced = false;
   bool open = false;
   for (const auto& requirement : json.at("requirements")) {
@@ -80,7 +86,7 @@ BOOST_AUTO_TEST_CASE(requirements_are_traced_and_open_ones_are_shown) {
 }
 
 BOOST_AUTO_TEST_CASE(only_errata_of_registered_cases_are_printed) {
-  const auto json = nlohmann::json::parse(text_of(one_case()));
+  const auto json = written(one_case());
   BOOST_TEST(!json.at("errata").empty());
   for (const auto& erratum : json.at("errata"))
     BOOST_TEST(erratum.at("case") == "pivoted_cylinder");
@@ -88,7 +94,7 @@ BOOST_AUTO_TEST_CASE(only_errata_of_registered_cases_are_printed) {
 
 BOOST_AUTO_TEST_CASE(families_orders_and_peers_are_told) {
   Results results = one_case();
-  const auto json = nlohmann::json::parse(text_of(results));
+  const auto json = written(results);
   BOOST_TEST(json.at("cases").at(0).at("family") == "founding problems");
   BOOST_TEST(json.at("families").back() == "speed and accuracy");
   for (const auto& requirement : json.at("requirements"))
@@ -96,11 +102,16 @@ BOOST_AUTO_TEST_CASE(families_orders_and_peers_are_told) {
   for (const auto& peer : json.at("peers"))
     BOOST_TEST(peer.at("cases").empty());
   results.records[0].requirements.push_back({"C1", {"value"}});
-  const auto shown = nlohmann::json::parse(text_of(results));
+  const auto shown = written(results);
   std::size_t found = 0;
   for (const auto& peer : shown.at("peers"))
     found += peer.at("cases").size();
   BOOST_TEST(found == 2u);  // MFiX's DEM04 and LAMMPS's sphere that slides until it rolls
+}
+
+// The report sets the references of a run without another look at the sources.
+BOOST_AUTO_TEST_CASE(the_bibliography_is_recorded_as_it_is_in_the_file) {
+  BOOST_TEST(written(one_case()).at("bibliography") == read_catalogue(TALUS_CATALOGUE).bibliography.text);
 }
 
 BOOST_AUTO_TEST_CASE(the_line_of_a_failed_check_shows_an_error_above_its_bound) {

@@ -242,27 +242,22 @@ void draw_hanger(Findings& findings) {
       run_pair(strength, exact.slack_time / 480.0, 0.5, 1.1 * exact.slack_time, VelocityVerlet{}, findings, true);
   Series one{"anchor to mass, solver", {}, {}, Style::points}, two{"mass to mass, solver", {}, {}, Style::crosses};
   for (std::size_t i = 0; i < run.time.size(); i += 11) {
-    one.x.push_back(run.time[i]);
-    one.y.push_back(run.tension[i]);
-    two.x.push_back(run.time[i]);
-    two.y.push_back(run.second_tension[i]);
+    one.add(run.time[i], run.tension[i]);
+    two.add(run.time[i], run.second_tension[i]);
   }
   Series exact_one{"anchor to mass, exact", {}, {}, Style::lines},
       exact_two{"mass to mass, exact", {}, {}, Style::lines};
   for (int i = 0; i <= 200; ++i) {
     const double t = exact.time * i / 200.0;
     const reference::PairState s = reference::held_pair(pair, t);
-    exact_one.x.push_back(t);
-    exact_one.y.push_back(pair.stiffness_1 * s.b);
-    exact_two.x.push_back(t);
-    exact_two.y.push_back(pair.stiffness_2 * (s.c - s.b));
+    exact_one.add(t, pair.stiffness_1 * s.b);
+    exact_two.add(t, pair.stiffness_2 * (s.c - s.b));
   }
   for (int i = 0; i <= 200; ++i) {
     const double t = exact.time + (exact.slack_time - exact.time) * i / 200.0;
     const double tension = exact.merged_stiffness * reference::parted_pair(pair, exact, t).c;
     for (Series* s : {&exact_one, &exact_two}) {
-      s->x.push_back(t);
-      s->y.push_back(tension);
+      s->add(t, tension);
     }
   }
   findings.figure({.name = "hanger",

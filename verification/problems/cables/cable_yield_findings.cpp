@@ -8,6 +8,7 @@
 #include "verification/problems/cables/cable_findings.hpp"
 #include "verification/reference/cable_draw.hpp"
 #include "verification/study/cable_scenes.hpp"
+#include "verification/study/phases.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -76,10 +77,8 @@ DrawErrors draw_errors(const reference::YieldingCable& cable, double speed, doub
   const reference::CableDraw exact = reference::draw(cable, mass, speed);
   DrawErrors errors;
   PhaseError closure;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = offset_step(half_swing, count, i);
-    const CableRun run =
-        throws(law_of(cable, setup), {speed}, step, even_phases(fewest_phases)[i], setup, findings).front();
+  for (const auto& [i, step, phase] : offset_phases(half_swing, count)) {
+    const CableRun run = throws(law_of(cable, setup), {speed}, step, phase, setup, findings).front();
     errors.exit.add(-run.end.v[0] / exact.exit_speed - 1.0);
     errors.stretch.add(run.end.z[0] - exact.stretch);
     errors.lost.add(booked(run.end, Mechanism::cable_yield) - exact.lost);
@@ -137,8 +136,7 @@ void check_speeds(Findings& findings, const Setup& setup) {
               .caption =
                   "Throws on a perfectly plastic cable: exit speed over the smaller of $v$ and $Y/\\sqrt{km}$, and "
                   "residual stretch; 400 steps in half a swing, 64 phases.",
-              .columns = {"v sqrt(km)/Y", "exit speed", "solver, rms error", "stretch [m]", "solver, rms error"},
-              .rows = {}};
+              .columns = {"v sqrt(km)/Y", "exit speed", "solver, rms error", "stretch [m]", "solver, rms error"}};
   for (const double share : {0.5, 0.999, 1.001, 1.5, 2.0, 4.0}) {
     if (setup.coarse && share != 2.0) continue;
     const reference::CableDraw exact = reference::perfectly_plastic_draw(stiffness, yield, mass, share * limit);
@@ -169,10 +167,7 @@ Figure loops(const std::string& name, const std::string& title, const std::strin
              const std::vector<reference::CableDraw>& exact) {
   Series lines{"exact", {}, {}, Style::lines}, points{"solver", {}, {}, Style::points};
   double stretch = 0.0;
-  const auto to = [&](double e, double t) {
-    lines.x.push_back(e);
-    lines.y.push_back(t);
-  };
+  const auto to = [&](double e, double t) { lines.add(e, t); };
   to(0.0, 0.0);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     to(stretch, 0.0);
@@ -186,10 +181,8 @@ Figure loops(const std::string& name, const std::string& title, const std::strin
     to(exact[i].stretch + exact[i].peak_tension / stiffness, exact[i].peak_tension);
     to(exact[i].stretch, 0.0);
     stretch = exact[i].stretch;
-    for (std::size_t j = 0; j < runs[i].time.size(); j += 20) {
-      points.x.push_back(runs[i].elongation[j]);
-      points.y.push_back(runs[i].tension[j]);
-    }
+    for (std::size_t j = 0; j < runs[i].time.size(); j += 20)
+      points.add(runs[i].elongation[j], runs[i].tension[j]);
   }
   return {.name = name,
           .title = title,

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "verification/check/convergence.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
@@ -9,56 +7,13 @@
 #include "verification/study/cable_scenes.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/phases.hpp"
 
 namespace talus::verification::problems {
 
 Case cables();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** A mass falls or is thrown on a cable: elastic, with a dashpot, drawn out beyond its yield force, hardening,
-breaking. And two cables that share a hanger on a mass, which breaks: from then on they are one.
-
-```
-   anchor                 mass              anchor   b     c
-     |----------------------( )-->            |-----(o)---( )-->
-        T = k (e - p) <= Y(p)                   k1   |  k2
-                                                   hanger
-```
-
-**Equations.** With the elongation $e$ and the plastic stretch $p$ the tension is $k(e-p)$ as long as it is positive and
-below $Y(p)$; the cable is drawn out, $p$ grows, as it would pass $Y(p)$.
-
-| setting | exact |
-|:-----------|:-------------------|
-| fall by $h$, $d_s = mg/k$ | down to $d_s(1+\sqrt\sigma)$, $\sigma = 1+2h/d_s$ |
-| its period | $2\sqrt{2h/g} + (\pi + 2\arcsin\sigma^{-1/2})/\omega$ |
-| dashpot, no gravity | leaves at $e v$, $e = \exp(-2\xi\arccos(\xi)/\sqrt{1-\xi^2})$, with $\frac12 k e^2$ let go |
-| perfectly plastic | leaves at $Y/\sqrt{km}$ if $v$ is more, else $v$; $p = (\frac12mv^2 - Y^2/2k)/Y$ |
-| hardening | $\frac12mv^2 = \int_{p_0}^{p_1} Y\,dp + Y(p_1)^2/2k$; leaves at $Y(p_1)/\sqrt{km}$ |
-| breaks at $T$ | releases $T^2/2k$; the mass keeps $\sqrt{v^2 - T^2/km}$ |
-| hanger of strength $F$ | breaks when $T_2 - T_1 = F$; $F^2/2(k_1+k_2)$ is lost, then $1/k = 1/k_1 + 1/k_2$ |
-
-The next throw starts from the stretch that the last one left.
-
-**Energy.** What breaks is booked to the last bit, at the step that finds it overloaded, evenly up to a step late: rms
-$h/\sqrt3$ times the rate of what it changes. The work of yielding and of dashpots is booked with the velocity of half a
-step before: the ledger is open by $hYv_1/\sqrt3$ (rms over phases), $v_1$ the speed at the yield.
-
-**Source.** Mustoe & Huttelmaier 1993, section 2.4 and Eq. 14 (elastic and perfectly plastic; the rest is not in the
-report). Closed forms: energy balance, derived in the references' own comments.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $k$, $m$ | of the throws | 1, 1 |
-| $Y$, slope | of the cables that yield | .5; 0, .25 |
-| table | $(p, Y)$ | (0, .5) (.5, .75) (1.5, .75) (2, 1.25), then .1 |
-| $k_1$, $k_2$, $m_b$, $m_c$, $v$ | hanger | 3, 5, 2, 1, 1.5 |
-
-**What would break it.** A stretch that is forgotten or that grows below the yield force; hardening counted as lost; a
-break that keeps its energy or waits; cables without hanger that keep two tensions.
-)";
 
 constexpr reference::Bungee fall{40.0, 2.0, 10.0, 0.7};
 
@@ -151,11 +106,10 @@ void check_damped_throw(Findings& findings, const Setup& setup) {
   double wh = 0.0;
   const double held = 0.5 * exact.depth_at_end * exact.depth_at_end;
   const double eaten = 0.5 * (1.0 - exact.restitution * exact.restitution) - held;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = offset_step(exact.contact_time, 100.0, i);
+  for (const auto& [i, step, phase] : offset_phases(exact.contact_time, 100.0)) {
     wh += step / static_cast<double>(fewest_phases);
     State state = scene.initial;
-    state.q[0] -= even_phases(fewest_phases)[i] * step;
+    state.q[0] -= phase * step;
     const CableRun run = run_cables(scene, state, VelocityVerlet{}, {step, 20.0, true}, findings);
     exit.add(-run.end.v[0] / exact.restitution - 1.0);
     let_go.add(booked(run.end, Mechanism::cable_release) / held - 1.0);
@@ -225,7 +179,6 @@ Case cables() {
                           "energy lost by the hanger's break under step control",
                           "closure of the energy over its prediction, hanger that breaks"},
           .source = "Mustoe & Huttelmaier 1993, sections 2.4 and 3.3, Eq. 14",
-          .page = page,
           .faults = {{"weight_halved", "half the weight",
                       "depth of a fall, rms relative error at the smallest step, velocity_verlet"},
                      {"dashpot_halved", "half the dashpot",
@@ -244,8 +197,6 @@ Case cables() {
                       "closure of the energy over its prediction, hanger that breaks"},
                      {"two_cables_side_by_side", "after the break the sum of two stiffnesses",
                       "tension of two cables without hanger from that of one cable"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

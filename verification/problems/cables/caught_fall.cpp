@@ -3,55 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/damped_bounce.hpp"
 #include "verification/study/cable_scenes.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/phases.hpp"
+#include "verification/study/predicted_errors.hpp"
 
 namespace talus::verification::problems {
 
 Case caught_fall();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** A mass falls into a cable with a dashpot. On the way back the dashpot would push before the spring is
-slack: the cable lets go where its tension vanishes, still longer than at rest, and the mass rises freely from there.
-Its weight acts all the time, so that the speed it comes back with is less than that of an impact without weight.
-
-```
-   ---------
-      |           v0 down at x = 0, e v0 up at x = 0
-      |           T = k x + c x' > 0, else 0
-     ( )   x = 0
-      |           let go at T = 0, x > 0
-      v
-```
-
-**Equations.** $\ddot x + 2\xi\omega\dot x + \omega^2x = g$ while $T > 0$, then $\ddot x = g$. With $G = g/(\omega v_0)$
-and, without weight, $e_0 = \exp(-2\xi\arccos(\xi)/\sqrt{1-\xi^2})$,
-$$e = e_0 - 2\xi(1+e_0)\,G + O(G^2).$$
-The reference solves the pieces at 50 digits.
-
-**Error of a step.** Velocity Verlet is exact while the cable is slack. Taut, its dashpot sees the velocity of half a
-step before: $\ddot x(1 - \xi\omega h)$, the same fall with $\omega$, $\xi$ and $g$ greater by the shares
-$\frac12$, $\frac12$ and $1$ of $\xi\omega h$. And the force leaps to $cv_0$ at a moment known to $\pm h/2$, evenly:
-$v_0$ is off by $2\xi\omega h\,u$, $u$ of variance 1/12. Both, put into the reference, predict the error.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $k$, $m$, $v_0$ | cable, mass, speed as it is taut | 1, 1, 1 (no units) |
-| $\xi$ | damping ratio $c/(2\sqrt{km})$ | .2 |
-| $G$ | weight | 0, .03, .1, .3 |
-| $h$ | step | $T/(50 + f)$ of the time taut, an $f$ of its own for each of 64 phases |
-
-**Source.** Mustoe & Huttelmaier 1993, Eq. 14, with a dashpot; pieces derived in the reference's own comment.
-
-**What would break it.** A dashpot that pushes; a cable that lets go at its rest length; the energy left in it given
-back; a weight left out while it is taut.
-)";
 
 constexpr double damping_ratio = 0.2, production_steps = 50.0;
 
@@ -106,9 +70,8 @@ Catches catches(double gravity, double steps, const Setup& setup, Findings& find
   const double exact = exact_restitution(gravity);
   const double taut = exact_catch(1.0, damping_ratio, gravity, 1.0).end_time;
   Catches all;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = offset_step(taut, steps, i);
-    const Catch found = caught(gravity, step, even_phases(fewest_phases)[i], setup, findings);
+  for (const auto& [i, step, phase] : offset_phases(taut, steps)) {
+    const Catch found = caught(gravity, step, phase, setup, findings);
     all.error.add(found.restitution / exact - 1.0);
     all.least_tension = std::min(all.least_tension, found.least_tension);
     all.step += step / static_cast<double>(fewest_phases);
@@ -121,8 +84,7 @@ void check_speeds(Findings& findings, const Setup& setup) {
               .caption =
                   "Speed at $x = 0$ on the way back over that on the way in, exact, to first order in the weight, "
                   "and the solver's relative error at 50 steps (root mean square over 64 phases).",
-              .columns = {"G", "exact", "first order", "error", "predicted"},
-              .rows = {}};
+              .columns = {"G", "exact", "first order", "error", "predicted"}};
   const double without = exact_restitution(0.0);
   double least = 0.0;
   for (const double gravity : {0.0, 0.03, 0.1, 0.3}) {
@@ -146,46 +108,35 @@ void check_speeds(Findings& findings, const Setup& setup) {
 
 void check_order(Findings& findings, const Setup& setup) {
   constexpr double gravity = 0.1;
-  Convergence found;
-  Series line{"predicted", {}, {}, Style::lines};
-  for (const double n : doublings(16.0, 5)) {
+  const PredictedErrors errors = predicted_errors(doublings(16.0, 5), [&](double n) {
     const Catches all = catches(gravity, n, setup, findings);
-    found.add(1.0 / n, all.error.rms());
-    line.x.push_back(1.0 / n);
-    line.y.push_back(predicted_error(gravity, all.step));
-  }
-  findings.expect_order("order of e of a caught fall", found, 0.97, 1.02,
+    return std::array{1.0 / n, all.error.rms(), predicted_error(gravity, all.step)};
+  });
+  findings.expect_order("order of e of a caught fall", errors.found(), 0.97, 1.02,
                         "the leap of the force and the lag of the dashpot; the next power of the step tilts the line");
   findings.figure({.name = "error",
                    .title = "Error of the speed on the way back",
                    .caption = "G = .1, root mean square over 64 phases. Line: predicted from lag and leap.",
                    .x = {.label = "step / time taut", .log = true},
                    .y = {.label = "relative error", .log = true},
-                   .series = {{"velocity Verlet", found.steps(), found.errors(), Style::points}, line}});
+                   .series = {errors.points("velocity Verlet"), errors.line()}});
 }
 
 void show_weights(Findings& findings, const Setup& setup) {
-  Series exact{"exact", {}, {}, Style::lines}, first{"first order in G", {}, {}, Style::lines},
-      points{"velocity Verlet, 800 steps", {}, {}, Style::points};
+  const std::vector<double> weights = multiples(0.025, 0, 12);
   const double without = exact_restitution(0.0);
-  for (int i = 0; i <= 12; ++i) {
-    const double gravity = 0.025 * i;
-    exact.x.push_back(gravity);
-    exact.y.push_back(exact_restitution(gravity));
-    first.x.push_back(gravity);
-    first.y.push_back(without - 2.0 * damping_ratio * (1.0 + without) * gravity);
-    if (i % 2 != 0) continue;
-    points.x.push_back(gravity);
-    points.y.push_back(caught(gravity, 0.0035, 0.5, setup, findings).restitution);
-  }
-  findings.figure({.name = "weight",
-                   .title = "What the weight takes",
-                   .caption =
-                       "Speed on the way back over $v_0$, at $x = 0$: the formula without weight holds at $G = 0$ "
-                       "only.",
-                   .x = {.label = "G = g/(w v0)"},
-                   .y = {.label = "e"},
-                   .series = {exact, first, points}});
+  const auto first_order = [&](double g) { return without - 2.0 * damping_ratio * (1.0 + without) * g; };
+  Series found{"velocity Verlet, 800 steps", {}, {}, Style::points};
+  for (std::size_t i = 0; i < weights.size(); i += 2)
+    found.add(weights[i], caught(weights[i], 0.0035, 0.5, setup, findings).restitution);
+  findings.figure(
+      {.name = "weight",
+       .title = "What the weight takes",
+       .caption = "Speed on the way back over $v_0$, at $x = 0$: the formula without weight holds at $G = 0$ "
+                  "only.",
+       .x = {.label = "G = g/(w v0)"},
+       .y = {.label = "e"},
+       .series = {curve("exact", weights, exact_restitution), curve("first order in G", weights, first_order), found}});
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -207,13 +158,10 @@ Case caught_fall() {
                            {"integrator.velocity_verlet", {"order of e of a caught fall"}}},
           .main_checks = {speeds + "0.03", speeds + "0.1", "order of e of a caught fall"},
           .source = "Mustoe & Huttelmaier 1993, Eq. 14",
-          .page = page,
           .faults = {{"weight_left_out", "no weight", speeds + "0.1"},
                      {"dashpot_stronger", "the dashpot 2 % stronger", speeds + "0.1"},
                      {"read_where_seen_slack", "the speed read at the first slack step instead of at x = 0",
                       speeds + "0.1"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

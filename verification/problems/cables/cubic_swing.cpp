@@ -3,12 +3,12 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/mid_span.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
@@ -16,38 +16,6 @@ namespace talus::verification::problems {
 Case cubic_swing();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** A mass is fixed at mid-span of two cables that are straight and without tension. Pushed aside it feels no
-linear force at all: the cables must first grow longer, which they do with the square of the way, and pull back with
-its cube. The period goes to infinity as the swing grows small.
-
-```
-   |-------- L, k --------(m)-------- L, k --------|
-                           | w
-                           v  P(w)
-```
-
-**Equations.** $P(w) = 2k\,\big(1 - L/\sqrt{L^2+w^2}\big)\,w = kw^3/L^2 + \dots$ For small $w$, with
-$\beta = k/(mL^2)$,
-$$\ddot w + \beta w^3 = 0, \qquad T = \frac{\Gamma(1/4)^2}{\sqrt\pi\,A\sqrt\beta} = \frac{7.41630}{A\sqrt\beta}.$$
-A finite swing lasts longer by $(\frac18 + \frac32r^2)(A/L)^2 = .29636\,(A/L)^2$ of it, $r = \Gamma(3/4)/\Gamma(1/4)$,
-and one in steps of length $h$ shorter by $\frac{12r^2-1}{24}\beta A^2h^2 = .84988\,(h/T)^2$: the energy that velocity
-Verlet keeps, derived in the reference. A start at rest has no onset within a step: the motion is smooth, the order
-that of the method.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $k$, $L$, $m$ | each cable, half the span, mass | 1, 1, 1 (no units) |
-| $A$ | amplitude | .02 ... .16 |
-| $h$ | step, over $T$ | 1/80.4 ... 1/640.4; 1/2000.4 for the amplitudes |
-
-**Source.** Duffing's equation without linear term, Kovacic & Brennan 2011, section 2; the finite swing by quadrature at
-50 digits.
-
-**What would break it.** A cable with a trace of tension or of slack; an elongation to first order in $w$ (which is
-zero); lengths taken from the start of a step.
-)";
 
 constexpr reference::MidSpan span{1.0, 1.0, 1.0};
 
@@ -79,18 +47,15 @@ double period(double amplitude, double steps, const Setup& setup) {
 void check_steps(Findings& findings, const Setup& setup) {
   constexpr double amplitude = 0.02;
   const double exact = reference::mid_span_period(span, amplitude);
-  Convergence found;
-  Series line{"predicted", {}, {}, Style::lines};
-  for (const double n : doublings(80.0, setup.coarse ? 2 : 4)) {
+  const PredictedErrors errors = predicted_errors(doublings(80.0, setup.coarse ? 2 : 4), [&](double n) {
     const double steps = n + 0.381966;
-    found.add(1.0 / steps, std::abs(period(amplitude, steps, setup) / exact - 1.0));
-    line.x.push_back(1.0 / steps);
-    line.y.push_back(-reference::longer_by_steps(span, amplitude, exact / steps));
-  }
-  findings.expect_order("order of the period in the step", found, 1.99, 2.01,
+    return std::array{1.0 / steps, std::abs(period(amplitude, steps, setup) / exact - 1.0),
+                      -reference::longer_by_steps(span, amplitude, exact / steps)};
+  });
+  findings.expect_order("order of the period in the step", errors.found(), 1.99, 2.01,
                         "smooth motion: even powers of the step only; at 80 steps the fourth order is some "
                         "thousandths of the second");
-  findings.expect("period, error of the smallest step over its prediction", found.errors().back() / line.y.back(), 1.0,
+  findings.expect("period, error of the smallest step over its prediction", errors.last_ratio(), 1.0,
                   Tolerance::model(setup.coarse ? 0.01 : 1e-3,
                                    "the prediction is that of the cubic oscillator: (A/L)^2 = 4e-4, and the next power "
                                    "of the step"));
@@ -99,7 +64,7 @@ void check_steps(Findings& findings, const Setup& setup) {
                    .caption = "Amplitude .02 L, against the exact period of the finite swing.",
                    .x = {.label = "step / period", .log = true},
                    .y = {.label = "relative error of the period", .log = true},
-                   .series = {{"velocity Verlet", found.steps(), found.errors(), Style::points}, line}});
+                   .series = {errors.points("velocity Verlet"), errors.line()}});
 }
 
 void check_amplitudes(Findings& findings, const Setup& setup) {
@@ -109,8 +74,7 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
   for (const double amplitude : {0.02, 0.04, 0.08, 0.16, 0.4, 1.0, 2.5}) {
     if (amplitude > (setup.coarse ? 0.05 : 3.0)) break;
     const double found = period(amplitude, 2000.381966, setup);
-    points.x.push_back(amplitude);
-    points.y.push_back(found);
+    points.add(amplitude, found);
     if (amplitude < 0.2) longer.add(amplitude, found / reference::cubic_period(span, amplitude) - 1.0);
   }
   findings.expect("period at A = .02 L from the cubic oscillator's", points.y.front(),
@@ -125,10 +89,8 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
   findings.expect_order("order of the lengthening in the amplitude", longer, 1.99, 2.01,
                         "even in A; at A = .16 L the next power is less than a hundredth");
   for (double a = 0.02; a < 2.6; a *= 1.3) {
-    exact.x.push_back(a);
-    exact.y.push_back(reference::mid_span_period(span, a));
-    cubic.x.push_back(a);
-    cubic.y.push_back(reference::cubic_period(span, a));
+    exact.add(a, reference::mid_span_period(span, a));
+    cubic.add(a, reference::cubic_period(span, a));
   }
   findings.figure(
       {.name = "period",
@@ -146,15 +108,14 @@ void check_balance(Findings& findings, const Setup& setup) {
   for (const double w : {0.01, -0.1, 0.5, -1.0, 3.0}) {
     const double stretch = std::hypot(1.0, w) - 1.0;
     double away = 0.0;
-    const Observer watch = [&](const State& state, const StepInfo&) {
+    const Watcher watch = [&](const State& state, const StepInfo&) {
       const double now = std::abs(state.q[0] / w - 1.0);
-      if (!(now <= away)) away = now;
+      keep_worst(away, now);
     };
-    const RunEnd end = run_steps(mid_span(w, reference::mid_span_force(span, w), setup),
-                                 make_integrator("velocity_verlet"), 0.05 / std::abs(w), 1000, {&watch, 1});
-    findings.count(static_cast<std::uint64_t>(end.evaluations));
+    run_steps(mid_span(w, reference::mid_span_force(span, w), setup), make_integrator("velocity_verlet"),
+              0.05 / std::abs(w), 1000, findings, watch);
     const double share = away * stretch / (1.0 + stretch);
-    if (!(share <= largest)) largest = share;
+    keep_worst(largest, share);
   }
   findings.expect(
       "loads P(w) at rest at w, largest relative way over that of a rounded length", largest, 0.0,
@@ -185,13 +146,10 @@ Case cubic_swing() {
                            {"integrator.velocity_verlet", {"order of the period in the step"}}},
           .main_checks = {limit, steps, loads},
           .source = "Kovacic & Brennan (eds.), The Duffing Equation, 2011, section 2",
-          .page = page,
           .faults = {{"trace_of_tension", "cables shorter by 1e-6", steps},
                      {"trace_of_slack", "cables longer by 1e-6", loads},
                      {"one_cable_softer", "one cable softer by .1 %", limit},
                      {"rk4", "another method", "order of the period in the step"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -4,57 +4,19 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/cable_scenes.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/phases.hpp"
+#include "verification/study/predicted_errors.hpp"
 
 namespace talus::verification::problems {
 
 Case snatched_cable();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** A mass thrown outward draws a slack cable taut and is pulled back until it is slack again. When within a
-step the cable becomes taut is chance; how much of the largest tension hangs on that?
-
-```
-  |                    T
-  |~~~~~~~( )-->            __ T_max
-  |                       /    \
-                   ------/      \------   slack, taut, slack
-                        b h: the onset, a share of a step before the next force
-```
-
-**Equations.** Undamped $T_{max} = v_0\sqrt{km}$. With a dashpot, $\xi < 1/2$, the tension is largest where $x''' = 0$,
-$T_{max} = v_0\sqrt{km}\,\exp\!\big(-\xi(3\arccos\xi - \pi)/\sqrt{1-\xi^2}\big)$.
-
-**Error of a step, undamped.** The first step of the taut cable comes the share $b$ of a step after the onset. It makes
-the half kick $-\frac12\omega^2h\,x$; from then on velocity Verlet keeps $v^2 + \omega^2x^2(1 - \omega^2h^2/4)$. The
-top lies the share $s$, $|s| \le \frac12$, from the nearest step. Together
-$$\frac{\delta T}{T} = \omega^2h^2\Big[\frac18 - \frac{b(1-b)}2 - \frac{s^2}2\Big],$$
-between $-\frac18$ and $+\frac18$ of $\omega^2h^2$ whatever the phase. For even $b$ and $s$ its mean is zero, its root
-mean square $\omega^2h^2/\sqrt{360}$.
-
-**With a dashpot** the force leaps at a moment known to $\pm h/2$: $v_0$ is off by $2\xi\omega h\,u$, $u$ of variance
-1/12. The dashpot sees the velocity of half a step before, which is a mass of $m(1-\xi\omega h)$; the tension of a state
-takes that of its own time, which is $1 - \xi\omega h$ of the former at the top. With $E(\xi)$ the exponential above
-the shift of $\ln T$ is $\big[-\frac\xi2 + \frac{\xi^2}2\frac{d\ln E}{d\xi}\big]\omega h$.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $k$, $m$, $v_0$ | cable, mass, speed | 1, 1, 1 (no units) |
-| $\xi$ | damping ratio $c/(2\sqrt{km})$ | 0, .1, .3 |
-| $h$ | step | $T/(50+f)$ of the time taut, 64 phases; in the order studies from $T/16$ on |
-
-**Source.** Mustoe & Huttelmaier 1993, Eq. 14; errors derived here.
-
-**What would break it.** A cable that becomes taut a step late, or with the force of the step's end; a tension of the
-step before.
-)";
 
 reference::ImpactEvents exact_snatch(double xi) {
   return reference::impact_events({1.0, 2.0 * xi, 1.0, 1.0}, reference::EndRule::clamped);
@@ -103,9 +65,8 @@ struct Snatches {
 Snatches snatches(double xi, double steps, const Setup& setup, Findings& findings) {
   const reference::ImpactEvents exact = exact_snatch(xi);
   Snatches all;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = offset_step(exact.contact_time, steps, i);
-    const Snatch found = snatched(xi, step, even_phases(fewest_phases)[i], setup, findings);
+  for (const auto& [i, step, phase] : offset_phases(exact.contact_time, steps)) {
+    const Snatch found = snatched(xi, step, phase, setup, findings);
     all.error.add(found.tension / exact.largest_force - 1.0);
     all.step += step / static_cast<double>(fewest_phases);
     all.slack = all.slack && found.slack;
@@ -120,12 +81,10 @@ void check_undamped(Findings& findings, const Setup& setup) {
   for (const double phase : even_phases(fewest_phases)) {
     const double error = (snatched(0.0, step, phase, setup, findings).tension - 1.0) / (step * step);
     const double predicted = phase_error(step, phase);
-    points.x.push_back(phase);
-    points.y.push_back(error);
-    line.x.push_back(phase);
-    line.y.push_back(predicted);
-    if (!(std::abs(error - predicted) <= farthest)) farthest = std::abs(error - predicted);
-    if (!(std::abs(error) <= largest)) largest = std::abs(error);
+    points.add(phase, error);
+    line.add(phase, predicted);
+    keep_worst(farthest, std::abs(error - predicted));
+    keep_worst(largest, std::abs(error));
   }
   findings.expect(
       "largest tension undamped, error of each phase from its prediction, over (w h)^2", farthest, 0.0,
@@ -146,34 +105,30 @@ void check_orders(Findings& findings, const Setup& setup) {
                 .title = "Error of the largest tension against the step",
                 .caption = "Root mean square over 64 phases. Lines: predicted.",
                 .x = {.label = "step / time taut", .log = true},
-                .y = {.label = "relative error", .log = true},
-                .series = {}};
+                .y = {.label = "relative error", .log = true}};
   bool slack = true;
   for (const double xi : {0.0, 0.1, 0.3}) {
     if (setup.coarse && xi != 0.3) continue;
     const std::string name = xi == 0.0 ? std::string{"undamped"} : fmt::format("xi = {:g}", xi);
-    Convergence found;
-    Series line{name + ", predicted", {}, {}, Style::lines};
+    PredictedErrors errors;
     for (const double n : doublings(setup.coarse ? 128.0 : 16.0, setup.coarse ? 1 : 4)) {
       const Snatches all = snatches(xi, n, setup, findings);
-      found.add(1.0 / n, all.error.rms());
-      line.x.push_back(1.0 / n);
-      line.y.push_back(predicted_rms(xi, all.step));
+      errors.add(1.0 / n, all.error.rms(), predicted_rms(xi, all.step));
       slack = slack && all.slack;
     }
-    findings.expect("largest tension, rms error at the smallest step over its prediction, " + name,
-                    found.errors().back() / line.y.back(), 1.0,
+    findings.expect("largest tension, rms error at the smallest step over its prediction, " + name, errors.last_ratio(),
+                    1.0,
                     xi == 0.0 ? Tolerance::model(0.05,
                                                  "the prediction is that of even and independent phases of onset and "
                                                  "top; 64 pairs leave some hundredths")
                               : Tolerance::model(0.02, "the next power of the step, w h = .024"));
     if (!setup.coarse)
-      findings.expect_order("order of the largest tension, " + name, found, xi == 0.0 ? 1.9 : 0.9,
+      findings.expect_order("order of the largest tension, " + name, errors.found(), xi == 0.0 ? 1.9 : 0.9,
                             xi == 0.0 ? 2.1 : 1.1,
                             xi == 0.0 ? "the slope of the tension jumps as the cable is taut: h^2"
                                       : "the tension jumps as the cable is taut, and its dashpot lags: h");
-    figure.series.push_back({name, found.steps(), found.errors(), Style::points});
-    figure.series.push_back(line);
+    figure.series.push_back(errors.points(name));
+    figure.series.push_back(errors.line(name + ", predicted"));
   }
   findings.expect_true("every throw ends slack and on its way back", slack, "no mode is left behind at any phase");
   if (!setup.coarse) findings.figure(figure);
@@ -197,12 +152,9 @@ Case snatched_cable() {
                            {"integrator.velocity_verlet", {"order of the largest tension"}}},
           .main_checks = {phases, damped},
           .source = "Mustoe & Huttelmaier 1993, Eq. 14",
-          .page = page,
           .faults = {{"cable_softer", "a cable softer by .1 %", phases},
                      {"rk4", "another method", phases},
                      {"dashpot_stronger", "the dashpot 5 % stronger", damped}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -1,5 +1,3 @@
-#include "verification/reference/stretched_chain.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,8 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
+#include "verification/reference/stretched_chain.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
@@ -17,39 +17,6 @@ namespace talus::verification::problems {
 Case stretched_chain();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** Eight masses hang in a row between two walls, on cables that are stretched to twice their length. As long
-as none goes slack the row is linear, and all its frequencies are known: along the row and, in small swings, across.
-
-```
-  |/|---(1)---(2)---(3)---  ...  ---(8)---|/|     T0 = k (L - l0)
-            along:  <->        across:  ^ v
-```
-
-**Equations.** Along the row $m\ddot x_i = k(x_{i+1} - 2x_i + x_{i-1})$; across, a cable of tension $T_0$ and length
-$L$ pulls back with $T_0/L$ in place of $k$. The shapes $\sin(ij\pi/(n+1))$ decouple both:
-$$\omega_j = 2\sqrt{\frac km}\,\sin\frac{j\pi}{2(n+1)}, \qquad
-\text{across: } 2\sqrt{\frac{T_0}{mL}}\,\sin\frac{j\pi}{2(n+1)}.$$
-
-**In steps.** Velocity Verlet solves $q(t+h) - 2q(t) + q(t-h) = -\omega^2h^2q(t)$, which swings at a frequency of its
-own, $\sin(\Omega h/2) = \omega h/2$: against this, and not against $\omega$, the solver is held, at round-off. Beyond
-$\omega_n h = 2$ the last mode grows by $g = (c + \sqrt{c^2-1})^2$, $c = \omega_nh/2$, in a step. All modes swing at
-once; the frequency of one is the phase of its $q + i\,v/(\omega\cos(\Omega h/2))$, turns counted, over the time.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $n$, $m$, $k$ | masses, cables | 8, 1, 1 (no units) |
-| $L$, $l_0$ | distance of neighbours, unstretched length | 1, .5 |
-| amplitude | of each mode, along; across | .03; $10^{-7}$ |
-| $h$ | steps, over the limit $2/\omega_8$ | .25, .5, .9, .999; 1.02 |
-
-**Source.** Textbook mechanics (Rayleigh 1877, The Theory of Sound I, chapter VI); numerical frequency derived in the
-reference.
-
-**What would break it.** A cable whose far end pulls by another bit than its near end; a tension from the total
-length; a force across that follows $k$ instead of $T_0/L$; a kick at the wrong time.
-)";
 
 constexpr reference::StretchedChain chain{8, 1.0, 1.0};
 constexpr double spacing = 1.0, rest_length = 0.5;
@@ -136,7 +103,7 @@ Swings swings(Way way, double amplitude, double h, const Setup& setup, Findings&
     scale.push_back(1.0 / (exact * std::sqrt((1.0 - 0.5 * exact * h) * (1.0 + 0.5 * exact * h))));
   }
   Swings found{.frequencies = std::vector<double>(modes)};
-  const Observer watch = [&](const State& state, const StepInfo& info) {
+  const Watcher watch = [&](const State& state, const StepInfo& info) {
     const std::vector<double> q = displacements(state, way);
     for (std::size_t j = 0; j < modes; ++j) {
       const double at = view(q, j), angle = std::atan2(-scale[j] * view(state.v, j), at);
@@ -144,13 +111,12 @@ Swings swings(Way way, double amplitude, double h, const Setup& setup, Findings&
       last[j] = angle;
       const double exact = amplitude * std::cos(numerical[j] * h * static_cast<double>(info.step));
       const double error = std::abs(at - exact) / amplitude;
-      if (!(error <= found.error)) found.error = error;
+      keep_worst(found.error, error);
     }
   };
   const Scene scene = chain_scene(way, std::vector<double>(modes, amplitude), setup);
   const Integrator method = make_integrator(setup.has("rk4") ? "rk4" : "velocity_verlet");
-  const RunEnd end = run_steps(scene, method, h, steps, {&watch, 1});
-  findings.count(static_cast<std::uint64_t>(end.evaluations));
+  const RunEnd end = run_steps(scene, method, h, steps, findings, watch);
   for (std::size_t j = 0; j < modes; ++j)
     found.frequencies[j] = (2.0 * std::numbers::pi * turns[j] + last[j]) / (h * static_cast<double>(steps));
   if (!std::isfinite(end.state.q[0])) found.error = NAN;
@@ -165,7 +131,7 @@ double frequency_error(const Swings& found, Way way, double h) {
   double largest = 0.0;
   for (std::size_t j = 0; j < modes; ++j) {
     const double error = std::abs(found.frequencies[j] / reference::leapfrog_frequency(w[j], h) - 1.0);
-    if (!(error <= largest)) largest = error;
+    keep_worst(largest, error);
   }
   return largest;
 }
@@ -181,10 +147,8 @@ void check_frequencies(Findings& findings, const Setup& setup) {
                 .x = {.label = "w h"},
                 .y = {.label = "W / w"},
                 .series = {{"sin(W h/2) = w h/2", {}, {}, Style::lines}}};
-  for (int i = 1; i <= 200; ++i) {
-    figure.series[0].x.push_back(0.01 * i);
-    figure.series[0].y.push_back(reference::leapfrog_frequency(0.01 * i, 1.0) / (0.01 * i));
-  }
+  for (int i = 1; i <= 200; ++i)
+    figure.series[0].add(0.01 * i, reference::leapfrog_frequency(0.01 * i, 1.0) / (0.01 * i));
   const auto w = reference::chain_frequencies(chain);
   double worst = 0.0, farthest = 0.0, across = 0.0;
   for (const double share : shares) {
@@ -228,13 +192,11 @@ Series last_mode(double share, long count, const Setup& setup, Findings& finding
   std::vector<double> amplitudes(modes, 0.0);
   amplitudes.back() = 1e-9;
   Series series{fmt::format("h = {:g} of the limit", share), {}, {}, Style::points};
-  const Observer watch = [&](const State& state, const StepInfo& info) {
-    series.x.push_back(static_cast<double>(info.step));
-    series.y.push_back(std::abs(view(displacements(state, Way::along), modes - 1)));
+  const Watcher watch = [&](const State& state, const StepInfo& info) {
+    series.add(static_cast<double>(info.step), std::abs(view(displacements(state, Way::along), modes - 1)));
   };
-  const RunEnd end = run_steps(chain_scene(Way::along, amplitudes, setup), make_integrator("velocity_verlet"),
-                               share * limit(Way::along), count, {&watch, 1});
-  findings.count(static_cast<std::uint64_t>(end.evaluations));
+  run_steps(chain_scene(Way::along, amplitudes, setup), make_integrator("velocity_verlet"), share * limit(Way::along),
+            count, findings, watch);
   return series;
 }
 
@@ -286,14 +248,11 @@ Case stretched_chain() {
                            {"integrator.velocity_verlet", {"frequencies along", "displacements of all modes"}}},
           .main_checks = {along, across, growth},
           .source = "Rayleigh 1877, The Theory of Sound I, chapter VI",
-          .page = page,
           .faults = {{"third_mass_heavier", "one mass heavier by 1e-9", along},
                      {"first_cable_softer", "one cable softer by 1e-9", along},
                      {"first_cable_longer", "one cable longer by 1e-8", across},
                      {"rk4", "another method", along},
                      {"step_within_the_limit", "a step of .999 of the limit", growth}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
@@ -12,37 +11,6 @@ namespace talus::verification::problems {
 Case rough_cell();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** The cell of case `shear_cell` with discs that rub each other and turn: springs with dashpots, and friction with
-memory. Where does the drive's work go, who bears the momentum, and do the discs turn as the flow does?
-
-```
-     ->  ->  ->   block               friction on both discs of a contact turns both the same way,
-   (o)  (o)  (o)  each turns          so that the mean of their spins is that of the flow:
-     (o)  (o)     clockwise           spin = -1/2 du/dy
-   base, held
-```
-
-**Equations.** Momentum of the free discs, $\int(F_\text{block} + F_\text{base})\,dt = -\Delta\sum m v$, tangential forces and all.
-Energy: the drive's work is the growth of what moves, turns and is stored, plus what dashpots and friction keep; powers are
-taken at the velocities of before a kick, so that the account is off by the first order of the step: of a dashpot's loss by
-the share $2\,\xi\,\omega_0 h$, from $\sum c\,v_n^2 h - \int c\,v^2 dt = \tfrac{h}{2} c\,(v_\text{in}^2 - v_\text{out}^2)$. Spin: in a steady flow no
-disc is turned faster and faster, so the torques of friction on the free discs vanish in the mean. Two discs that touch along
-$n$ slip by $-D\,(\dot\gamma\,n_y^2 + \omega)$ in the mean; with contacts all around, $\langle n_y^2\rangle = \tfrac12$, neither way more than the
-other if $\omega = -\dot\gamma/2$.
-
-| symbol | meaning | value |
-|:--|:-----|:-----|
-| $k_n$, $e$, $k_s/k_n$, $\mu$ | spring and dashpot, friction | 20.3 kN/m, .7, .7, .5 |
-| cell | 80 discs of 1 mm, 8 kPa, 5000 diameters a second | see case `shear_cell` |
-| $h$, $T$ | central difference, 20 steps in a contact (240 for energy) | .61 us, .2 s, a quarter left out |
-
-**Source.** Textbook mechanics; friction by Cundall & Strack (1979); the spin is derived here.
-
-**What would break it.** A torque of the wrong sign on one of two discs, or of the wrong arm; friction that is left out of the
-walls' forces; work of the slider that is booked twice, or not where a contact ends; kinetic energy without that of spin.
-)";
 
 ShearCell cell_with(const Setup& setup) {
   ShearCell cell = ice_cell(8e3, 5e3);
@@ -57,7 +25,7 @@ void expect_balances(Findings& findings, const Setup& setup) {
   CellRun run{cell, cell_plan(cell, 1.5e-2, steps)};
   const Discs before = run.discs();
   run_to_end(run);
-  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  findings.count(run.evaluations());
   const Discs after = run.discs();
   Vec2 gained;
   double spin_energy = 0.0;
@@ -103,10 +71,8 @@ class Accounts {
     if (looks() == 0) held_ = ledger.held();
     const double kept = ledger.dissipated - ledger.rubbed;
     const std::array<double, 4> numbers{ledger.driven, kept, ledger.rubbed, ledger.held() - held_};
-    for (std::size_t i = 0; i < series_.size(); ++i) {
-      series_[i].x.push_back(1e3 * static_cast<double>(run.steps()) * run.plan().step);
-      series_[i].y.push_back(numbers[i] / unit_);
-    }
+    for (std::size_t i = 0; i < series_.size(); ++i)
+      series_[i].add(1e3 * static_cast<double>(run.steps()) * run.plan().step, numbers[i] / unit_);
   }
   void draw(Findings& findings) const {
     findings.figure(
@@ -122,24 +88,23 @@ class Accounts {
 
  private:
   double unit_{}, held_{};
-  std::array<Series, 4> series_{Series{.label = "drive", .x = {}, .y = {}, .style = Style::lines},
-                                Series{.label = "dashpots", .x = {}, .y = {}, .style = Style::lines},
-                                Series{.label = "friction", .x = {}, .y = {}, .style = Style::lines},
-                                Series{.label = "held", .x = {}, .y = {}, .style = Style::lines}};
+  std::array<Series, 4> series_{
+      Series{.label = "drive", .style = Style::lines}, Series{.label = "dashpots", .style = Style::lines},
+      Series{.label = "friction", .style = Style::lines}, Series{.label = "held", .style = Style::lines}};
 };
 
 /// Draws spins over the height beside half of how fast the layers pass each other; their ratio in layers that are two
 /// diameters from both walls. Above them the block rises and falls through layers of few discs.
 double spins_over_rates(Findings& findings, const CellRun& run, double depth) {
-  Series spins{.label = "-spin", .x = {}, .y = {}}, rates{.label = "half the shear rate", .x = {}, .y = {}};
+  Series spins{.label = "-spin"}, rates{.label = "half the shear rate"};
   const std::vector<CellProfile::Layer> layers = run.profile().layers();
   const double d = run.cell().diameter, unit = run.cell().block_speed / d;
   double spin = 0.0, turning = 0.0;
   for (std::size_t k = 1; k + 1 < layers.size() && layers[k].y < depth; ++k) {
     const double rate =
         0.5 * (layers[k + 1].velocity.value - layers[k - 1].velocity.value) / (layers[k + 1].y - layers[k - 1].y);
-    spins.x.push_back(layers[k].y / d), spins.y.push_back(-layers[k].spin.value / unit);
-    rates.x.push_back(layers[k].y / d), rates.y.push_back(rate / unit);
+    spins.add(layers[k].y / d, -layers[k].spin.value / unit);
+    rates.add(layers[k].y / d, rate / unit);
     if (layers[k].y > 2.0 * d && layers[k].y < depth - 2.0 * d) spin -= layers[k].spin.value, turning += rate;
   }
   findings.figure({.name = "spins",
@@ -173,7 +138,7 @@ Flow flow(Findings& findings, const Setup& setup, bool rough) {
     }
   }
   if (rough) accounts.draw(findings);
-  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  findings.count(run.evaluations());
   using Q = CellQuantity;
   const CellRun::Ledger ledger = run.ledger();
   const double apart = run.mean(Q::depth).value + cell.diameter;
@@ -234,7 +199,6 @@ Case rough_cell() {
                           "mean spin over half the shear rate between the walls",
                           "spin over half the shear rate of layers inside, all together"},
           .source = "Cundall & Strack 1979; balances and spin, derived here",
-          .page = page,
           .faults = {{"friction_off_the_base", "a millionth of the base's shear left out",
                       "momentum of the discs less the walls' impulses"},
                      {"spin_without_energy", "kinetic energy without that of spin",

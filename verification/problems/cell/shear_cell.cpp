@@ -15,45 +15,6 @@ Case shear_cell();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Discs fill the gap between a row of fixed discs and a block of them, which is pressed down by its weight and
-driven along x; the field repeats itself along x, gravity acts on the block alone. Once the flow is steady, what do the
-walls feel, and does what is measured inside agree with it?
-
-```
-   VXT -> (O)(O)(O)(O)(O)(O)  block: mass, weight, rigid      S = -F_x/(TWID D^2)   on the block
-             o   o  o   o                                      N =  F_y/(TWID D^2)
-          o   o   o    o  o   free discs, latching springs     P =  MTOP G/(TWID D^2)
-          (O)(O)(O)(O)(O)(O)  base, held
-```
-
-**Equations.** All are exact for any motion, up to what is left of a sum over a finite time $T$. Momentum of the free
-discs: $\int(F_\text{block} + F_\text{base})\,dt = -\Delta\sum m v$, so that the shear on both walls differs by at most
-$N m\,\mathrm{VXT}/T$ in the mean. Moment of momentum: with $r_y$ and $F_x$ of each contact,
-
-$$\langle\textstyle\sum F_x r_y + \sum m v_x v_y\rangle = -\langle F_{\text{block},x}\,Y\rangle - \Delta(\sum m v_x y)/T$$
-
-with the block's height $Y$: the stress inside against the force on the wall. It is the mean of a product: a block that
-bounces is high when it is hardly pressed. Energy: with $K_1 = K_2$ nothing is lost, and what drives the block has put in
-what the discs and the block have.
-
-**Source.** Lacy 1989, "Data Input and Parameters", for the cell and $P$; the balances are textbook mechanics
-(the virial theorem, Clausius 1870). Diameter, mass and stiffness are Talus's own (ice of a millimetre): the thesis's
-are not known, and no number of its figures is quoted.
-
-| symbol | meaning | value |
-|:--|:-----|:-----|
-| $D$, $M$ | discs | 1 mm, 7.2e-7 kg |
-| $K_1$, $K_1/K_2$ | latching spring | 17 kN/m, .49 |
-| NHT, NWID, TWID | rows, columns, discs in a wall | 8, 10, 11 |
-| VXT, $P$ | drive, overburden | 5 m/s; 8 and 32 kPa |
-| $h$, $T$ | velocity Verlet, 20 steps in a contact | .62 us, .8 s, a quarter left out |
-
-**What would break it.** A wall's force that misses a contact or counts one twice; a block that is moved by part of its
-force; contacts that forget what they were pressed; a mean over time of factors where that of the product is due; an
-inertial number of the depth of the array where that of the field is due; discs that pass through each other, which a stress ratio does not show.
-)";
-
 struct Balance {
   double top{}, bottom{};  ///< shear [Pa]
   double inside{};         ///< of contacts and motion, over the block's
@@ -138,7 +99,7 @@ void expect_momentum(Findings& findings, const Setup& setup, const std::string& 
   CellRun run{cell, plan};
   const Discs before = run.discs();
   run_to_end(run);
-  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  findings.count(run.evaluations());
   const Discs after = run.discs();
   // Of the last force a velocity Verlet has given half; the first, of discs apart, is nought.
   const double ahead = integrator == "velocity_verlet" ? 0.5 * plan.step : 0.0;
@@ -168,7 +129,7 @@ void expect_energy(Findings& findings, const Setup& setup) {
   const double steps = setup.has("few_steps") ? 10.0 : 80.0;
   CellRun run{cell, cell_plan(cell, 1e-2, steps)};
   run_to_end(run);
-  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  findings.count(run.evaluations());
   const CellRun::Ledger ledger = run.ledger();
   const double swing = 3.0 * std::pow(std::numbers::pi / 80.0, 2) / 8.0;
   findings.expect(
@@ -180,12 +141,11 @@ void expect_energy(Findings& findings, const Setup& setup) {
 }
 
 Series history(const CellRun& run, const char* label, CellQuantity shear, CellQuantity normal, int panel) {
-  Series series{.label = label, .x = {}, .y = {}, .style = Style::lines, .panel = panel};
+  Series series{.label = label, .style = Style::lines, .panel = panel};
   for (std::size_t k = 0; k < run.intervals(); ++k) {
     const double pressed = run.interval_mean(k, normal);
     if (!(pressed > 0.0)) continue;
-    series.x.push_back(static_cast<double>(k + 1) * run.plan().every);
-    series.y.push_back(run.interval_mean(k, shear) / pressed);
+    series.add(static_cast<double>(k + 1) * run.plan().every, run.interval_mean(k, shear) / pressed);
   }
   return series;
 }
@@ -219,17 +179,15 @@ Figure profile_figure(const CellRun& loose, const CellRun& dense) {
           "block's, and area of free discs over that of the layer (orange; beside the walls less, for wall discs "
           "fill part of it). The discs slip past both walls, and the fraction shows rows.",
       .x = {"height over D", "1"},
-      .y = {.label = "velocity over VXT, solid fraction", .min = 0.0, .max = 1.0},
-      .series = {}};
+      .y = {.label = "velocity over VXT, solid fraction", .min = 0.0, .max = 1.0}};
   int panel = 0;
   for (const CellRun* run : {&loose, &dense}) {
-    Series velocity{.label = "velocity", .x = {}, .y = {}, .panel = panel}, fraction = velocity;
+    Series velocity{.label = "velocity", .panel = panel}, fraction = velocity;
     fraction.label = "solid fraction";
     for (const CellProfile::Layer& layer : run->profile().layers()) {
       if (!(layer.fraction.value > 0.01)) continue;
-      velocity.x.push_back(layer.y / run->cell().diameter),
-          velocity.y.push_back(layer.velocity.value / run->cell().block_speed);
-      fraction.x.push_back(velocity.x.back()), fraction.y.push_back(layer.fraction.value);
+      velocity.add(layer.y / run->cell().diameter, layer.velocity.value / run->cell().block_speed);
+      fraction.add(velocity.x.back(), layer.fraction.value);
     }
     figure.series.push_back(velocity), figure.series.push_back(fraction);
     ++panel;
@@ -243,8 +201,7 @@ Table numbers(const CellRun& loose, const CellRun& dense) {
   using Q = CellQuantity;
   Table table{.name = "cell",
               .caption = "What the two cells measure, means of .6 s with the standard error of a block bootstrap.",
-              .columns = {"quantity", "8 kPa", "32 kPa"},
-              .rows = {}};
+              .columns = {"quantity", "8 kPa", "32 kPa"}};
   const auto words = [](const Estimate& of, double unit) {
     return fmt::format("{:.4g} +- {:.2g}", of.value / unit, of.error / unit);
   };
@@ -285,7 +242,7 @@ void run(Findings& findings, const Setup& setup) {
     if (setup.has("soft_discs")) law.stiffness /= 30.0, law.unloading_stiffness /= 30.0;
     runs.emplace_back(cell, cell_plan(cell, time));
     run_to_end(runs.back());
-    findings.count(static_cast<std::uint64_t>(runs.back().evaluations()));
+    findings.count(runs.back().evaluations());
     const std::string where = fmt::format("{:.0f} kPa", pressure / 1e3);
     expect_limits(findings, runs.back(), where);
     expect_walls(findings, runs.back(), setup, where);
@@ -311,7 +268,6 @@ Case shear_cell() {
                           "energy gained over the drive's work, springs that lose nothing",
                           "largest overlap over a diameter, 32 kPa"},
           .source = "Lacy 1989, Data Input and Parameters; virial theorem (Clausius 1870)",
-          .page = page,
           .faults = {{"product_of_means", "mean shear times mean height for the mean of their product",
                       "shear inside over that on the block, 8 kPa"},
                      {"stopped_early", "means of the first 20 ms, while the discs are still brought to speed",

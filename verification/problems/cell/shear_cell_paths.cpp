@@ -15,37 +15,6 @@ Case shear_cell_paths();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** One cell, several ways through it. The program of 1989 gave each disc a virtual one beside the field and tried
-all pairs; here pairs come from a list by cells and each has the image of its second disc that is near. A cell that is
-mirrored, stopped and taken on, or passed over where nothing touches must move as it did.
-
-```
-   virtual discs:  id -i                 the field                    image:  x_j - W of disc j acts across the border
-        (-3)                 |  (1)            (2)        (3)|
-                             0                               W
-```
-
-**Equations.** None but the cell's own: forces are sums over the same pairs, and a sum in another order, or of places that
-are $W$ further on, differs by rounding. What differs grows as neighbouring paths part, tenfold in some ten contacts of a
-disc, so that only a beginning can be compared. A mirror image changes signs and no digit.
-
-**Source.** Lacy 1989, "Virtual Elements and Periodic Boundaries", for the virtual discs. They stand here twice: as the solver's
-own way of running a cell (`images = "virtual"`), which shares laws, walls and memory with its usual way and so compares nothing
-but which images act, also of rough discs; and as a reference that is written from those words, with a table of all pairs,
-and shares nothing with the solver: what both ways of the solver have wrong it would show.
-
-| symbol | meaning | value |
-|:--|:-----|:-----|
-| cell | 80 discs of ice, 8 kPa, 5000 diameters a second | see case `shear_cell` |
-| $h$ | semi-implicit Euler, 40 steps in a contact | .31 us |
-| steps | compared from a start that touches early, also across the border | 20,000 |
-
-**What would break it.** An image on the wrong side, or two of one pair; a pair that the list misses; memory of a contact
-that is lost where a disc crosses the border, where the list is made anew, or at a restart; forces that depend on the
-order of discs; a jump over a contact.
-)";
-
 /// A cell in which discs meet from the first steps on: random velocities so many times what they are, 60 times is as
 /// large as the drive.
 FilledCell lively(const ShearCell& cell, double times = 60.0) {
@@ -99,7 +68,7 @@ void expect_virtual(Findings& findings, const Setup& setup) {
                                 .vx = start.discs.vx,
                                 .vy = start.discs.vy};
   if (setup.has("latch_weaker")) discs.k2 *= 1.0 - 1e-9;
-  Series difference{.label = "places", .x = {}, .y = {}, .style = Style::lines};
+  Series difference{.label = "places", .style = Style::lines};
   double most = 0.0, early = 0.0;  // `early`: of the first half
   long across = 0;
   for (long n = 0; !run.finished();) {
@@ -111,10 +80,9 @@ void expect_virtual(Findings& findings, const Setup& setup) {
     const double now = apart(run.discs(), discs.x, discs.y, cell.width()) / cell.diameter;
     most = std::max(most, now);
     if (2 * n <= steps) early = most;
-    difference.x.push_back(static_cast<double>(n));
-    difference.y.push_back(std::max(now, 1e-17));
+    difference.add(static_cast<double>(n), std::max(now, 1e-17));
   }
-  findings.count(static_cast<std::uint64_t>(run.evaluations()));
+  findings.count(run.evaluations());
   findings.expect_true("contacts across the border were seen in the first half", across >= 10,
                        fmt::format("without them no virtual disc acts; seen {} times, each about twice", across));
   findings.expect("places beside virtual discs and all pairs, over a diameter", early, 0.0,
@@ -156,7 +124,7 @@ void expect_own_virtual(Findings& findings, const Setup& setup) {
     virtual_discs.advance();
     across += across_border(virtual_discs);
   }
-  findings.count(static_cast<std::uint64_t>(nearest.evaluations() + virtual_discs.evaluations()));
+  findings.count(nearest.evaluations() + virtual_discs.evaluations());
   const Discs end = virtual_discs.discs();
   findings.expect("places of rough discs, list of pairs beside virtual discs, over a diameter",
                   apart(nearest.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0,
@@ -270,7 +238,6 @@ Case shear_cell_paths() {
                           "a run taken on from its memory ends in the same bits",
                           "places after jumps over free time, over a diameter"},
           .source = "Lacy 1989, Virtual Elements and Periodic Boundaries",
-          .page = page,
           .faults = {{"field_too_wide", "virtual discs 1e-7 of the field too far away",
                       "places beside virtual discs and all pairs, over a diameter"},
                      {"latch_weaker", "K2 of the reference 1e-9 smaller",

@@ -1,5 +1,3 @@
-#include "solver/study/shear_study.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/cell/cell_run.hpp"
+#include "solver/study/shear_study.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 
@@ -21,30 +20,6 @@ Case shear_study();
 namespace {
 
 using Q = StudyQuantity;
-
-constexpr const char* page = R"(
-**Problem.** Large avalanches and rockfalls run further than small ones. Dent (1986, as the thesis tells it) supposed that
-under more overburden the discs of a sheared layer meet more than one at a time, that such contacts form short-lived chains
-which carry load but little shear, and that the ratio of shear to normal stress falls by them. The thesis of 1989 tested
-this with the cell of case `shear_cell`. Does it hold?
-
-**Predictions.** 1. The layer compresses as overburden is added. 2. Multiple contacts form. 3. They carry a lower ratio of
-shear to normal stress than binary ones. 4. They form often enough to lower the ratio of the whole. The thesis's
-conclusion, as far as it is known: multiple contacts become more frequent, and do not lower the shear strength.
-
-**Method.** Eighty discs of ice (Talus's choice; the thesis's numbers are not known, and none of its figures is quoted),
-$e = .7$, velocity Verlet with 20 steps in a contact, .5 s of flow for each of five seeds, the first quarter left out. A
-contact is multiple when one of its free discs has another; its share of the shear is that of its $F_x r_y$ (M/S is not
-defined in the text at hand: read so here). Errors are standard errors over seeds; a difference counts when Welch's $t$
-gives it a chance of a hundredth at most. Stiffness alone is varied, too, at one load and speed: that changes how long
-contacts last and how often they are multiple, and nothing else.
-
-**What it cannot tell.** Discs are all alike, smooth, two-dimensional and eighty: they order themselves in rows as they
-are pressed. The last figure shows it; polydisperse discs do not (case `dense_flow`).
-
-**What would break it.** Means over the start; contacts counted as multiple for their walls; a flow that is not steady;
-discs pressed through each other.
-)";
 
 const StudyMean* find(const std::vector<StudyMean>& study, const std::string& series, double kilopascals, double speed,
                       double stiffness = 1.0) {
@@ -60,12 +35,11 @@ enum class Over { load, speed };
 
 Series curve(const std::vector<StudyMean>& study, const std::string& series, Q quantity, Over over,
              const std::string& label, int panel = 0) {
-  Series made{.label = label, .x = {}, .y = {}, .style = Style::errorbars, .panel = panel};
+  Series made{.label = label, .style = Style::errorbars, .panel = panel};
   for (const StudyMean& point : study) {
     if (point.point.series != series || point.seeds < 2) continue;
     const Estimate of = point.of(quantity);
-    made.x.push_back(over == Over::load ? point.point.overburden / 1e3 : point.point.speed);
-    made.y.push_back(of.value);
+    made.add(over == Over::load ? point.point.overburden / 1e3 : point.point.speed, of.value);
     made.y_low.push_back(of.value - of.error), made.y_high.push_back(of.value + of.error);
   }
   return made;
@@ -113,13 +87,13 @@ Series outlines(double kilopascals, double speed, double time, int panel, const 
   CellRun run{cell, cell_plan(cell, time)};
   run_to_end(run);
   const Discs discs = run.discs();
-  Series made{.label = label, .x = {}, .y = {}, .style = Style::outlines, .panel = panel};
+  Series made{.label = label, .style = Style::outlines, .panel = panel};
   constexpr int corners = 24;
   for (std::size_t i = 0; i < discs.size(); ++i) {
     for (int k = 0; k <= corners; ++k) {
       const double angle = 2.0 * std::numbers::pi * (k % corners) / corners;
-      made.x.push_back((discs.x[i] / cell.diameter) + 0.5 * std::cos(angle));
-      made.y.push_back((discs.y[i] / cell.diameter) + 0.5 * std::sin(angle));
+      made.add((discs.x[i] / cell.diameter) + 0.5 * std::cos(angle),
+               (discs.y[i] / cell.diameter) + 0.5 * std::sin(angle));
     }
   }
   return made;
@@ -143,8 +117,7 @@ void add_verdicts(Findings& findings, const std::vector<Verdict>& found) {
               .caption =
                   "The hypothesis's predictions and what the cells say: t of the difference, and the chance of one so "
                   "large where there is none.",
-              .columns = {"prediction", "measured", "t", "chance", "verdict"},
-              .rows = {}};
+              .columns = {"prediction", "measured", "t", "chance", "verdict"}};
   for (const Verdict& verdict : found)
     table.rows.push_back({verdict.prediction, verdict.measured, fmt::format("{:+.1f}", verdict.significance),
                           fmt::format("{:.1g}", verdict.chance), std::string{words(verdict.outturn)}});
@@ -162,8 +135,7 @@ void add_numbers(Findings& findings, const std::vector<StudyMean>& study) {
                   "All cells: means over seeds with standard errors. I: inertial number; order: six-fold, 1 in a "
                   "triangular array; overlap: the largest of a seed, mean of seeds (.1 and above: no hard discs).",
               .columns = {"P [kPa]", "d/s", "k", "S/N", "multiple", "M/S", "S/N multiple", "S/N binary", "I", "order",
-                          "overlap/D"},
-              .rows = {}};
+                          "overlap/D"}};
   std::vector<std::array<double, 3>> seen;
   for (const StudyMean& point : study) {
     const std::array key{point.point.overburden, point.point.speed, point.point.stiffness};
@@ -250,7 +222,6 @@ Case shear_study() {
                           "multiple share at four times the stiffness over that at one",
                           "S/N at four times the stiffness over that at one"},
           .source = "Lacy 1989, The Problem; Welch 1947 for the test",
-          .page = page,
           .faults = {{"one_speed", "the series at 1000 d/s run at 5000", "S/N at 32 kPa over that at 2 kPa, 1000 d/s"},
                      {"loads_exchanged", "the lightest load taken for the heaviest", "multiple contacts form"}},
           .tier = Tier::full,

@@ -22,44 +22,6 @@ Case swept_discs();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Two engines move discs. The plain one goes through its list of pairs one by one. The fast one sweeps them: it
-keeps three lists, works on eight pairs side by side, moves discs on while it still goes through pairs of others, and lets
-threads share the work. Are they the same to the last bit?
-
-```
-   numbers of discs   |   stripe of thread 1    |   stripe of thread 2    |
-   pairs              |  own        | outgoing -|->  own        | outgoing ...
-```
-
-**Equations.** A velocity is a sum of impulses, and $(a + b) + c \ne a + (b + c)$ once rounded: the sum is fixed by the order of
-its terms. In both engines that is the order of the pairs. All other numbers belong to one pair or one disc and are worked
-out by the same expressions. So there is no tolerance: not one number may differ, of places, velocities, spins, and the
-work that contacts have kept (what a latch has lost is told by its memory; the fast engine books it as contacts end). Summed in another order paths part, by
-$10^{-16}$ at first and then tenfold in some ten contacts of a disc (figure): a single other order anywhere is seen.
-
-The plain engine itself stands beside a loop over all pairs, in the open plane, which knows no list.
-
-| symbol | meaning | value |
-|:--|:-----|:-----|
-| discs | diameters spread by 20 %, solid fraction .78, sheared box (Lees-Edwards), random velocities | 300 |
-| laws | latching spring, also growing stiffer; spring and dashpot, also attractive at its end; with and without friction | |
-| $h$ | step, some twenty in a contact | |
-| threads | latching spring, 500 steps | 1, 2, 3, 7 |
-
-**What it costs.** `make bench-discs` tells it, beside LAMMPS from the same start. One aim is not reached: a step of the
-sheared cell of eighty discs was to take .2 microseconds and takes .59 (one core of an AMD Zen 5 in 2026, median over eight
-seeds at 8 kPa and 5000 diameters a second; from .34 where few discs touch; the plain engine 1.92). What makes the engine
-general is a fifth of it: a loop for this cell alone, of one law, one size, one thread, walls by number, which asks the law of
-all near pairs, as a third of them touch, and which the same command runs beside it to the same bits, takes .48. Whether any
-loop can take .2 for some 45 contacts, 125 near pairs and 102 discs is not known.
-
-**Source.** None: a program beside a program, and both beside a loop.
-
-**What would break it.** An impulse given in another order; a pair left out of a list, or found twice; a disc that moves on
-before its last pair; what a contact remembers lost when lists are made anew.
-)";
-
 constexpr double step = 0.157;
 constexpr std::size_t count = 300;
 
@@ -116,7 +78,7 @@ void expect_same(Findings& findings, const Setup& setup, const std::string& name
   for (long n = 0; n < steps; ++n)
     plain.kick(plain_discs, step), plain.drift(plain_discs, step);
   fast.advance(fast_discs, step, steps);
-  findings.count(static_cast<std::uint64_t>(plain.evaluations() + fast.evaluations()));
+  findings.count(plain.evaluations() + fast.evaluations());
   constexpr auto lost = static_cast<std::size_t>(Law::dissipation);
   if constexpr (fast.remembers) fast_discs.work[lost] = plain_discs.work[lost];
   findings.expect("numbers that differ from the plain engine's, " + name,
@@ -176,7 +138,7 @@ void expect_all_pairs(Findings& findings, const Setup& setup) {
     all.step(step), system.kick(discs, step), system.drift(discs, step);
   Discs those = discs;
   those.x = all.x, those.y = all.y, those.vx = all.vx, those.vy = all.vy;
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  findings.count(system.evaluations());
   findings.expect("numbers that differ from a loop over all pairs", static_cast<double>(differing(those, discs)), 0.0,
                   Tolerance::exact("the same pairs in the same order; a list leaves out pairs that do not touch"));
 }
@@ -192,8 +154,8 @@ void show_order(Findings& findings) {
   DiscSystem plain{start.shapes, start.box, latching, 0.4};
   Discs discs = start.discs, of_plain = start.discs, turned = reordered(start.discs, reverse);
   there.begin(discs), plain.begin(of_plain), back.begin(turned);
-  Series other{.label = "discs numbered backwards", .x = {}, .y = {}, .style = Style::lines};
-  Series same{.label = "the plain engine", .x = {}, .y = {}, .style = Style::lines};
+  Series other{.label = "discs numbered backwards", .style = Style::lines};
+  Series same{.label = "the plain engine", .style = Style::lines};
   constexpr long between = 50;
   for (long n = between; n <= 6000; n += between) {
     there.advance(discs, step, between), back.advance(turned, step, between);
@@ -238,7 +200,6 @@ Case swept_discs() {
                       "numbers that differ with 2 threads", "numbers that differ with 7 threads",
                       "numbers that differ from a loop over all pairs"},
       .source = "order of sums, derived here",
-      .page = page,
       .faults = {{"one_disc_off", "one disc of the fast engine a last place higher at the start",
                   "numbers that differ from the plain engine's, latching spring"},
                  {"work_not_kept", "the fast engine keeps no account of dashpots and friction",

@@ -1,5 +1,12 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "solver/scenes/fence_scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/problems/fence/fence_equation_findings.hpp"
+#include "verification/study/fence_table.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -7,33 +14,229 @@ Case fence_equations();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Some equations of the report cannot be what its program computed. Each is tried here, as printed and as
-corrected, on a state of a run of Table 2: what the bodies' accelerations say is the judge.
+using scenes::Fence;
+using scenes::FenceScene;
 
-```
-              y_top o---- T (both segments)
-                    |
-   P ->  (M) . . . .G       moments about G, counter-clockwise > 0
-                    |
-              y_bot o---- B (both segments)
-```
+constexpr double gravity = 32.18;  // [ft/s^2]
 
-**Equations.** With $a$, $b$ the distances of the joints above and below the centre of mass, $\theta$ counter-clockwise
-from upright, $P$ the contact force on the column at $(\Delta x, \Delta y)$ from its centre:
-$$\sum M = -a(\bar T_x\cos\theta + \bar T_y\sin\theta) + b(\bar B_x\cos\theta + \bar B_y\sin\theta)
-+ \Delta x\,P_y - \Delta y\,P_x,$$
-and the rock receives $-P$. Printed are $+a$, $P_x\Delta y + P_y\Delta x$, and $+P$ for both bodies.
+/// Table 2 with the rock at a height.
+Fence table_2(double height, const Setup& setup) {
+  Fence fence = published_fence("table_2.DAT");
+  fence.rocks.front().position.y = height;
+  if (setup.has("joint_below")) fence.y_top = -fence.y_top;
+  return fence;
+}
 
-A chain of $n$ masses $m$ and springs $k$ between fixed ends has the largest eigenvalue
-$4 (k/m) \sin^2\frac{n\pi}{2(n+1)}$; one mass between its two springs has $2k/m$.
+/// Positions, accelerations and cable forces of one state, and from them what the contact must exert.
+struct Resultants {
+  Resultants(const FenceScene& made, long steps) {
+    const Dynamics dynamics{made.scene.model};
+    State state = run_steps(made.scene, made.scene.integrator, made.scene.plan.step, steps).state;
+    Workspace work = dynamics.workspace();
+    Rates rates{state};
+    dynamics.update(state, work);
+    dynamics.settle(state, work);
+    dynamics.rates(state, work, rates, false);
+    const auto acceleration = [&](BodyId body, std::size_t axis) {
+      return rates.v[dynamics.layout().first[index(body)] + axis];
+    };
+    const BodyId rock_id = *made.members[1].body, column_id = *made.members[2].body;
+    const Body& rock_body = made.scene.model.bodies[index(rock_id)];
+    const Body& column_body = made.scene.model.bodies[index(column_id)];
+    rock = pose(made.scene.model, state, rock_id);
+    column = pose(made.scene.model, state, column_id);
+    angle = talus::angle(made.scene.model, state, column_id);
+    LawForces forces;
+    dynamics.forces(state, work, forces);
+    top = pull(made, state, forces, *made.members[2].top, *made.members[3].body, 6.5);
+    bottom = pull(made, state, forces, *made.members[2].bottom, *made.members[3].body, -4.0);
+    on_rock = rock_body.mass * Vec2{acceleration(rock_id, 0), acceleration(rock_id, 1) + gravity};
+    rock_moment = rock_body.inertia * acceleration(rock_id, 2);
+    on_column =
+        column_body.mass * Vec2{acceleration(column_id, 0), acceleration(column_id, 1) + gravity} - top - bottom;
+    column_moment = column_body.inertia * acceleration(column_id, 2);
+  }
 
-**Source.** Mustoe & Huttelmaier 1993, Eqs. 5-12, 14, 18, 25, section 3.1, Appendix II; decks `table_2.DAT` and
-`sample2.DAT`.
+  Pose rock, column;
+  double angle{};                         ///< of the column [rad]
+  Vec2 top, bottom;                       ///< pull of both segments at the column (Eqs. 15, 16) [lb]
+  Vec2 on_rock, on_column;                ///< contact force: mass times acceleration less all else [lb]
+  double rock_moment{}, column_moment{};  ///< inertia times angular acceleration [ft lb]
 
-**What would break it.** A contact force on one body only; the top joint below the centre; a cable whose free length
-follows from another stiffness than its tension; a central column doubled where there is one.
-)";
+ private:
+  /// Eqs. 15 and 16: twice the tension times the share of the segment across the fence; the joint at (0, y).
+  Vec2 pull(const FenceScene& made, const State& state, const LawForces& forces, CableId cable, BodyId next,
+            double y) const {
+    const Pose other = pose(made.scene.model, state, next);
+    const auto joint = [&](const Pose& body) { return body.p_WB + y * Vec2{-body.R_WB.sine, body.R_WB.cosine}; };
+    const Vec2 along = joint(other) - joint(column);
+    const double length = std::sqrt(along.x * along.x + along.y * along.y + 2.5 * 2.5);
+    return (2.0 * forces.tensions[index(cable)] / length) * along;
+  }
+};
+
+/// Eq. 7's cable terms: a and b the distances of the joints. The sign of the first is -1 as corrected.
+double cable_moment(const Resultants& r, double sign_top) {
+  constexpr double a = 6.5, b = 4.0;
+  const double c = std::cos(r.angle), s = std::sin(r.angle);
+  return b * (r.bottom.x * c + r.bottom.y * s) + sign_top * a * (r.top.x * c + r.top.y * s);
+}
+
+void check_balance(Findings& findings, const Setup& setup, Table& table) {
+  // .0004 s after the touch only the foremost of the rock's nodes is inside the column.
+  const Resultants r{scenes::fence_scene(table_2(1.5, setup)), 200};
+  const Vec2 node = r.rock.p_WB + 0.953951 * Vec2{-r.rock.R_WB.cosine, -r.rock.R_WB.sine};
+  const Vec2 on_column = setup.has("contact_on_one_body_left_out") ? Vec2{} : r.on_column;
+  const double scale = norm(r.on_rock);
+  findings.expect("contact forces on column and rock, sum over one (Eqs. 5, 6, 8, 9)",
+                  norm(on_column + r.on_rock) / scale, 0.0,
+                  Tolerance::round_off(1e-9,
+                                       "accelerations times masses less weights and pulls of 2e4 lb: 1e-16 "
+                                       "of these, against a contact force of some 1e4 lb; a hundred "
+                                       "operations and the round-off of the static balance"));
+  const Vec2 column_arm = node - r.column.p_WB, rock_arm = node - r.rock.p_WB;
+  const double actual = r.column_moment - cable_moment(r, -1.0);
+  const Vec2 P = r.on_column;
+  const double corrected = column_arm.x * P.y - column_arm.y * P.x;
+  const double printed = P.x * column_arm.y + P.y * column_arm.x;
+  const auto why = Tolerance::round_off(1e-7, "differences of moments of 1e5 ft lb, and the node's place by a sine");
+  findings.expect("Eq. 7 corrected: contact's moment on the column", actual, corrected, why.relative(), "ft lb");
+  findings.expect_between("Eq. 7 as printed: contact's moment over the actual one", printed / actual, -1.01, -0.99,
+                          "P_x Delta y, nearly all of it, has the wrong sign; P_y Delta x is a thousandth of it");
+  findings.expect("Eq. 10: contact's moment on the rock", r.rock_moment,
+                  rock_arm.x * r.on_rock.y - rock_arm.y * r.on_rock.x,
+                  Tolerance::round_off(1e-7 * scale,
+                                       "a moment that is small beside force times radius: the node is at "
+                                       "the rock's own height, and only its turning moves it"),
+                  "ft lb");
+  const auto text = [](double value) { return fmt::format("{:.1f}", value); };
+  table.rows.push_back(
+      {"Eqs. 5, 8: x-force on the column [lb]", text(r.on_rock.x), text(-r.on_rock.x), text(r.on_column.x)});
+  table.rows.push_back({"Eq. 7: contact's moment on the column [ft lb]", text(printed), text(corrected), text(actual)});
+}
+
+void check_cable_moment(Findings& findings, const Setup& setup, Table& table) {
+  // .045 s: the rock is clear of the column, the bottom cable is taut.
+  const Resultants r{scenes::fence_scene(table_2(0.0, setup)), 18'000};
+  const double scale = norm(r.top) + norm(r.bottom);
+  findings.expect_between("pull of the bottom cable where Eq. 7 is tried", norm(r.bottom), 1e4, 3e5,
+                          "the term is tried with a cable that pulls", "lb");
+  findings.expect("contact force where Eq. 7's cable terms are tried", norm(r.on_column), 0.0,
+                  Tolerance::round_off(1e-9 * scale, "the rock is clear of the column"), "lb");
+  const auto why = Tolerance::round_off(1e-8, "some fifty operations on pulls and arms");
+  findings.expect("Eq. 7 corrected: moment of the cables", r.column_moment, cable_moment(r, -1.0), why.relative(),
+                  "ft lb");
+  const double printed = cable_moment(r, 1.0);
+  findings.expect_between("Eq. 7 as printed: moment of the cables, off by", std::abs(printed / r.column_moment - 1.0),
+                          0.2, 0.4,
+                          "the top cable's term has the wrong sign: twice that term is missing, .294 of the moment");
+  table.rows.push_back({"Eq. 7: moment of the cables [ft lb]", fmt::format("{:.1f}", printed),
+                        fmt::format("{:.1f}", cable_moment(r, -1.0)), fmt::format("{:.1f}", r.column_moment)});
+}
+
+/// x velocity at .01 s of a member: 1 the rock, 2 the central column [ft/s].
+double speed(const FenceScene& made, std::size_t member) {
+  const State end = run_steps(made.scene, made.scene.integrator, made.scene.plan.step, 5000).state;
+  return end.v[Layout{made.scene.model}.first[index(*made.members[member].body)]];
+}
+
+/// Largest eigenvalue of a chain of masses between fixed ends, in k/m.
+double chain_eigenvalue(int masses) {
+  return 4.0 * std::pow(std::sin(0.5 * std::numbers::pi * masses / (masses + 1)), 2);
+}
+
+/// Eq. 18 as printed.
+double printed_friction(double stiffness, double slip, double limit) {
+  return stiffness * std::abs(slip) < limit ? stiffness * slip : limit;
+}
+
+/// Signs of Eqs. 5-10: forces and moments of cables and contact on column and rock, from the accelerations of a run,
+/// against the equations as printed and as corrected. Faults `contact_on_one_body_left_out`, `joint_below`.
+void check_resultants(Findings& findings, const Setup& setup) {
+  Table table{.name = "resultants",
+              .caption =
+                  "Forces and moments on the central column by the report's equations as printed and as "
+                  "corrected, beside mass times acceleration less all else in a run of Table 2.",
+              .columns = {"equation", "as printed", "as corrected", "in the run"}};
+  check_balance(findings, setup, table);
+  check_cable_moment(findings, setup, table);
+  if (!setup.coarse) findings.table(table);
+}
+
+/// Eqs. 12 and 14 have one stiffness: the fence hangs at rest with the tensions of the static shape. Fault
+/// `two_stiffnesses`.
+void check_initial_tension(Findings& findings, const Setup& setup) {
+  Fence fence = table_2(0.0, setup);
+  FenceScene made = scenes::fence_scene(fence);
+  Model& model = made.scene.model;
+  const CableId first = *made.members[2].top;
+  if (setup.has("two_stiffnesses")) std::get<ElasticPlastic>(model.cables[index(first)].law).stiffness *= 0.9;
+  const Dynamics dynamics{model};
+  State state = rest_state(model);
+  Workspace work = dynamics.workspace();
+  dynamics.update(state, work);
+  dynamics.settle(state, work);
+  LawForces forces;
+  dynamics.forces(state, work, forces);
+  // Section 2.4 by hand: half the central column's weight at a slope W/(2 H).
+  const double weight = 0.38 * std::numbers::pi * 1.25 * 1.25 * 8.0 * gravity;
+  const double horizontal = weight / 5.5 * (2.5 * 18.0 + 12.5 * 6.5);
+  findings.expect("tension at the start, Eq. 14 with the k of Eq. 12", forces.tensions[index(first)],
+                  horizontal * std::hypot(1.0, 0.5 * weight / horizontal),
+                  Tolerance::round_off(1e-7,
+                                       "the tension is k times a difference of lengths: 8.6e6 lb/ft times a few "
+                                       "epsilon of 2.5 ft"),
+                  "lb");
+}
+
+/// Section 3.1: which central columns are doubled. Fault `central_column_doubled`.
+void check_doubling(Findings& findings, const Setup& setup) {
+  Fence fence = table_2(0.0, setup);
+  fence.columns = 15;  // N = (15 + 1)/2 = 8: even, with one central column
+  FenceScene half = scenes::fence_scene(fence);
+  FenceScene doubled = half;
+  Body& centre = doubled.scene.model.bodies[index(*doubled.members[2].body)];
+  centre.mass *= 2.0, centre.inertia *= 2.0;
+  if (setup.has("central_column_doubled")) half = doubled;
+  fence.options.symmetry = scenes::FenceSymmetry::full;
+  const FenceScene full = scenes::fence_scene(fence);
+  const double reference = speed(full, 2);
+  findings.expect("15 columns, N = 8: central column's speed at .01 s, half model", speed(half, 2), reference,
+                  Tolerance::round_off(1e-9, "the same forces summed in another order, 5000 steps"), "ft/s");
+  findings.expect_between("15 columns, N = 8: rock's speed when N even doubles the column, against the full model",
+                          std::abs(speed(doubled, 1) / speed(full, 1) - 1.0), 0.05, 1.0,
+                          "as printed the rule doubles one column that is hit alone");
+}
+
+/// Eq. 18's missing sign, Eq. 25's bound, and what the texts and decks of the report say of the same numbers.
+void check_texts(Findings& findings) {
+  // Eq. 18: sliding to the left, the printed force jumps from -mu Fn to +mu Fn.
+  const double stiffness = 1e4, limit = 50.0;
+  const double jump = printed_friction(stiffness, -1.000001 * limit / stiffness, limit) -
+                      printed_friction(stiffness, -0.999999 * limit / stiffness, limit);
+  findings.expect("Eq. 18 as printed: jump of the force where backward slip begins, over mu Fn", jump / limit, 2.0,
+                  Tolerance::model(2e-6, "a millionth to either side of the limit"));
+  findings.expect_between("Eq. 25: largest eigenvalue of 13 columns along their cable, over one column's 2 k/m",
+                          chain_eigenvalue(13) / 2.0, 1.5, 2.0,
+                          "4 k/m sin^2(13 pi/28): the frequency of one element between its neighbours is no bound");
+  findings.expect("Eq. 25: two columns, m = k = 1: alternating motion", chain_eigenvalue(2), 3.0,
+                  Tolerance::round_off(1e-14, "a sine squared; by hand: each spring beside k, the middle one 2 k"));
+  const Fence sample = published_fence("sample2.DAT"), table = published_fence("table_2.DAT");
+  findings.expect("unit weight of sample2's columns", sample.column.density * gravity, 24.5,
+                  Tolerance::model(0.05, "half a unit of the last digit"), "lb/ft^3");
+  findings.expect("unit weight of the columns of Tables 2 and 3", table.column.density * gravity, 12.2,
+                  Tolerance::model(0.05, "half a unit of the last digit"), "lb/ft^3");
+  findings.expect("attachment in sample2, y_top less half the height", sample.y_top - sample.column.b, 2.67,
+                  Tolerance::round_off(1e-12, "a difference of two numbers of the deck"), "ft");
+  findings.expect("history variables in sample2, of \"max. = 6\"", static_cast<double>(sample.history_codes.size()), 8,
+                  Tolerance::exact("a count"));
+  // f_penet: with the m and k of ground and rock in sample2's listing the rock sinks in by at most f r.
+  const double sink = 65.0 * std::sqrt(37.23 / 0.8723e8);
+  findings.expect("largest overlap of rock and ground over f_penet r", sink / (0.05 * 1.201), 1.0 / std::numbers::sqrt2,
+                  Tolerance::model(1.5e-4,
+                                   "k = 2 m v^2/(f r)^2; half units of the last of four digits of m and k, "
+                                   "1.3e-4 and .6e-4 of them, half of which enter"));
+}
 
 void run(Findings& findings, const Setup& setup) {
   check_resultants(findings, setup);
@@ -66,7 +269,6 @@ Case fence_equations() {
                           "Eq. 7 corrected: contact's moment on the column", "Eq. 7 corrected: moment of the cables",
                           "15 columns, N = 8: central column's speed at .01 s, half model"},
           .source = "Mustoe & Huttelmaier 1993, sections 3.1-3.7, Appendix II",
-          .page = page,
           .faults = {{"contact_on_one_body_left_out", "the column feels nothing of the contact",
                       "contact forces on column and rock, sum over one (Eqs. 5, 6, 8, 9)"},
                      {"joint_below", "the top cable's joint below the centre of mass",
@@ -75,8 +277,6 @@ Case fence_equations() {
                       "tension at the start, Eq. 14 with the k of Eq. 12"},
                      {"central_column_doubled", "the mass of one central column doubled",
                       "15 columns, N = 8: central column's speed at .01 s, half model"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -142,7 +142,7 @@ FenceRun run_fence(const scenes::Fence& fence, long every) {
     state.t = static_cast<double>(n) * step;
     method.step(system, state, step);
   }
-  return system.finished(method.synchronized(system, state, step));
+  return system.finished(synchronized(method, system, state, step));
 }
 
 }  // namespace talus::verification::problems

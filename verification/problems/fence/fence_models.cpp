@@ -1,46 +1,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "solver/io/fence1993/read_deck.hpp"
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/restitution.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
 Case fence_models();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** One fence can be modelled in several ways. Which of them are the same, and which are not? (1) Half of it with
-the central segment's force twice, or all of it. (2) A contact by springs on the boundary nodes, as in 1993, or by one
-resultant. (3) A dashpot from the masses of two particles (Eq. 21), or from the mass that the contact feels.
-
-```
-    (1)  o--o--o--o--o--o--o    o--o--o--o      (2) 12 nodes: ( )   24: (:)   48: (#)    (3)  | |
-                  x                x                                                     y ^  | | <- (M)
-          full                  half                k and c for each of them                  | |
-```
-
-**Equations.** (1) $T + T = 2T$ to the last bit, so that the half model of an odd count is the full one wherever cables
-are summed before contacts. Of an even count the report's program doubles mass and inertia of one central column; two
-columns side by side are the other way. (2) Each of the $n$ nodes that lie in the column has the whole $k$ and $c$: the
-pair's stiffness grows with $n$. (3) Off centre by $y$ the contact feels
-$1/m_{eff} = 1/m_r + 1/m_c + y^2/I_c$; a dashpot made with $m_r m_c/(m_r + m_c)$ gives
-$e = \exp(-\pi\xi/\sqrt{1-\xi^2})$, $\xi = c/(2\sqrt{k m_{eff}})$.
-
-**Source.** Mustoe & Huttelmaier 1993, sections 3.1, 3.5, 3.6 and Appendix II; decks `table_2.DAT` and `sample2.DAT`.
-
-**What would break it.** A half model with the segment's force once; nodes that share one stiffness; a dashpot that does
-not know how high the rock hits.
-)";
 
 scenes::Fence deck(const char* name) { return read_deck(std::filesystem::path{TALUS_CASES} / "fence" / name); }
 
@@ -57,16 +32,9 @@ struct Finished {
 
 /// Runs it to `end` [s]; `step` [s] instead of the fence's own if > 0.
 Finished run_to(scenes::FenceScene made, double end, double step = 0.0) {
-  Finished run{std::move(made), {}, 0};
-  const Scene& scene = run.made.scene;
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  Integrator integrator = scene.integrator;
-  run.state = scene.initial;
-  const double h = step > 0.0 ? step : scene.plan.step;
-  static_cast<void>(simulate(system, integrator, run.state, {h, end, end, false}));
-  run.evaluations = system.evaluations();
-  return run;
+  const double h = step > 0.0 ? step : made.scene.plan.step;
+  const RunEnd ended = run_scene(made.scene, made.scene.integrator, {h, end, end, false}, nullptr);
+  return {std::move(made), ended.state, ended.evaluations};
 }
 
 Finished run_to(const scenes::Fence& fence, double end, double step = 0.0) {
@@ -95,7 +63,7 @@ void check_halves(Findings& findings, const Setup& setup) {
     const Finished half = half_scene();
     fence.options.symmetry = scenes::FenceSymmetry::full;
     const Finished full = run_to(fence, 0.05);
-    findings.count(static_cast<std::uint64_t>(half.evaluations + full.evaluations));
+    findings.count(half.evaluations + full.evaluations);
     return distance(half, full);
   };
   findings.expect("13 columns: half model from the full one at .05 s, largest distance",
@@ -131,15 +99,14 @@ double rock_speed(Findings& findings, const Setup& setup, int nodes, scenes::Fen
     }
   }
   const Finished run = run_to(std::move(made), first_print);
-  findings.count(static_cast<std::uint64_t>(run.evaluations));
+  findings.count(run.evaluations);
   return run.pose("rock").v_WB.x;
 }
 
 void check_nodes(Findings& findings, const Setup& setup) {
-  Series nodes{.label = "by nodes (1993)", .x = {}, .y = {}};
+  Series nodes{.label = "by nodes (1993)"};
   for (const int count : {12, 24, 48, 96, 192}) {
-    nodes.x.push_back(count);
-    nodes.y.push_back(rock_speed(findings, setup, count, scenes::FenceContact::nodes));
+    nodes.add(count, rock_speed(findings, setup, count, scenes::FenceContact::nodes));
   }
   const double by_resultant = rock_speed(findings, {}, 12, scenes::FenceContact::resultant);
   const double growth = (nodes.y[4] - by_resultant) / (nodes.y[0] - by_resultant);
@@ -227,9 +194,9 @@ OffCentre off_centre(double height, scenes::FenceCalibration calibration) {
 void check_calibration(Findings& findings, const Setup& setup) {
   const auto effective =
       setup.has("particle_masses") ? scenes::FenceCalibration::particles : scenes::FenceCalibration::effective_mass;
-  Series by_particles{.label = "Eq. 21, two particles", .x = {}, .y = {}};
-  Series by_effective{.label = "effective mass", .x = {}, .y = {}};
-  Series predicted{.label = "Eq. 21, predicted", .x = {}, .y = {}, .style = Style::lines};
+  Series by_particles{.label = "Eq. 21, two particles"};
+  Series by_effective{.label = "effective mass"};
+  Series predicted{.label = "Eq. 21, predicted", .style = Style::lines};
   double worst_effective = 0.0, worst_particles = 0.0;
   for (const double height : {-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0}) {
     if (setup.coarse && height != 3.0) continue;
@@ -237,9 +204,9 @@ void check_calibration(Findings& findings, const Setup& setup) {
     const OffCentre felt = off_centre(height, effective);
     worst_effective = std::max(worst_effective, std::abs(felt.measured - 0.4));
     worst_particles = std::max(worst_particles, std::abs(particles.measured - particles.predicted));
-    by_particles.x.push_back(height), by_particles.y.push_back(particles.measured);
-    predicted.x.push_back(height), predicted.y.push_back(particles.predicted);
-    by_effective.x.push_back(height), by_effective.y.push_back(felt.measured);
+    by_particles.add(height, particles.measured);
+    predicted.add(height, particles.predicted);
+    by_effective.add(height, felt.measured);
   }
   const char* why =
       "from the contact's end to the reading, 3e-4 s, the struck point swings on: 3 ft off centre the column turns at "
@@ -282,15 +249,12 @@ Case fence_models() {
                           "order of the rock's speed with one resultant a pair",
                           "restitution with the effective mass, -3 to 3 ft off centre, furthest from .4"},
           .source = "Mustoe & Huttelmaier 1993, sections 3.1, 3.5, 3.6, Appendix I, Appendix II",
-          .page = page,
           .faults = {{"segment_once", "the half model's top cable .1 % thinner",
                       "13 columns: half model from the full one at .05 s, largest distance"},
                      {"shared_stiffness", "all nodes together have the stiffness that 12 have",
                       "rock's speed by 192 nodes from that by one resultant, over the same by 12"},
                      {"particle_masses", "dashpots from the particle masses throughout",
                       "restitution with the effective mass, -3 to 3 ft off centre, furthest from .4"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -6,16 +6,13 @@
 #include <numbers>
 #include <utility>
 
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
 
-void add(Series& series, Vec2 p) {
-  series.x.push_back(p.x);
-  series.y.push_back(p.y);
-}
+void add(Series& series, Vec2 p) { series.add(p.x, p.y); }
 
 void add_column(Series& series, const Pose& pose, const scenes::FenceElement& column) {
   for (const auto& [x, y] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}})
@@ -47,24 +44,20 @@ Figure snapshots(std::string name, std::string title, std::string caption, const
                 .lines = {{'y', -4.5, "ground"}}};
   const scenes::FenceScene made = scenes::fence_scene(fence);
   const Model& model = made.scene.model;
-  const Dynamics dynamics{model};
-  RigidBodySystem system{dynamics, false};
-  Integrator integrator = made.scene.integrator;
-  State state = made.scene.initial;
   RunPlan plan = made.scene.plan;
   plan.end = times.back();
   const std::size_t rocks = fence.rocks.size();
   const auto layer = static_cast<std::size_t>(columns_of_half(fence)) + 1;
-  const Observer observers[] = {[&](const State& seen, const StepInfo&) {
+  const Watcher draw = [&](const State& seen, const StepInfo&) {
     if (figure.series.size() == times.size() || seen.t < times[figure.series.size()] - 0.5 * plan.step) return;
-    Series series{.label = fmt::format("{:.2f} s", seen.t), .x = {}, .y = {}, .style = Style::outlines};
+    Series series{.label = fmt::format("{:.2f} s", seen.t), .style = Style::outlines};
     for (std::size_t i = 0; i < rocks; ++i)
       add_rock(series, pose(model, seen, *made.members[1 + i].body), fence.rocks[i].a);
     for (std::size_t i = 0; i < static_cast<std::size_t>(fence.layers); ++i)
       add_column(series, pose(model, seen, *made.members[1 + rocks + i * layer].body), fence.column);
     figure.series.push_back(std::move(series));
-  }};
-  static_cast<void>(simulate(system, integrator, state, plan, observers));
+  };
+  run_scene(made.scene, made.scene.integrator, plan, nullptr, draw);
   return figure;
 }
 

@@ -5,7 +5,7 @@
 
 #include "solver/io/fence1993/out_listing.hpp"
 #include "solver/io/fence1993/read_deck.hpp"
-#include "solver/run/simulate.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -28,23 +28,18 @@ Sample2Run run_sample2(const Sample2Change& change) {
   run.made = scenes::fence_scene(run.fence);
   if (change.made) change.made(run.made);
   const Scene& scene = run.made.scene;
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  Integrator integrator = scene.integrator;
-  State state = scene.initial;
   RunPlan plan = scene.plan;
   plan.end = static_cast<double>(printed_steps.back()) * plan.step;
   OutListing listing{run.fence, run.made, scene.plan};
-  const Observer observers[] = {[&](const State& seen, const StepInfo& info) {
+  const Watcher print = [&](const State& seen, const StepInfo& info) {
     listing(seen, info);
     if (std::find(printed_steps.begin(), printed_steps.end(), info.step) == printed_steps.end()) return;
     run.states.emplace_back();
     for (const scenes::FenceMember& member : run.made.members)
       run.states.back().push_back(state_of(member, scene.model, *info.held));
-  }};
-  static_cast<void>(simulate(system, integrator, state, plan, observers));
+  };
+  run.evaluations = run_scene(scene, scene.integrator, plan, nullptr, print).evaluations;
   run.listing = listing.text();
-  run.evaluations = system.evaluations();
   return run;
 }
 

@@ -2,6 +2,7 @@
 
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
+
 #include <cmath>
 
 /// What velocity Verlet makes of the pendulum, to the second order in its step, in closed form.

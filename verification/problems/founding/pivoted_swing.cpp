@@ -6,12 +6,13 @@
 #include <array>
 #include <cmath>
 
+#include "solver/run/simulate.hpp"
 #include "solver/run/turning_point.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/founding/leapfrog_swing.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
 #include "verification/study/pivoted_impact.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -45,31 +46,19 @@ struct Track {
   double turned{};  ///< largest angle, between steps
 };
 
-/// Goes on from `start` in equal steps until `swing_time`; calls see(state) after each.
-template <class See>
-bool go_on(const PivotedRun& run, const State& start, const Integrator& method, double step, const Setup& setup,
-           Findings& findings, See see) {
-  const Scene scene = scene_of(run, setup);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = start;
-  Integrator integrator = method;
-  const Observer watch = [&see](const State& seen, const StepInfo&) { see(seen); };
-  const Outcome outcome = simulate(system, integrator, state, {step, swing_time, swing_time, false}, {&watch, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  return static_cast<bool>(outcome);
-}
-
 /// Largest error of the angle over the swing in steps of that length, from the exact motion through `start`.
 double largest_angle_error(const PivotedRun& run, const State& start, double step, const Setup& setup,
                            Findings& findings) {
   const SwingThrough exact{start.q[0], start.v[0]};
   double largest = 0.0;
   const Integrator method = setup.has("euler_cromer") ? Integrator{EulerCromer{}} : Integrator{VelocityVerlet{}};
-  const bool whole = go_on(run, start, method, step, setup, findings, [&](const State& seen) {
+  Scene scene = scene_of(run, setup);
+  scene.initial = start;
+  const Watcher watch = [&](const State& seen, const StepInfo&) {
     largest = std::max(largest, std::abs(seen.q[0] - exact.motion.at(exact.since + seen.t - start.t).angle));
-  });
-  return whole ? largest : std::nan("");
+  };
+  const RunEnd end = run_scene(scene, method, {step, swing_time, swing_time, false}, findings, watch);
+  return end.finished ? largest : std::nan("");
 }
 
 /// Largest error of the angle that velocity Verlet is predicted to make from that state until `swing_time`, over
@@ -132,12 +121,7 @@ void check_order(const PivotedRun& run, const State& start, double production_st
 Track whole_run(const PivotedRun& run, double step, double dense, const Setup& setup, Findings& findings) {
   Track track;
   TurningPointFinder finder{0};
-  const Scene scene = scene_of(run, setup);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = scene.initial;
-  Integrator integrator = CentralDifference{};
-  const Observer watch = [&](const State& seen, const StepInfo& info) {
+  const Watcher watch = [&](const State& seen, const StepInfo& info) {
     finder(seen, info);
     if (seen.t >= dense && info.step % 40 != 0) return;
     track.t.push_back(seen.t);
@@ -145,9 +129,9 @@ Track whole_run(const PivotedRun& run, double step, double dense, const Setup& s
     track.rate.push_back(seen.v[0]);
     track.rock.push_back(seen.v[1]);
   };
-  const Outcome outcome = simulate(system, integrator, state, {step, swing_time, swing_time, false}, {&watch, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  track.turned = outcome && finder.found() ? finder.found()->value : std::nan("");
+  const RunPlan plan{step, swing_time, swing_time, false};
+  const RunEnd end = run_scene(scene_of(run, setup), CentralDifference{}, plan, findings, watch);
+  track.turned = end.finished && finder.found() ? finder.found()->value : std::nan("");
   return track;
 }
 
@@ -166,10 +150,7 @@ Figure velocities(const std::string& name, const std::string& title, const std::
                            {"rock, solver", {}, {}, Style::points}},
                 .lines = {{'y', rigid.column, "4.857"}, {'y', rigid.rock, "2.357"}}};
   const double h = 0.5 * problem.length;
-  const auto add = [&figure](std::size_t series, double t, double value) {
-    figure.series[series].x.push_back(t);
-    figure.series[series].y.push_back(value);
-  };
+  const auto add = [&figure](std::size_t series, double t, double value) { figure.series[series].add(t, value); };
   for (std::size_t i = 0; i < track.t.size() && track.t[i] <= end; ++i) {
     add(0, track.t[i], h * soft.samples[i].rate * std::cos(soft.samples[i].angle));
     add(1, track.t[i], soft.samples[i].rock_vx);
@@ -194,17 +175,15 @@ void compare_over_time(Findings& findings, const Track& track, const State& end,
                        const Expected& expected) {
   const reference::PivotedSoftImpact soft = reference::soft_impact(problem, expected.contact, track.t);
   double worst_angle = 0.0, worst_rate = 0.0;
-  Series exact_angle{.label = "elliptic functions", .x = {}, .y = {}, .style = Style::lines};
-  Series angle{.label = "solver", .x = {}, .y = {}, .style = Style::points};
+  Series exact_angle{.label = "elliptic functions", .style = Style::lines};
+  Series angle{.label = "solver", .style = Style::points};
   for (std::size_t i = 0; i < track.t.size(); ++i) {
     worst_angle = std::max(worst_angle, std::abs(track.angle[i] - soft.samples[i].angle));
     if (track.t[i] < end.t) continue;
     worst_rate = std::max(worst_rate, std::abs(track.rate[i] - soft.samples[i].rate));
-    exact_angle.x.push_back(track.t[i]);
-    exact_angle.y.push_back(exact.motion.at(exact.since + track.t[i] - end.t).angle);
+    exact_angle.add(track.t[i], exact.motion.at(exact.since + track.t[i] - end.t).angle);
     if (i % 4 != 0) continue;
-    angle.x.push_back(track.t[i]);
-    angle.y.push_back(track.angle[i]);
+    angle.add(track.t[i], track.angle[i]);
   }
   findings.expect(
       "largest distance of the angle to the soft reference over 1.2 s", worst_angle, 0.0,

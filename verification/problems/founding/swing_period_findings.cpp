@@ -8,6 +8,8 @@
 #include <string>
 
 #include "verification/problems/founding/leapfrog_swing.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/scene_run.hpp"
 #include "verification/study/swing.hpp"
 
 namespace talus::verification::problems {
@@ -21,11 +23,9 @@ std::string rounded(const std::string& decimal) { return fmt::format("{:.14f}", 
 
 /// Periods over that of small swings, beside the elliptic integral.
 Figure period_figure(const Series& ratio) {
-  Series elliptic{.label = "2 K/pi", .x = {}, .y = {}, .style = Style::lines};
-  for (double degrees = 1.0; degrees <= 179.0; degrees += 1.0) {
-    elliptic.x.push_back(degrees);
-    elliptic.y.push_back(bob_motion(degrees * degree).period() * bob_frequency() / (2.0 * pi));
-  }
+  const Series elliptic = curve("2 K/pi", multiples(1.0, 1, 179), [](double degrees) {
+    return bob_motion(degrees * degree).period() * bob_frequency() / (2.0 * pi);
+  });
   return {.name = "period",
           .title = "Period against amplitude",
           .caption =
@@ -38,11 +38,8 @@ Figure period_figure(const Series& ratio) {
 
 /// Relative errors of the period over (w0 h)^2, beside the constant of the modified Hamiltonian.
 Figure constant_figure(const Series& measured) {
-  Series theory{.label = "modified Hamiltonian", .x = {}, .y = {}, .style = Style::lines};
-  for (double degrees = 1.0; degrees <= 179.0; degrees += 1.0) {
-    theory.x.push_back(degrees);
-    theory.y.push_back(verlet_period_constant(degrees * degree));
-  }
+  const Series theory = curve("modified Hamiltonian", multiples(1.0, 1, 179),
+                              [](double degrees) { return verlet_period_constant(degrees * degree); });
   return {.name = "period_constant",
           .title = "Error constant of velocity Verlet's period",
           .caption =
@@ -60,15 +57,14 @@ Figure constant_figure(const Series& measured) {
 void check_amplitudes(Findings& findings, const Setup& setup) {
   const double h = 2.0 * pi / bob_frequency() / per_small_swing;
   const double z = bob_frequency() * h;
-  Series measured{.label = "velocity_verlet", .x = {}, .y = {}, .style = Style::points};
-  Series ratio{.label = "solver", .x = {}, .y = {}, .style = Style::points};
+  Series measured{.label = "velocity_verlet", .style = Style::points};
+  Series ratio{.label = "solver", .style = Style::points};
   Table table{.name = "periods",
               .caption =
                   "Period of the pinned body: reference (computed at 50 digits, 15 shown), as simulated by "
                   "velocity Verlet with 128 steps per small swing, and the relative error "
                   "with its prediction.",
-              .columns = {"A [deg]", "T [s]", "simulated [s]", "relative error", "predicted"},
-              .rows = {}};
+              .columns = {"A [deg]", "T [s]", "simulated [s]", "relative error", "predicted"}};
   double worst = 0.0;
   for (const double degrees : {0.1, 1.0, 10.0, 30.0, 60.0, 90.0, 120.0, 140.0, 150.0, 170.0, 175.0, 179.0}) {
     if (setup.coarse && degrees != 60.0) continue;
@@ -83,10 +79,8 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
                                           "the next term is below 5 % of it")
                         .relative(),
                     "s");
-    measured.x.push_back(degrees);
-    measured.y.push_back((period / reference - 1.0) / (z * z));
-    ratio.x.push_back(degrees);
-    ratio.y.push_back(period * bob_frequency() / (2.0 * pi));
+    measured.add(degrees, (period / reference - 1.0) / (z * z));
+    ratio.add(degrees, period * bob_frequency() / (2.0 * pi));
     table.rows.push_back({fmt::format("{:g}", degrees), rounded(bob_motion(amplitude).period_45_digits()),
                           fmt::format("{:.10f}", period), fmt::format("{:.4e}", period / reference - 1.0),
                           fmt::format("{:.4e}", constant * z * z)});

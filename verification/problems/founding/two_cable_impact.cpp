@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "solver/laws/restitution.hpp"
-#include "solver/run/energy_ledger.hpp"
 #include "solver/scenes/two_cable.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/study/followed_impact.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -17,11 +17,11 @@ const reference::TwoCable problem{};
 /// Follows the particle: when the contact has ended, and how far Eq. 27 holds from there on.
 class ParticleWatch {
  public:
-  explicit ParticleWatch(const Dynamics& dynamics) : dynamics_{&dynamics}, work_{dynamics.workspace()} {}
+  explicit ParticleWatch(const Model& model) : probe_{model} {}
 
-  void operator()(const State& state, const StepInfo&) {
-    dynamics_->update_all(state, work_);
-    const bool acts = state.mode[0] == UnilateralSpring::acting && work_.gaps[0].depth >= 0.0;
+  void look(const State& state) {
+    probe_.evaluate(state);
+    const bool acts = state.mode[0] == UnilateralSpring::acting && probe_.overlap(0) >= 0.0;
     touched_ = touched_ || acts;
     const double x = state.q[0], v = state.v[0];
     if (touched_ && !acts && !ended_) {
@@ -44,8 +44,7 @@ class ParticleWatch {
     return problem.stiffness * s * s / problem.mass;
   }
 
-  const Dynamics* dynamics_;
-  Workspace work_;
+  Probe probe_;
   bool touched_{false}, ended_{false};
   double energy_{};
 };
@@ -81,28 +80,23 @@ Scene scene_of(const LinearSpringDashpot& law, const Setup& setup) {
 
 TwoCableRun simulated(Scene scene, double gap, double step, bool to_the_turn, Findings& findings) {
   scene.initial.q[2] -= gap;
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, to_the_turn};
-  EnergyLedger ledger{dynamics, scene.initial};
+  RunLedger ledger{scene.model, scene.initial};
   TurningPointFinder finder{0};
-  ParticleWatch watch{dynamics};
+  ParticleWatch watch{scene.model};
   TwoCableRun run;
-  const Observer observer = [&](const State& state, const StepInfo& info) {
+  const Watcher watcher = [&](const State& state, const StepInfo& info) {
     finder(state, info);
-    watch(state, info);
+    watch.look(state);
     if (!to_the_turn) return;
-    const Accounts accounts = ledger.accounts(state);
+    const Accounts accounts = ledger(state);
     run.energy_closure = accounts.energy_closure;
     run.momentum_closure = std::max(run.momentum_closure, std::abs(accounts.momentum_closure.x));
   };
-  State state = scene.initial;
-  const StopCondition stop = [&](const State&) { return to_the_turn ? finder.found().has_value() : watch.ended(); };
-  const Outcome outcome =
-      simulate(system, scene.integrator, state, {step, 5.0, 5.0, to_the_turn}, {&observer, 1}, stop);
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  run.speed_after = outcome ? watch.speed_after : std::nan("");
+  const Until stop = [&](const State&) { return to_the_turn ? finder.found().has_value() : watch.ended(); };
+  const RunEnd end = run_scene(scene, scene.integrator, {step, 5.0, 5.0, to_the_turn}, findings, watcher, stop);
+  run.speed_after = end.finished ? watch.speed_after : std::nan("");
   run.curve_error = watch.curve_error;
-  run.turning = outcome && finder.found() ? *finder.found() : TurningPoint{std::nan(""), std::nan("")};
+  run.turning = end.finished && finder.found() ? *finder.found() : TurningPoint{std::nan(""), std::nan("")};
   run.momentum_closure /= problem.striker_mass * problem.approach_speed;
   return run;
 }

@@ -31,18 +31,17 @@ struct Swing {
 Series study(const MethodRange& method, const Swing& swing, Findings& findings, const Setup& setup) {
   const Integrator integrator = method.name == "velocity_verlet" ? verlet(setup) : make_integrator(method.name);
   Convergence convergence;
-  Series series{.label = std::string(method.name), .x = {}, .y = {}};
+  Series series{.label = std::string(method.name)};
   const double ratio = setup.coarse ? 8.0 : std::pow(2.0, method.order < 3 ? 1.0 : 0.5);
   // Three steps have to do when coarse: four times shorter ones, where the tilt is a sixteenth.
   for (double n = static_cast<double>(method.first) * (setup.coarse ? 4.0 : 0.125); n < 2.5e5; n *= ratio) {
     const long steps = std::lround(n);
     if (steps < 5) continue;
     const SwingError run = swing.error(integrator, steps);
-    findings.count(static_cast<std::uint64_t>(run.evaluations));
+    findings.count(run.evaluations);
     if (steps >= method.first && steps <= method.last) convergence.add(1.0 / static_cast<double>(steps), run.error);
     if (!(run.error > 1.0)) {
-      series.x.push_back(static_cast<double>(run.evaluations));
-      series.y.push_back(run.error);
+      series.add(static_cast<double>(run.evaluations), run.error);
     }
     if (run.evaluations > 170000 || run.error < 2e-14 || (setup.coarse && steps >= 4096)) break;
   }
@@ -57,13 +56,12 @@ Series study(const MethodRange& method, const Swing& swing, Findings& findings, 
 
 /// odeint_bulirsch_stoer, which has no fixed step, by its tolerance.
 Series study_tolerance(const Swing& swing, Findings& findings) {
-  Series stepless{.label = "odeint_bulirsch_stoer", .x = {}, .y = {}};
+  Series stepless{.label = "odeint_bulirsch_stoer"};
   Convergence kept;
   for (double tolerance = 1e-3; tolerance > 5e-14; tolerance *= 0.1) {
     const SwingError run = swing.error(make_integrator("odeint_bulirsch_stoer", tolerance), 1);
     kept.add(tolerance, run.error);
-    stepless.x.push_back(static_cast<double>(run.evaluations));
-    stepless.y.push_back(run.error);
+    stepless.add(static_cast<double>(run.evaluations), run.error);
   }
   findings.expect_order("error of odeint_bulirsch_stoer against tolerance", kept, 0.8, 1.2,
                         "order and step are chosen so that the error of a step stays below the tolerance: "

@@ -12,54 +12,6 @@ Case friction();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Bodies touch with friction: a disc that slides until it rolls, discs and blocks on slopes, oblique impacts,
-a block drawn to and fro. The friction is a spring and a slider in series.
-
-```
-          u0                      /|            v_n \   ( )
-     ( )----->                 ( ) |                 \  /
-   =====[k_s]==[mu N]====     /____|   tan =3mu    ====v=====  -v'
-```
-
-**Equations.** With the slip rate $v$ of the contact point, the spring's stretch $s$ and the normal force $N$,
-$$F = k_s s \;\text{ while }\; k_s|s| < \mu N \text{ (sticks)}, \qquad F = \mu N\,\mathrm{sign}(s) \text{ (slips)}.$$
-A force along the plane changes $v$ at the rate $n F/m$, $n = 1 + m r^2/I$: 3 for a disc, 1 for a block.
-
-| setting | exact |
-|:-----------|:-------------------|
-| disc set down with $u_0$ | rolls from $u_0/(3\mu g)$ on at $2u_0/3$; then swings with $v = \mu g\sqrt{3m/k_s}$ |
-| disc on a slope | $a = \frac23 g\sin\theta$ while $\tan\theta \le 3\mu$, else $g(\sin\theta-\mu\cos\theta)$ |
-| block on a slope | holds while $\tan\theta \le \mu$, else $g(\sin\theta-\mu\cos\theta)$ |
-| block let go, spring slack | swings to $2mg\sin\theta$: slips once if $\mu/2 < \tan\theta < \mu$ |
-| impact, slides all through | loses $\mu(1+e)v_n$ along the plane, gains the spin $2\mu(1+e)v_n/r$ |
-| impact, $k_s = k_n/3$, $v < 3\mu v_n$ | both springs swing in step, nothing slips: $v' = -v$ |
-| drawn by $\pm A$ | loses $4\mu N(A - \mu N/k_s)$ in a cycle |
-
-All other impacts are solved phase by phase: swings while the contact sticks; $v$ changes by $n\mu$ times the normal's
-change of speed while it slips.
-
-**Energy.** The slider's work is booked with the normal force at the end of each step. Through an impact that slides,
-the ledger is open by
-$\frac h2\int\mu\dot N(v - \mu\dot N/k_s)\,dt = \frac\pi4\mu^2 m\omega v_n^2(n - k_n/k_s)\,h$:
-first order, constant known.
-
-**Source.** Mustoe & Huttelmaier 1993, section 3.5, Eq. 18, with the sign of the stretch that the report leaves out (E11
-in the list of errata, shown in the case `fence_equations`); Cundall & Strack 1979. Closed forms: textbook mechanics,
-derived in the references' own comments.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $\mu$ | coefficient of friction | .3 |
-| $g$, $m$, $r$ | on table and slopes | 10, 2, .5 |
-| $k_n$, $k_s$ | there | $2\cdot10^6$ |
-| $k_n$, $m$, $v_n$ | impacts | 1, 1, 1 |
-
-**What would break it.** A contact whose spring starts unstretched at the first step that sees it (order 1 where it
-sticks: so it was until this case was written); a slider without direction; friction on the centre instead of the rim;
-a spring that is not let off as the normal force falls.
-)";
-
 constexpr double loop_friction = 0.25, loop_stiffness = 64.0, loop_normal = 4.0, loop_amplitude = 0.0625;
 
 /// A block of unit mass pressed by a constant force and drawn along a path, all numbers powers of two.
@@ -91,8 +43,7 @@ class DrawnBlock {
       work_ -= 0.5 * (force_ + now) * way * step;
       force_ = now;
       if (count % 16 != 0) continue;
-      loop.x.push_back(state_.q[0]);
-      loop.y.push_back(-force_);
+      loop.add(state_.q[0], -force_);
     }
   }
 
@@ -202,7 +153,6 @@ Case friction() {
                       "order of the speed along the plane, sticking, then sliding, velocity_verlet",
                       "area of the shear loop"},
       .source = "Mustoe & Huttelmaier 1993, section 3.5, Eq. 18; Cundall & Strack 1979",
-      .page = page,
       .faults = {{"friction_halved", "half the coefficient of friction", "area of the shear loop"},
                  {"disc_that_cannot_spin", "a particle for the disc",
                   "acceleration of a disc on slopes, farthest from the reference"},
@@ -214,8 +164,6 @@ Case friction() {
                   "order of the speed along the plane, sticking all through, velocity_verlet"},
                  {"slider_without_account", "the slider's work is left out of the ledger",
                   "closure of the energy over its prediction, sliding impact"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

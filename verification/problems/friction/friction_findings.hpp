@@ -1,7 +1,6 @@
 #pragma once
 
 #include "verification/check/case.hpp"
-#include "verification/check/findings.hpp"
 
 /// Parts of the case `friction`.
 namespace talus::verification::problems {

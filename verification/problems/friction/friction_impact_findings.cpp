@@ -9,6 +9,7 @@
 #include "verification/problems/friction/friction_findings.hpp"
 #include "verification/study/oblique_runs.hpp"
 #include "verification/study/phase_sweep.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -51,8 +52,7 @@ void check_orders(Findings& findings, const Setup& setup) {
                     "Relative error of the speed along the plane after an oblique impact, root mean square over "
                     "64 phases: velocity Verlet (lines with points) and central difference (crosses).",
                 .x = {.label = "step over contact time", .log = true},
-                .y = {.label = "relative error", .log = true},
-                .series = {}};
+                .y = {.label = "relative error", .log = true}};
   for (const Kind& kind : kinds) {
     for (const char* method : {"velocity_verlet", "central_difference"}) {
       if (setup.coarse && (kind.kappa != 1.0 / 3.0 || method != std::string{"velocity_verlet"})) continue;

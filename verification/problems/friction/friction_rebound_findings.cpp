@@ -8,6 +8,7 @@
 #include "verification/check/convergence.hpp"
 #include "verification/problems/friction/friction_findings.hpp"
 #include "verification/study/common_formula.hpp"
+#include "verification/study/curves.hpp"
 #include "verification/study/oblique_runs.hpp"
 
 namespace talus::verification::problems {
@@ -58,13 +59,9 @@ std::string returned(double after, double before) {
 }
 
 Series exact_rebounds(double kappa) {
-  Series line{fmt::format("k_s/k_n = {:.3g}", kappa), {}, {}, Style::lines};
-  for (int i = 1; i <= 120; ++i) {
-    line.x.push_back(0.1 * i);
-    line.y.push_back(reference::rebound(oblique_disc(kappa, 0.1 * i * kappa), reference::EndRule::clamped).slip_rate /
-                     mu);
-  }
-  return line;
+  return curve(fmt::format("k_s/k_n = {:.3g}", kappa), multiples(0.1, 1, 120), [&](double incidence) {
+    return reference::rebound(oblique_disc(kappa, incidence * kappa), reference::EndRule::clamped).slip_rate / mu;
+  });
 }
 
 }  // namespace
@@ -74,8 +71,7 @@ void check_rebounds(Findings& findings, const Setup& setup) {
               .caption =
                   "Slip rate after an oblique impact over that before, $-v'/v$: exact and solver (velocity "
                   "Verlet, 100 steps in a contact, mean of 64 phases). The unit of $v$ is $\\mu v_n k_n/k_s$.",
-              .columns = {"k_s/k_n", "v", "exact", "solver", "rms error over v_n"},
-              .rows = {}};
+              .columns = {"k_s/k_n", "v", "exact", "solver", "rms error over v_n"}};
   Table common = common_formula(
       "tangential_restitution",
       "**Tangential restitution of a contact that sticks, $e_t = -v'/v = -\\cos(\\pi\\sqrt{3 k_s/k_n})$.** It leaves "
@@ -89,8 +85,7 @@ void check_rebounds(Findings& findings, const Setup& setup) {
                     "Slip rate after an oblique impact against that before, in units of $\\mu v_n$. Lines: exact; "
                     "points: solver. To the right all slides: $v' = v - 6 \\mu v_n$.",
                 .x = {.label = "slip rate before / (mu v_n)"},
-                .y = {.label = "slip rate after / (mu v_n)"},
-                .series = {}};
+                .y = {.label = "slip rate after / (mu v_n)"}};
   double largest = 0.0;
   for (const double kappa : {0.25, 2.0 / 7.0, 1.0 / 3.0, 0.8}) {
     Series points{fmt::format("k_s/k_n = {:.3g}, solver", kappa), {}, {}, Style::points};
@@ -98,8 +93,7 @@ void check_rebounds(Findings& findings, const Setup& setup) {
       const Rebound found = measure(oblique_disc(kappa, ratio), setup, findings);
       largest = std::max(largest, found.error);
       if (ratio <= 0.5) compare_without_slip(kappa, ratio, found, common, findings);
-      points.x.push_back(found.before / mu);
-      points.y.push_back(found.mean / mu);
+      points.add(found.before / mu, found.mean / mu);
       table.rows.push_back({fmt::format("{:.4f}", kappa), fmt::format("{:g}", ratio),
                             returned(found.exact, found.before), returned(found.mean, found.before),
                             fmt::format("{:.1e}", found.error)});

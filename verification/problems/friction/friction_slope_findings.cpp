@@ -4,10 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/friction/friction_findings.hpp"
+#include "verification/study/scene_run.hpp"
 #include "verification/study/sliding_scenes.hpp"
 
 namespace talus::verification::problems {
@@ -23,32 +21,25 @@ double normal_round_off(const Slope& slope) {
 }
 
 struct SlopeRun {
-  State end;
-  std::vector<double> time, speed, rim;  ///< of every step, if it is watched: centre, and minus radius times spin
-  double largest_closure{};              ///< of the energy, over the energy at the start
+  State end{};
+  std::vector<double> time{}, speed{}, rim{};  ///< of every step, if watched: centre, and minus radius times spin
+  double largest_closure{};                    ///< of the energy
 };
 
 SlopeRun run_slope(const Slope& slope, const Setup& setup, double step, double end, bool watched, Findings& findings) {
   Slope told = slope;
   if (setup.has("friction_halved")) told.friction *= 0.5;
-  Scene scene = slope_scene(told);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics};
-  SlopeRun run{.end = scene.initial, .time = {}, .speed = {}, .rim = {}, .largest_closure = 0.0};
-  system.begin(run.end);
-  EnergyLedger ledger{dynamics, run.end};
-  const Observer observers[] = {[&](const State& state, const StepInfo&) {
+  const Scene scene = slope_scene(told);
+  SlopeRun run;
+  RunLedger ledger{scene.model, first_state(scene)};
+  const Watcher watch = [&](const State& state, const StepInfo&) {
     run.time.push_back(state.t);
     run.speed.push_back(state.v[0]);
     run.rim.push_back(state.v.size() > 2 ? -slope_radius * state.v[2] : 0.0);
-    (void)ledger.accounts(state);
-  }};
-  Integrator verlet = VelocityVerlet{};
-  const Outcome outcome = simulate(system, verlet, run.end, {step, end, end, true},
-                                   watched ? std::span{observers} : std::span<const Observer>{});
-  if (!outcome) run.end.v[0] = std::nan("");
-  run.largest_closure = ledger.largest_energy_closure();
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+    (void)ledger(state);
+  };
+  run.end = run_scene(scene, VelocityVerlet{}, {step, end, end, true}, findings, watched ? watch : Watcher{}).state;
+  run.largest_closure = ledger.energy().largest_energy_closure();
   return run;
 }
 
@@ -65,10 +56,8 @@ double end_of_slip(const SlopeRun& run, double arm) {
 Figure rolling_figure(const SlopeRun& run, const reference::DraggedSlider& slider, double speed) {
   Series centre{"speed of the centre, solver", {}, {}, Style::points}, rim{"r omega, solver", {}, {}, Style::points};
   for (std::size_t i = 0; i < run.time.size(); i += run.time.size() / 48) {
-    centre.x.push_back(run.time[i]);
-    centre.y.push_back(run.speed[i]);
-    rim.x.push_back(run.time[i]);
-    rim.y.push_back(run.rim[i]);
+    centre.add(run.time[i], run.speed[i]);
+    rim.add(run.time[i], run.rim[i]);
   }
   const double meets = speed / (3.0 * slider.friction * slope_gravity);
   const double last = run.time.back();
@@ -125,12 +114,10 @@ Figure slope_figure(const SlopeSweep& disc, const SlopeSweep& block) {
   for (int i = 0; i <= 200; ++i) {
     const double tangent = 1.9 * i / 200.0;
     Slope slope{true, std::atan(tangent), mu, stiffness, stiffness, 0.0, true};
-    rolls.x.push_back(tangent);
-    rolls.y.push_back(rigid_acceleration(slope));
+    rolls.add(tangent, rigid_acceleration(slope));
     slope.rolls = false;
     if (tangent > 2.1 * mu) continue;
-    holds.x.push_back(tangent);
-    holds.y.push_back(rigid_acceleration(slope));
+    holds.add(tangent, rigid_acceleration(slope));
   }
   return {.name = "slopes",
           .title = "Acceleration down a slope",

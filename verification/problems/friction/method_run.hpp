@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <variant>
 
 #include "solver/integrate/integrator_list.hpp"
@@ -18,7 +17,7 @@ State run_method(System& system, Integrator integrator, State state, double step
         method.start(system, state, step);
         for (long n = 0; n < steps; ++n)
           method.step(system, state, step);
-        return method.synchronized(system, state, step);
+        return synchronized(method, system, state, step);
       },
       integrator);
 }

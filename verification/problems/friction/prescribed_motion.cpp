@@ -1,17 +1,21 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/advance.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/problems/friction/forced_system.hpp"
 #include "verification/problems/friction/method_run.hpp"
-#include "verification/problems/friction/predicted_error.hpp"
 #include "verification/reference/held_body.hpp"
+#include "verification/reference/smooth_motion.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 
@@ -19,50 +23,47 @@ Case prescribed_motion();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** A body on three cables, and a disc that rolls once round another, pressed on it and held by friction: for
-neither is there a motion in closed form. So the motion is chosen, and the force found that makes it exact.
+/// The solver's system with an acceleration from outside on its first three coordinates, a function of time.
+///
+/// The time is the place of a clock, a particle of the scene that goes at speed 1 and on which nothing acts: so each
+/// method sees it at the very moment of its places, in every stage.
+class ForcedSystem {
+ public:
+  using Forcing = std::function<reference::Triple(double t)>;
 
-```
-    o.                .o                 .--. ->
-      '. ._______. .'                 .-(    )
-        '|  body |'      forced      (   '--' '.
-         '---.---'     along q*(t)   (    +    )   once round
-             o                        '.     .'
-```
+  /// `clock`: coordinate that is the time.
+  ForcedSystem(const Dynamics& dynamics, std::size_t clock, Forcing forcing)
+      : system_{dynamics, false}, clock_{clock}, forcing_{std::move(forcing)}, rates_{rest_state(dynamics.model())} {}
 
-**Equations.** Let the springs alone give the accelerations $a(q, \dot q, z)$, and let $q^*(t)$ be any smooth motion
-with its memory $z^*(t)$. Then it is the solution of
-$$\ddot q = a(q, \dot q, z) + f(t), \qquad f = \ddot q^* - a(q^*, \dot q^*, z^*).$$
-$a$ is written here a second time, without the solver. The time in $f$ is the place of a clock, a particle that goes at
-speed 1: so each method sees it where it sees the places.
+  void drift(State& state, double h) { system_.drift(state, h); }
+  void kick(State& state, double h) {
+    evaluate(state, rates_);
+    kick_velocities(state, rates_, h);
+  }
+  void begin(State& state) { system_.begin(state); }
+  void settle(State& state) { system_.settle(state); }
+  void derivative(const State& state, Rates& out) {
+    system_.derivative(state, out);
+    add(state, out);
+  }
+  void evaluate(State& state, Rates& out) {
+    system_.evaluate(state, out);
+    add(state, out);
+  }
+  long evaluations() const { return system_.evaluations(); }
 
-*On cables:* $x$, $y$ and the angle are sums of sines; each cable pulls with $k(l - l_0) + c\,\dot l$.
-*Rolling:* in polar coordinates about the fixed disc $\rho = \rho_0 + A\sin wt$, $\varphi = \Omega t$, the angle
-$\theta = \sigma t + B\sin wt$. The friction acts on the arm $r - \frac d2 = \frac12(r - R + \rho)$, so that
-$$z^* = z_0 + \int_0^t \left(\rho\,\Omega - \tfrac12(r - R + \rho)\,\dot\theta\right)dt' $$
-is in closed form, and $\sigma = 2\Omega\rho_0/(r - R + \rho_0)$ keeps it bounded.
+ private:
+  void add(const State& state, Rates& out) const {
+    const reference::Triple extra = forcing_(state.q[clock_]);
+    for (std::size_t i = 0; i < extra.size(); ++i)
+      out.v[i] += static_cast<double>(extra[i]);
+  }
 
-The leading error of the leapfrog methods follows from the motion as on the page `wedged_disc`; where dashpots act they
-see a velocity that lags by half a step (`lagged_central_difference`: one and a half), $\ddot e = Da[e] - g\,a_{\dot q}
-\ddot q$: order 1, constant known. The staggered methods start and are looked at by half a drift, whose middle is not
-that of a whole one: their memory is off by one more term, of order 3.
-
-**Source.** Derived here. The method: Roache 2002, J. Fluids Eng. 124, 4-10.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $m$, $I$ | body on cables | 2, .6 |
-| $k$, $c$ | its cables | 40, 70, 30; 0 or .8, .5, .3 |
-| $R$, $r$, $m$, $I$ | fixed disc; rolling disc | 1; .5, 1, .1 |
-| $k_n$, $k_s$ | their contact | 80, 50 |
-| $\rho_0$, $A$, $w$, $B$, $z_0$ | motion | 1.45, .02, 2.9, .3, .01 |
-| $t$ | end, once round | 4 |
-
-**What would break it.** A force on the wrong point of a turned body; a moment with the arm of another pose; a term of
-the velocity of a cable's end left out; memory moved by another rule than the midpoint's; a method that sees forces at
-another time than places.
-)";
+  RigidBodySystem system_;
+  std::size_t clock_;
+  Forcing forcing_;
+  Rates rates_;
+};
 
 constexpr double end_time = 4.0;
 
@@ -185,7 +186,7 @@ double error(const Exercise& exercise, const Integrator& method, long steps, Fin
   if (setup.has("clock_half_a_step_late")) state.q[exercise.clock] = -0.5 * step;
   if (!state.z.empty() && !setup.has("memory_forgotten")) state.z[0] = static_cast<double>(start.z[0]);
   state = run_method(system, method, state, step, steps);
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  findings.count(system.evaluations());
   reference::SmoothState off;
   for (std::size_t i = 0; i < 3; ++i) {
     off.q[i] = state.q[i] - exact.q[i];
@@ -234,12 +235,7 @@ void check_leapfrogs(const Exercise& exercise, Figure& figure, Findings& finding
                             "step; squared where no dashpot acts), bends the line by a twentieth of itself");
     if (method.kind == reference::Leapfrog::lagged_central_difference && !system.damped) continue;
     figure.series.push_back({name, found.steps(), found.errors(), Style::points});
-    Series line{"predicted", {}, {}, Style::lines};
-    for (const double h : found.steps()) {
-      line.x.push_back(h);
-      line.y.push_back(constant * std::pow(h, order));
-    }
-    figure.series.push_back(line);
+    figure.series.push_back(curve("predicted", found.steps(), [&](double h) { return constant * std::pow(h, order); }));
   }
 }
 
@@ -268,12 +264,7 @@ void check_high_orders(const Exercise& exercise, Figure& figure, Findings& findi
 }
 
 Figure figure_of(const char* name, const char* title, const char* caption) {
-  return {.name = name,
-          .title = title,
-          .caption = caption,
-          .x = {"step", "1", true},
-          .y = {"error", "1", true},
-          .series = {}};
+  return {.name = name, .title = title, .caption = caption, .x = {"step", "1", true}, .y = {"error", "1", true}};
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -318,7 +309,6 @@ Case prescribed_motion() {
                           "error over its prediction, cables with dashpots, velocity_verlet",
                           "error over its prediction, rolling, velocity_verlet", "order, rolling, rk4"},
           .source = "Derived here; the method: Roache 2002, J. Fluids Eng. 124, 4-10",
-          .page = page,
           .faults = {{"cables_stiffer", "cables .1 % stiffer", "error over its prediction, cables, velocity_verlet"},
                      {"cables_on_the_centre", "cables that end at the centre of mass",
                       "error over its prediction, cables, velocity_verlet"},
@@ -328,8 +318,6 @@ Case prescribed_motion() {
                       "error over its prediction, rolling, velocity_verlet"},
                      {"clock_half_a_step_late", "the force half a step late",
                       "error over its prediction, rolling, velocity_verlet"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -8,56 +8,16 @@
 
 #include "solver/io/read_scene_file.hpp"
 #include "solver/io/scene/read_scene.hpp"
-#include "solver/run/history.hpp"
-#include "solver/run/simulate.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/resting_contact.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/recorded_run.hpp"
 
 namespace talus::verification::problems {
 
 Case resting_contacts();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** A block slides to rest on rough ground; a disc that is at rest in an incline rolls down; a block at rest is
-nudged. Such contacts are stiff: they could oscillate 2,000 times while hardly anything moves. A method of located events
-must not follow these oscillations, and a body at rest must come to rest.
-
-```
-      ______  v_0                    ( )                 ______  v_0 small
-     |      | -->                      \  `.            |      | ->
-     |______|                            \   `.         |______|
-    ------------- x = v_0^2/(2 mu g)       \    `.     -------------
-```
-
-**Equations.** Both corners of the block slip with $F = \mu N$ until it stops at $T = v_0/(\mu g)$. Then its springs
-recover what friction had stretched, with $d = m g/(2 k)$ (two corners, each $k$ along the normal and $k_s$ along the
-ground; half sides $b$, $h$):
-
-$$x = \frac{v_0^2}{2 \mu g} + \mu d \left(1 - \frac{k}{k_s} - \frac{h^2}{b^2}\right).$$
-
-The disc rolls: $(1 + q)\,x = \frac{1}{2} g t^2 \sin\alpha + q s$, $q = I/(m r_a^2)$, with the arm $r_a = r - d/2$ of
-friction and the stretch $s = q m g \sin\alpha/((1 + q) k_s)$. The nudged block cannot turn and sticks: all of its kinetic
-energy, $\frac{1}{2} m v_0^2$, goes to the dashpot along the ground.
-
-**Evaluations.** A slide is one smooth motion: what it costs grows with the digits wanted, not with $k$. A body at rest
-costs nothing.
-
-| symbol | meaning | value |
-|:--|:--|:--|
-| block | mass, half sides, $v_0$, $\mu$ | 10 kg, 0.25 m, 3 m/s, 0.3 |
-| disc | mass, radius, $\alpha$, $\mu$ | 2 kg, 0.1 m, 20 degrees, 0.4 |
-| $k = k_s$ | stiffness | $10^6$ N/m |
-
-**Source.** Coulomb friction; the springs are derived in `verification/reference/resting_contact.hpp`. Implicit steps:
-Kennedy & Carpenter 2003. Scenes: `cases/sliding_block.toml`, `cases/rolling_disc.toml`, with the defaults of scenes.
-
-**What would break it.** Friction without a dashpot while it sticks (a block that cannot turn oscillates for ever, one that rocks until its normal dashpots stop it); a method
-that follows stiff springs explicitly; force that moves from corner to corner of a side; a scale of the error that is
-zero for a body at rest; the work of the tangential dashpot left out; friction work accumulated with the limit at the
-end of each step (0.045 % of the energy at 1e-6).
-)";
 
 constexpr double gravity = 9.81;
 constexpr reference::SlidingBlock block{10.0, 0.25, 0.25, 1e6, 1e6, 0.3, gravity, 3.0};
@@ -96,25 +56,16 @@ struct Ended {
 /// The scene as `talus run` runs it.
 Ended ended(Scene scene, double tolerance, Findings& findings) {
   scene.integrator = make_integrator("stormer_cowell", tolerance);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics};
-  State state = scene.initial;
-  system.begin(state);
-  Recorder recorder{dynamics, state};
   Ended found;
-  const Observer observer = [&](const State& seen, const StepInfo& info) {
-    recorder(seen, info);
-    if (!info.due) return;
-    found.time.push_back(seen.t);
-    found.speed.push_back(std::hypot(seen.v[0], seen.v[1]));
-  };
-  const Outcome outcome = simulate(system, scene.integrator, state, scene.plan, {&observer, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  if (!outcome) state.q.assign(state.q.size(), NAN);
-  found.state = state;
-  found.evaluations = system.evaluations();
-  found.accounts = recorder.accounts();
-  found.balance = recorder.ledger()->largest_energy_closure();
+  const RecordedRun run{scene, findings, [&](const State& seen, const StepInfo& info) {
+                          if (!info.due) return;
+                          found.time.push_back(seen.t);
+                          found.speed.push_back(std::hypot(seen.v[0], seen.v[1]));
+                        }};
+  found.state = run.end().state;
+  found.evaluations = run.end().evaluations;
+  found.accounts = run.recorder().accounts();
+  found.balance = run.recorder().ledger()->largest_energy_closure();
   return found;
 }
 
@@ -140,7 +91,7 @@ long explicit_evaluations(const Scene& scene, double tolerance, Findings& findin
   } catch (const TooManyEvaluations&) {
     // More than a hundred times what is allowed.
   }
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  findings.count(system.evaluations());
   return system.evaluations();
 }
 
@@ -159,8 +110,7 @@ void sliding_block(Findings& findings, const Setup& setup, Costs& costs) {
     if (explicitly && tolerance != 1e-6) continue;
     const Ended found = explicitly ? Ended{} : ended(scene, tolerance, findings);
     const long evaluations = explicitly ? explicit_evaluations(scene, tolerance, findings) : found.evaluations;
-    costs.block.x.push_back(tolerance);
-    costs.block.y.push_back(static_cast<double>(evaluations));
+    costs.block.add(tolerance, static_cast<double>(evaluations));
     const std::string name = fmt::format("block, tolerance {:.0e}: ", tolerance);
     findings.expect_between(
         name + "evaluations", static_cast<double>(evaluations), 100.0, 300.0 * (-std::log10(tolerance) - 3.0),
@@ -198,8 +148,7 @@ void rolling_disc(Findings& findings, const Setup& setup, Costs& costs) {
   for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
     if (setup.coarse && tolerance != 1e-8) continue;
     const Ended found = ended(scene, tolerance, findings);
-    costs.disc.x.push_back(tolerance);
-    costs.disc.y.push_back(static_cast<double>(found.evaluations));
+    costs.disc.add(tolerance, static_cast<double>(found.evaluations));
     const std::string name = fmt::format("disc, tolerance {:.0e}: ", tolerance);
     const double along =
         (found.state.q[0] - scene.initial.q[0]) * cosine - (found.state.q[1] - scene.initial.q[1]) * sine;
@@ -279,8 +228,7 @@ void draw_speeds(Findings& findings, const Setup& setup) {
     Series series{label, {}, {}, Style::lines};
     for (std::size_t i = 0; i < found.time.size(); ++i) {
       if (found.time[i] < 1.015 || found.time[i] > 1.1) continue;
-      series.x.push_back(found.time[i]);
-      series.y.push_back(std::max(found.speed[i], 1e-12));
+      series.add(found.time[i], std::max(found.speed[i], 1e-12));
     }
     return series;
   };
@@ -331,7 +279,6 @@ Case resting_contacts() {
                           "block, tolerance 1e-10: speed at rest", "disc, tolerance 1e-08: displacement",
                           "nudged block: friction work over its kinetic energy"},
           .source = "Kennedy & Carpenter 2003 (implicit steps); the springs of bodies at rest are derived here",
-          .page = page,
           .faults = {{"friction_too_large", "a coefficient of friction that is too large by 1e-6",
                       "block, tolerance 1e-10: displacement"},
                      {"inertia_too_large", "an inertia of the disc that is too large by 1e-5",
@@ -339,8 +286,6 @@ Case resting_contacts() {
                      {"explicit_steps", "a system that does not say which springs act",
                       "block, tolerance 1e-06: evaluations"},
                      {"no_shear_dashpot", "friction without a dashpot while it sticks", "nudged block: speed at rest"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

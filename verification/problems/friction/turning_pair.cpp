@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,6 +7,7 @@
 #include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/friction/late_slip.hpp"
+#include "verification/study/predicted_errors.hpp"
 #include "verification/study/turned_pair.hpp"
 
 namespace talus::verification::problems {
@@ -15,46 +15,6 @@ namespace talus::verification::problems {
 Case turning_pair();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** Two discs that touch and hold each other by friction are turned as one, once round: their spring must turn
-with them, its stretch and its force as before. And a body pressed on a plane, drawn round a closed path without
-slipping, must cost no work.
-
-```
-        ___                          y ^
-     .-'   '-.  _                      |   +--<--+
-    (    A    )( B)   -> by 2 pi       |   |     |
-     '-.___.-'  "      as one          |   +-->--+
-        x pivot                        +-----------> x, angle
-```
-
-**Equations.** A step takes the stretch on by the slip at its middle. When a pair with its centres $D$ apart is turned
-by $\varphi$ in a step, the centres go along chords: they pass each other at $2D\sin\frac\varphi2$, and at the middle
-stand $D\cos\frac\varphi2$ apart, over which the spins roll. The stretch is off by
-$$2D\sin\tfrac\varphi2 - \varphi D\cos\tfrac\varphi2 = \tfrac1{12}D\varphi^3 - \ldots,
-\qquad \text{in a turn of } n \text{ steps } \tfrac23\pi^3 D/n^2\,\bigl(1 - \tfrac{\pi^2}{10n^2}\bigr):$$
-second order, wherever the pivot is. With the directions of the end of the step it would be $D(\sin\varphi - \varphi)$,
-twice as much and of the other sign.
-
-A spring of constant $k_s$ that sticks gives back along a path what it took: no work round a closed one, however the
-depth changes. With $k_s(d)$ it would not: $\oint k_s(d)\,s\,ds \ne 0$. But a closed path of the *body* need not close
-the spring. The force acts half-way through the overlap, on the arm $(r + y)/2$ of a disc whose centre is at height $y$:
-$$ds = -dx - \tfrac12(r + y)\,d\theta, \qquad \oint ds = \tfrac12\times\text{area in } (y, \theta).$$
-Turned while low and turned back while high, the disc has rolled a little, and the work is in the spring, $\frac12k_s
-s^2$: nothing is made or lost.
-
-**Source.** Derived here. Cundall & Strack 1979 for the spring; Vyas et al. 2025 for the direction of a half step.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $r_A$, $r_B$, $d$ | radii and overlap of the pair | 1, 1/2, 1/16 |
-| $k_n$, $k_s$, $s_0$ | of the pair | 64, 32, 1/128 |
-| $r$, $k_n$, $k_s$ | body on a plane | 1, 1024, 64 |
-
-**What would break it.** A spring kept in world directions; a normal of another time than the velocities; spins left out
-of the slip; a stiffness along the contact that follows the overlap.
-)";
 
 using namespace turned_pair;
 
@@ -90,15 +50,12 @@ void check_turn(Findings& findings, const Setup& setup) {
                                        "the force of 4 N times the roundings of a place, the friction of .25 N times "
                                        "those of the stretch"),
                   "J");
-  Convergence drift;
-  Series line{"2/3 pi^3 D/n^2", {}, {}, Style::lines};
-  for (const double n : doublings(16.0, setup.coarse ? 3 : 6)) {
-    drift.add(2.0 * std::numbers::pi / n, turned_as_told(std::lround(n), setup).stretch);
-    line.x.push_back(drift.steps().back());
-    line.y.push_back(2.0 / 3.0 * std::pow(std::numbers::pi, 3.0) * distance / (n * n));
-  }
+  const PredictedErrors drift = predicted_errors(doublings(16.0, setup.coarse ? 3 : 6), [&](double n) {
+    return std::array{2.0 * std::numbers::pi / n, turned_as_told(std::lround(n), setup).stretch,
+                      2.0 / 3.0 * std::pow(std::numbers::pi, 3.0) * distance / (n * n)};
+  });
   findings.expect_order(
-      "order of the stretch gained in a turn", drift, setup.coarse ? 1.996 : 1.9985, 2.0,
+      "order of the stretch gained in a turn", drift.found(), setup.coarse ? 1.996 : 1.9985, 2.0,
       "2 less the next term, 1 - pi^2/(10 n^2), which at 16 steps is .004 and falls by a quarter with "
       "each doubling: it tilts the line by .002 (from 16 to 64 steps), .001 (to 512)");
   if (setup.coarse) return;
@@ -109,8 +66,7 @@ void check_turn(Findings& findings, const Setup& setup) {
                        "as predicted, no constant fitted.",
                    .x = {"angle of a step", "rad", true},
                    .y = {"stretch gained", "m", true},
-                   .series = {{"solver", drift.steps(), drift.errors(), Style::points}, line},
-                   .slopes = {}});
+                   .series = {drift.points("solver"), drift.line("2/3 pi^3 D/n^2")}});
 }
 
 using Place = std::array<double, 3>;  // x, y, angle
@@ -228,7 +184,6 @@ Case turning_pair() {
                       "friction in the pair's own directions, largest change beyond the stretch's",
                       "work of a closed path in x and y", "work of a closed path in y and the angle"},
       .source = "Derived here; Cundall & Strack 1979; Vyas et al. 2025, arXiv 2410.14798",
-      .page = page,
       .faults = {{"late_slip", "half-step velocities along the directions of the step's end",
                   "stretch gained in a turn of 256 steps"},
                  {"spring_left_behind", "forces taken in world directions",
@@ -236,8 +191,6 @@ Case turning_pair() {
                  {"one_disc_that_does_not_spin", "only the larger disc spins", "order of the stretch gained in a turn"},
                  {"friction_that_slips", "a coefficient of friction too small to hold",
                   "work of a closed path in x and y"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

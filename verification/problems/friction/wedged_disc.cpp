@@ -8,53 +8,15 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/friction/late_slip.hpp"
 #include "verification/problems/friction/method_run.hpp"
-#include "verification/problems/friction/predicted_error.hpp"
 #include "verification/reference/held_body.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 
 Case wedged_disc();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** A small disc lies in the notch between two large ones, up to a hundred times its size, and swings on the
-springs of both contacts, which hold it by friction. Codes that take the slip of a step from half-step velocities along
-the directions of the full step trap small grains there.
-
-```
-        .--.   _   .--.
-      .      .( ).      .       R/r = 1, 3, 10, 100
-     (        ) (        )
-```
-
-**Equations.** With $u$ from the small disc's centre to a large one's, $d$ the overlap and $t \perp u$,
-$$m\ddot x = \sum_{i=1}^2 (-k_n d_i u_i + k_s z_i t_i) - mg\,e_y, \qquad
-\dot z_i = -\bigl(v\cdot t_i + \omega(r - \tfrac{d_i}2)\bigr) = s_i(q)\,v .$$
-Leapfrog places lie on $y = q + h^2 e$, where $e$ follows from the motion by
-$$\ddot e = Da[e] - \tfrac1{12}q'''', \qquad
-\dot e_z = D(sv)[e] + \tfrac18 Ds[\ddot q]v + \tfrac1{24}s\,q''' - \tfrac1{24}(sv)'' ,$$
-so that the constant of the error is known. Slip along directions that are half a step late adds
-$\frac h2 Ds[v]\,v$ to $\dot z$: first order.
-
-**What of the published test is here.** Vyas et al. let a small sphere roll round the ring between two large ones,
-across the plane of their centres: in a plane there is no such ring. What is left is what it rests on, the time at which
-the slip is taken, at the same ratios of size. The trap beyond ratio 3 is of three dimensions and is not shown.
-
-**Source.** Vyas, Ottino, Lueptow & Umbanhowar 2025, Comput. Phys. Commun. 310, 109524 (arXiv 2410.14798). Equations of
-the error derived here, tested against written-out methods in the reference's own test.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $r$, $m$, $I$ | small disc | 1, 1, 1/2 |
-| $k_n$, $k_s$ | each contact | 100, 60 |
-| $d$ | overlap with the springs of friction slack, which the weight $mg$ balances | 1/4 |
-| $v$, $\omega$ | start | (.5, .4), .7 |
-| $t$ | end | 3, about seven swings |
-
-**What would break it.** Slip taken at the end or at the start of a step; friction on the rim instead of half-way
-through the overlap; a start of the memory half a step off; spins left out.
-)";
 
 constexpr double squeeze = 0.25, end_time = 3.0;
 
@@ -136,7 +98,7 @@ class Wedge {
     const Dynamics dynamics{scene_.model};
     const auto run = [&](auto system) {
       const State end = run_method(system, method, scene_.initial, end_time / static_cast<double>(steps), steps);
-      findings.count(static_cast<std::uint64_t>(system.evaluations()));
+      findings.count(system.evaluations());
       return end;
     };
     const State end = late ? run(LateSlipSystem{dynamics}) : run(RigidBodySystem{dynamics, false});
@@ -192,12 +154,8 @@ void check_leapfrogs(const Wedge& wedge, Figure& figure, Findings& findings, con
         "the springs never let go nor slip. The next power, (w h)^2 = 4e-4 at the largest step (coarse: .007), "
         "bends the line by up to four times as much where the leading term happens to be small");
     figure.series.push_back({"solver, " + wedge.name(), found.steps(), found.errors(), Style::points});
-    Series line{"predicted, " + wedge.name(), {}, {}, Style::lines};
-    for (const double h : found.steps()) {
-      line.x.push_back(h);
-      line.y.push_back(constant * h * h);
-    }
-    figure.series.push_back(line);
+    figure.series.push_back(
+        curve("predicted, " + wedge.name(), found.steps(), [&](double h) { return constant * h * h; }));
   }
 }
 
@@ -210,12 +168,7 @@ void check_late(const Wedge& wedge, Figure& figure, Table& table, Findings& find
   const Convergence found = wedge.errors(VelocityVerlet{}, 4096.0, 4, true, findings);
   expect_constant(findings, "slip along late directions, " + wedge.name(), found, late, 1, 1, 3e-6);
   figure.series.push_back({"late directions, " + wedge.name(), found.steps(), found.errors(), Style::crosses});
-  Series line{"late, predicted", {}, {}, Style::lines};
-  for (const double h : found.steps()) {
-    line.x.push_back(h);
-    line.y.push_back(late * h);
-  }
-  figure.series.push_back(line);
+  figure.series.push_back(curve("late, predicted", found.steps(), [&](double h) { return late * h; }));
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -226,15 +179,13 @@ void run(Findings& findings, const Setup& setup) {
                     "Lines: predicted, no constant fitted. Crosses: the slip taken along the directions of the "
                     "step's end.",
                 .x = {"step", "s", true},
-                .y = {"error", "m", true},
-                .series = {}};
+                .y = {"error", "m", true}};
   Table table{.name = "late",
               .caption =
                   "Predicted errors of velocity Verlet at the end, over the step's power: as the solver takes "
                   "the slip, and along the directions of the step's end; and the step below which the late "
                   "slip's error is the larger.",
-              .columns = {"sizes", "error/h^2", "late: error/h", "alike at h"},
-              .rows = {}};
+              .columns = {"sizes", "error/h^2", "late: error/h", "alike at h"}};
   for (const double ratio : {1.0, 3.0, 10.0, 100.0}) {
     if (setup.coarse && ratio != 1.0) continue;
     const Wedge wedge{ratio, setup};
@@ -266,13 +217,10 @@ Case wedged_disc() {
                           "error over its prediction, velocity_verlet, R/r = 100", "order, velocity_verlet, R/r = 100",
                           "error over its prediction, slip along late directions, R/r = 1"},
           .source = "Vyas, Ottino, Lueptow & Umbanhowar 2025, Comput. Phys. Commun. 310, 109524 (arXiv 2410.14798)",
-          .page = page,
           .faults = {{"late_slip", "half-step velocities along the directions of the step's end",
                       "order, velocity_verlet, R/r = 1"},
                      {"ring_for_disc", "the moment of inertia of a ring",
                       "error over its prediction, velocity_verlet, R/r = 1"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

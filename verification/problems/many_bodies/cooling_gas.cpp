@@ -4,56 +4,19 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "solver/cell/block_means.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/followed_discs.hpp"
 #include "verification/reference/gas_of_discs.hpp"
+#include "verification/study/curves.hpp"
 
 namespace talus::verification::problems {
 
 Case cooling_gas();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** A thin gas of discs that lose a little in each collision is left to itself, in a box that repeats itself and
-drifts along $x$. How fast does it cool? And what is the pressure of a gas that loses nothing?
-
-**Equations.** Temperature is energy, $T = m\langle c^2\rangle/2$ for each disc, $c$ relative to the mean flow. $n$ discs
-per area with uncorrelated velocities, whose density in touch is $\chi n$, collide $2\sqrt\pi\,n d\chi\sqrt{T/m}$ times
-each per time, and share a loss of $(1-e^2)T$: Haff's law,
-$$T = \frac{T_0}{(1 + t/\tau)^2}, \qquad
-\frac1\tau = \frac{\sqrt\pi}{2}(1-e^2)\,\chi\,n d\sqrt{T_0/m}, \qquad
-p = n T\,[1 + (1+e)\phi\chi], \qquad \chi = \frac{1 - 7\phi/16}{(1-\phi)^2},$$
-a straight line of $T^{-1/2}$ against time. Soft discs touch for a time $t_c$ and stand for hard ones that are
-smaller by $\sqrt{\pi T/2k}$, the mean Boltzmann factor inside: $p$ is compared with theirs. And they lose less: pressed in
-by $\delta$, two discs pass each other closer, and faster, which takes $2\delta/d$ of the energy across from that along the
-normal: in the mean $t_c\sqrt{T/m}/(\sqrt\pi\,d)$ of the loss.
-
-**Account.** What a latching contact can no longer give back is known by its largest overlap $\delta$:
-$\frac12(1-e^2)K_1\delta^2$. Booked when it grows, it is what the discs lose, but for what steps add to the energy of a
-contact: nothing of first order in $\omega_1h$, $\omega_1 = \sqrt{2K_1/m}$.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $N$, $\phi$ | discs, solid fraction | 2025, .1; elastic also .5 |
-| $e$ | latching spring with $K_1/K_2 = e^2$; dashpot | .95 |
-| $t_c$ | time of a contact | 1 % of that between two collisions of a disc, at first; elastic 2 % |
-| $h$ | step, leapfrog | $t_c/20$; elastic also 6 and 4 of them |
-
-Steps that are too long heat a gas that loses nothing: told were 17 % in 8,000 steps with 6 of them in a contact, of an
-independent code's gas whose density is not known. Here, thin, it is .7 % in as many steps, 2 % in twice the time, and 18 %
-with 4 steps in a contact.
-
-**Source.** Haff 1983; Henderson 1975 ($\chi$); Barker & Henderson 1967 (softness). Derived again as sums over speeds
-in the reference's test. That vortices and then clusters grow in such a gas is known (Miller & Luding 2004); here it is
-followed for $1.5\tau$, before they do.
-
-**What would break it.** $e$ for $e^2$; a collision missed or counted twice; the drift of the box in $T$.
-)";
 
 constexpr double restitution = 0.95, drift = 0.5;
 constexpr double length = 1.5;  // of a run, in tau
@@ -107,7 +70,7 @@ Cooling cool(const L& law, std::size_t discs, double contact_time, std::uint64_t
       sum += Vec2{seen.discs.vx[i], seen.discs.vy[i]};
     found.momentum = std::max(found.momentum, norm(sum));
   });
-  findings.count(static_cast<std::uint64_t>(plan.steps));
+  findings.count(plan.steps);
   found.slope = slope_of(found.time, found.temperature);
   found.account = booked / lost;
   return found;
@@ -138,7 +101,7 @@ Elastic rest_in_motion(double fraction, std::size_t discs, double between, Findi
     if (seen.t >= before)
       means.add(seen.t - before, 1.0, std::array{seen.stress.pressure(), law_at_1 * seen.temperature});
   });
-  findings.count(static_cast<std::uint64_t>(plan.steps));
+  findings.count(plan.steps);
   Elastic found;
   found.pressure = means.ratio(0, 1, 0);
   found.hardened = reference::pressure(reference::hardened(gas, 1.0, law.stiffness), 1.0) / law_at_1;
@@ -153,8 +116,7 @@ void check_elastic(Findings& findings, const Setup& setup) {
               .caption =
                   "Pressure of elastic discs by the virial over that of hard discs of their diameter; what softer "
                   "discs should have; change of the energy.",
-              .columns = {"phi", "p", "error", "soft", "energy"},
-              .rows = {}};
+              .columns = {"phi", "p", "error", "soft", "energy"}};
   const double collisions = setup.coarse ? 120.0 : 150.0;  // of a disc
   double worst_pressure = -1.0, worst_energy = -1.0;
   Elastic pressed, heated;
@@ -218,7 +180,7 @@ void run(Findings& findings, const Setup& setup) {
       momentum = std::max(momentum, found.momentum);
       if (seed > 1) continue;
       for (std::size_t i = 0; i < found.time.size(); i += 20)
-        drawn[which].x.push_back(found.time[i]), drawn[which].y.push_back(found.temperature[i]);
+        drawn[which].add(found.time[i], found.temperature[i]);
     }
     findings.expect(
         fmt::format("slope of T^-1/2, {}, over Haff's", drawn[which].label), slope[which], 1.0,
@@ -244,9 +206,7 @@ void run(Findings& findings, const Setup& setup) {
                            "and the sum over all discs by which it is told"));
   check_elastic(findings, setup);
   if (setup.coarse) return;
-  Series law{"Haff's law", {}, {}, Style::lines};
-  for (int i = 0; i <= 100; ++i)
-    law.x.push_back(0.01 * length * i), law.y.push_back(1.0 / ((1.0 + law.x.back()) * (1.0 + law.x.back())));
+  const auto haff = [](double t) { return 1.0 / ((1.0 + t) * (1.0 + t)); };
   findings.figure({.name = "cooling",
                    .title = "A gas that cools",
                    .caption = fmt::format("Temperature over its first value against time over $\\tau$, the first of {} "
@@ -254,7 +214,7 @@ void run(Findings& findings, const Setup& setup) {
                                           seeds, *least, *most),
                    .x = {.label = "t/tau"},
                    .y = {.label = "T/T0", .log = true},
-                   .series = {law, drawn[0], drawn[1]}});
+                   .series = {curve("Haff's law", multiples(0.01 * length, 0, 100), haff), drawn[0], drawn[1]}});
 }
 
 }  // namespace
@@ -272,7 +232,6 @@ Case cooling_gas() {
                       "account of the latching spring over what discs lost",
                       "pressure of elastic discs over that of hard ones, farther"},
       .source = "Haff 1983; Henderson 1975",
-      .page = page,
       .faults = {{"restitution_for_its_square", "K1/K2 = e instead of its square",
                   "slope of T^-1/2, latching spring, over Haff's"},
                  {"discs_uncorrelated", "the law without chi", "slope of T^-1/2, spring and dashpot, over Haff's"},
@@ -281,7 +240,6 @@ Case cooling_gas() {
                   "pressure of elastic discs over that of hard ones, farther"},
                  {"elastic_steps_short", "20 steps in a contact where there are to be 4",
                   "change of the energy of elastic discs, 4 steps in a contact"}},
-      .tier = Tier::quick,
       .time_limit = 600.0,
       .run = run};
 }

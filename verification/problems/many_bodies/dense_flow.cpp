@@ -11,41 +11,12 @@ Case dense_flow();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Discs of unlike size without friction, packed as densely as they still flow, are sheared slowly without walls.
-Their resistance is not nought: what is it, over the pressure?
-
-**Equations.** By dimensions, stiff discs at the solid fraction $\phi$ have $p = \dot\gamma^2\rho\,d^2 f(\phi)$; turned
-round, $\mu = S/p$ and $\phi$ are functions of the inertial number
-$$I = \dot\gamma\,d\sqrt{\rho/p}, \qquad \rho = \frac{4m}{\pi d^2},$$
-and of the discs' softness $p/K_1$ if it is not small. $S = -P_{xy}$ and $p$ are those of the virial, motion and contacts.
-Here $\phi$ is given and $I$ is measured.
-
-**What is expected.** However slow the flow is, friction stays, as contacts stand against the shear, and grows as a
-power of $I$ (Peyneau & Roux 2008, of beads). For $I = .003$ and sizes within 20 % an
-independent code's runs gave .10 to .13. Equal discs would order themselves, and slip along their rows.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $N$ | discs; diameters $d(1 \mp .2)$, masses as areas | 200 (full tier 600) |
-| $e$ | latching spring, $K_1/K_2 = e^2$ | .7 |
-| $\dot\gamma$ | shear rate | $10^{-4}\sqrt{K_1/m}$ |
-| $h$ | step, leapfrog | a tenth of a contact of the middle size |
-| strain | to forget the start; measured | 1; 4 (full tier 7) |
-
-**Source.** The numbers $\mu$ and $I$: da Cruz et al. 2005.
-
-**What would break it.** Memory of contacts lost when the list is made anew; images of the sliding box that push with another
-velocity; a contact counted once in a while only; pressure without one of its parts.
-)";
-
 void draw(Findings& findings, const std::vector<DenseFlow>& all) {
   Table table{.name = "flow",
               .caption =
                   "Friction, with its standard error from ten blocks, at the inertial number that the solid "
                   "fraction gives; softness $p/K_1$; contacts of a disc; mean overlap of a contact over $d$.",
-              .columns = {"phi", "I", "mu", "error", "p/K1", "contacts", "overlap"},
-              .rows = {}};
+              .columns = {"phi", "I", "mu", "error", "p/K1", "contacts", "overlap"}};
   Series points{"discs", {}, {}, Style::errorbars};
   for (const DenseFlow& flow : all) {
     const auto [mu, error] = flow.friction;
@@ -53,7 +24,7 @@ void draw(Findings& findings, const std::vector<DenseFlow>& all) {
                           fmt::format("{:.4f}", mu), fmt::format("{:.4f}", error),
                           fmt::format("{:.1e}", flow.pressure.value), fmt::format("{:.2f}", flow.coordination),
                           fmt::format("{:.1e}", flow.overlap)});
-    points.x.push_back(flow.inertial.value), points.y.push_back(mu);
+    points.add(flow.inertial.value, mu);
     points.y_low.push_back(mu - 3.0 * error), points.y_high.push_back(mu + 3.0 * error);
   }
   findings.table(table);
@@ -103,11 +74,9 @@ Case dense_flow() {
           .requirements = {{"F7", {"friction at the slowest flow", "inertial number"}}},
           .main_checks = {"friction at the slowest flow", "inertial number of the slowest flow"},
           .source = "da Cruz et al. 2005; Peyneau & Roux 2008",
-          .page = page,
           .faults = {{"equal_discs", "discs of one size, which order themselves", "friction at the slowest flow"},
                      {"still_box", "images that do not slide", "inertial number of the slowest flow"},
                      {"motion_alone", "stress by the motion alone", "inertial number of the slowest flow"}},
-          .tier = Tier::quick,
           .time_limit = 600.0,
           .run = run};
 }

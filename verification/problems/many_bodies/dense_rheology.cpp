@@ -2,60 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/dense_runs.hpp"
 #include "verification/reference/power_fit.hpp"
+#include "verification/study/curves.hpp"
 
 namespace talus::verification::problems {
 
 Case dense_rheology();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** Discs of unlike size flow at a kept volume, without walls, from fast to very slow. How does their friction
-$\mu = S/p$ go with the inertial number $I$, how the solid fraction $\phi$, and what is left of friction when the flow is
-infinitely slow: without friction between discs, and with it?
-
-**Equations.** Stiff discs have no time of their own but that of the shear: at each $\phi$, $p/\dot\gamma^2$ and $\mu$ are
-numbers, whatever the stiffness, and so
-$$I = \dot\gamma\,d\sqrt{\rho/p}, \qquad \rho = \frac{4m}{\pi d^2}$$
-is one, too; turned round, $\mu(I)$ and $\phi(I)$. ($\dot\gamma\sqrt{m/p}$ of other authors is $.886\,I$.)
-Measured are $\mu$ and $I$ at given $\phi$.
-
-**What is expected.** What could be read of published runs with round grains, each in its abstract:
-
-| who | what ran | what is said |
-|:--|:-----|:-----|
-| Clark et al. 2017 | no friction, in two and in three dimensions, simple shear at small $I$ | no packing of many bears more than $S/p \approx .11$ |
-| Vagberg et al. 2015 | discs of two sizes without friction, soft, at kept volume | $p/\dot\gamma^2 \propto (\phi_J-\phi)^{-\beta}$, $\beta = 5.0 \pm .4$, with a correction |
-| Peyneau & Roux 2008 | beads without friction | $\mu$ and volume grow as powers of $I$ |
-| DeGiuli et al. 2015 | spheres, with friction | $\mu(I)-\mu(0) \propto I^{1-2b}$, $b \approx .2$, from $I = 10^{-2.5}$ on, where friction slides |
-
-The first gives $\mu \to .11$ for smooth discs, and the second $\phi_J - \phi \propto I^{2/\beta}$, $2/\beta = .40 \pm .03$.
-Of rough discs in two dimensions no number could be read; they must resist more, and be looser, than smooth ones.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $N$ | discs; diameters $d(1 \mp .2)$, masses as areas | 200 (full tier: 400 without friction) |
-| $e$ | latching spring, $K_1/K_2 = e^2$ | .7 |
-| $\mu_p$, $k_s$ | friction between discs, its spring | 0; .5, $K_1/2$ |
-| $\dot\gamma$ | shear rate, slower where it is denser | $4\cdot10^{-5}$ to $2\cdot10^{-3} \sqrt{K_1/m}$ |
-| $h$ | step, leapfrog | a tenth of a contact of the middle size |
-| strain | to forget the start; measured, in ten blocks | 1; 3 |
-| starts | packings, each of its own seed | 2 (full tier 3) |
-
-Errors are standard errors, the larger of what blocks and what starts tell. Discs go by the fast system, whose
-stress is compared with that of the plain one to the last bit.
-
-**Source.** $\mu$ and $I$: da Cruz et al. 2005; expectations: the works of the table.
-
-**What would break it.** Images of the sliding box that push with another velocity; contacts that forget; soft discs, whose
-$p/K_1$ is one more number; friction that does not act, or acts on discs that do not turn.
-)";
 
 struct Step {
   double fraction, shear_rate;
@@ -268,7 +226,7 @@ Series friction_points(const char* label, const std::vector<DenseFlow>& flows) {
   Series out{label, {}, {}, Style::errorbars};
   for (const DenseFlow& flow : flows) {
     const auto [mu, error] = flow.friction;
-    out.x.push_back(flow.inertial.value), out.y.push_back(mu);
+    out.add(flow.inertial.value, mu);
     out.y_low.push_back(mu - 3.0 * error), out.y_high.push_back(mu + 3.0 * error);
   }
   return out;
@@ -281,7 +239,7 @@ Series fraction_points(const char* label, const std::vector<DenseFlow>& flows) {
     const DenseFlow &left = flows[i > 0 ? i - 1 : i], &right = flows[std::min(i + 1, flows.size() - 1)];
     const double slope = (right.fraction - left.fraction) / (right.inertial.value - left.inertial.value);
     const double error = std::abs(slope) * flows[i].inertial.error, phi = flows[i].fraction;
-    out.x.push_back(flows[i].inertial.value), out.y.push_back(phi);
+    out.add(flows[i].inertial.value, phi);
     out.y_low.push_back(phi - 3.0 * error), out.y_high.push_back(phi + 3.0 * error);
   }
   return out;
@@ -293,7 +251,7 @@ Series curve(const char* label, const reference::PowerFit& fit, const Points& po
   const double slowest = points.back().x, fastest = points.front().x;
   for (int k = 0; k <= 60; ++k) {
     const double x = slowest * std::pow(fastest / slowest, k / 60.0);
-    out.x.push_back(x), out.y.push_back(fit.at(x));
+    out.add(x, fit.at(x));
   }
   return out;
 }
@@ -303,8 +261,7 @@ void draw(Findings& findings, const std::vector<DenseFlow>& smooth, const std::v
               .caption =
                   "Discs without friction (smooth) and with $\\mu_p = .5$ (rough): what was measured at each "
                   "solid fraction, with standard errors; contacts of a disc; mean overlap of a contact over $d$.",
-              .columns = {"discs", "phi", "I", "error", "mu", "error", "p/K1", "contacts", "overlap"},
-              .rows = {}};
+              .columns = {"discs", "phi", "I", "error", "mu", "error", "p/K1", "contacts", "overlap"}};
   add_rows(table, "smooth", smooth), add_rows(table, "rough", rough);
   findings.table(table);
   const Points slow = frictions(smooth);
@@ -377,14 +334,12 @@ Case dense_rheology() {
           .source =
               "da Cruz et al. 2005; Clark et al. 2017; Vagberg et al. 2015; Peyneau & Roux 2008; DeGiuli et al. "
               "2015",
-          .page = page,
           .faults = {{"still_box", "images that do not slide",
                       "friction grows with the inertial number, least step over its error"},
                      {"soft_discs", "discs 256 times as soft for those four times as stiff",
                       "inertial number of discs four times as stiff"},
                      {"smooth_discs", "no friction between the rough discs",
                       "rough discs resist more, excess over its error"}},
-          .tier = Tier::quick,
           .time_limit = 600.0,
           .run = run};
 }

@@ -16,38 +16,6 @@ Case disc_lattice();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Equal discs fill the plane, each pressed by six others. How long may a step be before their places grow
-without bound? A contact of two has $\omega^2 = 2k/m$; a disc among six swings faster.
-
-```
-     o   o   o        M: rows move against each other,        ->  ->  ->
-   o   o   o   o         every second one the other way       <-  <-  <-
-     o   o   o                                                ->  ->  ->
-```
-
-**Equations.** Springs along the lines of centres, places $\mathbf r$, wave vector $\mathbf q$:
-
-$$m\omega^2\mathbf u = \sum_{6\ \mathbf e} k\,\mathbf e(\mathbf e\cdot\mathbf u)\,\bigl(1 - \cos(\mathbf q\cdot\mathbf e d)\bigr).$$
-
-At the middle of an edge of the zone (M) $1 - \cos$ is 0 along one axis and 2 along the two others; with $\mathbf u$ between
-those, at 30 degrees to both, the sum is $2\cdot 2\cdot 2k\cdot\tfrac34 = 6k$: $\omega^2 = 6k/m$, the largest there is. A
-leapfrog is stable to $\omega h = 2$, so to $h = \sqrt{2/3}\,\sqrt{m/k} = .8165\sqrt{m/k}$, and beyond multiplies the
-amplitude by $e^{2\operatorname{arcosh}(\omega h/2)}$ in a step. The lattice is pressed by $10^{-4}$ of a diameter so that its contacts last;
-that changes $\omega^2$ by as much.
-
-**Source.** Born & von Karman's lattice dynamics, derived here.
-
-| symbol | meaning | value |
-|:--|:-----|:-----|
-| lattice | rows, columns, periodic | 8, 8 |
-| $\delta/d$ | overlap of all contacts | $10^{-4}$ |
-| first displacements | random, seeded | $10^{-11}\,d$ |
-
-**What would break it.** A contact listed twice or missed across the border; a method whose limit is another; a limit
-taken from a pair.
-)";
-
 constexpr int rows = 8, columns = 8;
 constexpr double overlap = 1e-4, first = 1e-11;
 
@@ -89,7 +57,7 @@ Grown grow(const std::string& integrator, double share, int steps, const Setup& 
   }
   const double h = share * (setup.has("limit_of_a_pair") ? std::sqrt(2.0) : std::sqrt(2.0 / 3.0));
   Grown grown;
-  grown.amplitude = {.label = fmt::format("{} of the limit", share), .x = {}, .y = {}, .style = Style::lines};
+  grown.amplitude = {.label = fmt::format("{} of the limit", share), .style = Style::lines};
   std::visit(
       [&](auto method) {
         system.begin(discs);
@@ -104,13 +72,13 @@ Grown grow(const std::string& integrator, double share, int steps, const Setup& 
             squares += x * x + y * y;
           }
           const double amplitude = std::sqrt(squares / static_cast<double>(discs.size()));
-          grown.amplitude.x.push_back(n), grown.amplitude.y.push_back(amplitude);
+          grown.amplitude.add(n, amplitude);
           grown.most = std::max(grown.most, amplitude / first);
           if (amplitude > 0.1 * overlap) break;
         }
       },
       make_disc_method(integrator));
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  findings.count(system.evaluations());
   const std::vector<double>& y = grown.amplitude.y;
   const std::size_t last = y.size() - 1, middle = y.size() / 2;
   grown.rate = std::log(y[last] / y[middle]) / static_cast<double>(last - middle);
@@ -124,8 +92,7 @@ void run(Findings& findings, const Setup& setup) {
                     "Root mean square displacement over a diameter, velocity Verlet; at 1.01 and 1.02 of the limit it "
                     "grows by e^{2 arcosh} a step.",
                 .x = {"step", "1"},
-                .y = {.label = "displacement over d", .log = true, .min = 1e-12, .max = 1e-4},
-                .series = {}};
+                .y = {.label = "displacement over d", .log = true, .min = 1e-12, .max = 1e-4}};
   for (const char* integrator : {"velocity_verlet", "euler_cromer", "central_difference"}) {
     for (const double share : {0.99, 1.01, 1.02}) {
       const Grown grown = grow(integrator, share, share < 1.0 ? (setup.coarse ? 400 : 4000) : 400, setup, findings);
@@ -164,7 +131,6 @@ Case disc_lattice() {
                           "growth per step, euler_cromer, step 1.02 of the limit",
                           "largest displacement over the first, velocity_verlet, step 0.99 of the limit"},
           .source = "lattice dynamics, derived here",
-          .page = page,
           .faults = {{"springs_softer", "stiffness 3 % smaller",
                       "growth per step, velocity_verlet, step 1.01 of the limit"},
                      {"limit_of_a_pair", "steps by the limit of two discs",

@@ -17,38 +17,6 @@ Case body_properties();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Mass and moment of inertia of the solids that a fence is made of, area, centroid and moment of a
-rectangle's outline, and the inertia that a body has about a pin: closed forms of the solver against integration.
-
-```
-      ____            b |  _.-._          ___
-     |    | b           | /     \        (___)
-     |____|             | \_   _/        |   | 2b
-       a                    ---          (___) a
-```
-
-**Equations.** With half-lengths $a$, $b$ in the plane and density $\rho$
-
-| solid | $m$ | $I$ |
-|:--|:-----|:-----|
-| ellipsoid, $c = \min(a, b)$ | $\frac43\pi a b c\rho$ | $m(a^2+b^2)/5$ |
-| block, $a$ across | $8a^2b\rho$ | $m(a^2+b^2)/3$ |
-| upright cylinder | $2\pi a^2 b\rho$ | $m(3a^2+4b^2)/12$ |
-
-They are integrated in slices, at 50 digits. A polygon has the area $\frac12\sum p_i\times p_{i+1}$ and like sums for
-centroid and moment. About a pin at $r$ from the centre of mass $I_p = I + m r^2$ (Steiner).
-
-**Source.** Mustoe & Huttelmaier 1993, section 2.2; textbook mechanics.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $a$, $b$ | half-lengths | four pairs, 3:1 to 1:40 |
-
-**What would break it.** A half for a whole length; the inertia about another axis; a sphere's formula for an
-ellipsoid.
-)";
-
 constexpr std::array sizes{std::array{0.953951, 0.953951}, std::array{1.25, 4.0}, std::array{3.1, 1.03},
                            std::array{0.05, 2.0}};
 constexpr double density = 5.127408;
@@ -134,14 +102,11 @@ Case body_properties() {
                           "moment of inertia, ellipsoid of half-lengths 3.1 and 1.03",
                           "inertia about a pin by the answer to a moment, farthest of 24"},
           .source = "Mustoe & Huttelmaier 1993, section 2.2",
-          .page = page,
           .faults = {{"full_length", "a length for a half-length", "mass, block of half-lengths 1.25 and 4"},
                      {"sphere_for_ellipsoid", "a sphere's inertia for all",
                       "moment of inertia, ellipsoid of half-lengths 3.1 and 1.03"},
                      {"without_steiner", "expects no part of the arm",
                       "inertia about a pin by the answer to a moment, farthest of 24"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -6,60 +6,16 @@
 #include <random>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
-#include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/restitution.hpp"
+#include "verification/study/phases.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
 Case colliding_discs();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** Discs collide in a plane where nothing else acts: two head on, and twenty that fly towards their centre.
-Momentum and moment of momentum must stay, and the ledger of energy must close as the step shrinks, at the order and
-with the constant of the method.
-
-```
-     o -->    <-- O            o  \ | /  o
-                             --> o  .  o <--
-                               o  / | \  o
-```
-
-**Equations.** Forces between two discs are opposite and act at one point, so $P = \sum m v$ and
-$L = \sum (m\,p\times v + I\omega)$ change by rounding only. Energy left over by velocity Verlet, over the energy
-$E_0$ of approach, $\omega = \sqrt{k/m}$, $m$ the effective mass:
-
-- *Undamped.* The first step in contact ends $\sigma h$ after the touch, at the depth $x_1 = \sigma h v$, and its
-  half kick takes $\tfrac h2 k x_1 v$ for the $\tfrac12 k x_1^2$ that the spring stores: $-(\omega
-  h)^2\sigma(1-\sigma)$ of $E_0$ is gained, and $(\omega h)^2\sigma'(1-\sigma')$ given back at the release. With
-  both phases even in $(0, 1)$ the root mean square of the difference is $(\omega h)^2/\sqrt{90}$. (Inside the
-  contact the energy swings by $(\omega h)^2/4$.)
-- *Damped.* A kick from $v$ to $v'$ makes the dashpot take $\frac12 h c v (v + v')$; booked is $h c v^2$, its power at
-  the velocity of before. Over a contact this leaves $-\frac h2\int c v \dot v\,dt = \frac14 h c (v_0^2 - v_1^2)$. The
-  spring takes $\frac12 k x_n(x_{n+1} - x_{n-1})$ in step $n$, in all $\frac12 k x_N x_{N+1}$ up to its last step $N$;
-  what it still stores when the contact lets it go is $\frac12 k x_{N+1}^2$, less by $\frac12 h k x v_1 = \frac12 h
-  c v_1^2$, as $k x = c v_1$ there. With $v_1 = e v_0$, together
-  $$\frac{\Delta E}{E_0} = \xi\,\omega h\,(1 - 3 e^2) + O(h^2),$$
-  of either sign, and nought near $\xi = .2$.
-
-**Source.** Hairer, Lubich & Wanner 2006, chapter IX; the constants are derived above. Clamped $e(\xi)$: Schwager &
-Poeschel 2007.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $m_1, m_2$ | two discs | 1.3, .7 |
-| $k$, $\xi$ | spring, damping ratio | 1000; 0, .1, .4 |
-| | twenty discs: radius, mass | .2 to .35, $\propto r^2$ |
-| $\mu$, $k_s/k$ | friction of the twenty | .4, .6 |
-
-**What would break it.** A contact whose two forces act at different points; friction that turns one disc only; a
-dashpot whose work is booked once for two bodies moving alike, or at another velocity; energy let go by the spring
-of a contact that ends under pressure and not booked.
-)";
 
 constexpr double stiffness = 1000.0, friction = 0.4, shear_ratio = 0.6;
 constexpr double masses[] = {1.3, 0.7}, radii[] = {0.31, 0.24}, approach = 1.7;
@@ -74,26 +30,20 @@ struct Ledger {
 };
 
 Ledger run_ledger(const Scene& scene, double step, double end, const Setup& setup, Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics};
-  State state = scene.initial;
-  system.settle(state);
-  EnergyLedger ledger{dynamics, state};
-  const Accounts start = ledger.accounts(state);
+  RunLedger ledger{scene.model, first_state(scene)};
+  const Accounts start = ledger(scene.initial);
   Ledger found;
-  const auto account = [&](State seen) {
+  const Watcher account = [&](State seen, const StepInfo&) {
     if (setup.has("dashpot_not_booked")) seen.work[static_cast<std::size_t>(Mechanism::contact_damping)] = 0.0;
-    const Accounts now = ledger.accounts(seen);
+    const Accounts now = ledger(seen);
     const Vec2 drift = now.momenta.linear - start.momenta.linear;
     found.left_over = now.energy_closure / start.energies.kinetic;
     found.largest = std::max(found.largest, std::abs(found.left_over));
     found.momentum = std::max({found.momentum, std::abs(drift.x), std::abs(drift.y)});
     found.moment = std::max(found.moment, std::abs(now.momenta.angular - start.momenta.angular));
   };
-  const Observer observers[] = {[&](const State& seen, const StepInfo&) { account(seen); }};
-  Integrator method = VelocityVerlet{};
-  if (!simulate(system, method, state, {step, end, end, true}, observers)) found.largest = std::nan("");
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  if (!run_scene(scene, VelocityVerlet{}, {step, end, end, true}, findings, account).finished)
+    found.largest = std::nan("");
   return found;
 }
 
@@ -170,9 +120,8 @@ void check_two(Findings& findings, const Setup& setup, double xi, Figure& figure
   for (const double count : doublings(setup.coarse ? 64.0 : 32.0, setup.coarse ? 3 : 5)) {
     PhaseError error;
     double sum = 0.0;
-    for (std::size_t i = 0; i < fewest_phases; ++i) {
-      const double step =
-          setup.has("commensurate_step") ? events.contact_time / count : offset_step(events.contact_time, count, i);
+    for (const auto& [i, step, onset] :
+         offset_phases(events.contact_time, count, fewest_phases, setup.has("commensurate_step"))) {
       const double touch_after = (2.0 + even_phases(fewest_phases)[i * 27 % fewest_phases]) * step;
       const Ledger found = run_ledger(two_discs(xi, approach * touch_after), step,
                                       touch_after + events.contact_time + 3.0 * step, setup, findings);
@@ -181,10 +130,8 @@ void check_two(Findings& findings, const Setup& setup, double xi, Figure& figure
     }
     const double step = events.contact_time / (count + 0.5), wh = omega * step;
     errors.add(1.0 / (count + 0.5), error.rms());
-    points.x.push_back(wh);
-    points.y.push_back(error.rms());
-    line.x.push_back(wh);
-    line.y.push_back(xi > 0.0 ? xi * wh * std::abs(1.0 - 3.0 * e * e) : wh * wh / std::sqrt(90.0));
+    points.add(wh, error.rms());
+    line.add(wh, xi > 0.0 ? xi * wh * std::abs(1.0 - 3.0 * e * e) : wh * wh / std::sqrt(90.0));
     ratio = xi > 0.0 ? sum : error.rms() / line.y.back();
   }
   figure.series.push_back(points);
@@ -230,10 +177,8 @@ void check_twenty(Findings& findings, const Setup& setup, double xi, double mu, 
                   Tolerance::round_off(rounding * moment, words), "kg m^2/s");
   if (setup.coarse) return;
   Series points{what + ", twenty discs", {}, {}, Style::linespoints};
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    points.x.push_back(std::sqrt(stiffness / 0.45) * errors.steps()[i]);
-    points.y.push_back(errors.errors()[i]);
-  }
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    points.add(std::sqrt(stiffness / 0.45) * errors.steps()[i], errors.errors()[i]);
   figure.series.push_back(points);
   const bool second = xi == 0.0;
   findings.expect_order("order of the largest energy left over, twenty discs, " + what, errors, second ? 1.7 : 0.8,
@@ -247,8 +192,7 @@ void run(Findings& findings, const Setup& setup) {
                     "Over the energy of approach. Two discs: root mean square over 64 phases (points) and the "
                     "constants derived above (lines); twenty discs: the largest of one run.",
                 .x = {.label = "w h", .log = true},
-                .y = {.label = "energy left over", .log = true},
-                .series = {}};
+                .y = {.label = "energy left over", .log = true}};
   check_two(findings, setup, 0.0, figure);
   check_two(findings, setup, 0.1, figure);
   if (!setup.coarse) check_two(findings, setup, 0.4, figure);
@@ -279,15 +223,12 @@ Case colliding_discs() {
                           "momentum, twenty discs, damped, with friction",
                           "moment of momentum, twenty discs, damped, with friction"},
           .source = "Hairer, Lubich & Wanner 2006, chapter IX; Schwager & Poeschel 2007",
-          .page = page,
           .faults = {{"dashpot_not_booked", "the dashpot's work is left out of the ledger",
                       "energy left over, two discs, damped, xi = 0.1, over its prediction"},
                      {"commensurate_step", "the step divides the contact time",
                       "energy left over, two discs, undamped, over its prediction"},
                      {"a_little_weight", "a weight of 1e-12 of the discs' acceleration",
                       "momentum, twenty discs, undamped"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -1,12 +1,25 @@
 #include <fmt/format.h>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <optional>
+#include <stdexcept>
 
+#include "solver/integrate/advance.hpp"
+#include "solver/integrate/central_difference.hpp"
+#include "solver/integrate/concepts.hpp"
+#include "solver/integrate/euler_cromer.hpp"
+#include "solver/integrate/lagged_central_difference.hpp"
+#include "solver/integrate/rk4.hpp"
+#include "solver/integrate/velocity_verlet.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/problems/motion/swing_in_numbers_findings.hpp"
 #include "verification/reference/stepped_swing.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
@@ -15,47 +28,347 @@ Case round_off();
 
 namespace {
 
+/// One body on a spring and a dashpot, x'' = -x - c x', in numbers of any type: the smallest system that the solver's
+/// integrators take. Fault: accelerations that pass through a coarser type, `Force`.
+template <class Scalar, class Force = Scalar>
+class SwingingBody {
+ public:
+  explicit SwingingBody(const Scalar& damping) : damping_{damping} { rates_.v.resize(1); }
+
+  void drift(StateOf<Scalar>& state, const Scalar& h) { drift_coordinates(state, h); }
+  void kick(StateOf<Scalar>& state, const Scalar& h) {
+    evaluate(state, rates_);
+    kick_velocities(state, rates_, h);
+  }
+  void settle(StateOf<Scalar>&) {}
+  void derivative(const StateOf<Scalar>& state, RatesOf<Scalar>& out) {
+    ++evaluations_;
+    const Scalar acceleration = -state.q[0] - damping_ * state.v[0];
+    out.v[0] = static_cast<Scalar>(static_cast<Force>(acceleration));
+  }
+  void evaluate(StateOf<Scalar>& state, RatesOf<Scalar>& out) { derivative(state, out); }
+
+  /// Force evaluations so far.
+  long evaluations() const { return evaluations_; }
+
+ private:
+  Scalar damping_;
+  RatesOf<Scalar> rates_;
+  long evaluations_{0};
+};
+
+static_assert(Splittable<SwingingBody<float>, StateOf<float>> && Differentiable<SwingingBody<float>, StateOf<float>>);
+
+/// Accelerations of the planted fault, at their coarsest.
+enum class Forces { exact, in_double, in_float };
+
+struct SwingRun {
+  reference::Parts place{};     ///< x at the end, synchronised
+  std::uint64_t evaluations{};  ///< of the force
+};
+
+using Quadruple = boost::multiprecision::cpp_bin_float_quad;
+using reference::SteppedSwing;
 using reference::SwingMethod;
 
-constexpr const char* page = R"(
-**Problem.** A body swings on a spring. How much of the error is rounding, how does it grow, and below which step does
-a smaller one make the result worse? The solver's integrators of fixed step are templates on the numbers that they step
-in; here they step one body in numbers of 24, 53, 64 and 113 bits. Scenes run in 53: a mass on a cable that stays taut.
+/// Each part is what a double keeps of the rest.
+template <class Scalar>
+reference::Parts parts(Scalar number) {
+  reference::Parts made{};
+  for (double& part : made) {
+    part = static_cast<double>(number);
+    number -= static_cast<Scalar>(part);
+  }
+  return made;
+}
 
-```
-   |~~~~~~~~~~~~~[m]---> F        x'' = -(x - 1.5),  swing of .25        x'' = -x - c x',  x(0) = 1
-   0     1     1.5                (a scene)                              (one body, any numbers)
-```
+template <class Scalar, class Force>
+SwingRun swung(auto method, const SteppedSwing& swing) {
+  SwingingBody<Scalar, Force> body{static_cast<Scalar>(swing.damping)};
+  StateOf<Scalar> state;
+  state.q = {Scalar{1}};
+  state.v = {Scalar{0}};
+  const Scalar h = static_cast<Scalar>(swing.step);
+  method.start(body, state, h);
+  for (std::int64_t i = 0; i < swing.steps; ++i)
+    method.step(body, state, h);
+  const StateOf<Scalar> end = synchronized(method, body, state, h);
+  return {parts(end.q[0]), static_cast<std::uint64_t>(body.evaluations())};
+}
 
-**Equations.** On a linear spring with a dashpot each method is one matrix; its powers at 50 digits are the places
-without rounding, and what a run differs by is rounding and nothing else. An addition to $x$ or $v$ rounds by a last
-place $w$ of the sum, evenly within $\pm\frac w2$: $\frac{w^2}{12}$ in the mean square. With $u = 2^{-b}$ in numbers of
-$b$ bits, $w = u$ where $|\cos t| > \frac12$, $\frac u2$ above $\frac14$, and so on: $.716\,u^2$ in the mean. A swing
-keeps half of it, so that with $a$ additions a step (2 for the central differences and Euler-Cromer, 8 for Runge-Kutta;
-5 for velocity Verlet, whose half kicks before and after the end of a step are equal and round alike: $1 + 2^2$)
+template <class Scalar, class Force>
+SwingRun swung(const SteppedSwing& swing) {
+  switch (swing.method) {
+    case SwingMethod::euler_cromer:
+      return swung<Scalar, Force>(EulerCromerOf<StateOf<Scalar>>{}, swing);
+    case SwingMethod::central_difference:
+      return swung<Scalar, Force>(CentralDifferenceOf<StateOf<Scalar>>{}, swing);
+    case SwingMethod::lagged_central_difference:
+      return swung<Scalar, Force>(LaggedCentralDifferenceOf<StateOf<Scalar>>{}, swing);
+    case SwingMethod::velocity_verlet:
+      return swung<Scalar, Force>(VelocityVerletOf<StateOf<Scalar>>{}, swing);
+    default:
+      return swung<Scalar, Force>(RungeKutta4Of<StateOf<Scalar>>{}, swing);
+  }
+}
 
-$$\rho^2 = \frac{.716\,a\,u^2}{24}\,n$$
+template <class Scalar>
+SwingRun swung(const SteppedSwing& swing, Forces forces) {
+  if (forces == Forces::in_float) return swung<Scalar, float>(swing);
+  if (forces == Forces::in_double) return swung<Scalar, double>(swing);
+  return swung<Scalar, Scalar>(swing);
+}
 
-is left after $n = t/h$ steps. The methods' own errors are $\frac h2\sin t$ (Euler-Cromer),
-$\frac{t h^2}{24}\sin t$ (the leapfrogs) and $\frac{t h^4}{120}\sin t$. The sum $E^2 + \rho^2$, $E \sim h^p$, is least where
-$2p\,E^2 = \rho^2$. No constant is fitted. The walk is random while places that follow each other move by more than a
-last place more or less, $h^2 > u$; below, roundings are alike and no such law holds (Euler-Cromer in 24 bits, whose
-least lies there, is followed for its order alone). In the scene $x$ stands at 1.5, $w = 2u$, and swings by .25.
+/// The run of `swing` by the solver's integrator, in numbers of `bits` bits. Step and damping must be numbers of 24
+/// bits, so that all run the same problem. Errors: std::invalid_argument for other bits.
+SwingRun swing_in_numbers(const SteppedSwing& swing, int bits, Forces forces = Forces::exact) {
+  switch (bits) {
+    case 24:
+      return swung<float, float>(swing);
+    case 53:
+      return swung<double>(swing, forces);
+    case 64:
+      return swung<long double>(swing, forces);
+    case 113:
+      return swung<Quadruple>(swing, forces);
+    default:
+      throw std::invalid_argument("swing_in_numbers: numbers have 24, 53, 64 or 113 bits");
+  }
+}
 
-**Source.** Henrici 1962, chapter 1 (rounding of steps as a random walk); Hairer, Lubich & Wanner 2006, section
-VIII.5.
+struct Method {
+  SwingMethod method;
+  const char* name;
+  int order;
+  int additions;  ///< to x or v in a step; two that round alike count four times
+};
 
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $k$, $m$ | spring or cable, mass | 1, 1 |
-| $c$ | dashpot, where each method is held to its map in 113 bits | 1/8 |
-| $t$ | times of the runs, spread over half a swing | 10 to 13.1 |
-| $u$ | half a unit of the last place of 1 | $2^{-24}, 2^{-53}, 2^{-64}, 2^{-113}$ |
+constexpr std::array methods{Method{SwingMethod::central_difference, "central_difference", 2, 2},
+                             Method{SwingMethod::lagged_central_difference, "lagged_central_difference", 2, 2},
+                             Method{SwingMethod::velocity_verlet, "velocity_verlet", 2, 5},
+                             Method{SwingMethod::euler_cromer, "euler_cromer", 1, 2},
+                             Method{SwingMethod::runge_kutta, "rk4", 4, 8}};
+constexpr std::array all_bits{24, 53, 64, 113};
 
-**What would break it.** A constant or a sum of fewer bits in an integrator; a dashpot that sees another velocity; a
-coordinate summed in another order than it is used; a scene far from the origin of its coordinates (six digits are lost
-a million lengths away); accumulation that always rounds the same way.
-)";
+/// A run's step: times of the runs are spread over half a swing from 10 on, each step a number of 24 bits.
+double step_of(int run, int runs, long steps) {
+  const double time = 10.0 + std::numbers::pi * (run + 0.5) / runs;
+  return static_cast<double>(static_cast<float>(time / static_cast<double>(steps)));
+}
+
+/// What rounding leaves in a step, squared: n_a additions, each of a mean square of w^2/12, w the last place of
+/// cos t (u where |cos t| > 1/2, u/2 above 1/4, ...), of which x at the end sees the half.
+double rounding_of_a_step(const Method& method, int bits) {
+  double places = 0.0;
+  for (int k = 0; k < 40; ++k) {
+    const double most = std::ldexp(1.0, -k);
+    places += most * most * (std::acos(0.5 * most) - std::acos(most)) * 2.0 / std::numbers::pi;
+  }
+  return method.additions * places / 24.0 * std::ldexp(1.0, -2 * bits);
+}
+
+/// The method's own error at t, to its first term.
+double truncation(const Method& method, double t, double h) {
+  if (method.order == 1) return 0.5 * h * std::sin(t);
+  return method.order == 2 ? t * h * h / 24.0 * std::sin(t) : t * std::pow(h, 4) / 120.0 * std::sin(t);
+}
+
+Forces forces_of(const Setup& setup) {
+  if (setup.has("forces_in_float")) return Forces::in_float;
+  return setup.has("forces_in_double") ? Forces::in_double : Forces::exact;
+}
+
+/// Root mean square of rounding over the runs, for each number of bits.
+std::array<double, 4> rounding(Findings& findings, const Method& method, long steps, int runs, Forces forces) {
+  std::array<double, 4> squares{};
+  for (int i = 0; i < runs; ++i) {
+    const SteppedSwing swing{method.method, 0.0, step_of(i, runs, steps), steps};
+    std::vector<reference::Parts> places;
+    for (const int bits : all_bits) {
+      const SwingRun run = swing_in_numbers(swing, bits, forces);
+      findings.count(run.evaluations);
+      places.push_back(run.place);
+    }
+    const std::vector<double> errors = reference::rounding_errors(swing, places);
+    for (std::size_t k = 0; k < errors.size(); ++k)
+      squares[k] += errors[k] * errors[k] / runs;
+  }
+  for (double& square : squares)
+    square = std::sqrt(square);
+  return squares;
+}
+
+/// With a dashpot, so that it is told which velocity it sees.
+void check_map(Findings& findings, const Method& method, Forces forces) {
+  const long steps = 100;
+  const SteppedSwing swing{method.method, 0.125, 0.125, steps};
+  const SwingRun run = swing_in_numbers(swing, 113, forces);
+  findings.count(run.evaluations);
+  findings.expect(fmt::format("distance from the method's map in 113 bits, dashpot, {}", method.name),
+                  reference::rounding_errors(swing, {run.place})[0], 0.0,
+                  Tolerance::round_off(static_cast<double>(method.additions * steps) * 0x1p-113,
+                                       "each addition rounds by at most half a last place of numbers up to 1"));
+}
+
+/// The error over the runs at one step.
+struct ErrorAt {
+  double step{};       ///< mean
+  double whole{};      ///< root mean square
+  double predicted{};  ///< of method and rounding
+};
+
+ErrorAt error_at(Findings& findings, const Method& method, int bits, long steps, int runs, double damping) {
+  ErrorAt sum;
+  for (int i = 0; i < runs; ++i) {
+    const SteppedSwing swing{method.method, 0.0, step_of(i, runs, steps), steps};
+    SteppedSwing stepped = swing;
+    stepped.damping = damping;
+    const SwingRun run = swing_in_numbers(stepped, bits);
+    findings.count(run.evaluations);
+    const double n = static_cast<double>(steps);
+    sum.step += swing.step / runs;
+    sum.whole += std::pow(reference::whole_error(swing, run.place), 2) / runs;
+    sum.predicted +=
+        (std::pow(truncation(method, swing.step * n, swing.step), 2) + n * rounding_of_a_step(method, bits)) / runs;
+  }
+  return {sum.step, std::sqrt(sum.whole), std::sqrt(sum.predicted)};
+}
+
+/// Where 2 p (method's error)^2 = (rounding)^2, both as means over half a swing about t = 10 + pi/2.
+double best_step(const Method& method, int bits) {
+  const double t = 10.0 + 0.5 * std::numbers::pi;
+  const double constant = truncation(method, t, 1.0) / std::sin(t) * std::sqrt(0.5);
+  return std::pow(rounding_of_a_step(method, bits) * t / (2.0 * method.order * constant * constant),
+                  1.0 / (2.0 * method.order + 1.0));
+}
+
+/// Numbers of steps, doubled from first to last: the method's error alone up to `method_last`, rounding alone from
+/// `rounding_first`.
+struct Range {
+  long first, method_last, rounding_first, last;
+  int runs;
+};
+
+struct Fall {
+  Convergence method, rounding;
+  std::vector<ErrorAt> all;
+};
+
+Fall measured(Findings& findings, const Method& method, int bits, const Range& range, double damping) {
+  Fall fall;
+  for (long steps = range.first; steps <= range.last; steps *= 2) {
+    const ErrorAt now = error_at(findings, method, bits, steps, range.runs, damping);
+    if (steps <= range.method_last) fall.method.add(now.step, now.whole);
+    if (steps >= range.rounding_first) fall.rounding.add(now.step, now.whole);
+    fall.all.push_back(now);
+  }
+  return fall;
+}
+
+/// What is furthest off of all methods and numbers.
+struct Furthest {
+  double slope{};  ///< of the rounding against the step, over -1/2
+  double step{};   ///< of least error, log2 over its prediction
+};
+
+void check_fall(Findings& findings, const Method& method, int bits, const Fall& fall, Furthest& furthest,
+                Figure& figure, Table& table) {
+  const std::string of = fmt::format("{}, {} bits", method.name, bits);
+  findings.expect_order(fmt::format("error against the step, truncation, {}", of), fall.method, method.order - 0.15,
+                        method.order + 0.35, "the method's order; the next term of its error adds to it");
+  if (fall.rounding.size() == 0) return;
+  keep_worst(furthest.slope, fall.rounding.fit().order + 0.5);
+  const auto least = std::min_element(fall.all.begin(), fall.all.end(),
+                                      [](const ErrorAt& a, const ErrorAt& b) { return a.whole < b.whole; });
+  keep_worst(furthest.step, std::log2(least->step / best_step(method, bits)));
+  findings.expect_between(fmt::format("least error over its prediction, {}", of), least->whole / least->predicted, 0.65,
+                          1.5, "rounding of runs that take the same way is not independent, and neither of its steps");
+  table.rows.push_back({method.name, fmt::format("{}", bits), fmt::format("{:.1e}", best_step(method, bits)),
+                        fmt::format("{:.1e}", least->step), fmt::format("{:.1e}", least->whole)});
+  // Undamped, the lagged central difference is the central difference.
+  if (method.method == SwingMethod::lagged_central_difference) return;
+  Series points{of, {}, {}, Style::points}, line{of + ", predicted", {}, {}, Style::lines};
+  for (const ErrorAt& at : fall.all) {
+    points.add(at.step, at.whole);
+    line.add(at.step, at.predicted);
+  }
+  figure.series.push_back(points);
+  figure.series.push_back(line);
+}
+
+std::optional<Range> range_of(const Method& method, int bits, Tier tier) {
+  const bool full = tier == Tier::full;
+  if (bits == 24) {
+    if (method.order == 4) return Range{16, 64, 512, 4096, 64};
+    if (method.order == 2) return Range{64, 512, 8192, 32768, 64};
+    return Range{128, 1024, 4096, 1024, 64};
+  }
+  if (method.order == 4 && bits == 53 && full) return Range{64, 2048, 65536, 524288, 16};
+  if (method.order == 4 && bits == 64 && full) return Range{64, 8192, 524288, 2097152, 8};
+  if (method.method == SwingMethod::velocity_verlet && bits == 53 && full)
+    return Range{1024, 65536, 16777216, 67108864, 4};
+  return std::nullopt;
+}
+
+/// Rounding after 500 steps in numbers of 24 to 113 bits against its prediction, and each method against its own map
+/// in 113 bits.
+void check_numbers(Findings& findings, const Setup& setup) {
+  const Forces forces = forces_of(setup);
+  for (const Method& method : methods)
+    check_map(findings, method, forces);
+  const long steps = 500;
+  const int runs = setup.coarse ? 16 : 32;
+  Table table{.name = "numbers",
+              .caption = "Rounding after 500 steps over its prediction, root mean square of 32 runs.",
+              .columns = {"method", "24 bits", "53", "64", "113"}};
+  double furthest = 0.0;
+  for (const Method& method : methods) {
+    if (setup.coarse && method.order == 4) continue;
+    const std::array<double, 4> left = rounding(findings, method, steps, runs, forces);
+    std::vector<std::string> row{method.name};
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      const double ratio = left[k] / std::sqrt(steps * rounding_of_a_step(method, all_bits[k]));
+      keep_worst(furthest, std::log2(ratio));
+      row.push_back(fmt::format("{:.2f}", ratio));
+    }
+    table.rows.push_back(row);
+  }
+  findings.expect_between("log2 of the rounding over its prediction, furthest of all methods and numbers", furthest,
+                          -0.6, 0.6, "32 runs, independent or not, tell a root mean square to an eighth or two");
+  if (!setup.coarse) findings.table(table);
+}
+
+/// The whole error against the step: it falls by the method's order, is least where predicted, and rises by rounding.
+void check_best_steps(Findings& findings, const Setup& setup) {
+  Figure figure{.name = "least",
+                .title = "The step of least error",
+                .caption =
+                    "Error of the place after ten to thirteen time units, over the swing: root mean square of "
+                    "the runs, and what method and rounding were predicted to leave.",
+                .x = {.label = "step", .unit = "s", .log = true},
+                .y = {.label = "error over the swing", .log = true}};
+  Table table{.name = "best_steps",
+              .caption = "The step below which a smaller one makes the result worse.",
+              .columns = {"method", "bits", "predicted", "measured", "least error"}};
+  const double damping = setup.has("dashpot_left_on") ? 0x1p-10 : 0.0;
+  Furthest furthest;
+  for (const Method& method : methods) {
+    for (const int bits : all_bits) {
+      std::optional<Range> range = range_of(method, bits, setup.tier);
+      if (!range || (setup.coarse && (bits != 24 || method.order != 4))) continue;
+      check_fall(findings, method, bits, measured(findings, method, bits, *range, damping), furthest, figure, table);
+    }
+  }
+  findings.expect_between("slope of the error against the step, rounding, over -1/2, furthest of all", furthest.slope,
+                          -0.2, 0.2,
+                          "a random walk grows with the square root of the number of steps; a tenth of steps that "
+                          "round alike adds to it");
+  findings.expect_between("log2 of the step of least error over its prediction, furthest of all", furthest.step, -1.1,
+                          1.1, "steps are tried at factors of two, and the sum of both errors is flat about its least");
+  if (setup.coarse) return;
+  findings.table(table);
+  findings.figure(figure);
+}
 
 constexpr int runs = 16;
 constexpr double middle = 1.5, swing = 0.25;
@@ -85,8 +398,7 @@ Integrator integrator_of(SwingMethod method) {
 /// The solver's place, in swings from the middle.
 double solver_place(SwingMethod method, double step, long steps, const Setup& setup, Findings& findings) {
   const Scene scene = swing_scene(setup);
-  const RunEnd run = run_steps(scene, integrator_of(method), step, steps);
-  findings.count(static_cast<std::uint64_t>(run.evaluations));
+  const RunEnd run = run_steps(scene, integrator_of(method), step, steps, findings);
   return (run.state.q[0] - (scene.initial.q[0] - swing)) / swing;
 }
 
@@ -137,7 +449,6 @@ Case round_off() {
                           "log2 of the rounding over its prediction, furthest of all methods and numbers",
                           "log2 of the step of least error over its prediction, furthest of all"},
           .source = "Henrici 1962, chapter 1; Hairer, Lubich & Wanner 2006, section VIII.5",
-          .page = page,
           .faults = {{"far_from_the_origin", "the scene 4096 lengths from the origin of its coordinates",
                       "the scene's rounding over its prediction, velocity_verlet"},
                      {"stiffness_off", "a stiffness 1e-12 too large", "the scene's rounding over its prediction, rk4"},
@@ -147,7 +458,6 @@ Case round_off() {
                       "log2 of the rounding over its prediction, furthest of all methods and numbers"},
                      {"dashpot_left_on", "a dashpot of 2^-10, which no step makes smaller",
                       "error against the step, truncation, rk4, 24 bits"}},
-          .tier = Tier::quick,
           .time_limit = 120.0,
           .run = run};
 }

@@ -2,49 +2,17 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 
-#include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
 #include "verification/check/case.hpp"
 #include "verification/study/lively_scenes.hpp"
 #include "verification/study/scaled_scene.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
 Case unit_scaling();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** The solver knows no units: a scene told in other units of mass, length and time must give the same
-motion. Units that are powers of two move no digit of any number, so the answer must be the same to the last bit.
-Two scenes in which much goes on are run in several systems of units.
-
-```
-   yard: disc, plates, superellipse, bar,      fence: rock, columns, friction,
-   carriage, bob; terrain, wall, cables        cables that yield, hangers that break
-        o  []  (=)  |                               o -> ||==||==||
-   ---.____.----------.___|
-```
-
-**Equations.** With new units every quantity is multiplied by $2^{ai+bj+ck}$, $i, j, k$ its powers of mass, length and
-time. Sums, products, quotients and comparisons of such numbers scale exactly, and so does $\sqrt x$, as roots are
-taken of squares of lengths alone; powers and sines are taken of pure numbers. What breaks the rule is a number with
-a unit hidden in the code (a smallest length, a tolerance, a count of bits), a field with a wrong dimension in the
-solver's own tables, by which the scenes are converted here, or a number too large or too small for the format.
-
-**Source.** Metamorphic testing: Chen, Cheung & Yiu 1998. Exact scaling: IEEE 754, section 3.
-
-| symbol | meaning | value |
-|:--|:-------|:--|
-| $2^a$ | unit of mass | $2^{43}$ |
-| $2^b$ | unit of length | $2^{-31}$ |
-| $2^c$ | unit of time | $2^{-17}$ |
-
-**What would break it.** An absolute tolerance anywhere: odeint's steppers with step control have one, and are the
-only method that notices its units (table).
-)";
 
 constexpr UnitScale all_units{0x1p43, 0x1p-31, 0x1p-17};
 
@@ -65,17 +33,11 @@ UnitRun run_in_units(const Scene& scene, const Integrator& method, UnitPlan plan
   if (setup.has("strength_overlooked") && !told.hangers.empty())
     told.hangers[0].strength = scene.model.hangers[0].strength;
   if (setup.has("slip_stiffness_overlooked")) told.contacts[0].friction->stiffness *= scale.length / scale.mass;
-  const Dynamics dynamics{told};
-  RigidBodySystem system{dynamics};
-  State state = scaled(scene.model, scene.initial, scale);
-  system.settle(state);
-  EnergyLedger ledger{dynamics, state};
-  Integrator integrator = method;
+  Scene other{.model = told, .initial = scaled(scene.model, scene.initial, scale)};
+  RunLedger ledger{told, first_state(other)};
   const double end = plan.end * scale.time;
-  const Outcome outcome = simulate(system, integrator, state, {plan.step * scale.time, end, end, true});
-  if (!outcome) state.q[0] = std::nan("");
-  const Accounts sums = ledger.accounts(state);
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  const State state = run_scene(other, method, {plan.step * scale.time, end, end, true}, findings).state;
+  const Accounts sums = ledger(state);
   UnitRun run{
       scaled(scene.model, state, scale.inverse()),
       {sums.energies.kinetic, sums.energies.gravity, sums.energies.contacts, sums.energies.cables, sums.energy_closure,
@@ -129,8 +91,7 @@ void draw_range(Findings& findings, const Scene& scene) {
                     "Numbers of the yard's state after .15 s that are not the same to the last bit, against the unit: "
                     "a double's range ends where squares and energies fall below $2^{-1074}$ or pass $2^{1024}$.",
                 .x = {.label = "log2 of the new unit"},
-                .y = {.label = "numbers that differ"},
-                .series = {}};
+                .y = {.label = "numbers that differ"}};
   const UnitPlan plan{1e-3, 0.15};
   const UnitRun one = run_in_units(scene, VelocityVerlet{}, plan, {}, Setup{}, findings);
   int widest = 0;
@@ -146,8 +107,7 @@ void draw_range(Findings& findings, const Scene& scene) {
       const double value = std::ldexp(1.0, exponent);
       const UnitScale scale{unit == 'M' ? value : 1.0, unit == 'L' ? value : 1.0, unit == 'T' ? value : 1.0};
       const int count = differing(one, run_in_units(scene, VelocityVerlet{}, plan, scale, Setup{}, findings));
-      series.x.push_back(exponent);
-      series.y.push_back(count);
+      series.add(exponent, count);
       if (count == 0 && exponent > reach) reach = exponent;
     }
     widest = widest == 0 ? reach : std::min(widest, reach);
@@ -168,8 +128,7 @@ void tabulate_step_control(Findings& findings, const Scene& scene) {
                   "Largest change of a coordinate, over the largest coordinate, of the yard at .1 s when the unit of "
                   "length is changed, for odeint's steppers with tolerance 1e-8: the tolerance is absolute as well "
                   "as relative, and so a number with a unit.",
-              .columns = {"method", "unit of length 1/1024", "unit of length 1024"},
-              .rows = {}};
+              .columns = {"method", "unit of length 1/1024", "unit of length 1024"}};
   for (const char* name : {"odeint_dopri5", "odeint_bulirsch_stoer"}) {
     const Integrator method = make_integrator(name, 1e-8);
     const UnitPlan plan{2e-3, 0.1};
@@ -277,7 +236,6 @@ Case unit_scaling() {
                           "numbers that differ, fence built from a deck in other units",
                           "mechanisms of loss at work in the yard"},
           .source = "IEEE 754; Chen, Cheung & Yiu 1998 (metamorphic testing)",
-          .page = page,
           .faults = {{"gravity_overlooked", "gravity keeps its number",
                       "numbers that differ, yard, velocity_verlet, all units"},
                      {"strength_overlooked", "the strength of the hanger keeps its number",
@@ -288,8 +246,6 @@ Case unit_scaling() {
                       "numbers that differ, yard, velocity_verlet, all units"},
                      {"sag_overlooked", "the sag a part in 1e12 off",
                       "numbers that differ, fence built from a deck in other units"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

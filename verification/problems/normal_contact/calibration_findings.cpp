@@ -14,6 +14,7 @@
 #include "verification/study/common_formula.hpp"
 #include "verification/study/followed_impact.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
+#include "verification/study/phases.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -22,12 +23,11 @@ namespace {
 double measured_restitution(const LinearSpringDashpot& law, double steps, Findings& findings) {
   const double time = reference::impact_events({law.stiffness, law.damping, 1.0, 1.0}, same(law.end_rule)).contact_time;
   double mean = 0.0;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = offset_step(time, steps, i);
-    const double gap = even_phases(fewest_phases)[i] * step;
+  for (const Phase& phase : offset_phases(time, steps)) {
+    const double gap = phase.lead();
     Scene scene = scenes::bouncing_disc({.radius = 8.0, .gap = gap, .speed = 1.0, .contact = law});
     scene.integrator = VelocityVerlet{};
-    scene.plan = {step, gap + 2.0 * time + 4.0 * step, time, false};
+    scene.plan = {phase.step, gap + 2.0 * time + 4.0 * phase.step, time, false};
     mean += follow_impact(scene, findings).restitution() / static_cast<double>(fewest_phases);
   }
   return mean;
@@ -46,25 +46,21 @@ void find_calibration_curves(Findings& findings) {
                     "Points: the solver, 200 steps per contact, mean over 64 phases. Lines: closed forms. The "
                     "attractive contact never parts beyond $\\xi = 1$; the clamped one does.",
                 .x = {.label = "damping ratio xi", .min = 0.0},
-                .y = {.label = "restitution e", .min = 0.0, .max = 1.0},
-                .series = {}};
+                .y = {.label = "restitution e", .min = 0.0, .max = 1.0}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     const bool attractive = rule == EndRule::attractive;
     const std::string label = attractive ? "attractive" : "clamped";
-    Series points{.label = label + ", solver", .x = {}, .y = {}, .style = Style::points};
-    Series curve{.label = label + ", closed form", .x = {}, .y = {}, .style = Style::lines};
+    Series points{.label = label + ", solver", .style = Style::points};
+    Series curve{.label = label + ", closed form", .style = Style::lines};
     PhaseError errors;
     for (int i = 0; i < 20; ++i) {
       const double e = 1.0 - 0.05 * i;
       const double xi = reference::damping_ratio(e, same(rule));
-      points.x.push_back(xi);
-      points.y.push_back(measured_restitution(dashpot_of(xi, 1.0, 1.0, rule), 200.0, findings));
+      points.add(xi, measured_restitution(dashpot_of(xi, 1.0, 1.0, rule), 200.0, findings));
       errors.add(points.y.back() - e);
     }
-    for (double xi = 0.0; xi < (attractive ? 0.999 : 2.0); xi += 0.01) {
-      curve.x.push_back(xi);
-      curve.y.push_back(reference::restitution(xi, same(rule)));
-    }
+    for (double xi = 0.0; xi < (attractive ? 0.999 : 2.0); xi += 0.01)
+      curve.add(xi, reference::restitution(xi, same(rule)));
     // The jumps cancel in the mean over phases, and the lag remains: |shift| e w h, with w h = w T/200.
     double shift = 0.0;
     for (const double xi : points.x) {
@@ -94,8 +90,7 @@ void find_clamped_eq_21(Findings& findings) {
                   "Eq. 21's damping under the clamped rule gives too large an e; the clamped formula solved for "
                   "its own damping ratio gives the wanted one (3200 steps per contact, mean over 64 phases).",
               .columns = {"wanted e", "xi by Eq. 21", "attractive", "clamped", "exact clamped", "xi, clamped formula",
-                          "clamped with it"},
-              .rows = {}};
+                          "clamped with it"}};
   Figure figure{.name = "clamped_eq_21",
                 .title = "Eq. 21 under both end rules",
                 .caption = "Restitution that the solver gives with the damping of Eq. 21. On the diagonal: as wanted.",
@@ -130,16 +125,12 @@ void find_clamped_eq_21(Findings& findings) {
     table.rows.push_back({fmt::format("{:g}", row.wanted), fmt::format("{:.4f}", xi), fmt::format("{:.4f}", attractive),
                           fmt::format("{:.4f}", clamped), fmt::format("{:.4f}", exact), fmt::format("{:.4f}", own),
                           fmt::format("{:.4f}", solved)});
-    figure.series[0].x.push_back(row.wanted);
-    figure.series[0].y.push_back(attractive);
-    figure.series[1].x.push_back(row.wanted);
-    figure.series[1].y.push_back(clamped);
+    figure.series[0].add(row.wanted, attractive);
+    figure.series[1].add(row.wanted, clamped);
   }
-  for (double e = 0.005; e <= 1.0; e += 0.005) {
-    figure.series[2].x.push_back(e);
-    figure.series[2].y.push_back(reference::restitution(reference::damping_ratio(e, reference::EndRule::attractive),
-                                                        reference::EndRule::clamped));
-  }
+  for (double e = 0.005; e <= 1.0; e += 0.005)
+    figure.series[2].add(e, reference::restitution(reference::damping_ratio(e, reference::EndRule::attractive),
+                                                   reference::EndRule::clamped));
   findings.table(table);
   findings.table(common);
   findings.figure(figure);
@@ -179,8 +170,7 @@ void check_step_advice(Findings& findings) {
               .caption =
                   "A step is asked for that keeps the error of e below a bound (velocity Verlet, e = .5); the "
                   "largest error at 200 other phases.",
-              .columns = {"end rule", "bound", "steps per contact", "largest error, advice", "largest error, here"},
-              .rows = {}};
+              .columns = {"end rule", "bound", "steps per contact", "largest error, advice", "largest error, here"}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     for (const double bound : {1e-2, 1e-3}) {
       const LinearSpringDashpot law = dashpot_of(reference::damping_ratio(0.5, same(rule)), 1.0, 1.0, rule);
@@ -212,8 +202,7 @@ void check_scene_calibration(Findings& findings) {
                   "on, odeint's Dormand-Prince at 1e-11): the damping found against that of the effective mass "
                   "$I_p/h^2$, and against Eq. 21 with the two masses.",
               .columns = {"k_n [lbf/ft]", "c found [lbf s/ft]", "c, effective mass", "difference", "c, two masses",
-                          "difference", "e reached", "runs"},
-              .rows = {}};
+                          "difference", "e reached", "runs"}};
   const reference::PivotedCylinder problem{};
   Convergence differences;
   double missed = 0.0;

@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
-#include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/pressed_discs.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -16,58 +15,26 @@ Case column();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Ten discs stand on each other under their weight. Whatever they come from, pressed together or falling
-from a little above each other, they come to rest at the same overlaps: each contact carries the discs above it.
-
-```
-    ( )  10
-    ...          overlap of contact i:  (N - i + 1) m g/k
-    ( )  2       i = 1: disc 1 on the ground
-    ( )  1
-  ///////
-```
-
-**Equations.** $k\delta_i = (N - i + 1)\,m g$. The column's slowest swing is $\omega_1 =
-2\sqrt{k/m}\,\sin\frac{\pi}{2(2N+1)}$, and dashpots of damping ratio $\xi = c/(2\sqrt{km})$ damp it at the rate
-$\xi\omega_1^2/\sqrt{k/m}$: after 30 over that rate, when it is looked at, $e^{-30}$ is left.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $N$, $m$, $g$, radius | discs | 10, 2, 1, 1 (no units) |
-| $k$ | contacts | 512: lowest overlap .039 |
-| $\xi$ | damping ratio of one contact | 1/2 |
-| $h$ | step, velocity Verlet | $.2\sqrt{m/k}$ |
-
-**Source.** Textbook statics. Round-off: positions up to 20 are rounded to 3.6e-15, an overlap is the difference of
-two.
-
-**What would break it.** A contact listed twice or left out; a weight on one disc too few; forces that depend on the
-order in which contacts are evaluated; a force that remembers how the overlap came about.
-)";
-
 constexpr int discs = 10;
 constexpr double mass = 2.0, gravity = 1.0, stiffness = 512.0, unit_time = 0.0625;  // sqrt(m/k)
 
-enum class Start { apart, pressed };
-
-Scene column_scene(Start start, const Setup& setup) {
+Scene column_scene(double spacing, const Setup& setup) {
   ModelBuilder builder;
   builder.gravity({0.0, -gravity});
-  const double xi = 0.5;
-  const LinearSpringDashpot law{stiffness, 2.0 * xi * std::sqrt(stiffness * mass), EndRule::clamped};
   BodyId below = builder.add(Body{.name = "ground", .mobility = Mobility::fixed, .shape = HalfPlane{}});
-  const double spacing = start == Start::apart ? 2.001 : 1.93;
   for (int i = 0; i < discs; ++i) {
     const bool lighter = setup.has("top_disc_lighter") && i == discs - 1;
+    const bool softer = setup.has("one_contact_softer") && i == 4;
     const BodyId disc = builder.add(Body{.name = fmt::format("disc{}", i + 1),
                                          .mobility = Mobility::particle,
                                          .mass = lighter ? (1.0 - 1e-9) * mass : mass,
                                          .shape = Circle{1.0},
                                          .p_WB = {0.0, 1.0 + spacing * i}});
-    LinearSpringDashpot own = law;
-    if (setup.has("one_contact_softer") && i == 4) own.stiffness *= 1.0 - 1e-9;
-    builder.add(Contact{.name = fmt::format("contact{}", i + 1), .a = below, .b = disc, .law = own});
+    builder.add(Contact{.name = fmt::format("contact{}", i + 1),
+                        .a = below,
+                        .b = disc,
+                        .law = LinearSpringDashpot{softer ? (1.0 - 1e-9) * stiffness : stiffness,
+                                                   std::sqrt(stiffness * mass), EndRule::clamped}});
     below = disc;
   }
   Scene scene{.title = "Column of discs", .model = builder.build()};
@@ -75,85 +42,51 @@ Scene column_scene(Start start, const Setup& setup) {
   return scene;
 }
 
-struct Standing {
-  std::vector<double> overlaps;  ///< from the ground up
-  std::vector<double> forces;
-  std::vector<double> time, base;  ///< force on the ground, a hundred times
-};
-
-Standing settle(Start start, Findings& findings, const Setup& setup) {
-  const Scene scene = column_scene(start, setup);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  const double w1 = reference::column_frequency(discs, mass, stiffness);
-  const double rate = 0.5 * w1 * w1 * unit_time;
-  const double end = (setup.has("stopped_early") ? 10.0 : 30.0) / rate, step = 0.2 * unit_time;
-  State state = scene.initial;
-  Workspace work = dynamics.workspace();
-  LawForces forces;
-  Standing found;
-  const Observer observer = [&](const State& seen, const StepInfo& info) {
-    if (!info.due) return;
-    dynamics.update_all(seen, work);
-    dynamics.forces(seen, work, forces);
-    found.time.push_back(seen.t);
-    found.base.push_back(forces.contacts[0]);
-  };
-  Integrator verlet = VelocityVerlet{};
-  const Outcome outcome = simulate(system, verlet, state, {step, end, end / 400.0, false}, {&observer, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  dynamics.update_all(state, work);
-  dynamics.forces(state, work, forces);
-  for (int i = 0; i < discs; ++i)
-    found.overlaps.push_back(outcome ? dynamics.contact_depth(work, static_cast<ContactId>(i)) : NAN);
-  found.forces = forces.contacts;
-  return found;
+/// Sets the column down, checks the overlaps and forces at rest, and returns the force on the ground on the way there.
+Series check_rest(const std::string& how, double spacing, Findings& findings, const Setup& setup) {
+  const Scene scene = column_scene(spacing, setup);
+  const double w1 = reference::column_frequency(discs, mass, stiffness), rate = 0.5 * w1 * w1 * unit_time;
+  const double end = (setup.has("stopped_early") ? 10.0 : 30.0) / rate;
+  Series base{.label = how, .style = Style::lines};
+  Probe probe{scene.model};
+  const RunEnd run = run_scene(scene, VelocityVerlet{}, {0.2 * unit_time, end, end / 400.0, false}, findings,
+                               [&](const State& state, const StepInfo& info) {
+                                 if (!info.due || state.t >= 30.0) return;
+                                 probe.evaluate(state);
+                                 base.add(state.t, probe.forces().contacts[0]);
+                               });
+  probe.evaluate(run.state);
+  std::vector<double> overlaps, exact = reference::column_overlaps(discs, mass, gravity, stiffness), forces = exact;
+  for (std::size_t i = 0; i < discs; ++i)
+    overlaps.push_back(probe.overlap(i)), forces[i] *= stiffness;
+  expect_each(findings, fmt::format("overlaps of ten contacts, {}, largest error", how), overlaps, exact,
+              Tolerance::round_off(1.2e-14,
+                                   "positions up to 20 are rounded to 3.6e-15; a disc stays where less than that is "
+                                   "left to go in a step, three of which are admitted"));
+  expect_each(findings, fmt::format("forces of ten contacts, {}, largest error", how), probe.forces().contacts, forces,
+              Tolerance::round_off(512.0 * 1.2e-14, "k times that of the overlaps"));
+  if (how == "set down apart" && !setup.coarse) {
+    const std::vector<double> contacts = multiples(1.0, 1, discs);
+    findings.figure({.name = "overlaps",
+                     .title = "A column at rest",
+                     .caption = "Overlaps from the ground up.",
+                     .x = {.label = "contact"},
+                     .y = {.label = "overlap", .min = 0.0},
+                     .series = {as_line(points("exact", contacts, exact)), points("solver", contacts, overlaps)}});
+  }
+  return base;
 }
 
 void run(Findings& findings, const Setup& setup) {
-  const auto exact = reference::column_overlaps(discs, mass, gravity, stiffness);
-  Series history[2] = {{"set down apart", {}, {}, Style::lines}, {"pressed together", {}, {}, Style::lines}};
-  Series overlaps{"solver", {}, {}, Style::points}, line{"exact", {}, {}, Style::lines};
-  for (const Start start : {Start::apart, Start::pressed}) {
-    const char* word = start == Start::apart ? "set down apart" : "pressed together";
-    const Standing found = settle(start, findings, setup);
-    double worst = 0.0, worst_force = 0.0;
-    for (std::size_t i = 0; i < discs; ++i) {
-      const double error = found.overlaps[i] - exact[i], force = found.forces[i] - stiffness * exact[i];
-      if (!(std::abs(error) <= std::abs(worst))) worst = error;
-      if (!(std::abs(force) <= std::abs(worst_force))) worst_force = force;
-      if (start == Start::apart) {
-        overlaps.x.push_back(static_cast<double>(i) + 1.0);
-        overlaps.y.push_back(found.overlaps[i]);
-        line.x.push_back(static_cast<double>(i) + 1.0);
-        line.y.push_back(exact[i]);
-      }
-    }
-    findings.expect(fmt::format("overlaps of ten contacts, {}, largest error", word), worst, 0.0,
-                    Tolerance::round_off(1.2e-14,
-                                         "positions up to 20 are rounded to 3.6e-15; a disc stays where less than that "
-                                         "is left to go in a step, three of which are admitted"));
-    findings.expect(fmt::format("forces of ten contacts, {}, largest error", word), worst_force, 0.0,
-                    Tolerance::round_off(512.0 * 1.2e-14, "k times that of the overlaps"));
-    Series& base = history[start == Start::apart ? 0 : 1];
-    for (std::size_t i = 0; i < found.time.size() && found.time[i] < 30.0; ++i) {
-      base.x.push_back(found.time[i]);
-      base.y.push_back(found.base[i]);
-    }
-  }
+  const Series apart = check_rest("set down apart", 2.001, findings, setup);
+  const Series pressed = check_rest("pressed together", 1.93, findings, setup);
   if (setup.coarse) return;
-  findings.figure({.name = "overlaps",
-                   .title = "A column at rest",
-                   .caption = "Overlaps from the ground up.",
-                   .x = {.label = "contact"},
-                   .y = {.label = "overlap", .min = 0.0},
-                   .series = {line, overlaps}});
   findings.figure({.name = "settling",
                    .title = "On the way to rest",
                    .caption = "Force on the ground against time from both starts; the line is the weight.",
                    .x = {.label = "time"},
                    .y = {.label = "force on the ground"},
-                   .series = {history[0], history[1]},
+                   .series = {apart, pressed},
                    .lines = {{'y', discs * mass * gravity, "weight"}}});
 }
 
@@ -171,15 +104,12 @@ Case column() {
                            {"pair.circle.half_plane", {"overlaps"}}},
           .main_checks = {"overlaps of ten contacts, set down apart, largest error"},
           .source = "Textbook statics",
-          .page = page,
           .faults = {{"top_disc_lighter", "the top disc lighter by 1e-9",
                       "overlaps of ten contacts, set down apart, largest error"},
                      {"one_contact_softer", "one contact softer by 1e-9",
                       "overlaps of ten contacts, pressed together, largest error"},
                      {"stopped_early", "a third of the time to come to rest",
                       "forces of ten contacts, set down apart, largest error"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -1,58 +1,21 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <span>
-#include <vector>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
-#include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/struck_row.hpp"
+#include "verification/study/phases.hpp"
+#include "verification/study/predicted_errors.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
 Case cradle();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** A disc strikes the first of two equal discs in a row. The rigid ball of the textbook hands its speed on
-to the last: (0, 0, v). Discs that touch do not, for a soft contact takes time: the last disc leaves while the middle
-one is still pushed by the first. How far apart must they be to behave as the textbook says?
-
-```
-      v
-     ( )-->   ( ) ( )        ( )   ( )     ( )-->
-      1        2 | 3          1<-   2->     3
-                gap
-```
-
-**Equations.** Undamped linear contacts. While one contact is closed its overlap swings at $\omega_2 = \sqrt{2k/m}$;
-while both are, shapes $(1, 0, -1)$ and $(1, -2, 1)$ swing at $\sqrt{k/m}$ and $\sqrt{3k/m}$. The reference follows
-the pieces at 50 digits, each to the overlap that changes its sign first. Momentum and energy are kept; three speeds
-have one freedom left, which the gap decides. The contact of the first two lasts $\pi/\omega_2$, in which the second
-disc moves $\pi v/(2\omega_2)$: from that gap on it meets the third with the whole speed, and the last has it all, (0,
-0, v).
-
-**Error of a step.** Forces are continuous, their slopes are not: order 2. Momentum is exact: each contact's force
-acts on both bodies with the same bits.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $m$, $k$, $v$ | each disc, each contact, first disc | 1, 1, 1 (no units) |
-| gap | between second and third, in $v\sqrt{m/k}$ | 0 ... 1.5 |
-| $h$ | step | $\pi\sqrt{m/k}/(N + f)$, an $f$ of its own for each of 64 phases |
-
-**Source.** Textbook mechanics; the effect in chains: Herrmann & Seitz, Am. J. Phys. 50 (1982) 977.
-
-**What would break it.** Contacts evaluated one after another with positions already moved; a contact that misses its
-opening; speeds exchanged by formula.
-)";
 
 constexpr double disc_radius = 4.0;
 
@@ -88,33 +51,25 @@ struct RowRun {
   double energy_error{};  ///< relative
 };
 
-RowRun run_row(const reference::StruckRow& row, double step, double phase, double end, Findings& findings,
-               const Setup& setup, std::span<const Observer> observers = {}) {
-  const double lead = phase * step;
-  const Scene scene = row_scene(row, lead * row.speed, setup);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = scene.initial;
-  Integrator verlet = VelocityVerlet{};
-  const Outcome outcome = simulate(system, verlet, state, {step, lead + end, step, false}, observers);
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  if (!outcome) return {{NAN, NAN, NAN}, NAN, NAN};
+RowRun run_row(const reference::StruckRow& row, const Phase& phase, double end, Findings& findings,
+               const Setup& setup) {
+  const Scene scene = row_scene(row, phase.lead() * row.speed, setup);
+  const State state =
+      run_scene(scene, VelocityVerlet{}, {phase.step, phase.lead() + end, phase.step, false}, findings).state;
   const std::array v{state.v[0], state.v[2], state.v[4]};
   return {v, v[0] + v[1] + v[2] - row.speed, (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / (row.speed * row.speed) - 1.0};
 }
 
 /// Root mean square of the three velocities' error, over v, from 64 phases.
-PhaseError velocity_error(const reference::StruckRow& row, double steps, Findings& findings, const Setup& setup) {
+double velocity_error(const reference::StruckRow& row, double steps, Findings& findings, const Setup& setup) {
   const reference::RowRebound exact = reference::rebound(row);
   PhaseError error;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double step = offset_step(std::numbers::pi, steps, i);
-    const RowRun found =
-        run_row(row, step, even_phases(fewest_phases)[i], exact.end_time + 4.0 * step, findings, setup);
+  for (const Phase& phase : offset_phases(std::numbers::pi, steps)) {
+    const RowRun found = run_row(row, phase, exact.end_time + 4.0 * phase.step, findings, setup);
     for (std::size_t d = 0; d < 3; ++d)
       error.add((found.velocity[d] - exact.velocity[d]) / row.speed);
   }
-  return error;
+  return error.rms();
 }
 
 constexpr reference::StruckRow touching{1.0, 1.0, 1.0, 0.0};
@@ -125,16 +80,15 @@ void check_gaps(Findings& findings, const Setup& setup) {
               .caption =
                   "Speeds after the impact, exact, and the solver's errors at 100 steps of $\\pi\\sqrt{m/k}$ (root "
                   "mean square over 64 phases and three discs).",
-              .columns = {"gap", "v1", "v2", "v3", "error"},
-              .rows = {}};
+              .columns = {"gap", "v1", "v2", "v3", "error"}};
   for (const double gap : {0.0, 0.1, 0.4, 1.2}) {
     if (setup.coarse && gap > 0.1) break;
     const reference::StruckRow row{1.0, 1.0, 1.0, gap};
     const auto exact = reference::rebound(row).velocity;
-    const PhaseError error = velocity_error(row, 100.0, findings, setup);
+    const double error = velocity_error(row, 100.0, findings, setup);
     table.rows.push_back({fmt::format("{:g}", gap), fmt::format("{:.5f}", exact[0]), fmt::format("{:.5f}", exact[1]),
-                          fmt::format("{:.5f}", exact[2]), fmt::format("{:.2e}", error.rms())});
-    findings.expect(fmt::format("speeds of the three discs, gap {:g}, rms error", gap), error.rms(), 0.0,
+                          fmt::format("{:.5f}", exact[2]), fmt::format("{:.2e}", error)});
+    findings.expect(fmt::format("speeds of the three discs, gap {:g}, rms error", gap), error, 0.0,
                     Tolerance::truncation(0.7 / (100.5 * 100.5), 1.5,
                                           "measured over four octaves of steps at gap 0: .69 over the square of the "
                                           "number of steps; the other gaps are a little better"));
@@ -149,9 +103,9 @@ void check_gaps(Findings& findings, const Setup& setup) {
 }
 
 void check_order(Findings& findings, const Setup& setup) {
-  Convergence found;
-  for (const double n : doublings(16.0, setup.coarse ? 3 : 5))
-    found.add(1.0 / n, velocity_error(touching, n, findings, setup).rms());
+  const Convergence found = convergence(doublings(16.0, setup.coarse ? 3 : 5), [&](double n) {
+    return std::pair{1.0 / n, velocity_error(touching, n, findings, setup)};
+  });
   findings.expect_order("order of the speeds, discs that touch", found, 1.9, 2.1,
                         "the forces are continuous; their slopes jump at touch and opening, which costs h^2");
   findings.figure({.name = "error",
@@ -164,7 +118,7 @@ void check_order(Findings& findings, const Setup& setup) {
 }
 
 void check_accounts(Findings& findings, const Setup& setup) {
-  const RowRun found = run_row(touching, std::numbers::pi / 100.4, 0.3, 8.0, findings, setup);
+  const RowRun found = run_row(touching, {0, std::numbers::pi / 100.4, 0.3}, 8.0, findings, setup);
   findings.expect("momentum of the three discs", found.momentum_error, 0.0,
                   Tolerance::round_off(8e-15,
                                        "700 kicks of two contacts, which round speeds below 1 to 1.1e-16: sqrt(1400) x "
@@ -177,17 +131,13 @@ void show_speeds(Findings& findings, const Setup& setup) {
   Series points{"solver", {}, {}, Style::points};
   for (double gap = 0.0; gap < 1.41; gap += 0.05) {
     const auto exact = reference::rebound({1.0, 1.0, 1.0, gap}).velocity;
-    for (std::size_t d = 0; d < 3; ++d) {
-      lines[d].x.push_back(gap);
-      lines[d].y.push_back(exact[d]);
-    }
+    for (std::size_t d = 0; d < 3; ++d)
+      lines[d].add(gap, exact[d]);
   }
   for (double gap = 0.0; gap < 1.41; gap += 0.2) {
-    const RowRun found = run_row({1.0, 1.0, 1.0, gap}, 0.02, 0.3, 8.0, findings, setup);
-    for (const double v : found.velocity) {
-      points.x.push_back(gap);
-      points.y.push_back(v);
-    }
+    const RowRun found = run_row({1.0, 1.0, 1.0, gap}, {0, 0.02, 0.3}, 8.0, findings, setup);
+    for (const double v : found.velocity)
+      points.add(gap, v);
   }
   findings.figure({.name = "gaps",
                    .title = "Soft discs hand their speed on only when they are apart",
@@ -218,13 +168,10 @@ Case cradle() {
                        {"pair.circle.circle", {"speeds of the three discs"}}},
       .main_checks = {"speeds of the three discs, gap 0, rms error", "order of the speeds, discs that touch"},
       .source = "Herrmann & Seitz, Am. J. Phys. 50 (1982) 977",
-      .page = page,
       .faults = {{"middle_heavier", "the middle disc 1 % heavier", "speeds of the three discs, gap 0, rms error"},
                  {"second_contact_stiffer", "the second contact 2 % stiffer", "order of the speeds, discs that touch"},
                  {"third_disc_farther", "the third disc .001 farther off",
                   "speeds of the three discs, gap 0.1, rms error"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

@@ -2,68 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/hertz_impact.hpp"
 #include "verification/reference/hurwitz_zeta.hpp"
 #include "verification/reference/restitution.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/followed_impact.hpp"
+#include "verification/study/phases.hpp"
 #include "verification/study/plane_impact.hpp"
+#include "verification/study/predicted_errors.hpp"
 
 namespace talus::verification::problems {
 
 Case hertz();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** A ball meets a plane by Hertz's law, which stiffens with the overlap, without and with a dashpot made for
-it. How deep, how long, and which share of the speed is left? The law is the recipe's proof: one file and one line of
-the list. In a plane scene the balls' radius is a parameter of the law.
-
-```
-       |v            F = k x^(3/2) + c (x/R)^(1/4) x'
-      ( )  m         k = 4/3 E sqrt(R)
-   ////////////      c = xi sqrt(20/3 E R m)
-```
-
-**Equations.** $m\ddot x = -k x^{3/2} - c\,(x/R)^{1/4}\dot x$. With $y = \sqrt{4k/5m}\,x^{5/4}$ and the angle $du =
-\sqrt{5k/4m}\,x^{1/4}dt$ this is $y' = \dot x$, $\dot x' = -y - 2\xi\dot x$: the linear spring and dashpot, so $e$ is
-the same function of $\xi$ and of the end rule, at every speed. Undamped,
-$$x_{max} = \Big(\frac{5 m v^2}{4k}\Big)^{2/5}, \qquad T = \tfrac45 B(\tfrac25, \tfrac12)\,\frac{x_{max}}v =
-2.9433\,\frac{x_{max}}v \sim v^{-1/5}.$$
-
-**Error of a step.** A force that begins like $\kappa t^p$ at the share $u$ of a step before the first sample inside
-leaves a leapfrog with the impulse $\kappa h^{p+1}\zeta(-p, u)$ too much (Hurwitz' zeta; $p = 0$: the jump $\frac12 -
-u$ of a linear dashpot, $p = 1$: the kink of a linear spring). Inside it keeps $\frac12v^2 + V + h^2(\frac1{12}v^2V''
-- \frac1{24}V'^2)$, and the second derivative of this potential $V$ vanishes at the touch. With $u'$ for the end, $s$
-for half a step before the turn:
-$$\frac{\delta e}e = \tfrac km\sqrt v\,h^{5/2}[\zeta(-\tfrac32,u') - \zeta(-\tfrac32,u)], \quad
-\frac{\delta T}T = -\tfrac{5}{64}\,\frac{B(3/5,1/2)}{B(2/5,1/2)}\Big(\frac{v h}{x_{max}}\Big)^2, \quad
-\frac{\delta x_{max}}{x_{max}} = \tfrac58\Big(\frac{v h}{x_{max}}\Big)^2[s(1-s) - \tfrac16]:$$
-order 5/2 for $e$, 2 for the others. With a dashpot: it sees the velocity of half a step before, so that all forces
-grow by the share $\xi\dot u h$, a shift of $e$ of first order (found by integrating the equation so changed), and it
-begins like $t^{1/4}$, which costs $2\xi\dot u\,h\,\zeta(-\frac14,u)$ with $\dot u$ at the depth $vh$: order 5/4, at
-both ends when the contact pulls.
-
-**Source.** Hertz, J. reine angew. Math. 92 (1882) 156; Tsuji, Tanaka & Ishida, Powder Technol. 71 (1992) 239; Antypov
-& Elliott, EPL 94 (2011) 50004; errors derived here. Codes that write the dashpot $2\sqrt{5/6}\,\xi\sqrt{S m}$ with
-the tangent $S = \frac32 k\sqrt x$ have the same. The setting is that of the first tests of Chung & Ooi, Granular
-Matter 13 (2011) 643.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $m$, $v$, $E$, $R$ | mass, speed, modulus, radius | 1, 1, 3/4, 4: $k = 2$ (no units) |
-| $\xi$ | damping ratio | 0; .05, .2, .5 |
-| $h$ | step | $T/(100 + f)$, an $f$ of its own for each of 64 phases |
-
-**What would break it.** The square root of $R$ left out; a linear spring under another name; a dashpot with the
-constant of a linear one ($2\sqrt{km}$, without $\sqrt{5/4}$), which gives $e = .57$ for .53 at $\xi = .2$. A step
-that divides $T$ is harmless here: $\zeta(-\frac32, u)$ is not even about $u = \frac12$, and touch and end do not
-cancel.
-)";
 
 constexpr double modulus = 0.75, radius = 4.0, stiffness = 2.0, production_steps = 100.0;
 
@@ -169,31 +123,18 @@ struct Comparison {
 Comparison compare(const Ball& b, double steps, Findings& findings) {
   Comparison all;
   const double shift = b.xi > 0.0 ? lag_shift(b) : 0.0;
-  for (std::size_t i = 0; i < fewest_phases; ++i) {
-    const double phase = even_phases(fewest_phases)[i];
-    const double step = offset_step(b.exact.contact_time, steps, i);
+  for (const auto& [i, step, phase] : offset_phases(b.exact.contact_time, steps)) {
     all.found.add(impact_error(b, step, phase, findings));
     all.predicted.add(predicted_error(b, shift, step, phase));
   }
   return all;
 }
 
-struct Curve {
-  Convergence found;
-  Series points, line;
-};
-
-Curve curve(const Ball& b, const std::string& label, Findings& findings, const Setup& setup) {
-  Curve made{{}, {label, {}, {}, Style::points}, {label + ", predicted", {}, {}, Style::lines}};
-  for (const double n : doublings(16.0, setup.coarse ? 3 : 6)) {
+PredictedErrors errors(const Ball& b, Findings& findings, const Setup& setup) {
+  return predicted_errors(doublings(16.0, setup.coarse ? 3 : 6), [&](double n) {
     const Comparison c = compare(b, n, findings);
-    made.found.add(1.0 / n, c.found.restitution.rms());
-    made.line.x.push_back(1.0 / n);
-    made.line.y.push_back(c.predicted.restitution.rms());
-  }
-  made.points.x = made.found.steps();
-  made.points.y = made.found.errors();
-  return made;
+    return std::array{1.0 / n, c.found.restitution.rms(), c.predicted.restitution.rms()};
+  });
 }
 
 void check_undamped(Findings& findings, const Setup& setup) {
@@ -213,8 +154,7 @@ void check_damped(Findings& findings, const Setup& setup) {
   Table table{
       .name = "damped",
       .caption = "With the dashpot at 100 steps per contact, 64 phases: relative error of $e$, root mean square.",
-      .columns = {"end rule", "xi", "e", "error of e", "predicted"},
-      .rows = {}};
+      .columns = {"end rule", "xi", "e", "error of e", "predicted"}};
   for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
     const char* word = rule == EndRule::attractive ? "attractive" : "clamped";
     double worst = 1.0;
@@ -235,11 +175,12 @@ void check_damped(Findings& findings, const Setup& setup) {
 }
 
 void check_orders(Findings& findings, const Setup& setup) {
-  const Curve elastic = curve(ball(0.0, EndRule::attractive, setup), "undamped", findings, setup);
+  const PredictedErrors elastic = errors(ball(0.0, EndRule::attractive, setup), findings, setup);
   findings.expect_order(
-      "order of e, undamped", elastic.found, 2.4, 2.6,
+      "order of e, undamped", elastic.found(), 2.4, 2.6,
       "the force begins like t^(3/2), which costs h^(5/2); 64 uneven phases of the end tilt the line");
-  const Curve damped = curve(ball(0.2, EndRule::attractive, setup), "xi = .2, pulls at the end", findings, setup);
+  const PredictedErrors damped = errors(ball(0.2, EndRule::attractive, setup), findings, setup);
+  const std::string pulls = "xi = .2, pulls at the end";
   findings.figure({.name = "error_of_e",
                    .title = "Error of the restitution against the step",
                    .caption = "Root mean square over 64 phases with a step of its own each. Lines: predicted, nothing "
@@ -247,7 +188,8 @@ void check_orders(Findings& findings, const Setup& setup) {
                               "With the dashpot it goes from 5/4, its onset, to 1, its velocity of half a step before.",
                    .x = {.label = "step / contact time", .log = true},
                    .y = {.label = "relative error of e", .log = true},
-                   .series = {elastic.points, elastic.line, damped.points, damped.line},
+                   .series = {elastic.points("undamped"), elastic.line("undamped, predicted"), damped.points(pulls),
+                              damped.line(pulls + ", predicted")},
                    .slopes = {{2.5, 1.0 / 64.0, 2e-6, "h^(5/2)"}, {1.0, 1.0 / 64.0, 2e-3, "h"}}});
 }
 
@@ -273,10 +215,8 @@ void show_contact_times(Findings& findings, const Setup& setup) {
     b.speed = speed;
     b.exact = reference::hertz_events({stiffness, 0.0, 1.0, speed}, reference::EndRule::attractive);
     const Comparison c = compare(b, production_steps, findings);
-    points.x.push_back(speed);
-    points.y.push_back(b.exact.contact_time * c.found.mean_time);
-    line.x.push_back(speed);
-    line.y.push_back(b.exact.contact_time);
+    points.add(speed, b.exact.contact_time * c.found.mean_time);
+    line.add(speed, b.exact.contact_time);
   }
   findings.figure({.name = "contact_times",
                    .title = "Faster impacts are shorter",
@@ -312,14 +252,11 @@ Case hertz() {
                           "rms error of the largest overlap, undamped, over the predicted", "order of e, undamped",
                           "rms error of e over the predicted, farthest of three dampings, attractive"},
           .source = "Hertz 1882; Tsuji, Tanaka & Ishida 1992; Antypov & Elliott, EPL 94 (2011) 50004",
-          .page = page,
           .faults = {{"radius_forgotten", "the square root of the radius is left out",
                       "rms error of the largest overlap, undamped, over the predicted"},
                      {"linear_spring", "a linear spring of the same number", "order of e, undamped"},
                      {"constant_of_linear_dashpot", "the dashpot of a linear spring",
                       "rms error of e over the predicted, farthest of three dampings, attractive"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -8,9 +8,10 @@
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/reference/pressed_discs.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/plane_impact.hpp"
+#include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
@@ -18,42 +19,6 @@ namespace talus::verification::problems {
 Case pressed_pair();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** Two discs are squeezed between a floor and a ceiling, so that all three contacts stay closed, and let go
-out of balance. Nothing opens or closes: the motion is linear, and a method shows its own order.
-
-```
-   ///////////
-      ( )  y2      k = stiffness of all three contacts,  c = b k
-      ( )  y1      pressed by D before they are let go
-   ///////////
-```
-
-**Equations.** With $y$ from where the three forces are equal, $m_1\ddot y_1 = -k(2y_1 - y_2) - bk(2\dot y_1 - \dot
-y_2) - m_1 g$ and its mirror image. Damping in proportion to stiffness leaves the modes of the undamped pair:
-$$m_1m_2\omega^4 - 2k(m_1+m_2)\omega^2 + 3k^2 = 0, \qquad m_1 = m_2:\; \omega^2 = k/m,\; 3k/m, \qquad
-\xi_j = \tfrac12 b\,\omega_j.$$
-
-**Error of a step.** Undamped, velocity Verlet from rest follows $\cos\Omega t$ with $\sin\frac12\Omega h =
-\frac12\omega h$ exactly: the solver is compared with that to round-off, and with the motion itself at order 2, phase
-error $\frac1{24}\omega^3h^2t$. Damped, the dashpot sees the velocity of half a step before, which turns $m$ into $m -
-\frac12 c h$ for each mode: $\xi$ grows by $\frac12\xi^2\omega h$ and $\omega$ by $\frac12\xi\omega^2h$: order 1,
-constant known.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $k$, $D$, radius | contacts, squeeze of each contact, discs | 1024, 1/8, 1 (no units) |
-| $m_1$, $m_2$; $g$ | equal pair; unlike pair (upper disc half) | 1, 1; 1, 1/2; 9.81 |
-| $b$ | $c/k$ | 0; 1/256: $\xi = .06, .11$ |
-| $t$ | compared over | 0 ... 1: 5 and 9 swings |
-
-**Source.** Textbook vibrations; the setting is that of MFiX's verification case DEM03 (two particles stacked between
-walls, compressed, unlike densities), its closed form derived here.
-
-**What would break it.** A contact evaluated twice; a weight left out; the lever of one disc on the other with the
-wrong sign (then both modes have the same frequency); a dashpot that takes the velocity of one disc only.
-)";
 
 constexpr double stiffness = 1024.0, squeeze = 0.125, end_time = 1.0;
 
@@ -100,20 +65,17 @@ double largest_error(const Pair& pair, const Integrator& method, long steps, con
                      Findings& findings, const Setup& setup, Series* heights = nullptr) {
   double largest = 0.0;
   const double lower = 1.0 - squeeze, upper = 3.0 - 2.0 * squeeze;
-  const Observer observer = [&](const State& state, const StepInfo&) {
+  const Watcher observer = [&](const State& state, const StepInfo&) {
     const auto exact = expected(state.t);
     const double error =
         std::max(std::abs(state.q[1] - lower - exact[0]), std::abs(state.q[3] - upper - exact[1])) / start.height[0];
-    if (!(error <= largest)) largest = error;
+    keep_worst(largest, error);
     if (!heights) return;
-    heights[0].x.push_back(state.t);
-    heights[0].y.push_back(state.q[1] - lower);
-    heights[1].x.push_back(state.t);
-    heights[1].y.push_back(state.q[3] - upper);
+    heights[0].add(state.t, state.q[1] - lower);
+    heights[1].add(state.t, state.q[3] - upper);
   };
   const RunEnd end =
-      run_steps(pair_scene(pair, setup), method, end_time / static_cast<double>(steps), steps, {&observer, 1});
-  findings.count(static_cast<std::uint64_t>(end.evaluations));
+      run_steps(pair_scene(pair, setup), method, end_time / static_cast<double>(steps), steps, findings, observer);
   return std::isfinite(end.state.q[1]) ? largest : NAN;
 }
 
@@ -199,21 +161,18 @@ void check_undamped(Figure& figure, Findings& findings, const Setup& setup) {
 
 void check_damped(Figure& figure, Findings& findings, const Setup& setup) {
   for (const Pair& pair : damped_pairs) {
-    Convergence order;
-    Series line{name_of(pair) + ", predicted", {}, {}, Style::lines};
+    PredictedErrors errors;
     for (const double n : doublings(800.0, setup.coarse ? 2 : 4)) {
-      order.add(end_time / n,
-                largest_error(pair, VelocityVerlet{}, std::lround(n), exact_heights(pair), findings, setup));
-      line.x.push_back(end_time / n);
-      line.y.push_back(predicted_damped_error(pair, end_time / n));
+      errors.add(end_time / n,
+                 largest_error(pair, VelocityVerlet{}, std::lround(n), exact_heights(pair), findings, setup),
+                 predicted_damped_error(pair, end_time / n));
     }
-    findings.expect("error over the predicted at the finest step, " + name_of(pair),
-                    order.errors().back() / line.y.back(), 1.0,
+    findings.expect("error over the predicted at the finest step, " + name_of(pair), errors.last_ratio(), 1.0,
                     Tolerance::model(setup.coarse ? 0.1 : 0.02, "the next power of the step: w h^2 t/24 over xi h/2"));
-    findings.expect_order("order, " + name_of(pair), order, 0.9, 1.1,
+    findings.expect_order("order, " + name_of(pair), errors.found(), 0.9, 1.1,
                           "the dashpot's velocity of half a step before; the next power tilts the line");
-    figure.series.push_back({name_of(pair), order.steps(), order.errors(), Style::points});
-    figure.series.push_back(line);
+    figure.series.push_back(errors.points(name_of(pair)));
+    figure.series.push_back(errors.line(name_of(pair) + ", predicted"));
   }
 }
 
@@ -235,10 +194,8 @@ void run(Findings& findings, const Setup& setup) {
   Series exact[2] = {{"lower", {}, {}, Style::lines}, {"upper", {}, {}, Style::lines}};
   for (double t = 0.0; t <= end_time; t += 0.004) {
     const auto height = exact_heights(pair)(t);
-    for (std::size_t i = 0; i < 2; ++i) {
-      exact[i].x.push_back(t);
-      exact[i].y.push_back(height[i]);
-    }
+    for (std::size_t i = 0; i < 2; ++i)
+      exact[i].add(t, height[i]);
   }
   findings.figure({.name = "heights",
                    .title = "Two discs between walls",
@@ -265,13 +222,10 @@ Case pressed_pair() {
           .main_checks = {"heights against the leapfrog's own swings, equal discs", "order, equal discs",
                           "error over the predicted at the finest step, unlike discs with weight, damped"},
           .source = "Textbook vibrations; the setting of MFiX's verification case DEM03",
-          .page = page,
           .faults = {{"upper_heavier", "the upper disc 1 % heavier",
                       "heights against the leapfrog's own swings, unlike discs with weight"},
                      {"dashpot_between_off", "no dashpot between the discs",
                       "error over the predicted at the finest step, equal discs, damped"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -8,49 +8,14 @@
 
 #include "solver/dynamics/springs.hpp"
 #include "solver/io/scene/read_scene.hpp"
-#include "solver/run/simulate.hpp"
 #include "verification/check/case.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
 Case restitution_at_impact();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** A scene asks for a coefficient of restitution $e$. It must hold at every impact: in another pose than that of
-the start, off the centre of mass, of a pinned body, at the second and third impact of the same contact, of a side that
-lands on both its ends.
-
-```
-    pinned bob      corner        ellipse, tumbling      disc on a bar     flat side
-       o                                                     o ->
-        \         /\              __        .               | |           ________
-         \       /  \            (  )__   (  )              | |          |________|
-          O |   /    \          _________________           |_|         ____________
-```
-
-**Equations.** At the contact point with the normal $n$, body $i$ answers a unit impulse by the velocity
-$1/m_i + (r_i \times n)^2/I_i$, a pinned one by $(r \times n)^2/I_p$; the sum over both bodies is $1/m_{\rm eff}$. A
-spring $k$ and a dashpot of the damping ratio $\xi(e)$, $c = 2 \xi \sqrt{k m_{\rm eff}}$, then give
-$e = -v_n^{\rm after}/v_n^{\rm before}$, where $v_n$ is the relative velocity of the bodies' points at the contact along $n$,
-if nothing else changes while they touch. What changes is of the order of the contact time
-$T \approx \pi\sqrt{m_{\rm eff}/k}$: the pose, by the spin times $T$, and the speed by gravity, $g T$.
-
-**Hypothesis.** The rebound is measured from positions and velocities alone; $m_{\rm eff}$ is not used. Its error is zero
-for the central impact and the flat side without gravity, and goes to zero as $1/\sqrt{k}$ or faster elsewhere.
-
-**Source.** Rigid-body impact as in Goldsmith 1960, chapter 2; damping ratio of the clamped end rule as in case
-`restitution`.
-
-| symbol | meaning | value |
-|:--|:--|:--|
-| $e$ | restitution of all contacts | 0.6 |
-| $k$ | stiffness | $10^5$ to $1.024 \cdot 10^8$ N/m |
-
-**What would break it.** The effective mass of the start's pose; the mass of particles, without rotation; a dashpot
-fixed at the first impact; two ends of a side that each take the whole body's mass.
-)";
 
 constexpr double wanted = 0.6;
 
@@ -242,15 +207,13 @@ ledger = "off"
   if (setup.has("mass_of_particles")) fix_dashpot(scene, false);
   if (setup.has("ends_apart"))
     std::get<LinearSpringDashpot>(scene.model.contacts[0].law).damping_ratio *= std::sqrt(2.0);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
   // The bodies' motion between two outputs is ballistic: 0.02 of a contact time is enough.
   scene.plan.step = 0.02 * std::acos(-1.0) * std::sqrt(0.3 / stiffness);
   std::vector<double> found;
   double before = 0.0, apart = 0.0;
   bool touching = false;
-  const Observer observe = [&](const State& state, const StepInfo&) {
-    const auto instances = static_cast<std::ptrdiff_t>(dynamics.contacts().size());
+  const auto instances = static_cast<std::ptrdiff_t>(Dynamics{scene.model}.contacts().size());
+  const Watcher watch = [&](const State& state, const StepInfo&) {
     const bool acts =
         std::any_of(state.mode.begin(), state.mode.begin() + instances, [](Mode mode) { return mode != 0; });
     const double speed = impact.speed(scene.model, state);
@@ -259,11 +222,7 @@ ledger = "off"
     if (!acts) apart = speed;
     touching = acts;
   };
-  State state = scene.initial;
-  Integrator integrator = scene.integrator;
-  static_cast<void>(simulate(system, integrator, state, scene.plan, {&observe, 1},
-                             [&](const State&) { return found.size() == impact.impacts; }));
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  run_scene(scene, findings, watch, [&](const State&) { return found.size() == impact.impacts; });
   return found;
 }
 
@@ -275,8 +234,7 @@ void run(Findings& findings, const Setup& setup) {
                     "requested. The pose changes during the contact, which takes a time of the order of "
                     "$1/\\sqrt{k}$; where it does not, the error is that of the method, or of a tilt of 1e-6 degrees.",
                 .x = {.label = "stiffness", .unit = "N/m", .log = true},
-                .y = {.label = "error of e", .log = true},
-                .series = {}};
+                .y = {.label = "error of e", .log = true}};
   Table table{"values",
               "Restitution at $k = 1.024 \\cdot 10^8$ N/m, each impact by itself; 0.6 was requested.",
               {"scene", "first", "second", "third", "largest error"},
@@ -295,8 +253,7 @@ void run(Findings& findings, const Setup& setup) {
       double worst = 0.0;
       for (const double e : last)
         worst = std::max(worst, std::abs(e - wanted));
-      series.x.push_back(stiffness);
-      series.y.push_back(std::max(worst, 1e-16));
+      series.add(stiffness, std::max(worst, 1e-16));
       if (stiffness > 1e6) errors.add(1.0 / std::sqrt(stiffness), worst);
     }
     figure.series.push_back(series);
@@ -338,13 +295,10 @@ Case restitution_at_impact() {
           .main_checks = {"restitution, pinned bob, another pose", "restitution, corner",
                           "restitution, tumbling ellipse, three impacts, number 3"},
           .source = "Goldsmith, W. (1960): Impact. Edward Arnold, London, chapter 2",
-          .page = page,
           .faults = {{"mass_of_the_start", "a dashpot by the effective mass of the start's pose",
                       "restitution, tumbling ellipse, three impacts, number 2"},
                      {"mass_of_particles", "a dashpot by the mass of the bodies as particles", "restitution, corner"},
                      {"ends_apart", "a dashpot for half of the effective mass", "restitution, flat side"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -15,47 +14,6 @@ namespace talus::verification::problems {
 Case energy_slope();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** A contact without dashpot and friction, or a taut cable, stores an energy $V(q)$. The forces and
-moments that it exerts must be minus the slopes of $V$, for every pair of outlines and way of contact, wherever the
-bodies stand; and a body led round another's corner and back must have cost nothing.
-
-```
-      V(q)                         F(q) = -dV/dq
-       |   \                   [/]
-       |     \___ slope      ______
-```
-
-**Equations.** Central differences of the stored energy with a step $\delta$ in each coordinate,
-$$F_i(q) \;\text{against}\; -\frac{V(q + \delta e_i) - V(q - \delta e_i)}{2\delta},$$
-are off by $\frac{\delta^2}{6} V'''$ and by $u V/\delta$. With $V = \frac12 k d^2$ and a depth $d$ that bends over
-the size $\ell$ of a body, $V''' \approx 3 k/\ell$: the sum is least near $\delta = \ell\,u^{1/3}$, where it is
-about $u^{2/3}$ of $k \ell$.
-
-The depth of a point below an outline has the outline's normal as its slope, so a single force along it is the slope
-of $\frac12 k d^2$ **if it acts on the normal's line through that point**. Where the solver takes the depth of one
-point and lets the force act at another, moment and energy do not belong together. On a closed path $\oint F\,dq =
-0$ demands that $V$ does not jump, either: by trapezia a kink of $F$ costs up to a step's worth of force, $2\,ds/d$
-of the energy at the depth $d$.
-
-Rules of 1993 without a potential are measured: nodes pushed out of the nearer **side** face jump in depth where
-they pass the top; those pushed along the gradient but measured along the **ray** from the centre are off
-everywhere; that of the **smoother** outline is off where it takes the depth along the node's own normal.
-
-**Source.** Feng & Owen 2004 (energy-conserving contact of polygons).
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $k$ | stiffness | 1000 |
-| $\ell$ | sizes | .3 to .6 |
-| $\delta$ | step | $10^{-5}$ |
-| | places tried with each pair | 30 |
-| $ds$ | step on the closed path | .0028 |
-
-**What would break it.** A force at the middle of two shapes for one at the deepest point, a normal that does not
-belong to the depth, a stiffness that depends on the place, a moment about another point.
-)";
 
 constexpr double stiffness = 1000.0, nudge = 1e-5;
 
@@ -174,14 +132,12 @@ void check_loops(Findings& findings, const Setup& setup) {
               .caption =
                   "A square led round another's corner and back, no friction, no dashpot: work of the contact over the "
                   "largest energy stored on the way.",
-              .columns = {"outlines and rule", "work/energy", "with half the steps"},
-              .rows = {}};
+              .columns = {"outlines and rule", "work/energy", "with half the steps"}};
   Figure figure{.name = "loop",
                 .title = "Round the corner",
                 .caption = "Energy stored on the way round the corner by each rule.",
                 .x = {.label = "place on the loop", .unit = "degrees"},
-                .y = {.label = "energy", .unit = "J"},
-                .series = {}};
+                .y = {.label = "energy", .unit = "J"}};
   double worst = 0.0;
   const double moments = setup.has("moments_halved") ? 0.5 : 1.0;
   for (const TouchingPair& pair : sliding_pairs()) {
@@ -210,8 +166,7 @@ void check_slopes(Findings& findings, const Setup& setup) {
               .caption =
                   "Forces against the slope of the energy: places tried where outlines overlap, places where they "
                   "differ by more than a millionth, and the largest difference over the largest force.",
-              .columns = {"outlines and rule", "places", "differ", "largest"},
-              .rows = {}};
+              .columns = {"outlines and rule", "places", "differ", "largest"}};
   double of_resultants = 0.0, of_nodes = 0.0, smoother = 0.0, rays = 0.0;
   for (const TouchingPair& pair : pairs()) {
     if (setup.coarse && std::holds_alternative<Superquadric>(pair.b)) continue;
@@ -278,13 +233,10 @@ Case energy_slope() {
                           "force against the slope of the energy, nodes, farthest",
                           "work of a closed path round a corner, over steps of its force, farthest of three"},
           .source = "Feng & Owen 2004",
-          .page = page,
           .faults = {{"moments_halved", "half the moment acts",
                       "work of a closed path round a corner, over steps of its force, farthest of three"},
                      {"energy_off", "the stored energy a thousandth too large",
                       "force against the slope of the energy, nodes, farthest"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

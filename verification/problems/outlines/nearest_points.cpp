@@ -16,43 +16,6 @@ Case nearest_points();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Every contact of a superellipse with a node or a disc asks for the nearest point of its outline. For
-large exponents Newton's method on the condition that the normal passes through the point fails often. Does the
-solver's search ever? It is tried over exponents, slenderness and places of the point.
-
-```
-     ________
-    |      . )   inside a corner, about as far from two sides,
-    |     .  |   there are two nearest places, close together
-    |________|
-```
-
-**Equations.** On the arc from an axis to the corner, $y = b\eta$, $x = a(1-\eta^n)^{1/n}$, the distance is least
-where $g(\eta) = n\times(X - p)$ passes from below to above nought. The solver divides the arc into pieces, and in
-each that has such a change of sign encloses it until the bracket is a last place wide (Alefeld, Potra & Shi
-1995). **A bracket cannot be lost**, and the ends of the arcs are always looked at, so no search ends without an
-answer and there is no fallback to count; the answer is the nearest as long as no piece holds two. All turning of
-the outline is near the corner, where pieces shrink with $\eta^n$.
-
-Until this map was drawn the pieces were even. Of the points about as far from two sides, 2 % ($n = 20$), 9 % (50)
-and 19 % (200) were then measured to the farther of their two nearest places.
-
-Newton's method, for comparison, starts at the middle of the nearer side, at the corner, or below the point, and
-fails if in 60 steps it does not come to the nearest place.
-
-**Source.** Barr 1981; Alefeld, Potra & Shi 1995 (TOMS 748). The reference runs through the outline by brute force,
-in 64 bits of mantissa.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $n$ | exponent | 1.2 to 1000 |
-| $a$, $b$ | half axes | 1; 1, .7, .3, .1 |
-
-**What would break it.** A piece that holds two nearest places; powers that fall below the format's range; a start
-that Newton's method leaves for another quadrant.
-)";
-
 constexpr std::array exponents{1.2, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 50.0, 200.0, 1000.0};
 constexpr std::array heights{1.0, 0.7, 0.3, 0.1};
 constexpr std::array kinds{"inside a corner", "anywhere inside", "outside"};
@@ -121,8 +84,7 @@ void run(Findings& findings, const Setup& setup) {
               .caption =
                   "Points tried (of all four b), those for which the solver's nearest point is not the nearest, and "
                   "the share for which Newton's method fails from the middle of the side, the corner, and below.",
-              .columns = {"n", "points", "wrong", "Newton: side", "corner", "below"},
-              .rows = {}};
+              .columns = {"n", "points", "wrong", "Newton: side", "corner", "below"}};
   std::array<Series, 3> lines{Series{"Newton from the side", {}, {}, Style::linespoints},
                               Series{"from the corner", {}, {}, Style::linespoints},
                               Series{"from below the point", {}, {}, Style::linespoints}};
@@ -147,11 +109,9 @@ void run(Findings& findings, const Setup& setup) {
     for (std::size_t s = 0; s < 3; ++s) {
       const double share = static_cast<double>(sum.newton_failed[s]) / sum.points;
       row.push_back(fmt::format("{:.0f} %", 100.0 * share));
-      lines[s].x.push_back(n);
-      lines[s].y.push_back(share);
+      lines[s].add(n, share);
     }
-    solver.x.push_back(n);
-    solver.y.push_back(static_cast<double>(sum.wrong) / sum.points);
+    solver.add(n, static_cast<double>(sum.wrong) / sum.points);
     table.rows.push_back(row);
   }
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
@@ -185,13 +145,10 @@ Case nearest_points() {
           .main_checks = {"points whose nearest point is not the nearest, inside a corner",
                           "distance from the nearest point, farthest from brute force, inside a corner"},
           .source = "Barr 1981; Alefeld, Potra & Shi 1995, ACM Trans. Math. Softw. 21:327",
-          .page = page,
           .faults = {{"newton_for_brackets", "Newton's method from the middle of a side",
                       "points whose nearest point is not the nearest, inside a corner"},
                      {"exponent_off", "an exponent .1 % too large",
                       "distance from the nearest point, farthest from brute force, inside a corner"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -15,37 +15,6 @@ Case node_spacing();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** The program of 1993 lets bodies touch by nodes on their outlines. A disc of $M$ nodes rolls over a
-plane like a polygon: how much does its overlap ripple? And how sharp is the corner of a superellipse, on which
-nodes must stand close enough to feel it?
-
-```
-       . - .                 ___
-     .   +   .   M nodes    |   ).  curvature at 45 degrees
-      '._.'._               |    |
-   ======v=======
-```
-
-**Equations.** With the centre at the height $r - d$, the node at the angle $\varphi$ from the lowest point lies
-$r\cos\varphi - r + d$ deep. As the disc turns the deepest has $|\varphi| \le \pi/M$, so its overlap ripples by
-$$r\left(1 - \cos\frac\pi M\right) \approx \frac{\pi^2 r}{2M^2},$$
-and the force, a sum over all nodes that are in, by as much times $k$ or more. A single resultant of the disc does not
-ripple. The outline $x^n + y^n = 1$ has at 45 degrees the curvature $(n-1)\,2^{1/n-1/2}$ (derived in the reference);
-nodes at a spacing $s$ there miss $s^2/8$ times that of the corner.
-
-**Source.** Mustoe & Huttelmaier 1993, section 3.5; the formulas are derived here.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $r$, $d$ | radius, overlap of the circle | .7, three times the ripple |
-| $M$ | nodes | 8 to 256 |
-| $n$ | exponent | 2 to 50 |
-
-**What would break it.** Nodes that are not evenly spaced or not on the circle; a depth that is not that below the
-plane; a curvature along the wrong diagonal.
-)";
-
 constexpr double radius = 0.7, stiffness = 1000.0;
 
 Model disc_of_nodes(int nodes, ContactMethod method, const Setup& setup) {
@@ -105,8 +74,7 @@ void check_rolling(Findings& findings, const Setup& setup) {
                     "Over that of the circle, as the disc turns from node to node; held at an overlap of three times "
                     "the ripple, or of a fiftieth of the radius.",
                 .x = {.label = "turned by, in nodes"},
-                .y = {.label = "force over k d"},
-                .series = {}};
+                .y = {.label = "force over k d"}};
   double farthest = 0.0, ratio = 0.0;
   for (const double count : doublings(8.0, 6)) {
     const int nodes = static_cast<int>(count);
@@ -139,8 +107,7 @@ void check_curvature(Findings& findings, const Setup& setup) {
               .caption =
                   "Curvature at 45 degrees for a = b = 1, and how many nodes of 1993's kind (even in the parametric "
                   "angle) it takes for the chord beside the corner to miss less than a hundredth of its radius.",
-              .columns = {"n", "curvature", "radius", "nodes"},
-              .rows = {}};
+              .columns = {"n", "curvature", "radius", "nodes"}};
   double farthest = 0.0;
   for (const double n : {2.0, 3.0, 4.0, 8.0, 12.0, 20.0, 50.0}) {
     const Superquadric shape{1.0, 1.0, setup.has("exponent_off") ? 1.0001 * n : n};
@@ -184,14 +151,11 @@ Case node_spacing() {
                           "order of the ripple in 1/nodes",
                           "curvature at the corner over its formula, farthest of n = 2 to 50, over n"},
           .source = "Mustoe & Huttelmaier 1993, section 3.5",
-          .page = page,
           .faults = {{"a_node_left_out", "one node too few", "force less the sum over the nodes, farthest"},
                      {"radius_off", "a radius .1 % too large",
                       "ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes"},
                      {"exponent_off", "an exponent .01 % too large",
                       "curvature at the corner over its formula, farthest of n = 2 to 50, over n"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

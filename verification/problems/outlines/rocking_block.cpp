@@ -1,60 +1,18 @@
-#include "verification/reference/rocking_block.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
-#include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
+#include "verification/reference/rocking_block.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
 Case rocking_block();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** A slender block rocks from corner to corner. Housner's rigid block gives the time of a fall and the
-share of energy that each change of corner takes; the elastic block tends to it as its springs stiffen.
-
-```
-       ____            alpha  _
-      |    |        \       .'/
-      |    |  q0     \   R.' / h
-      |____|     ->   \ .'  /
-     ======|===    ====o====
-```
-
-**Equations.** About the corner that stands $\ddot q = -p^2\sin(\alpha - q)$, $p^2 = \frac{3g}{4R}$, so that a fall
-from rest at $q_0$ takes
-$$t = \int_0^{q_0}\frac{dq}{p\sqrt{2(\cos(\alpha-q_0) - \cos(\alpha-q))}} \approx \frac1p\,\mathrm{acosh}\frac1{1 -
-q_0/\alpha},$$ the last for slender blocks (short by .12 % at $\alpha = .2$, .74 % at .5). Four make a period. At
-the change of corner the moment of momentum about the new one stays: kinetic energy is left in the ratio $(1 -
-\frac32\sin^2\alpha)^2$.
-
-The elastic corner sinks $d = mg/k$, by which the block reaches the other a little tilted: the time is off by up to
-$d/(2 b\,\dot q)$, and the weight that the old corner still carries takes a share of the energy of the order $1/k$.
-The loss needs a contact that hardly rebounds: a dashpot of $\xi = 3$ eats the impact. **A wide block does not come
-to Housner's ratio:** the spring of friction has no dashpot, swings on after the impact and lifts the corner now and
-then; at $\alpha = .46$ about 7 % more energy is left, whatever $k$, and that depends on $\xi$ (12 % at $\xi = 1$, 8
-% at $\xi = 8$).
-
-**Source.** Housner 1963, Bull. Seismol. Soc. Am. 53:403; the integral is tested against its equation of motion.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $b$, $h$ | half-width, half-height | .2, 1; .5, 1 |
-| $m$, $g$ | mass, gravity | 1, 9.81 |
-| $k_n$, $k_s$ | springs of a corner | $10^4$ to $10^6$, alike |
-| $q_0$ | tilt at the start | $\alpha/2$ |
-
-**What would break it.** Corners that touch one at a time only; a contact that slips; a moment about the centre for
-one about the corner; an impact that pushes back.
-)";
 
 constexpr double gravity = 9.81, damping_ratio = 3.0;
 
@@ -94,14 +52,10 @@ struct Rocked {
 Rocked rock(const reference::RockingBlock& block, double tilt, double stiffness, const Setup& setup,
             Findings& findings) {
   const Scene scene = block_scene(block, tilt, stiffness, setup);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = scene.initial;
-  Integrator method = VelocityVerlet{};
   const double step = 0.05 / std::sqrt(stiffness * 5.0);
   Rocked rocked;
   double before = -tilt;
-  const Observer watch[] = {[&](const State& seen, const StepInfo& info) {
+  const Watcher watch = [&](const State& seen, const StepInfo& info) {
     const double now = seen.q[2];
     if ((before < 0.0) != (now < 0.0)) {
       const double at = seen.t - step * now / (now - before);
@@ -110,10 +64,10 @@ Rocked rock(const reference::RockingBlock& block, double tilt, double stiffness,
     if (rocked.first > 0.0 && rocked.second == 0.0) rocked.tilt = std::max(rocked.tilt, now);
     if (info.step % 200 == 0) rocked.time.push_back(seen.t), rocked.angle.push_back(now);
     before = now;
-  }};
+  };
   const double end = 3.6 * fall_time(block, tilt);
-  if (!simulate(system, method, state, {step, end, end, false}, watch)) rocked.first = std::nan("");
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  if (!run_scene(scene, VelocityVerlet{}, {step, end, end, false}, findings, watch).finished)
+    rocked.first = std::nan("");
   return rocked;
 }
 
@@ -166,8 +120,7 @@ void run(Findings& findings, const Setup& setup) {
               .caption =
                   "Time of the first fall over that of the rigid block, and potential energy at the next turn over "
                   "that at the start, beside Housner's ratio.",
-              .columns = {"block", "k", "time", "energy left", "Housner"},
-              .rows = {}};
+              .columns = {"block", "k", "time", "energy left", "Housner"}};
   check_slender(findings, setup, 1e6, table);
   if (setup.coarse) return;
   check_limit(findings, setup);
@@ -202,14 +155,11 @@ Case rocking_block() {
                       "energy left by a change of corner over Housner's, k = 1e+06",
                       "energy left by a change of corner over Housner's, wide block"},
       .source = "Housner 1963, Bull. Seismol. Soc. Am. 53:403",
-      .page = page,
       .faults = {{"inertia_about_the_base", "twice the moment of inertia",
                   "time of a fall over the rigid block's, k = 1e+06"},
                  {"smooth_ground", "a coefficient of friction of .1",
                   "time of a fall over the rigid block's, k = 1e+06"},
                  {"no_dashpot", "corners that rebound", "energy left by a change of corner over Housner's, k = 1e+06"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

@@ -1,13 +1,11 @@
-#include "verification/reference/rocking_ellipse.hpp"
-
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
+#include "verification/reference/rocking_ellipse.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
@@ -15,40 +13,6 @@ namespace talus::verification::problems {
 Case rocking_ellipse();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** An ellipse rocks on a rough plane without slipping. Its period for any amplitude follows from an
-integral; the springs of the contact change it by a known share.
-
-```
-           _______
-        .-'       '-.   /  theta
-       (      +      ) /
-        '-._______.-'
-     ==========^==========   h(theta) above the plane
-```
-
-**Equations.** The centre stands at the support $h = \sqrt{a^2\sin^2\theta + b^2\cos^2\theta}$ above the plane and
-$h'$ beside the point of contact, about which the body turns:
-$$\tfrac12\left(K^2 + h^2 + h'^2\right)\dot\theta^2 + g(h - b) = \text{const}, \qquad
-\omega^2 = g\,\frac{a^2/b - b}{b^2 + K^2}\ \text{(small swings)},\qquad K^2 = \tfrac14(a^2+b^2).$$
-With springs the contact lies $d = mg/k_n$ deep, friction acts at half of that and so on an arm shorter by $d/2$,
-and its spring yields to the force $m b \omega^2\theta$ that turns the body:
-$$\frac{\delta\omega}{\omega} = \frac{m}{2(b^2+K^2)}\left(\frac{b g}{k_n} - \frac{b^2\omega^2}{k_s}\right).$$
-Leapfrog makes the period shorter by $(\omega h)^2/24$ of it.
-
-**Source.** Textbook mechanics, derived here; the reference is tested against its equation of motion, step by step,
-and its shift against the two frequencies of the elastic body.
-
-| symbol | meaning | value |
-|:--|:-----------|:--|
-| $a$, $b$ | half axes | 1, .6 |
-| $m$, $g$ | mass, gravity | 1, 9.81 |
-| $k_n$, $k_s$ | springs | $10^5$ and softer, $k_n/3$ |
-
-**What would break it.** A normal that is not that of the ellipse at the lowest point; friction that acts at the
-height of the centre or pulls the wrong way; an inertia about another axis.
-)";
 
 constexpr double axis_a = 1.0, axis_b = 0.6, gravity = 9.81, shear_ratio = 1.0 / 3.0;
 constexpr reference::RockingEllipse ellipse{axis_a, axis_b, gravity};
@@ -97,14 +61,11 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
                     Tolerance::model(1.5 * std::abs(shift(stiffness)),
                                      "the springs of the contact: their shift of small swings, and half of it for the "
                                      "larger angles"));
-    solver.x.push_back(amplitude);
-    solver.y.push_back(period / rest);
+    solver.add(amplitude, period / rest);
   }
   if (setup.coarse) return;
-  for (int i = 1; i <= 70; ++i) {
-    exact.x.push_back(0.01 * i);
-    exact.y.push_back(reference::rocking_period(ellipse, 0.01 * i) / rest);
-  }
+  for (int i = 1; i <= 70; ++i)
+    exact.add(0.01 * i, reference::rocking_period(ellipse, 0.01 * i) / rest);
   findings.figure({.name = "amplitude",
                    .title = "Period against amplitude",
                    .caption = "Over the period of small swings: the solver (points) and the rigid body (line).",
@@ -124,10 +85,8 @@ void check_springs(Findings& findings, const Setup& setup) {
     const double found = rigid / solver_period(amplitude, stiffness, step, setup) - 1.0;
     ratio = found / shift(stiffness);
     shifts.add(1.0 / stiffness, std::abs(found));
-    solver.x.push_back(1.0 / stiffness);
-    solver.y.push_back(std::abs(found));
-    line.x.push_back(1.0 / stiffness);
-    line.y.push_back(std::abs(shift(stiffness)));
+    solver.add(1.0 / stiffness, std::abs(found));
+    line.add(1.0 / stiffness, std::abs(shift(stiffness)));
   }
   findings.expect_between("shift of the frequency by the springs, over its prediction", ratio, 0.98, 1.02,
                           "first order in the compliances; the square of the shift and of the amplitude, and the swing "
@@ -181,12 +140,9 @@ Case rocking_ellipse() {
                       "shift of the frequency by the springs, over its prediction",
                       "error of the period by the step over (w h)^2/24"},
       .source = "textbook mechanics, derived here",
-      .page = page,
       .faults = {{"inertia_of_a_ring", "twice the moment of inertia", "period at 0.02 rad over that of a rigid body"},
                  {"smooth_plane", "no friction", "period at 0.02 rad over that of a rigid body"},
                  {"longer_axis", "a lying axis 1 % too long", "period at 0.02 rad over that of a rigid body"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

@@ -4,7 +4,6 @@
 
 #include "solver/geometry/superquadric.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/findings.hpp"
 
 /// Parts of the case `superellipse`.
 namespace talus::verification::problems {
@@ -14,9 +13,6 @@ inline constexpr std::array superellipse_half_axes{1.25, 4.0};
 
 /// The shape as the solver is told it, with the setup's fault in it.
 [[nodiscard]] Superquadric superellipse_told(double n, const Setup& setup);
-
-/// Area and polar moment of polygons of boundary nodes.
-void check_area(Findings& findings, const Setup& setup);
 
 /// Overlaps and distances of pairs of outlines, against brute force.
 void check_pairs(Findings& findings, const Setup& setup);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <string>
 
 #include "solver/dynamics/candidates.hpp"
 #include "solver/dynamics/dynamics.hpp"
@@ -162,8 +161,7 @@ void check_search(Findings& findings, const Setup& setup) {
               .caption =
                   "2000 random pairs of each two shapes: how many touch by brute force, how many of these the "
                   "search leaves out, and how many of those apart.",
-              .columns = {"A", "B", "touch", "left out", "apart", "left out"},
-              .rows = {}};
+              .columns = {"A", "B", "touch", "left out", "apart", "left out"}};
   int left_out_touching = 0, left_out_apart = 0, apart = 0;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     for (std::size_t j = i; j < kinds.size(); ++j) {

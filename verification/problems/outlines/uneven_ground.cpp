@@ -4,58 +4,14 @@
 #include <vector>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
-#include "solver/scenes/scene.hpp"
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
 Case uneven_ground();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** Ground is a line of points. Where it is straight it must be a plane; over a crest a disc must roll without
-losing energy; in a notch it must stay on the axis of symmetry.
-
-```
-    ( )-->                       \    ( )    /
-  --------.  crest                 \       /   notch
-            `-.                      \   /
-                `-.                    v
-```
-
-**Equations.** *Straight.* Points on the body's $x$ axis make the half-plane $y < 0$: the same numbers in the same
-order, so the same bits, with friction and a dashpot, across joints of pieces, at any angle of the body.
-
-*Crest.* A disc that rolls without slip over a crest from level ground down a slope $\alpha$ turns about the crest while
-$v^2 < gr\cos\alpha$. At $s$ down the slope its centre is $r(1 - \cos\alpha) + s\sin\alpha$ lower, hence
-$$v^2 = v_0^2 + \tfrac43 g\,[r(1 - \cos\alpha) + s\sin\alpha].$$
-The overlap $\delta = mg/k$ makes heights and the rolling radius differ by as much, and the speed by at most
-$\delta\,(\frac23 g/v + v/6r)$. The normal turns steadily on the crest, so the spring of friction takes up its load without
-swinging. No energy is lost: the ledger must close.
-
-*Notch.* A body touches the ground where that is nearest: in a notch at one side at a time. On the axis the sides take
-turns, step by step, each pushing with $k\delta$ along its normal. Upwards both push alike: $k\delta\cos\alpha = mg$, with a
-dashpot up to an error of order one in the step. Across, the force turns each time the axis is crossed; the disc keeps a
-trembling of a few $g\tan\alpha\,h$ about it. **Two** bodies of ground, one a side, push at once, without trembling:
-$2k\delta\cos\alpha = mg$.
-
-**Source.** Textbook mechanics, derived here.
-
-| symbol | meaning | value |
-|:--|:-----|:------|
-| $r$, $m$, $g$ | disc | 1/2, 2, 10 |
-| $\tan\alpha$ | slope of crest and notch | 3/4 |
-| $k = k_s$, $\mu$ | crest | $2\cdot10^6$, 5 |
-| $v_0$, $s$ | crest | 1/2, 0 to 1/4 |
-| $k$, $\xi$, $h$ | notch | 2000, 1/2, 1/1024 ... 1/16384 |
-
-**What would break it.** A normal that is not that of the nearest piece; a corner that is taken for a piece, or left
-out; end pieces that stop; the sign of the side beside a corner.
-)";
 
 constexpr double radius = 0.5, mass = 2.0, gravity = 10.0;
 constexpr double sine = 0.6, cosine = 0.8, tangent = 0.75;
@@ -87,14 +43,7 @@ Body fixed_body(const Shape& shape, double angle = 0.0) {
 constexpr double disc_inertia = 0.5 * mass * radius * radius;
 
 State run(const Scene& scene, double step, double end, Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = scene.initial;
-  Integrator verlet = VelocityVerlet{};
-  const Outcome outcome = simulate(system, verlet, state, {step, end, 1e9, false});
-  if (!outcome) state.v[0] = std::nan("");
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  return state;
+  return run_scene(scene, VelocityVerlet{}, {step, end, 1e9, false}, findings).state;
 }
 
 /// Bounces, slips and rolls down a slope, three pieces long.
@@ -135,15 +84,12 @@ void check_crest(Findings& findings, const Setup& setup) {
   Scene scene = disc_on({fixed_body(crest)}, {-0.2, radius - overlap}, {stiffness, 0.0}, {5.0, stiffness},
                         Mobility::free, disc_inertia);
   scene.initial.v = {start_speed, 0.0, -start_speed / (radius - 0.5 * overlap)};
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = scene.initial;
-  std::optional<EnergyLedger> ledger;
+  std::optional<RunLedger> ledger;
   Series speed{"solver", {}, {}, Style::points}, exact{"rigid", {}, {}, Style::lines};
   double worst = std::nan(""), closure = 0.0;  // not a number: the crest was not reached
-  const Observer observer = [&](const State& seen, const StepInfo&) {
-    if (!ledger) ledger.emplace(dynamics, seen);  // of the first state with its modes settled: the disc is pressed
-    closure = std::max(closure, std::abs(ledger->accounts(seen).energy_closure));
+  const Watcher watch = [&](const State& seen, const StepInfo&) {
+    if (!ledger) ledger.emplace(scene.model, seen);  // of the first state with its modes settled: the disc is pressed
+    closure = std::max(closure, std::abs((*ledger)(seen).energy_closure));
     const double s = cosine * seen.q[0] - sine * seen.q[1];
     if (s < 0.0) return;
     const double v = cosine * seen.v[0] - sine * seen.v[1];
@@ -151,15 +97,11 @@ void check_crest(Findings& findings, const Setup& setup) {
     const double rigid = std::sqrt(start_speed * start_speed + 4.0 / 3.0 * gravity * fallen);
     if (!(std::abs(v - rigid) <= std::abs(worst))) worst = v - rigid;
     if (!speed.x.empty() && s - speed.x.back() < 0.04) return;
-    speed.x.push_back(s);
-    speed.y.push_back(v);
-    exact.x.push_back(s);
-    exact.y.push_back(rigid);
+    speed.add(s, v);
+    exact.add(s, rigid);
   };
-  Integrator verlet = VelocityVerlet{};
   const double step = 4e-5;
-  if (!simulate(system, verlet, state, {step, 1.0, 1e9, true}, {&observer, 1})) worst = std::nan("");
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  if (!run_scene(scene, VelocityVerlet{}, {step, 1.0, 1e9, false}, findings, watch).finished) worst = std::nan("");
   const double first = std::sqrt(start_speed * start_speed + 4.0 / 3.0 * gravity * radius * (1.0 - cosine));
   findings.expect("speed down the slope beyond a crest, largest error", worst, 0.0,
                   Tolerance::model(overlap * (2.0 / 3.0 * gravity / first + 2.0 / (6.0 * radius)),
@@ -251,14 +193,11 @@ Case uneven_ground() {
                       "energy over the crest, largest closure of the ledger", "place across the notch",
                       "overlap in the notch, over m g/(k cos a)", "overlap between two slopes, over m g/(2 k cos a)"},
       .source = "Textbook mechanics, derived here",
-      .page = page,
       .faults = {{"bent_ground", "ground that bends by 1e-12 at its joints",
                   "numbers that differ between straight terrain and a half-plane"},
                  {"slope_too_flat", "a slope beyond the crest flatter by .7 %",
                   "speed down the slope beyond a crest, largest error"},
                  {"lopsided_notch", "one side of the notch flatter", "place across the notch"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run_all};
 }
 

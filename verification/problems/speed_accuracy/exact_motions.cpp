@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
 #include "verification/reference/damped_bounce.hpp"
 #include "verification/reference/two_cable.hpp"
+#include "verification/study/scene_run.hpp"
 #include "verification/study/swing.hpp"
 
 namespace talus::verification::problems {
@@ -95,11 +94,8 @@ std::vector<ExactMotion> exact_motions() {
 }
 
 WorkPoint run_motion(const ExactMotion& motion, Integrator integrator, long steps, Findings& findings) {
-  const Dynamics dynamics{motion.scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = motion.scene.initial;
   double place = 0.0, velocity = 0.0, largest_place = 0.0, largest_velocity = 0.0;
-  const Observer observer = [&](const State& seen, const StepInfo& info) {
+  const Watcher compare = [&](const State& seen, const StepInfo& info) {
     if (info.step == 0 || info.step % steps != 0) return;
     const PlaceAndVelocity& exact = motion.exact[static_cast<std::size_t>(info.step / steps)];
     place = std::max(place, std::abs(seen.q[motion.coordinate] - exact.place));
@@ -109,12 +105,10 @@ WorkPoint run_motion(const ExactMotion& motion, Integrator integrator, long step
   };
   const double interval = motion.duration / compared_times;
   const RunPlan plan{interval / static_cast<double>(steps), motion.duration, interval, false};
-  const Outcome outcome = simulate(system, integrator, state, plan, {&observer, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  WorkPoint point{std::max(place / largest_place, velocity / largest_velocity),
-                  static_cast<double>(system.evaluations())};
-  if (!outcome) point.error = std::nan("");
-  if (const auto* located = std::get_if<StormerCowell>(&integrator)) point.events = located->events();
+  const RunEnd end = run_scene(motion.scene, std::move(integrator), plan, findings, compare);
+  WorkPoint point{std::max(place / largest_place, velocity / largest_velocity), static_cast<double>(end.evaluations)};
+  if (!end.finished) point.error = std::nan("");
+  if (const auto* located = std::get_if<StormerCowell>(&end.method)) point.events = located->events();
   return point;
 }
 

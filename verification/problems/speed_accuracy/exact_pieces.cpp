@@ -4,59 +4,22 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/damped_bounce.hpp"
 #include "verification/reference/latching_impact.hpp"
 #include "verification/reference/restitution.hpp"
 #include "verification/reference/struck_row.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
 Case exact_pieces();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** Between events many motions are linear: a disc that flies, or that presses on a plane through a spring and a
-dashpot. Then one force evaluation a piece is enough, and what is left of the error is round-off.
-
-```
-   flight        contact                  flight           ...       rest
-  q'' = g  | q'' = a0 - K (q - q0) - C (q' - v0) | q'' = g  |   |  contact without end
-           ^ event: gap = 0                      ^ event: force = 0
-```
-
-**Method.** In the modes of a piece the accelerations are $\ddot q = a_0 - K (q - q_0) - C (\dot q - v_0)$, with $a_0$
-from the one evaluation at its beginning and $K$, $C$ from the laws. The solution is the power series
-$q(t) = \sum_k P_k$, $P_{k+2} = -(h^2 K P_k + h (k+1) C P_{k+1})/((k+1)(k+2))$. Over one radian of the fastest motion, the
-longest that is summed at once, its 22nd term is $1/21! = 2\cdot 10^{-20}$ of the first: nothing is cut off, and the
-operations are sums and products, the same on every processor. The next piece begins where a guard of the present modes
-falls to nought, bracketed between two such times and found to round-off (Alefeld et al. 1995).
-
-**Expected.** One evaluation for each piece, whose number the reference knows, and none for outputs. Errors: a place of
-size $x$ is rounded by up to $2^{-53} x$ whenever it is stored, which is a share $2^{-53} x/\delta$ of the overlap $\delta$
-by which an impact goes. Work and impulses, if they are kept, are integrated over each radian by Gauss's rule with eight
-evaluations.
-
-| scene | exact by |
-|:---|:------|
-| damped bounce to rest, $\omega_0 = 100$, $\xi = .2$, clamped, gap .618, $v = 1$, $g = 9.81$, 3 s | closed form at 50 digits |
-| impacts, $\xi$ from 0 to 2, both end rules, $\omega_0 = 100$ | closed form |
-| latching springs $e$ = .25 to 1, and growing ones | quarter swings |
-| three discs on a line, gap 0 to 1.2 | modes at 50 digits |
-
-**Source.** Alefeld et al. 1995 (roots); Abramowitz & Stegun 1964, Table 25.4 (Gauss's rule); the references' own pages.
-
-**What would break it.** A dashpot or a neighbour left out of a piece's matrix; a mode that ends a step late; a series
-that is cut too early; a piece that begins with the last one's force.
-)";
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -68,16 +31,11 @@ struct Ran {
   bool finished{};
 };
 
-Ran run_scene(const Scene& scene, const Integrator& method, double end, int outputs, Findings& findings,
-              std::span<const Observer> observers = {}, bool ledger = false) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, ledger};
-  Integrator running = method;
-  State state = scene.initial;
+Ran ran(const Scene& scene, const Integrator& method, double end, int outputs, Findings& findings,
+        const Watcher& watch = {}, bool ledger = false) {
   const double interval = end / outputs;
-  const Outcome outcome = simulate(system, running, state, {interval, end, interval, ledger}, observers);
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  return {state, system.evaluations(), located_events(running).value_or(0), static_cast<bool>(outcome)};
+  const RunEnd run = run_scene(scene, method, {interval, end, interval, ledger}, findings, watch);
+  return {run.state, run.evaluations, located_events(run.method).value_or(0), run.finished};
 }
 
 /// The exact propagator, or what a fault puts in its place.
@@ -107,15 +65,15 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
     times.push_back(end * i / outputs);
   const auto truth = reference::bounce_states(drop, times);
   double place = 0.0, speed = 0.0;
-  Series gap{.label = "gap", .x = {}, .y = {}, .style = Style::lines};
-  const Observer compare = [&](const State& seen, const StepInfo& info) {
-    gap.x.push_back(seen.t), gap.y.push_back(seen.q[1] - 1.0);
+  Series gap{.label = "gap", .style = Style::lines};
+  const Watcher compare = [&](const State& seen, const StepInfo& info) {
+    gap.add(seen.t, seen.q[1] - 1.0);
     if (info.step == 0) return;
     const auto& exact_state = truth[static_cast<std::size_t>(info.step - 1)];
     place = std::max(place, std::abs(seen.q[1] - 1.0 - exact_state.gap));
     speed = std::max(speed, std::abs(seen.v[1] + exact_state.velocity));
   };
-  const Ran found = run_scene(scene, exact(setup), end, outputs, findings, {&compare, 1});
+  const Ran found = ran(scene, exact(setup), end, outputs, findings, compare);
   const auto contacts = reference::bounces(drop, 100);
   // Flight, then of each contact that ends the push, the way out beside the law, and the next flight.
   const double pieces = 2.0 + 3.0 * static_cast<double>(contacts.size() - 1);
@@ -143,8 +101,8 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
   table.rows.push_back(
       {"damped bounce", fmt::format("{:.0f}", pieces), fmt::format("{}", found.evaluations),
        fmt::format("{:.1e}", place / drop.gap),
-       fmt::format("{}", run_scene(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations)});
-  const Ran at_once = run_scene(scene, exact(setup), end, 1, findings);
+       fmt::format("{}", ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations)});
+  const Ran at_once = ran(scene, exact(setup), end, 1, findings);
   findings.expect("damped bounce to rest: force evaluations with one output", static_cast<double>(at_once.evaluations),
                   pieces, Tolerance::exact("outputs are read off the pieces: none costs an evaluation"));
   if (setup.coarse) return;
@@ -155,10 +113,10 @@ void check_bounce(Findings& findings, const Setup& setup, Table& table) {
                 .x = {.label = "time", .unit = "s"},
                 .y = {.label = "gap", .unit = "m"},
                 .series = {gap}};
-  Series events{.label = "touch and end", .x = {}, .y = {}, .style = Style::crosses};
+  Series events{.label = "touch and end", .style = Style::crosses};
   for (const auto& contact : contacts) {
-    events.x.push_back(contact.start_time), events.y.push_back(0.0);
-    if (std::isfinite(contact.end_time)) events.x.push_back(contact.end_time), events.y.push_back(0.0);
+    events.add(contact.start_time, 0.0);
+    if (std::isfinite(contact.end_time)) events.add(contact.end_time, 0.0);
   }
   figure.series.push_back(events);
   findings.figure(figure);
@@ -174,13 +132,13 @@ void check_impacts(Findings& findings, const Setup& setup, Table& table) {
       const double damping = setup.has("dashpot_by_1e-9") ? (1.0 + 1e-9) * 200.0 * xi : 200.0 * xi;
       const Scene scene =
           scenes::bouncing_disc({.gap = 0.1, .speed = 1.0, .contact = LinearSpringDashpot{1e4, damping, rule_of(end)}});
-      const Ran found = run_scene(scene, exact(setup), 1.0, 1, findings);
+      const Ran found = ran(scene, exact(setup), 1.0, 1, findings);
       worst = std::max(worst, std::abs(found.state.v[1] - e));
       evaluations += found.evaluations, ++runs;
       // Flight, push, flight; a clamped dashpot lets go before the way out is over.
       pieces += end == reference::EndRule::clamped && xi > 0.0 ? 4 : 3;
-      stormer += run_scene(scene, make_integrator("stormer_cowell", 1e-9), 1.0, 1, findings).evaluations;
-      const Ran kept = run_scene(scene, exact(setup), 1.0, 1, findings, {}, true);
+      stormer += ran(scene, make_integrator("stormer_cowell", 1e-9), 1.0, 1, findings).evaluations;
+      const Ran kept = ran(scene, exact(setup), 1.0, 1, findings, {}, true);
       double lost = 0.0;
       for (const double work : kept.state.work)
         lost += work;
@@ -212,12 +170,12 @@ void check_latching(Findings& findings, const Setup& setup, Table& table) {
     const LatchingSpring law{1.0, latch.back, setup.has("growth_lost") ? 0.0 : latch.growth};
     const Scene scene = scenes::bouncing_disc({.radius = 4.0, .gap = 0.25, .speed = 1.0, .contact = law});
     const double end = 0.25 + truth.contact_time + 1.0;
-    const Ran found = run_scene(scene, exact(setup), end, 1, findings);
+    const Ran found = ran(scene, exact(setup), end, 1, findings);
     worst = std::max(worst, std::abs(found.state.v[1] - truth.restitution));
     // It leaves the law with the residual depth, and flies for 1.
     worst_time = std::max(worst_time, std::abs(found.state.q[1] - 4.0 + truth.residual_depth - truth.restitution));
     evaluations += found.evaluations, ++runs;
-    stormer += run_scene(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations;
+    stormer += ran(scene, make_integrator("stormer_cowell", 1e-9), end, 1, findings).evaluations;
   }
   const std::string words = "places up to 4 from the origin are rounded by up to 4 epsilon, three times to the end";
   findings.expect("latching springs: exit speed, largest error", worst, 0.0,
@@ -252,13 +210,13 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
   for (const double gap : {0.0, 0.1, 0.4, 1.2}) {
     const reference::StruckRow row{1.0, 1.0, 1.0, gap};
     const auto truth = reference::rebound(row);
-    const Ran found = run_scene(row_scene(row), exact(setup), truth.end_time + 1.0, 1, findings);
+    const Ran found = ran(row_scene(row), exact(setup), truth.end_time + 1.0, 1, findings);
     for (std::size_t i = 0; i < 3; ++i)
       worst = std::max(worst, std::abs(found.state.v[i] - truth.velocity[i]));
     evaluations += found.evaluations;
     pieces += static_cast<double>(truth.changes.size());
-    stormer += run_scene(row_scene(row), make_integrator("stormer_cowell", 1e-9), truth.end_time + 1.0, 1, findings)
-                   .evaluations;
+    stormer +=
+        ran(row_scene(row), make_integrator("stormer_cowell", 1e-9), truth.end_time + 1.0, 1, findings).evaluations;
   }
   findings.expect(
       "three discs on a line: velocities, largest error", worst, 0.0,
@@ -274,8 +232,7 @@ void run(Findings& findings, const Setup& setup) {
               .caption =
                   "Force evaluations and largest errors of the exact propagator; the evaluations of "
                   "`stormer_cowell` at 1e-9 beside them.",
-              .columns = {"scenes", "pieces by the reference", "evaluations", "error", "stormer_cowell"},
-              .rows = {}};
+              .columns = {"scenes", "pieces by the reference", "evaluations", "error", "stormer_cowell"}};
   check_bounce(findings, setup, table);
   check_impacts(findings, setup, table);
   check_latching(findings, setup, table);
@@ -297,7 +254,6 @@ Case exact_pieces() {
                       "latching springs: exit speed, largest error",
                       "three discs on a line: velocities, largest error"},
       .source = "Alefeld et al. 1995; Abramowitz & Stegun 1964",
-      .page = page,
       .faults = {{"odeint_for_exact", "Fehlberg 7(8) under step control in the propagator's place",
                   "three discs on a line: velocities, largest error"},
                  {"stiffness_by_1e-9", "a stiffness that is off by 1e-9",
@@ -307,8 +263,6 @@ Case exact_pieces() {
                   "impacts: exit speed, largest error over the entry speed"},
                  {"growth_lost", "a latching spring that does not stiffen with the largest force",
                   "latching springs: exit speed, largest error"}},
-      .tier = Tier::quick,
-      .time_limit = 60.0,
       .run = run};
 }
 

@@ -44,11 +44,10 @@ double check_swinging_block(const Slope& slope, double step, long steps, Finding
   const double swing = 0.8 * held_stretch(slope), w = 2.0 * std::numbers::pi / swing_time(slope);
   pushed.initial.v[0] = w * swing;
   double farthest = 0.0;
-  const Observer watch = [&](const State& seen, const StepInfo&) {
+  const Watcher watch = [&](const State& seen, const StepInfo&) {
     farthest = std::max(farthest, std::abs(seen.q[0]) / swing);
   };
-  const RunEnd run = run_steps(pushed, VelocityVerlet{}, step, steps, {&watch, 1});
-  findings.count(static_cast<std::uint64_t>(run.evaluations));
+  const RunEnd run = run_steps(pushed, VelocityVerlet{}, step, steps, findings, watch);
   const double eta = w * step, swings = eta * static_cast<double>(steps) / (2.0 * std::numbers::pi);
   findings.expect("creep: farthest way of that block as its spring swings up to .9 of the limit, over the swing",
                   farthest, 1.0 / std::sqrt(1.0 - 0.25 * eta * eta),
@@ -142,8 +141,7 @@ FailureFound check_creep(Findings& findings, const Setup& setup) {
                             "block comes up to its speed; then equal ways are added, and rounded alike for long"));
   Slope held = slope;
   if (setup.has("slope_too_steep")) held.angle = std::atan(1.01 * mu);
-  const RunEnd run = run_steps(slope_scene(held), VelocityVerlet{}, step, steps);
-  findings.count(static_cast<std::uint64_t>(run.evaluations));
+  const RunEnd run = run_steps(slope_scene(held), VelocityVerlet{}, step, steps, findings);
   findings.expect(
       "creep: way of a block held by spring and slider, over the stretch of its spring",
       run.state.q[0] / held_stretch(slope), 0.0,

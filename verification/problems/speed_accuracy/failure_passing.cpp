@@ -10,6 +10,7 @@
 #include "solver/stability/watch.hpp"
 #include "verification/check/convergence.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
+#include "verification/study/curves.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -32,15 +33,15 @@ WatchedRun watched_run(Scene scene, double step, double end, const WatchRules& r
   WatchedRun run{scene.initial, {}};
   system.begin(run.end);
   Watch watch{scene, dynamics, run.end};
-  watch.look(run.end, 0);
+  watch.look(Snapshot{dynamics, run.end}, 0);
   long n = 0;
   if (watch.breach().empty()) {
-    (void)simulate(system, scene.integrator, run.end, scene.plan, {}, [&](const State& seen) {
+    (void)simulate(system, scene.integrator, run.end, scene.plan, {}, [&](const Snapshot& seen) {
       watch.look(seen, ++n);
       return !watch.breach().empty();
     });
   }
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  findings.count(system.evaluations());
   run.breach = watch.breach();
   return run;
 }
@@ -100,15 +101,11 @@ double force(const Scene& scene) {
 }
 
 Figure pass_figure(Findings& findings) {
-  Series found{"solver, not watched", {}, {}, Style::points}, exact{"1 - 4 r/(v h)", {}, {}, Style::lines};
-  for (const double way : {0.9, 1.6, 2.7, 3.6, 4.4, 5.3, 6.1, 7.0, 7.8}) {
-    found.x.push_back(way);
-    found.y.push_back(unseen_passes(way * radius, findings) / static_cast<double>(fewest_phases));
-  }
-  for (int i = 0; i <= 40; ++i) {
-    exact.x.push_back(0.2 * i);
-    exact.y.push_back(std::max(0.0, 1.0 - 4.0 / std::max(exact.x.back(), 1.0)));
-  }
+  Series found{"solver, not watched", {}, {}, Style::points};
+  for (const double way : {0.9, 1.6, 2.7, 3.6, 4.4, 5.3, 6.1, 7.0, 7.8})
+    found.add(way, unseen_passes(way * radius, findings) / static_cast<double>(fewest_phases));
+  const Series exact = curve("1 - 4 r/(v h)", multiples(0.2, 0, 40),
+                             [](double way) { return std::max(0.0, 1.0 - 4.0 / std::max(way, 1.0)); });
   return {.name = "passes",
           .title = "Discs that pass through each other unseen",
           .caption =

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
 #include "verification/study/cable_scenes.hpp"
@@ -43,17 +42,13 @@ struct Drift {
 };
 
 Drift ln_speed(const char* method, double eta, long bounces, double xi, Findings& findings) {
-  const Scene scene = boxed(xi);
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = scene.initial;
+  Scene scene = boxed(xi);
   // Not in the middle: the phases of the steps at both walls differ.
-  state.q[0] = 0.456 * eta;
-  Integrator integrator = make_integrator(method);
+  scene.initial.q[0] = 0.456 * eta;
   long done = 0;
   bool inside = false;
   Drift drift;
-  const StopCondition enough = [&](const State& seen) {
+  const Until enough = [&](const State& seen) {
     const bool now = seen.mode[0] == UnilateralSpring::acting || seen.mode[1] == UnilateralSpring::acting;
     if (inside && !now) {
       ++done;
@@ -64,9 +59,8 @@ Drift ln_speed(const char* method, double eta, long bounces, double xi, Findings
     return done == bounces;
   };
   const double longest = 20.0 * static_cast<double>(bounces);
-  const Outcome outcome = simulate(system, integrator, state, {eta, longest, longest, false}, {}, enough);
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  return outcome && done == bounces ? drift : Drift{std::nan(""), std::nan("")};
+  const RunEnd run = run_scene(scene, make_integrator(method), {eta, longest, longest, false}, findings, {}, enough);
+  return run.finished && done == bounces ? drift : Drift{std::nan(""), std::nan("")};
 }
 
 /// The least of a cable's tension, and of what k x + c v would be while it is stretched and has let go, k = 1.
@@ -178,12 +172,11 @@ FailureFound check_changed_step(Findings& findings, const Setup& setup) {
   constexpr long before = 15, after = 5;  // of a contact of pi: changed about half-way
   Scene scene = scenes::bouncing_disc(
       {.radius = radius, .gap = 0.0, .speed = 1.0, .contact = LinearSpringDashpot{1.0, 0.0, EndRule::clamped}});
-  const RunEnd half = run_steps(scene, VelocityVerlet{}, first, before);
+  const RunEnd half = run_steps(scene, VelocityVerlet{}, first, before, findings);
   scene.initial = half.state;
   scene.initial.t = 0.0;
-  const RunEnd changed = run_steps(scene, VelocityVerlet{}, second, after);
-  const RunEnd kept = run_steps(scene, VelocityVerlet{}, first, after);
-  findings.count(static_cast<std::uint64_t>(half.evaluations + changed.evaluations + kept.evaluations));
+  const RunEnd changed = run_steps(scene, VelocityVerlet{}, second, after, findings);
+  const RunEnd kept = run_steps(scene, VelocityVerlet{}, first, after, findings);
   // The kink is that of the energy with which the disc will leave.
   const double leaves = kept_energy(changed.state, radius, second), came = kept_energy(half.state, radius, first);
   const double x = radius - half.state.q[1];

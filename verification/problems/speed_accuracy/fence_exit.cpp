@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/study/fence_table.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 
@@ -19,26 +18,21 @@ FenceHit fence_hit() {
 }
 
 FenceExit run_fence(const FenceHit& hit, Integrator integrator, const FenceSteps& plan, Findings& findings) {
-  const Dynamics dynamics{hit.scene.model};
-  RigidBodySystem system{dynamics, false};
-  State state = hit.scene.initial;
-  Workspace work = dynamics.workspace();
-  LawForces forces;
+  Probe probe{hit.scene.model};
   FenceExit found;
-  const Observer observer = [&](const State& seen, const StepInfo& info) {
+  const Watcher watch = [&](const State& seen, const StepInfo& info) {
     if (!info.due) return;
     found.speed = seen.v[hit.rock];
-    dynamics.update(seen, work);
-    dynamics.forces(seen, work, forces);
-    found.tension = std::max(found.tension, *std::max_element(forces.tensions.begin(), forces.tensions.end()));
+    probe.evaluate(seen);
+    const std::vector<double>& tensions = probe.forces().tensions;
+    found.tension = std::max(found.tension, *std::max_element(tensions.begin(), tensions.end()));
   };
   const double span = plan.end / static_cast<double>(plan.spans);
-  const Outcome outcome = simulate(system, integrator, state,
-                                   {span / static_cast<double>(plan.steps), plan.end, span, false}, {&observer, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
-  found.evaluations = static_cast<double>(system.evaluations());
-  if (!outcome) found.speed = std::nan("");
-  if (const auto* located = std::get_if<StormerCowell>(&integrator)) found.events = located->events();
+  const RunEnd end = run_scene(hit.scene, std::move(integrator),
+                               {span / static_cast<double>(plan.steps), plan.end, span, false}, findings, watch);
+  found.evaluations = static_cast<double>(end.evaluations);
+  if (!end.finished) found.speed = std::nan("");
+  if (const auto* located = std::get_if<StormerCowell>(&end.method)) found.events = located->events();
   return found;
 }
 

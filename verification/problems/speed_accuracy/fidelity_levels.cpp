@@ -7,9 +7,9 @@
 
 #include "solver/laws/restitution.hpp"
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "verification/study/fence_table.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -47,9 +47,8 @@ Scene started(std::string title, Model model, Vec2 velocity) {
 /// Watches a run for its Passage.
 class Watch {
  public:
-  Watch(const Scene& scene, const Dynamics& dynamics)
-      : model_{&scene.model}, dynamics_{&dynamics}, work_{dynamics.workspace()} {
-    rock_ = dynamics.layout().first[index(*find_body(scene.model, "rock"))];
+  explicit Watch(const Scene& scene) : model_{&scene.model}, probe_{scene.model} {
+    rock_ = Layout{scene.model}.first[index(*find_body(scene.model, "rock"))];
     way_ = std::copysign(1.0, scene.initial.v[rock_]);
     for (std::size_t c = 0; c < model_->contacts.size(); ++c) {
       const std::string& name = model_->contacts[c].name;
@@ -59,17 +58,16 @@ class Watch {
     if (model_->cables.empty()) found.pull = std::numeric_limits<double>::quiet_NaN();
   }
 
-  void operator()(const State& state, const StepInfo&) {
-    dynamics_->update(state, work_);
-    dynamics_->forces(state, work_, forces_);
-    const double push = forces_.contacts[struck_];
+  void look(const State& state) {
+    probe_.evaluate(state);
+    const double push = probe_.forces().contacts[struck_];
     found.exit = way_ * state.v[rock_];
     if (touched_ && push == 0.0 && std::isnan(found.first)) found.first = found.exit;
     touched_ = touched_ || push > 0.0;
     found.push = std::max(found.push, push);
     for (std::size_t c = 0; c < model_->cables.size(); ++c) {
       if (model_->cables[c].name.find("top") != std::string::npos)
-        found.pull = std::max(found.pull, forces_.tensions[c]);
+        found.pull = std::max(found.pull, probe_.forces().tensions[c]);
     }
   }
 
@@ -77,9 +75,7 @@ class Watch {
 
  private:
   const Model* model_;
-  const Dynamics* dynamics_;
-  Workspace work_;
-  LawForces forces_;
+  Probe probe_;
   std::size_t rock_{}, struck_{};
   double way_{};
   bool touched_{false};
@@ -184,21 +180,17 @@ Scene moving_columns(const scenes::Fence& fence, int beside) {
 }
 
 Passage passage(const Scene& scene, double tolerance, Findings& findings) {
-  const Dynamics dynamics{scene.model};
-  RigidBodySystem system{dynamics, false};
-  Integrator method = make_integrator("stormer_cowell", tolerance);
-  Watch watch{scene, dynamics};
-  const Observer observer = [&](const State& state, const StepInfo& info) { watch(state, info); };
-  State state = scene.initial;
+  Watch watch{scene};
   // Peaks are read every 2e-5 s; the contact's, of a radian of .9 ms, are then cut by at most 6e-5.
   constexpr double interval = 2e-5;
-  const Outcome outcome = simulate(system, method, state, {interval, passage_end, interval, false}, {&observer, 1});
-  findings.count(static_cast<std::uint64_t>(system.evaluations()));
+  const RunEnd end =
+      run_scene(scene, make_integrator("stormer_cowell", tolerance), {interval, passage_end, interval, false}, findings,
+                [&](const State& state, const StepInfo&) { watch.look(state); });
   Passage found = std::move(watch.found);
-  found.evaluations = system.evaluations();
-  found.coordinates = state.q.size();
-  found.end = state;
-  if (!outcome) found.first = found.push = found.pull = found.exit = std::numeric_limits<double>::quiet_NaN();
+  found.evaluations = end.evaluations;
+  found.coordinates = end.state.q.size();
+  found.end = end.state;
+  if (!end.finished) found.first = found.push = found.pull = found.exit = std::numeric_limits<double>::quiet_NaN();
   return found;
 }
 

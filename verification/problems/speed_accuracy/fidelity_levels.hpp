@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/restitution.hpp"

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <random>
 
 #include "solver/run/simulate.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -68,7 +68,7 @@ std::string sufficient(const std::vector<Level>& levels, const std::vector<Rung>
     double largest = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
       const double now = miss(of(i), answer(rungs[full_fence].at[i], question));
-      if (!(now <= largest)) largest = now;
+      keep_worst(largest, now);
     }
     return largest;
   };
@@ -88,8 +88,7 @@ Table answers(const std::vector<Level>& levels, const std::vector<Rung>& rungs) 
               .caption =
                   "Which level suffices: the first that misses the full fence by no more, hit at the centre, and "
                   "hit 1.5 ft below and above it as well.",
-              .columns = {"question", "10 %", "1 %", ".1 %", "all three: 10 %", "1 %", ".1 %"},
-              .rows = {}};
+              .columns = {"question", "10 %", "1 %", ".1 %", "all three: 10 %", "1 %", ".1 %"}};
   for (std::size_t question = 0; question < questions.size(); ++question) {
     table.rows.push_back({questions[question]});
     for (const std::size_t count : {std::size_t{1}, heights.size()}) {
@@ -106,8 +105,7 @@ Table rung_table(const std::vector<Level>& levels, const std::vector<Rung>& rung
                   "What the levels give, hit at the centre, and the speed at .2 s hit 1.5 ft below and above it. "
                   "Degrees of freedom; evaluations to .2 s with a tolerance of 1e-7.",
               .columns = {"level", "d.o.f.", "evaluations", "first [ft/s]", "push [lb]", "pull [lb]", ".2 s [ft/s]",
-                          "below", "above"},
-              .rows = {}};
+                          "below", "above"}};
   if (!times.empty()) table.columns.push_back("time [us]");
   const auto number = [](double x, int digits) { return std::isfinite(x) ? fmt::format("{:.{}f}", x, digits) : "-"; };
   table.rows.push_back({"formula", "0", "0"});
@@ -148,12 +146,11 @@ Figure rung_figure(const std::vector<Rung>& rungs, double own) {
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return rungs[a].cost() < rungs[b].cost(); });
   for (std::size_t question = 0; question < questions.size(); ++question) {
-    Series series{.label = questions[question], .x = {}, .y = {}};
+    Series series{.label = questions[question]};
     for (const std::size_t l : order) {
       const double found = miss(answer(rungs[l].at[0], question), answer(rungs[full_fence].at[0], question));
       if (!(found > 0.01 * own)) continue;
-      series.x.push_back(rungs[l].cost());
-      series.y.push_back(found);
+      series.add(rungs[l].cost(), found);
     }
     figure.series.push_back(series);
   }

@@ -6,48 +6,15 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
-#include "verification/check/convergence.hpp"
 #include "verification/problems/speed_accuracy/exact_motions.hpp"
 #include "verification/problems/speed_accuracy/fence_exit.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 
 Case located_events();
 
 namespace {
-
-constexpr const char* page = R"(
-**Problem.** How many force evaluations does a result of a given accuracy cost? Four motions with exact solutions and
-the fence of Table 2, by `stormer_cowell`: steps of variable order and length, cut where a mode ends.
-
-**Method.** Through the accelerations at the last $k \le 12$ times goes a polynomial,
-$\ddot q(t) = \sum_i d_i N_i(t)$, $N_i = (t-t_0)\cdots(t-t_{i-1})$ (Newton's divided differences $d_i$). Integrated once
-and twice it predicts velocity and place; one force evaluation there, $d_k = (\ddot q_{new} - \sum_{i<k} d_i
-N_i)/N_k$, adds one term. That term is the error estimate. Order and step are those that allow the longest next step
-with the estimate below the tolerance, as a share of the longest way and the largest speed of the run so far. The same
-polynomial is known between the steps: outputs cost nothing, and where a guard falls to nought inside a step its root is
-bracketed and found to round-off (Alefeld et al. 1995); there the modes change and the motion begins anew with order 1.
-
-**Expected.** The term held below the tolerance falls with the power $k + 1$ of the step, 13 at the highest order: where
-that order is in use a digit more costs $10^{1/13} - 1 = 19$ % more evaluations, whatever the motion. A method of
-order $p$ pays a factor of $10^{1/p}$: 3.2 for order 2, 10 for order 1, which events not located force upon all.
-
-| scene | exact by |
-|:---|:------|
-| pendulum $\ddot x = -9.81 \sin x$ from rest at 90 degrees, 24.388772 s | elliptic functions |
-| the same from 170 degrees, 50.4033 s | elliptic functions |
-| particle on two cables, $k = 4$, $l = 10$, $m = 1$, $v = 2$, 50 s | inverted quadrature |
-| damped bounce, $\omega_0 = 100$, $\xi = .2$, clamped, gap .618, $v = 1$, 3 s | closed form, piece by piece |
-| fence, Table 2, 600 lb, slack .5, to .05 s and .2 s | the same method and three of odeint's at $10^{-13}$ |
-
-Error: the largest over 20 equally spaced times of place and velocity, each over its largest. "Evaluations to reach": of
-the cheapest run from which on all finer ones are as good.
-
-**Source.** Stoermer 1907; Cowell & Crommelin 1910; Krogh 1974; Shampine & Gordon 1975; Alefeld et al. 1995.
-
-**What would break it.** An event located by one step too late; a polynomial that goes on through an event; an error
-estimate of the wrong power; a step that outgrows what its order bears.
-)";
 
 /// Evaluations at most for errors of 1e-6 and 1e-9 on each of the motions: set before the method was written.
 struct Bound {
@@ -73,12 +40,11 @@ std::string whole(double number) { return std::isfinite(number) ? fmt::format("{
 void check_motion(const ExactMotion& motion, const Bound& bound, Findings& findings, const Setup& setup, Table& table,
                   Figure& figure) {
   std::vector<WorkPoint> points;
-  Series series{.label = motion.name, .x = {}, .y = {}};
+  Series series{.label = motion.name};
   for (double tolerance = 1e-3; tolerance > 1e-12; tolerance /= std::sqrt(10.0)) {
     points.push_back(run_motion(motion, method(setup, tolerance), 1, findings));
     if (points.back().error > 0.0) {
-      series.x.push_back(points.back().evaluations);
-      series.y.push_back(points.back().error);
+      series.add(points.back().evaluations, points.back().error);
     }
   }
   figure.series.push_back(series);
@@ -135,7 +101,7 @@ double distance_of_others(const FenceHit& hit, double end, const FenceExit& best
   for (const char* name : {"odeint_dopri5", "odeint_cash_karp54", "odeint_bulirsch_stoer"}) {
     const FenceExit found = run_fence(hit, make_integrator(name, others_tolerance), {end, spans}, findings);
     const double distance = std::abs(found.speed - best.speed);
-    if (!(distance <= furthest)) furthest = distance;
+    keep_worst(furthest, distance);
   }
   return furthest;
 }
@@ -163,17 +129,14 @@ void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
   const FenceHit hit = fence_hit();
   Table table{.name = "fence",
               .caption = "The fence of Table 2 by tolerance: error of the largest tension and of the rock's speed.",
-              .columns = {"end [s]", "tolerance", "evaluations", "events", "tension", "speed"},
-              .rows = {}};
+              .columns = {"end [s]", "tolerance", "evaluations", "events", "tension", "speed"}};
   double furthest = 0.0;
   for (const double end : {early, late}) {
     const FenceExit best = run_fence(hit, make_integrator("stormer_cowell", 1e-13), {end, spans}, findings);
     const FenceErrors errors = fence_errors(hit, end, best, findings, setup, table);
-    Series series{.label = fmt::format("fence, {:g} s", end), .x = {}, .y = {}};
-    for (const WorkPoint& point : errors.speeds) {
-      series.x.push_back(point.evaluations);
-      series.y.push_back(point.error);
-    }
+    Series series{.label = fmt::format("fence, {:g} s", end)};
+    for (const WorkPoint& point : errors.speeds)
+      series.add(point.evaluations, point.error);
     figure.series.push_back(series);
     const auto demand = [&](const char* what, double tension, double speed, double most) {
       const double found =
@@ -208,8 +171,7 @@ void run(Findings& findings, const Setup& setup) {
               .caption =
                   "Evaluations to reach an error; their factor for a tenth of the tolerance, the last two "
                   "digits; events located.",
-              .columns = {"motion", "1e-4", "1e-6", "1e-9", "factor", "events"},
-              .rows = {}};
+              .columns = {"motion", "1e-4", "1e-6", "1e-9", "factor", "events"}};
   Figure figure{.name = "work_precision",
                 .title = "Error against force evaluations, located events",
                 .caption =
@@ -243,13 +205,10 @@ Case located_events() {
                           "fence, speed of the rock at .05 and .2 s: furthest of three of odeint's steppers at 1e-13",
                           "fence, evaluations to reach 7e-5 of speed at .2 s over 2166"},
           .source = "Stoermer 1907; Cowell & Crommelin 1910; Krogh 1974; Shampine & Gordon 1975; Alefeld et al. 1995",
-          .page = page,
           .faults = {{"no_events", "Fehlberg 7(8) under step control, which does not stop at events",
                       "evaluations to reach 1e-6 over the most that are admitted, damped bounce"},
                      {"fence_without_events", "Dormand-Prince 5 under step control, which does not stop at events",
                       "fence, evaluations to reach 2e-7 of tension and 3e-6 of speed at .05 s over 1071"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "solver/integrate/integrator_list.hpp"
@@ -69,10 +68,5 @@ constexpr long longest_run = 50000;  // steps
 /// Whether a run of 4000 steps keeps its size: the largest distance in the second half is not above that in the first
 /// by more than a hundredth, by which the highest states of two beats may differ.
 [[nodiscard]] bool stays(const SqueezedRuns& disc, const FixedStepMethod& method, double eta, const Setup& setup);
-
-/// The deviation of larger size; one that is not a number stays.
-inline void keep_worst(double& worst, double deviation) {
-  if (!(std::abs(deviation) <= std::abs(worst))) worst = deviation;
-}
 
 }  // namespace talus::verification::problems

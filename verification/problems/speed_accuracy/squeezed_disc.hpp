@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "solver/model/model_builder.hpp"
-#include "solver/run/simulate.hpp"
-#include "solver/scenes/scene.hpp"
+#include "verification/study/scene_run.hpp"
 
 /// A disc squeezed between two planes: both contacts stay closed, so that the motion about the middle is a bilateral
 /// damped oscillator, and a method multiplies it by one matrix a step.
@@ -48,31 +47,28 @@ inline double size(const Deviation& deviation) { return std::hypot(deviation[0],
 /// Runs of one such disc.
 class SqueezedRuns {
  public:
-  explicit SqueezedRuns(const SqueezedDisc& disc)
-      : frequency_{disc.frequency}, scene_{squeezed_disc(disc)}, dynamics_{scene_.model} {}
+  explicit SqueezedRuns(const SqueezedDisc& disc) : frequency_{disc.frequency}, scene_{squeezed_disc(disc)} {}
 
   /// The deviations at the start and after each of so many steps of length eta/w; the run ends sooner where the disc
   /// has come .01 from the middle: a stage of the next may lie far beyond, and at .5 a contact opens.
   std::vector<Deviation> run(Integrator integrator, double eta, long steps, const Deviation& start) const {
-    RigidBodySystem system{dynamics_, false};
-    State state = scene_.initial;
-    state.q[1] = start[0];
-    state.v[1] = start[1] * frequency_;
+    Scene scene = scene_;
+    scene.initial.q[1] = start[0];
+    scene.initial.v[1] = start[1] * frequency_;
     std::vector<Deviation> all;
-    const Observer watch = [&](const State& seen, const StepInfo&) {
+    const Watcher watch = [&](const State& seen, const StepInfo&) {
       all.push_back({seen.q[1], seen.v[1] / frequency_});
     };
-    const StopCondition far = [&](const State& seen) { return !(size({seen.q[1], seen.v[1] / frequency_}) < 0.01); };
+    const Until far = [&](const State& seen) { return !(size({seen.q[1], seen.v[1] / frequency_}) < 0.01); };
     const double step = eta / frequency_;
     const RunPlan plan{.step = step, .end = step * static_cast<double>(steps), .interval = step, .ledger = false};
-    (void)simulate(system, integrator, state, plan, {&watch, 1}, far);
+    run_scene(scene, std::move(integrator), plan, nullptr, watch, far);
     return all;
   }
 
  private:
   double frequency_;
   Scene scene_;
-  Dynamics dynamics_;
 };
 
 }  // namespace talus::verification::problems

@@ -1,17 +1,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "solver/stability/step_advice.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/bilateral_findings.hpp"
-#include "verification/problems/speed_accuracy/limit_findings.hpp"
+#include "verification/problems/speed_accuracy/measured_growth.hpp"
 #include "verification/reference/amplification.hpp"
+#include "verification/study/common_formula.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 
@@ -19,38 +22,191 @@ Case stability_maps();
 
 namespace {
 
+constexpr double nought = 1e-10;  // ln growth that counts as none
+
+/// What runs on both sides of limits have done.
+struct BothSides {
+  int wrong = 0;           ///< runs that grow where they must not, or do not where they must
+  double worst = 0.0;      ///< share of error of the growth of first steps
+  double worst_run = 0.0;  ///< the same of the end of long runs
+};
+
+void run_both_sides(const FixedStepMethod& method, double limit, double xi, const Setup& setup, BothSides& seen) {
+  const SqueezedRuns disc = squeezed_runs(xi);
+  const bool one = method.doubles && xi == 1.0;  // the fit parts them by a root of rounding: the count alone
+  for (const double share : {0.98, 0.999, 1.001, 1.02}) {
+    const double eta = share * limit, exact = reference::ln_growth(method.scheme, eta, xi);
+    const double fitted = first_growth(disc, method, eta, setup);
+    if (!one && (xi > 0.0 || exact > nought)) keep_worst(seen.worst, fitted / exact - 1.0);
+    if (exact <= nought) {
+      seen.wrong += stays(disc, method, eta, setup) ? 0 : 1;
+      continue;
+    }
+    if (std::log(most_mark / 1e-12) > 0.9 * exact * longest_run) {  // too slow for a run
+      seen.wrong += fitted > 0.0 ? 0 : 1;
+      continue;
+    }
+    // What grows of Adams' pair is none of the motion: the start holds little of it, and the rest dies first.
+    const double run = long_growth(disc, method, eta, method.dimension > 3 ? 1e-6 : 1e-9, setup);
+    seen.wrong += run > 0.0 ? 0 : 1;
+    if (!one) keep_worst(seen.worst_run, run / exact - 1.0);
+  }
+}
+
+/// eta at which the solver's growth passes nought, within a thousandth of the expected one; NaN if it does not. Where
+/// nothing damps, it is nought below a limit and rises from there as a root.
+double measured_limit(const FixedStepMethod& method, double expected, double xi, const Setup& setup) {
+  const SqueezedRuns disc = squeezed_runs(xi);
+  const auto grows = [&](double eta) { return first_growth(disc, method, eta, setup) > (xi > 0.0 ? 0.0 : 1e-6); };
+  double low = 0.999 * expected, high = 1.001 * expected;
+  if (grows(low) || !grows(high)) return std::numeric_limits<double>::quiet_NaN();
+  for (int i = 0; i < 24; ++i) {
+    const double middle = 0.5 * (low + high);
+    (grows(middle) ? high : low) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+Tolerance limits_found(const FixedStepMethod& method) {
+  return method.dimension > 3 ? Tolerance::round_off(1e-6,
+                                                     "rounding in the fit of sixteen eigenvalues, 1e-7, over a "
+                                                     "slope of ln growth near one")
+                              : Tolerance::round_off(1e-8,
+                                                     "the exact limit is where ln growth is 1e-10, and its slope "
+                                                     "over a share of the step is at least .02, Euler's");
+}
+
+Tolerance limits_found_between_doubles(const FixedStepMethod& method) {
+  return method.dimension > 3
+             ? Tolerance::round_off(1e-3,
+                                    "two of sixteen eigenvalues are one: what is shown is that growth has the "
+                                    "right sign a thousandth of the limit to both sides")
+             : Tolerance::round_off(3e-6,
+                                    "two eigenvalues are one, or ln growth counts from 1e-6 on: the root of a "
+                                    "rounding, 2.5e-7, times what the map is larger than they, over a slope "
+                                    "above 2");
+}
+
+/// The limits of one method at six dampings: its row of the table.
+std::vector<std::string> check_limits_of(const FixedStepMethod& method, Findings& findings, const Setup& setup) {
+  const std::string name = method.name;
+  const bool advised = linear_limit(name, 1.0).has_value();
+  double worst = 0.0, worst_between_doubles = 0.0, worst_advice = 0.0;
+  std::vector<std::string> row{"`" + name + "`"};
+  for (const double xi : {0.0, 0.1, 0.4, 1.0, 1.5, 2.0}) {
+    if (xi == 0.0 && !method.undamped) {
+      row.emplace_back("");
+      continue;
+    }
+    const double exact = exact_limits(method, xi).front(), found = measured_limit(method, exact, xi, setup);
+    keep_worst(xi == 0.0 || (method.doubles && xi == 1.0) ? worst_between_doubles : worst, found / exact - 1.0);
+    if (advised) keep_worst(worst_advice, *linear_limit(name, xi) / found - 1.0);
+    row.push_back(fmt::format("{:.4f}", found));
+  }
+  row.emplace_back(advised ? "yes" : "");
+  findings.expect(name + ": measured limits, largest share of error", worst, 0.0, limits_found(method));
+  if (method.undamped || method.doubles) {
+    findings.expect(name + ": measured limits where two eigenvalues are one, largest share of error",
+                    worst_between_doubles, 0.0, limits_found_between_doubles(method));
+  }
+  if (advised) {
+    findings.expect("step advice: linear limit of " + name + " against the measured one, largest share of error",
+                    worst_advice, 0.0, limits_found_between_doubles(method));
+  }
+  return row;
+}
+
+/// Runs at .98, .999, 1.001 and 1.02 of the exact limits of a method; `worst_run` keeps the worst share of error of the
+/// growth of long ones.
+void check_both_sides(const FixedStepMethod& method, Findings& findings, const Setup& setup, double& worst_run) {
+  std::vector<double> ratios{0.1, 0.02, 0.4, 0.9, 1.0, 1.5, 2.0};
+  if (method.undamped) ratios.push_back(0.0);
+  if (setup.coarse) ratios.resize(1);
+  BothSides seen{.worst_run = worst_run};
+  for (const double xi : ratios) {
+    for (const double limit : exact_limits(method, xi)) {
+      if (limit < 1.25 * method.scale) run_both_sides(method, limit, xi, setup, seen);
+    }
+    findings.count(40000);
+  }
+  worst_run = seen.worst_run;
+  const std::string name = method.name;
+  findings.expect(name + ": runs on the wrong side of the limit", seen.wrong, 0.0,
+                  Tolerance::exact("a count: at .98, .999, 1.001 and 1.02 of each limit runs must, as the exact growth "
+                                   "says, not grow in 4000 steps or grow from 1e-9 (Adams': 1e-6) to 9e-3; by the fit "
+                                   "where that takes more than 45000 steps"));
+  findings.expect(name + ": ln growth at .98, .999, 1.001, 1.02 of the limit, largest share of error", seen.worst, 0.0,
+                  method.dimension > 3 ? Tolerance::round_off(1e-3,
+                                                              "rounding in the fit of sixteen eigenvalues, 1e-7, "
+                                                              "over the smallest growth here, 1e-4")
+                                       : Tolerance::round_off(1e-7,
+                                                              "a rounding of the largest start, 6e-14, over the "
+                                                              "smallest growth here, 8e-7, Euler's"));
+}
+
+/// The steps at which runs begin to grow, of all methods at six dampings, against the exact ones, and the solver's
+/// advice against them.
+void check_limits(Findings& findings, const Setup& setup) {
+  Table table{.name = "limits",
+              .caption =
+                  "Steps $\\omega h$ at which the solver's runs begin to grow, by damping ratio $\\xi$; Euler's "
+                  "and Taylor's methods grow at any step where nothing damps, odeint's too slowly to be told. "
+                  "The watch of a run knows the limits of some.",
+              .columns = {"method", "0", "0.1", "0.4", "1", "1.5", "2", "watched"}};
+  int advised = 0;
+  for (const FixedStepMethod& method : fixed_step_methods) {
+    table.rows.push_back(check_limits_of(method, findings, setup));
+    advised += table.rows.back().back().empty() ? 0 : 1;
+  }
+  findings.expect("step advice: methods with a linear limit", advised, 8.0,
+                  Tolerance::exact("a count: all of the map but odeint's"));
+  findings.table(table);
+}
+
+/// Euler's and Taylor's methods grow at any step where nothing damps.
+void check_growth_undamped(Findings& findings, const Setup& setup) {
+  const SqueezedRuns disc = squeezed_runs(0.0);
+  for (const FixedStepMethod& method : fixed_step_methods) {
+    const bool euler = method.scheme == reference::Scheme::euler;
+    if (!euler && method.scheme != reference::Scheme::taylor) continue;
+    constexpr double eta = 0.02;
+    findings.expect(fmt::format("{}: ln growth of an undamped run of w h = {:g}, share of error", method.name, eta),
+                    long_growth(disc, method, eta, 1e-4, setup) / (0.5 * std::log1p(eta * eta / (euler ? 1.0 : 2.0))),
+                    1.0,
+                    Tolerance::round_off(1e-6,
+                                         "sixty states of 9e-3, with roundings of 3e-14 of them, over a growth "
+                                         "of 1e-4 and a turn of .02 a step"));
+    findings.expect(fmt::format("step advice: linear limit of {} where nothing damps", method.name),
+                    linear_limit(method.name, 0.0).value_or(std::nan("")), 0.0,
+                    Tolerance::exact("it grows at any step"));
+  }
+}
+
+/// The limit 2/w of Eq. 25 against those of a contact with a dashpot.
+void check_common_limit(Findings& findings, const Setup& setup) {
+  Table table = common_formula(
+      "lagged_limits",
+      "**Limit of the step $2/\\omega$ (Eq. 25) where a dashpot acts,** as $\\omega h$. A dashpot that sees the "
+      "velocity of half a step before lowers it to $2(\\sqrt{1 + \\xi^2} - \\xi)$, one that sees the velocity of one "
+      "and a half steps before to $\\sqrt{1 + \\xi^2} - \\xi$, which tends to 1, not 2, as the damping goes. Solver: "
+      "where the fitted growth of a disc between two planes passes nought.");
+  for (const FixedStepMethod& method : {fixed_step_methods[1], fixed_step_methods[3]}) {
+    for (const double xi : {0.1, 0.4, 1.0}) {
+      const double exact = (method.scheme == reference::Scheme::late ? 1.0 : 2.0) * (std::sqrt(1.0 + xi * xi) - xi);
+      const double found = measured_limit(method, exact, xi, setup);
+      findings.expect(
+          fmt::format("limit of the step of {}, xi = {:g}", method.name, xi), found, exact,
+          Tolerance::round_off(1e-9,
+                               "twenty-four halvings of two thousandths of it, and a rounding of 6e-14 over "
+                               "a slope of ln growth near .1"));
+      table.rows.push_back({fmt::format("`{}`, $\\xi$ = {:g}", method.name, xi), "2", fmt::format("{:.4f}", exact),
+                            fmt::format("{:+.0f} %", 100.0 * (2.0 / exact - 1.0)), fmt::format("{:.4f}", found)});
+    }
+  }
+  findings.table(table);
+}
+
 using reference::Scheme;
-
-constexpr const char* page = R"(
-**Problem.** From which step on does a method feed a contact instead of following it? The disc between two planes, both
-contacts closed, is $\ddot x + 2\xi\omega\dot x + \omega^2 x = 0$. One step of a linear method multiplies it by a
-matrix; the motion grows where the largest eigenvalue has $|\lambda| > 1$.
-
-**Equations,** $\eta = \omega h$. A leapfrog's limit depends on the moment of the velocity that the dashpot sees:
-
-| velocity in the dashpot | limit of $\eta$ | methods |
-|:----|:---|:----|
-| half a step old | $2(\sqrt{1+\xi^2}-\xi)$ | Verlet, central difference, Euler-Cromer |
-| one and a half steps old | $\sqrt{1+\xi^2}-\xi$ | lagged central difference |
-| mean; new; Verlet's $v_n$; $v_n + h a_n$ | $2$; $2(\sqrt{1+\xi^2}+\xi)$; $\sqrt{2+\xi^2}-\xi$; $2(\sqrt{1+4\xi^2}-2\xi)$ | none here |
-
-Euler: $2\xi$, from $\xi = 1$ on $2/(\xi+\sqrt{\xi^2-1})$; Taylor: $4\xi$, from $\xi = 1/2$ on $1/\xi$; undamped, both grow
-at *every* step. Runge-Kutta: $\lambda = R(z)$, $z = \eta(-\xi \pm \sqrt{\xi^2-1})$, $R$ from the tableau; Adams' pair: an
-$8 \times 8$ companion matrix; `blanes_moan4`: a product of drifts and kicks. Three traps: undamped, Cash-Karp grows at
-every step, by $(1/720 - 1/800)\,\eta^6$, and `blanes_moan4` from 3.163 to 3.169, then from 5.027;
-any dashpot halves the lagged limit.
-
-**Measured** is the solver: its model, its contacts, its methods. A linear map is fitted to the first steps of two
-runs; at .98, .999, 1.001 and 1.02 of each limit, runs of up to 50 000 steps keep their size or grow from $10^{-9}$ to
-$10^{-2}$. No fixed step, and so no limit of it, have `odeint_bulirsch_stoer` and `stormer_cowell` (a tolerance sets it)
-and `exact` (a closed form for each linear piece). $\omega$ of other systems: a disc on a plane $\sqrt{k_n/m}$ and, as it
-sticks, $\sqrt{3k_t/m}$: **the tangent decides where $k_t > k_n/3$**; an equal pair $\sqrt{2k_n/m}$ and $\sqrt{6k_t/m}$;
-$n$ discs between walls $2\sqrt{k/m}\,\sin\frac{n\pi}{2(n+1)}$; a fence: by power iteration on its forces.
-
-**Source.** Mustoe 1993, Eq. 25; Dormand & Prince 1980; Cash & Karp 1990; Fehlberg 1968; Blanes & Moan 2002.
-
-**What would break it.** A dashpot that sees a velocity of another moment; a step other than said; a stiffness lost.
-)";
 
 /// The exact limits on a panel: each line goes on from the limit of the damping before that it is next to.
 std::vector<Series> limit_lines(const FixedStepMethod& method, int panel) {
@@ -67,12 +223,11 @@ std::vector<Series> limit_lines(const FixedStepMethod& method, int panel) {
         return std::abs(known.x.back() - (xi - between)) < 1e-9 && (alone || std::abs(known.y.back() - y) < 0.08);
       });
       if (line == lines.end()) {
-        line = lines.insert(line, {.label = fmt::format("{}, exact limit", method.name), .x = {}, .y = {}});
+        line = lines.insert(line, {.label = fmt::format("{}, exact limit", method.name)});
         line->style = Style::lines;
         line->panel = panel;
       }
-      line->x.push_back(xi);
-      line->y.push_back(y);
+      line->add(xi, y);
     }
     before = limits.size();
   }
@@ -89,7 +244,7 @@ struct Map {
 
 Map map_of(const FixedStepMethod& method, Findings& findings, const Setup& setup) {
   const int across = setup.coarse ? 7 : 41, up = setup.coarse ? 10 : 40;
-  Map map{.growth = {.label = fmt::format("{}, ln growth", method.name), .x = {}, .y = {}, .style = Style::heat}};
+  Map map{.growth = {.label = fmt::format("{}, ln growth", method.name), .style = Style::heat}};
   for (int i = 0; i < across; ++i) {
     const double xi = 2.0 * i / (across - 1);
     const SqueezedRuns disc = squeezed_runs(xi);
@@ -103,11 +258,10 @@ Map map_of(const FixedStepMethod& method, Findings& findings, const Setup& setup
         keep_worst(map.worst, method.dimension > 3 ? error : in_roundings(method, error, exact));
       }
       if (std::abs(exact) > 1e-5 && !((measured > 0.0) == (exact > 0.0))) ++map.wrong;
-      map.growth.x.push_back(xi);
-      map.growth.y.push_back(part);
+      map.growth.add(xi, part);
       map.growth.values.push_back(measured);
     }
-    findings.count(static_cast<std::uint64_t>(up) * 16);
+    findings.count(up * 16);
   }
   return map;
 }
@@ -175,8 +329,7 @@ Figure time_levels() {
                     "Half a step old (velocity Verlet, central difference, Euler-Cromer) and one and a half "
                     "(lagged central difference) are run in the maps.",
                 .x = {.label = "damping ratio"},
-                .y = {.label = "largest stable w h", .min = 0.0},
-                .series = {}};
+                .y = {.label = "largest stable w h", .min = 0.0}};
   struct Level {
     Scheme scheme;
     const char* words;
@@ -185,11 +338,9 @@ Figure time_levels() {
        {Level{Scheme::half_step, "half a step old"}, Level{Scheme::late, "one and a half steps old"},
         Level{Scheme::average, "mean of old and new"}, Level{Scheme::implicit, "new"},
         Level{Scheme::verlet_old, "Verlet, v(n)"}, Level{Scheme::verlet_predicted, "Verlet, v(n) + h a(n)"}}) {
-    Series series{.label = level.words, .x = {}, .y = {}, .style = Style::lines};
-    for (double xi = 0.005; xi < 1.5; xi += 0.02) {
-      series.x.push_back(xi);
-      series.y.push_back(reference::limits(level.scheme, xi, 8.0).front());
-    }
+    Series series{.label = level.words, .style = Style::lines};
+    for (double xi = 0.005; xi < 1.5; xi += 0.02)
+      series.add(xi, reference::limits(level.scheme, xi, 8.0).front());
     figure.series.push_back(series);
   }
   return figure;
@@ -255,7 +406,6 @@ Case stability_maps() {
           .source =
               "Mustoe & Huttelmaier 1993, Eq. 25; Dormand & Prince 1980; Cash & Karp 1990; Fehlberg 1968; "
               "Blanes & Moan 2002",
-          .page = page,
           .faults = {{"dashpot_lags", "the lagged central difference under velocity Verlet's name",
                       "velocity_verlet: ln growth over the map, largest error in roundings"},
                      {"step_too_long", "steps 3 % longer than said",
@@ -271,8 +421,6 @@ Case stability_maps() {
                      {"fence_by_rule", "the fence's step chosen by the frequency of the 1993 rule",
                       "fence held at 0.02 s: ln growth per step at 1.001 and 1.02 of the limit, largest share of "
                       "error"}},
-          .tier = Tier::quick,
-          .time_limit = 60.0,
           .run = run};
 }
 

@@ -43,20 +43,19 @@ constexpr double top = 1.0;  ///< of the charts: errors beyond are failures
 struct Chart {
   std::vector<Series> series;
   std::vector<int> failed;  ///< points of each that are drawn as crosses
-  Series crosses{.label = "failed", .x = {}, .y = {}, .style = Style::crosses};
+  Series crosses{.label = "failed", .style = Style::crosses};
   double limit{}, floor{};
 };
 
 void add_row(const std::vector<std::string>& row, Chart& chart) {
   if (chart.series.empty() || chart.series.back().label != row[method]) {
-    chart.series.push_back({.label = row[method], .x = {}, .y = {}});
+    chart.series.push_back({.label = row[method]});
     chart.failed.push_back(0);
   }
   const double x = std::stod(row[evaluations]);
   if (row[failed] != "0" || !(std::stod(row[rms]) <= top)) {
     ++chart.failed.back();
-    chart.crosses.x.push_back(x);
-    chart.crosses.y.push_back(top);
+    chart.crosses.add(x, top);
   } else {
     chart.series.back().x.push_back(x);
     chart.series.back().y.push_back(std::stod(row[rms]));
@@ -102,8 +101,7 @@ Figure figure_of(const std::string& title, const Chart& chart) {
     Series series = chart.series[i];
     if (chart.failed[i] > 0) series.label += fmt::format(" ({})", chart.failed[i]);
     if (series.x.empty()) {  // in the legend all the same, with the colour that it has in all charts
-      series.x.push_back(chart.crosses.x.front());
-      series.y.push_back(top);
+      series.add(chart.crosses.x.front(), top);
     }
     least = std::min(least, *std::min_element(series.y.begin(), series.y.end()));
     figure.series.push_back(series);
@@ -165,8 +163,7 @@ std::vector<Table> cost_tables(const std::vector<SceneCurves>& all) {
   for (const double error : read_off_errors) {
     Table table{.name = fmt::format("cost_{:.0e}", error),
                 .caption = fmt::format("Force evaluations to an error of {:.0e}; -: not reached.", error),
-                .columns = {"method"},
-                .rows = {}};
+                .columns = {"method"}};
     for (const WorkMethod& method : work_methods())
       table.rows.push_back({method.name});
     for (const SceneCurves& each : all) {
@@ -193,8 +190,7 @@ Cheapest cheapest(const SceneCurves& curves, std::size_t q, double error) {
 Table cheapest_table(const std::vector<SceneCurves>& all) {
   Table table{.name = "cheapest",
               .caption = "The method that reaches an error for the fewest force evaluations, and how many.",
-              .columns = {"scene", "1e-2", "1e-4", "1e-6", "1e-9"},
-              .rows = {}};
+              .columns = {"scene", "1e-2", "1e-4", "1e-6", "1e-9"}};
   for (const SceneCurves& each : all) {
     for (std::size_t q = 0; q < each.scene->quantities.size(); ++q) {
       std::vector<std::string> row{scene_and_quantity(each, q)};

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "verification/check/data_file.hpp"
 #include "verification/check/figure.hpp"
 #include "verification/check/table.hpp"
 #include "verification/problems/speed_accuracy/work_curves.hpp"

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "solver/dynamics/closed_form.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -25,7 +26,7 @@ class PointSum {
     bool failed = false;
     for (std::size_t q = 0; q < run.errors.size(); ++q) {
       point_.rms[q] += run.errors[q] * run.errors[q] / runs_;
-      if (!(run.errors[q] <= point_.max[q])) point_.max[q] = run.errors[q];
+      keep_worst(point_.max[q], run.errors[q]);
       failed = failed || !(run.errors[q] <= 1.0);
     }
     if (failed) ++point_.failed;

@@ -1,15 +1,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <random>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "solver/run/simulate.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/work_charts.hpp"
-#include "verification/problems/speed_accuracy/work_timing.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
 
 namespace talus::verification::problems {
@@ -18,43 +22,129 @@ Case work_precision();
 
 namespace {
 
-constexpr const char* page = R"(
-**Problem.** Thirteen methods on eight scenes: which reaches a given accuracy for the fewest force evaluations? Three
-smooth motions (a pendulum from 90 and from 170 degrees, a particle on two cables), a damped disc that bounces, impacts
-on a wall without and with a dashpot and on the pinned column, and the fence of Table 2 to .2 s.
+/// Nanoseconds of one run, without output and ledger: the median of 15 repetitions, all methods and points of a scene
+/// interleaved in a shuffled order, with the fastest and the slowest.
+struct TimedPoint {
+  std::string scene, quantity, method;
+  double error{};
+  double median{}, fastest{}, slowest{};  ///< [ns]
+};
 
-**Equations.** A method of order $p$ pays a factor of $10^{1/p}$ for a digit, on smooth motion. A contact begins at a
-share $u$ of a step that no method without located events knows, $u$ evenly spread. Then the order is that of the jump:
+constexpr int repetitions = 15;
+/// A measurement is of so many runs that it takes at least this long: the clock's own cost is then below a thousandth.
+constexpr double least_seconds = 1e-4;
+constexpr double most_evaluations = 1e5;
 
-- *With a dashpot* the force jumps to $2\xi m\omega v$. Velocity Verlet gives the step's first force half of the step
-  instead of the share $u$: the speed is off by $2\xi\omega hv\,(\frac12-u)$, root mean square $2\xi\omega hv/\sqrt{12}$,
-  to which the lag of its dashpot adds (`leapfrog_impact_error.hpp`). Runge-Kutta 4 gives it $\frac16$ or $\frac56$, for
-  $u$ on either side of $\frac12$: root mean square $2\xi\omega hv/6$. **All are of order 1**, and Runge-Kutta 4, at four
-  evaluations a step, makes *more* error at equal work: twice as much at $\xi=.2$.
-- *Without a dashpot* the force has a kink, energies are off by $\frac12(\omega h)^2[u'(1-u')-u(1-u)]$: **order 2 for
-  all**; velocity Verlet's restitution by $\pi^2/(2\sqrt{90}N^2)$ at $N$ steps per contact.
-- *With located events* steps are cut there and keep their order: a digit costs 19 % more (case `located_events`).
+/// One point of a curve, and its times.
+struct Timed {
+  const WorkCurve* curve{};
+  const CurvePoint* point{};
+  StepChoice steps{};
+  int runs{1};
+  std::vector<double> seconds{};  // of one run
+};
 
-**Expected**, from these. *Smooth motion*: at the first digits few evaluations a step count, then the order: methods of
-order 4 overtake those of order 2, those of order 8 and 12 overtake both; of those `stormer_cowell` takes one evaluation
-a step, the others two to thirteen. *Contacts and the fence*: methods of fixed step are all alike, whatever their order;
-step control gets past, as it crowds steps where forces jump, some hundred evaluations for each event; located events
-take ten to twenty, so that `stormer_cowell` is several times cheaper than the next, and `exact`, where it can be had, takes one for each
-piece. The steps of 1993, $\omega h=.016$ on
-the fence, leave a tenth of that at a jump: three digits.
+/// One run; its first coordinate is returned so that nothing of it can be left out.
+double run(const WorkScene& scene, const Dynamics& dynamics, const Timed& timed) {
+  const bool by_tolerance = timed.steps == StepChoice::by_tolerance;
+  const double span = scene.duration / static_cast<double>(scene.spans);
+  const double steps = by_tolerance ? 1.0 : std::max(1.0, std::round(span / timed.point->setting));
+  RigidBodySystem system{dynamics, false};
+  State state = scene.scenes.front().initial;
+  Integrator integrator = make_integrator(timed.curve->method, by_tolerance ? timed.point->setting : 0.0);
+  const Outcome outcome = simulate(system, integrator, state, {span / steps, scene.duration, scene.duration, false});
+  return outcome ? state.q[0] : 0.0;
+}
 
-**Error**, relative: of the motions the largest over 20 equally spaced times of place and velocity; of impacts the
-exit speed; of the fence the rock's speed at .2 s and the largest tension at 500 times. References: elliptic functions,
-inverted quadrature, closed forms piece by piece, the fence certified by case `located_events`. Points: root mean squares
-over 64 phases of the touch (impacts), over steps or tolerances spread up to the next point's (bounces 8, fence 2 runs).
-All evaluations are counted: stages, rejected steps, start-up, location. Costs are read off between two points by a
-straight line in logarithms, where this and all finer points are as good.
+double measured_seconds(const WorkScene& scene, const Dynamics& dynamics, const Timed& timed, double& sum) {
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < timed.runs; ++i)
+    sum += run(scene, dynamics, timed);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / timed.runs;
+}
 
-**Source.** Swope et al. 1982; Blanes & Moan 2002; Krogh 1974; Hairer, Lubich & Wanner 2006; Ahnert & Mulansky 2011.
+std::vector<Timed> to_be_timed(const SceneCurves& curves) {
+  std::vector<Timed> found;
+  for (std::size_t m = 0; m < curves.curves.size(); ++m) {
+    for (const CurvePoint& point : curves.curves[m].points) {
+      if (point.failed == 0 && point.evaluations <= most_evaluations)
+        found.push_back({&curves.curves[m], &point, work_methods()[m].steps});
+    }
+  }
+  return found;
+}
 
-**What would break it.** Steps in step with the contact, which hide the first order; evaluations that are not counted;
-one run for a phase that happens to be good; failures that drop out of a picture.
-)";
+std::string text(double number) { return fmt::format("{:.6g}", number); }
+
+/// Of all points of the curves of one scene that did not fail and take at most 100,000 evaluations.
+std::vector<TimedPoint> timed_points(const SceneCurves& curves) {
+  const WorkScene& scene = *curves.scene;
+  const Dynamics dynamics{scene.scenes.front().model};
+  std::vector<Timed> timed = to_be_timed(curves);
+  double sum = 0.0;
+  for (Timed& each : timed)
+    each.runs = 1 + static_cast<int>(least_seconds / std::max(measured_seconds(scene, dynamics, each, sum), 1e-7));
+  std::vector<std::size_t> order(timed.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::mt19937 random{1993};
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    std::shuffle(order.begin(), order.end(), random);
+    for (const std::size_t i : order)
+      timed[i].seconds.push_back(measured_seconds(scene, dynamics, timed[i], sum));
+  }
+  if (!std::isfinite(sum)) throw std::runtime_error("a run that was timed did not come to its end");
+  std::vector<TimedPoint> points;
+  for (std::size_t q = 0; q < scene.quantities.size(); ++q) {
+    for (Timed& each : timed) {
+      std::sort(each.seconds.begin(), each.seconds.end());
+      points.push_back({scene.name, scene.quantities[q], each.curve->method, each.point->rms[q],
+                        1e9 * each.seconds[repetitions / 2], 1e9 * each.seconds.front(), 1e9 * each.seconds.back()});
+    }
+  }
+  return points;
+}
+
+/// One row for each point.
+DataFile timing_data(const std::vector<TimedPoint>& points, const std::string& machine) {
+  DataFile data{
+      "work_and_time", {"scene", "quantity", "method", "error_rms", "ns_median", "ns_min", "ns_max", "machine"}, {}};
+  const auto plain = [](std::string words) {
+    std::replace(words.begin(), words.end(), ',', ';');
+    return words;
+  };
+  for (const TimedPoint& point : points) {
+    data.rows.push_back({plain(point.scene), plain(point.quantity), point.method, text(point.error), text(point.median),
+                         text(point.fastest), text(point.slowest), plain(machine)});
+  }
+  return data;
+}
+
+/// A chart for each scene and quantity of the data: time against error, medians with bars from fastest to slowest.
+std::vector<Figure> timing_figures(const DataFile& data, const std::string& machine) {
+  std::vector<Figure> figures;
+  std::string title;
+  for (const auto& row : data.rows) {
+    const std::string own = row[0] + ": " + row[1];
+    if (own != title) {
+      title = own;
+      figures.push_back({.name = fmt::format("time_{}", figures.size() + 1),
+                         .title = "Time, " + title,
+                         .caption = fmt::format("Nanoseconds of a run against its relative error: median of {} "
+                                                "interleaved, shuffled repetitions, bars from the fastest to the "
+                                                "slowest. {}. Nothing is checked on times.",
+                                                repetitions, machine),
+                         .x = {.label = "error", .unit = "1", .log = true},
+                         .y = {.label = "time of a run", .unit = "ns", .log = true}});
+    }
+    std::vector<Series>& series = figures.back().series;
+    if (series.empty() || series.back().label != row[2]) series.push_back({.label = row[2], .style = Style::errorbars});
+    series.back().x.push_back(std::stod(row[3]));
+    series.back().y.push_back(std::stod(row[4]));
+    series.back().y_low.push_back(std::stod(row[5]));
+    series.back().y_high.push_back(std::stod(row[6]));
+  }
+  return figures;
+}
 
 /// What a fault makes of a method.
 WorkMethod given(const WorkMethod& method, const Setup& setup) {
@@ -278,8 +368,7 @@ void run(Findings& findings, const Setup& setup) {
   Table known{.name = "known",
               .caption = "Evaluations on the smooth motions; in brackets what was known beforehand, by other programs.",
               .columns = {"motion", "verlet 1e-6", "odeint 1e-4", "odeint 1e-6", "odeint 1e-9", "stormer 1e-4",
-                          "stormer 1e-6", "stormer 1e-9"},
-              .rows = {}};
+                          "stormer 1e-6", "stormer 1e-9"}};
   for (const WorkScene& scene : scenes) {
     const bool decides =
         scene.name == "pendulum, 90 degrees" || scene.name.starts_with("wall") || scene.name == "pinned column";
@@ -339,14 +428,12 @@ Case work_precision() {
                       "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, fence, exit speed"},
       .source =
           "Swope et al. 1982; Blanes & Moan 2002; Krogh 1974; Hairer, Lubich & Wanner 2006; Ahnert & Mulansky 2011",
-      .page = page,
       .faults = {{"other_amplitude", "the pendulum let go a thousandth of a radian higher",
                   "order of velocity_verlet, pendulum, 90 degrees"},
                  {"commensurate", "steps that divide the contact's time", "order of velocity_verlet, wall, undamped"},
                  {"stages_not_counted", "rk4's steps counted, not its evaluations", equal_work},
                  {"late_events", "Dormand-Prince under step control in the place of stormer_cowell",
                   "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, pinned column"}},
-      .tier = Tier::quick,
       .time_limit = 600.0,
       .run = run};
 }

@@ -4,14 +4,13 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <utility>
 
-#include "solver/run/simulate.hpp"
 #include "solver/stability/step_advice.hpp"
 #include "verification/problems/speed_accuracy/exact_motions.hpp"
 #include "verification/problems/speed_accuracy/fence_exit.hpp"
 #include "verification/study/disc_bounce.hpp"
 #include "verification/study/pivoted_impact.hpp"
+#include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -70,15 +69,9 @@ WorkScene of_impact(const ImpactScenes& impact, const Setup& setup) {
     const double step = commensurate ? impact.contact_time / std::ceil(contact_steps)
                                      : offset_step(impact.contact_time, contact_steps, phase);
     const Scene scene = impact.scene_at(impact.approach * step * even_phases(fewest_phases)[phase]);
-    const Dynamics dynamics{scene.model};
-    RigidBodySystem system{dynamics, false};
-    State state = scene.initial;
-    Integrator running = integrator;
-    const double end = step * static_cast<double>(spans * steps);
-    const Outcome outcome = simulate(system, running, state, {step, end, end, false});
-    findings.count(static_cast<std::uint64_t>(system.evaluations()));
-    const double error = outcome ? std::abs(state.v[impact.coordinate] / impact.exit - 1.0) : std::nan("");
-    return WorkRun{{error}, static_cast<double>(system.evaluations())};
+    const RunEnd end = run_steps(scene, integrator, step, spans * steps, findings);
+    return WorkRun{{std::abs(end.state.v[impact.coordinate] / impact.exit - 1.0)},
+                   static_cast<double>(end.evaluations)};
   };
   return made;
 }

@@ -1,0 +1,83 @@
+#include "reports/gnuplot_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace talus::reports {
+namespace {
+
+bool letter_or_digit(char letter) { return std::isalnum(static_cast<unsigned char>(letter)) != 0; }
+
+/// Length of what `^` or `_` applies to, from `place`: {...}, (...), a signed number, or a short word; 0 if nothing.
+std::size_t script_length(const std::string& text, std::size_t place) {
+  if (place >= text.size()) return 0;
+  if (text[place] == '{' || text[place] == '(') {
+    const std::size_t end = text.find(text[place] == '{' ? '}' : ')', place);
+    return end == std::string::npos ? 0 : end + 1 - place;
+  }
+  std::size_t end = place;
+  if (text[end] == '-' || text[end] == '+') ++end;
+  const std::size_t sign = end - place;
+  while (end < text.size() && (letter_or_digit(text[end]) ||
+                               (text[end] == '.' && end + 1 < text.size() && letter_or_digit(text[end + 1])))) {
+    ++end;
+  }
+  const std::size_t length = end - place;
+  return length > sign && length <= 5 ? length : 0;
+}
+
+/// `_` is a subscript's mark only after a symbol of one letter, so that names such as two_cable stay names.
+bool follows_symbol(const std::string& text, std::size_t place) {
+  if (place == 0) return false;
+  const bool ascii = static_cast<unsigned char>(text[place - 1]) < 0x80;
+  if (!ascii) return true;
+  return std::isalpha(static_cast<unsigned char>(text[place - 1])) != 0 &&
+         (place == 1 || (!letter_or_digit(text[place - 2]) && text[place - 2] != '_'));
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char letter : text) {
+    if (std::string("\\{}^_@&~").find(letter) != std::string::npos) result += '\\';
+    if (letter == '\'') result += '\'';
+    result += letter;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string gnuplot_quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char letter : text) {
+    if (letter == '\'') result += '\'';
+    result += letter;
+  }
+  return result + "'";
+}
+
+std::string gnuplot_text(const std::string& words) {
+  std::string text = words;
+  text.erase(std::remove(text.begin(), text.end(), '$'), text.end());
+  for (char& letter : text)
+    if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = ' ';  // a deck's title may hold tabs
+  std::string result = "'";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool raises = text[i] == '^';
+    const bool lowers = text[i] == '_' && follows_symbol(text, i);
+    const std::size_t length = raises || lowers ? script_length(text, i + 1) : 0;
+    if (length == 0) {
+      result += escaped(text.substr(i, 1));
+      continue;
+    }
+    std::string script = text.substr(i + 1, length);
+    if (script.front() == '{' || script.front() == '(') script = script.substr(1, script.size() - 2);
+    result += fmt::format("{}{{{}}}", text[i], escaped(script));
+    i += length;
+  }
+  return result + "'";
+}
+
+}  // namespace talus::reports

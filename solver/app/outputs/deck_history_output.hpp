@@ -1,0 +1,38 @@
+#pragma once
+
+#include "solver/app/outputs/run_output.hpp"
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/output/fence_history.hpp"
+
+namespace talus::app {
+
+/// NAME.history.csv and NAME.history.json: the histories that the deck of a fence asks for.
+class DeckHistoryOutput {
+ public:
+  static constexpr std::string_view name = "deck_history";
+
+  explicit DeckHistoryOutput(const OutputRequest& request)
+      : folder_{request.folder},
+        name_{request.name + ".history"},
+        history_{request.file.fence->fence, request.file.fence->made, request.dynamics} {}
+
+  static std::optional<DeckHistoryOutput> make(const OutputRequest& request) {
+    if (!request.file.fence) return std::nullopt;
+    return DeckHistoryOutput{request};
+  }
+  void operator()(const Snapshot& snapshot, const StepInfo& info) { history_(snapshot, info); }
+  void write(const OutputSource&) const {
+    write_whole(folder_ / (name_ + ".csv"), history_.csv_text(), Durability::later);
+    write_whole(folder_ / (name_ + ".json"), history_.json_text(), Durability::later);
+  }
+  std::vector<std::string> files() const { return {name_ + ".csv", name_ + ".json"}; }
+  void remember(Memory& memory) { history_.remember(memory); }
+  const std::vector<std::string>& left_out() const { return history_.left_out(); }
+
+ private:
+  std::filesystem::path folder_;
+  std::string name_;
+  FenceHistory history_;
+};
+
+}  // namespace talus::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "solver/app/outputs/run_output.hpp"
+#include "solver/io/output/write_geometry.hpp"
+
+namespace talus::app {
+
+/// Steps from one state of the geometry to the next: of `frames` states, evenly over the run; 0: a fence's every nprint
+/// steps, else of 100.
+[[nodiscard]] long steps_between_states(const SceneFile& file, long frames);
+
+/// NAME.pvd with NAME_geometry/: outlines and cables, as ParaView opens them.
+class GeometryOutput {
+ public:
+  static constexpr std::string_view name = "geometry";
+
+  explicit GeometryOutput(const OutputRequest& request)
+      : index_{request.name + ".pvd"},
+        series_{request.dynamics, request.folder, request.name, steps_between_states(request.file, request.frames)} {}
+
+  static std::optional<GeometryOutput> make(const OutputRequest& request) { return GeometryOutput{request}; }
+  void operator()(const Snapshot& snapshot, const StepInfo& info) { series_(snapshot, info); }
+  void write(const OutputSource&) const { series_.write_index(); }
+  std::vector<std::string> files() const { return {index_}; }
+  void remember(Memory& memory) { series_.remember(memory); }
+  void bring_files(const std::filesystem::path& from) { series_.bring_files(from); }
+
+ private:
+  std::string index_;
+  VtpSeries series_;
+};
+
+}  // namespace talus::app

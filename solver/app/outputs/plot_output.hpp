@@ -1,0 +1,21 @@
+#pragma once
+
+#include "solver/app/outputs/run_output.hpp"
+
+namespace talus::app {
+
+/// plot.json: what pictures are drawn from.
+struct PlotOutput {
+  static constexpr std::string_view name = "plot";
+  std::filesystem::path folder;
+  const SceneFile* file;
+  std::string scene_name;
+
+  static std::optional<PlotOutput> make(const OutputRequest& request) {
+    return PlotOutput{request.folder, &request.file, request.name};
+  }
+  void write(const OutputSource& source) const;
+  std::vector<std::string> files() const { return {"plot.json"}; }
+};
+
+}  // namespace talus::app

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <tuple>
+
+#include "solver/app/outputs/deck_history_output.hpp"
+#include "solver/app/outputs/final_state_output.hpp"
+#include "solver/app/outputs/geometry_output.hpp"
+#include "solver/app/outputs/history_output.hpp"
+#include "solver/app/outputs/listing_output.hpp"
+#include "solver/app/outputs/plot_output.hpp"
+#include "solver/app/outputs/run_output.hpp"
+#include "solver/app/outputs/sheet_output.hpp"
+
+namespace talus::app {
+
+/// The outputs of one run, of each kind one at most.
+template <CompleteOutput... Kinds>
+class OutputList {
+ public:
+  /// None: nothing is written.
+  OutputList() = default;
+  /// Errors: InputError and IoError of the outputs.
+  explicit OutputList(const OutputRequest& request) : outputs_{Kinds::make(request)...} {}
+
+  void operator()(const Snapshot& snapshot, const StepInfo& info) {
+    for_each(*this, [&]<class T>(T& output) {
+      if constexpr (StepwiseOutput<T>) output(snapshot, info);
+    });
+  }
+  /// Writes all files. Errors: IoError.
+  void write(const OutputSource& source) const {
+    for_each(*this, [&](const auto& output) { output.write(source); });
+  }
+  /// Names what the outputs carry from one step to the next; those of the same run go on from it.
+  void remember(Memory& memory) {
+    for_each(*this, [&]<class T>(T& output) {
+      if constexpr (LastingOutput<T>) memory.part(T::name, [&] { output.remember(memory); });
+    });
+  }
+  /// After they were put back: brings what was written to the folder in which the run stood. Errors: IoError.
+  void bring_files(const std::filesystem::path& from) {
+    for_each(*this, [&]<class T>(T& output) {
+      if constexpr (BroughtOutput<T>) output.bring_files(from);
+    });
+  }
+  /// Names of the files, in the order of the kinds.
+  std::vector<std::string> files() const {
+    std::vector<std::string> all;
+    for_each(*this, [&](const auto& output) {
+      for (std::string& file : output.files())
+        all.push_back(std::move(file));
+    });
+    return all;
+  }
+  /// What was asked for and does not exist.
+  std::vector<std::string> left_out() const {
+    std::vector<std::string> all;
+    for_each(*this, [&]<class T>(const T& output) {
+      if constexpr (PartialOutput<T>) all.insert(all.end(), output.left_out().begin(), output.left_out().end());
+    });
+    return all;
+  }
+
+ private:
+  template <class List, class Visit>
+  static void for_each(List& list, Visit&& visit) {
+    std::apply(
+        [&](auto&... output) {
+          const auto visit_one = [&](auto& one) {
+            if (one) visit(*one);
+          };
+          (visit_one(output), ...);
+        },
+        list.outputs_);
+  }
+
+  std::tuple<std::optional<Kinds>...> outputs_;
+};
+
+/// The kinds of files that `talus run` leaves, in the order in which the summary names them. A new one: see RunOutput.
+using RunOutputs = OutputList<HistoryOutput, FinalStateOutput, PlotOutput, ListingOutput, DeckHistoryOutput,
+                              GeometryOutput, SheetOutput>;
+
+}  // namespace talus::app

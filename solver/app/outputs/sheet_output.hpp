@@ -1,0 +1,33 @@
+#pragma once
+
+#include "solver/app/outputs/run_output.hpp"
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/output/write_sheet.hpp"
+
+namespace talus::app {
+
+/// sheet.json: the numbers of the engineer's sheet of a fence, from which talus_report makes sheet.pdf and sheet.html.
+class SheetOutput {
+ public:
+  static constexpr std::string_view name = "sheet";
+
+  explicit SheetOutput(const OutputRequest& request)
+      : file_{request.folder / "sheet.json"}, input_{&*request.file.fence}, dynamics_{&request.dynamics} {}
+
+  static std::optional<SheetOutput> make(const OutputRequest& request) {
+    if (!request.sheet || !request.file.fence) return std::nullopt;
+    return SheetOutput{request};
+  }
+  void write(const OutputSource& source) const {
+    write_whole(file_, sheet_json(source.record, *input_, *dynamics_, *source.fence, source.end.state()),
+                Durability::later);
+  }
+  std::vector<std::string> files() const { return {"sheet.json", "sheet.pdf", "sheet.html"}; }
+
+ private:
+  std::filesystem::path file_;
+  const FenceInput* input_;
+  const Dynamics* dynamics_;
+};
+
+}  // namespace talus::app

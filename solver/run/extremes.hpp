@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "solver/base/memory.hpp"
+
+namespace talus {
+
+/// Minimum and maximum of a quantity over a run, and the first times of both.
+struct Extreme {
+  double least{};
+  double least_time{};
+  double largest{};
+  double largest_time{};
+};
+
+/// The extremes of many quantities, one array for each number.
+class Extremes {
+ public:
+  /// Takes the values of one time, always as many. What is not a number, but for a first value, changes nothing.
+  void add(double time, std::span<const double> values);
+
+  std::size_t size() const { return least_.size(); }
+  Extreme operator[](std::size_t i) const { return {least_[i], least_time_[i], largest_[i], largest_time_[i]}; }
+
+  /// Names the extremes of `count` quantities.
+  void remember(Memory& memory, std::size_t count);
+
+ private:
+  std::vector<double> least_, least_time_, largest_, largest_time_;
+};
+
+}  // namespace talus

@@ -1,0 +1,69 @@
+/// All cases beside the catalogue, without running them.
+#define BOOST_TEST_MODULE driver_case_list
+#include "verification/driver/case_list.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <set>
+
+#include "verification/driver/flaw.hpp"
+
+using namespace talus::verification;
+
+namespace {
+
+const Catalogue& catalogue() {
+  static const Catalogue read = read_catalogue(TALUS_CATALOGUE);
+  return read;
+}
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all = all_cases();
+  return all;
+}
+
+/// The works that cases, checks of other codes or other works cite.
+std::set<std::string> cited_works() {
+  std::set<std::string> cited;
+  const auto add = [&](const std::string& text) {
+    const auto keys = citations_in(text, catalogue().bibliography).keys;
+    cited.insert(keys.begin(), keys.end());
+  };
+  for (const Case& c : cases())
+    add(c.source + "; " + c.page);
+  for (const PeerCheck& peer : catalogue().peers) {
+    cited.insert(peer.suite);
+    add(peer.what + "; " + peer.form + "; " + peer.remark);
+  }
+  for (const Reference& work : catalogue().bibliography.works) {
+    for (const Reference& other : catalogue().bibliography.works) {
+      if (other.field("note").find(work.key) != std::string::npos) cited.insert(work.key);
+    }
+  }
+  return cited;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(all_cases_are_well_formed) {
+  BOOST_TEST(!cases().empty());
+  for (const Case& c : cases())
+    BOOST_TEST(flaw_of(c, cases(), catalogue()) == "", c.id);
+}
+
+BOOST_AUTO_TEST_CASE(each_erratum_is_proved_by_a_case) {
+  for (const Erratum& erratum : catalogue().errata) {
+    const bool there =
+        std::any_of(cases().begin(), cases().end(), [&](const Case& c) { return c.id == erratum.proved_by; });
+    BOOST_TEST(there, erratum.id << ": no case " << erratum.proved_by);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(each_work_is_cited_or_called_background) {
+  const std::set<std::string> cited = cited_works();
+  for (const Reference& work : catalogue().bibliography.works) {
+    const bool background = work.field("keywords") == "background";
+    BOOST_TEST(
+        (cited.count(work.key) == 1u) != background,
+        work.key << (background ? " is cited: it is no background" : " is cited nowhere: keywords = {background}"));
+  }
+}

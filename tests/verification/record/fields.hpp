@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/verification/record/scratch.hpp"
+#include "verification/record/json_node.hpp"
+
+/// A member of a JSON document: its path ("record.checks[0].name"), its key, and how to reach it.
+struct Field {
+  std::string path;
+  std::string key;
+  talus::records::Json::json_pointer pointer;
+};
+
+/// All members of all objects within a value.
+inline void collect(const talus::records::Json& value, const std::string& path,
+                    const talus::records::Json::json_pointer& pointer, std::vector<Field>& fields) {
+  if (value.is_object()) {
+    for (const auto& item : value.items()) {
+      fields.push_back({path + "." + item.key(), item.key(), pointer / item.key()});
+      collect(item.value(), fields.back().path, pointer / item.key(), fields);
+    }
+  } else if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i)
+      collect(value[i], path + "[" + std::to_string(i) + "]", pointer / i, fields);
+  }
+}
+
+/// Demands that `read` refuses the document without any one of its members, but for those whose keys may be absent, and
+/// with a value of another type in the place of any member; each time by the member's path.
+inline void demand_strict(const talus::records::Json& good, const std::string& root,
+                          const std::set<std::string>& may_be_absent,
+                          const std::function<void(const talus::records::Json&)>& read) {
+  using talus::records::Json;
+  std::vector<Field> fields;
+  collect(good, root, Json::json_pointer{}, fields);
+  BOOST_TEST(fields.size() > 20u);
+  for (const Field& field : fields) {
+    Json without = good;
+    without[field.pointer.parent_pointer()].erase(field.key);
+    const std::string absent = complaint([&] { read(without); });
+    if (may_be_absent.count(field.key) == 0) BOOST_TEST(holds(absent, field.path + ": is missing"), absent);
+    // No field is a list of lists of numbers.
+    Json other = good;
+    other[field.pointer] = Json::array({Json::array({1})});
+    const std::string changed = complaint([&] { read(other); });
+    BOOST_TEST(holds(changed, field.path), field.path << ": " << changed);
+  }
+}

@@ -1,0 +1,151 @@
+#define BOOST_TEST_MODULE toolkit
+#include <array>
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+
+#include "solver/scenes/bouncing_disc.hpp"
+#include "solver/scenes/pendulum.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/phases.hpp"
+#include "verification/study/predicted_errors.hpp"
+#include "verification/study/recorded_run.hpp"
+#include "verification/study/scene_run.hpp"
+
+using namespace talus;
+using namespace talus::verification;
+using namespace talus::verification::problems;
+
+namespace {
+
+const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+Scene bounce() {
+  return scenes::bouncing_disc({.radius = 1.0, .gap = 0.25, .speed = 1.0, .contact = LinearSpringDashpot{64.0, 0.0}});
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(phases_have_offset_steps_and_even_onsets) {
+  const auto phases = offset_phases(2.0, 100.0);
+  BOOST_TEST_REQUIRE(phases.size() == fewest_phases);
+  for (const Phase& phase : phases) {
+    BOOST_TEST(phase.step == offset_step(2.0, 100.0, phase.index));
+    BOOST_TEST(phase.onset == even_phases(fewest_phases)[phase.index]);
+    BOOST_TEST(phase.lead() == phase.onset * phase.step);
+  }
+  for (const Phase& phase : offset_phases(2.0, 100.0, 3, true))
+    BOOST_TEST(phase.step == 0.02);
+  const PhaseError error = phase_error(2.0, 100.0, [](const Phase& phase) { return phase.index == 5 ? -3.0 : 0.0; });
+  BOOST_TEST(error.count() == fewest_phases);
+  BOOST_TEST(error.max() == 3.0);
+}
+
+BOOST_AUTO_TEST_CASE(errors_stand_beside_their_predictions) {
+  const PredictedErrors errors = predicted_errors({0.5, 0.25}, [](double h) { return std::array{h, 3.0 * h, h * h}; });
+  BOOST_TEST(errors.last_ratio() == 0.75 / 0.0625);
+  BOOST_TEST(errors.found().errors()[0] == 1.5);
+  BOOST_TEST(errors.points("solver").y[1] == 0.75);
+  BOOST_TEST((errors.points("solver").style == Style::points));
+  BOOST_TEST(errors.line().y[1] == 0.0625);
+  BOOST_TEST(errors.line().x[1] == 0.25);
+  BOOST_TEST((errors.line().style == Style::lines));
+  const Convergence found = convergence({4.0, 8.0}, [](double n) { return std::pair{1.0 / n, 1.0 / (n * n)}; });
+  BOOST_TEST(found.fit().order == 2.0, boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(the_worst_keeps_its_sign_and_a_nan_stays) {
+  double worst = 0.0;
+  for (const double error : {1.0, -3.0, 2.0})
+    keep_worst(worst, error);
+  BOOST_TEST(worst == -3.0);
+  for (const double error : {not_a_number, 4.0})
+    keep_worst(worst, error);
+  BOOST_TEST(std::isnan(worst));
+  BOOST_TEST(worst_error({1.0, 2.5, 3.0}, {1.0, 2.0, 3.25}) == 0.5);
+  BOOST_CHECK_THROW((void)worst_error({1.0}, {1.0, 2.0}), std::out_of_range);
+  BOOST_TEST(farther_from_one(1.1, 0.8) == 0.8);
+  BOOST_TEST(farther_from_one(0.8, 1.1) == 0.8);
+  BOOST_TEST(std::isnan(farther_from_one(1.1, not_a_number)));
+  BOOST_TEST(std::isnan(farther_from_one(not_a_number, 1.1)));
+}
+
+BOOST_AUTO_TEST_CASE(each_component_is_compared_by_one_check) {
+  Findings findings;
+  const Tolerance tolerance = Tolerance::model(0.1, "chosen");
+  BOOST_TEST(expect_each(findings, "near", {1.0, 2.05}, {1.0, 2.0}, tolerance));
+  BOOST_TEST(!expect_each(findings, "far", {0.5, 2.0}, {1.0, 2.0}, tolerance));
+  BOOST_TEST(!expect_each(findings, "none", {not_a_number, 2.0}, {1.0, 2.0}, tolerance));
+  BOOST_TEST(findings.find("far")->measured == -0.5);
+}
+
+BOOST_AUTO_TEST_CASE(a_constant_must_be_approached_by_the_next_power) {
+  Findings findings;
+  const Convergence right{{0.1, 0.05}, {0.1 * 2.0 * 1.1, 0.05 * 2.0 * 1.05}};
+  const Convergence wrong{{0.1, 0.05}, {0.1 * 2.2, 0.05 * 2.2}};
+  expect_constant(findings, "right", right, 2.0, 1, 1, 1e-9);
+  expect_constant(findings, "wrong", wrong, 2.0, 1, 1, 1e-9);
+  BOOST_TEST(findings.find("error over its prediction, right")->pass);
+  BOOST_TEST(!findings.find("error over its prediction, wrong")->pass);
+}
+
+BOOST_AUTO_TEST_CASE(curves_have_the_values_of_their_functions) {
+  const Series line = curve("square", multiples(0.5, 0, 4), [](double x) { return x * x; });
+  BOOST_TEST(line.x.size() == 5u);
+  BOOST_TEST(line.y.back() == 4.0);
+  BOOST_TEST((line.style == Style::lines));
+  BOOST_TEST((points("solver", {1.0}, {2.0}).style == Style::points));
+  BOOST_TEST((as_line(points("exact", {1.0}, {2.0})).style == Style::lines));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_counts_its_evaluations_and_is_seen_at_every_step) {
+  Findings findings;
+  std::vector<double> times;
+  const RunEnd end = run_steps(bounce(), VelocityVerlet{}, 0.01, 50, findings,
+                               [&](const State& state, const StepInfo&) { times.push_back(state.t); });
+  BOOST_TEST(end.finished);
+  BOOST_TEST(end.state.t == 0.5);
+  BOOST_TEST(times.size() == 51u);
+  BOOST_TEST(findings.evaluations() == static_cast<std::uint64_t>(end.evaluations));
+  BOOST_TEST(end.evaluations >= 50);
+  const RunEnd stopped = run_scene(bounce(), VelocityVerlet{}, {0.01, 5.0, 5.0, false}, findings, {},
+                                   [](const State& state) { return state.t > 0.095; });
+  BOOST_TEST(stopped.finished);
+  BOOST_TEST(stopped.state.t == 0.1, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_diverges_ends_as_nan) {
+  // Ten times the stability limit 2/w.
+  const RunEnd end = run_steps(scenes::pendulum({.amplitude = 0.5}), make_integrator("euler"), 1e200, 10);
+  BOOST_TEST(!end.finished);
+  for (const double number : {end.state.q[0], end.state.v[0]})
+    BOOST_TEST(std::isnan(number));
+}
+
+BOOST_AUTO_TEST_CASE(a_probe_sees_overlaps_and_forces) {
+  const Scene scene = bounce();
+  State state = scene.initial;
+  state.q[1] = 0.75;
+  Probe probe{scene.model};
+  state.mode[0] = UnilateralSpring::acting;
+  probe.evaluate(state);
+  BOOST_TEST(probe.overlap(0) == 0.25);
+  BOOST_TEST(probe.forces().contacts[0] == 16.0);
+}
+
+BOOST_AUTO_TEST_CASE(a_ledger_and_a_recorded_run_balance_the_energy) {
+  Scene scene = bounce();
+  scene.integrator = VelocityVerlet{};
+  scene.plan = {0.001, 1.0, 0.1, true};
+  Findings findings;
+  long seen = 0;
+  const RecordedRun run{scene, findings, [&](const State&, const StepInfo&) { ++seen; }};
+  BOOST_TEST(seen == 1001);
+  RunLedger ledger{scene.model, first_state(scene)};
+  const Accounts accounts = ledger(run.end().state);
+  BOOST_TEST(accounts.energy_closure == run.recorder().accounts().energy_closure);
+  BOOST_TEST(std::abs(accounts.energy_closure) < 1e-4);
+  const Quantity speed = quantity_named(scene.model, "disc.vy.end");
+  BOOST_TEST(run.value(speed) == run.end().state.v[1]);
+}

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "verification/catalogue/bibliography.hpp"
+#include "verification/catalogue/requirement.hpp"
+
+namespace talus::verification {
+
+/// A check that another code or a published benchmark set makes, and the requirements that stand for it here.
+struct PeerCheck {
+  std::string suite;                  ///< Key of a Reference: where its definition was read.
+  std::string id;                     ///< Its name there.
+  std::string what;                   ///< One line: the set-up.
+  std::string form;                   ///< What it is compared with; for discs where the peer has spheres.
+  std::vector<std::string> problems;  ///< Ids of Requirement that hold the same in two dimensions; empty: none.
+  std::string remark;                 ///< What is different here, or why there is none; may be empty.
+};
+
+/// An error of the 1993 report that a case proves.
+struct Erratum {
+  std::string id;         ///< "E1", ...
+  std::string where;      ///< Equation, section and page of the report.
+  std::string printed;    ///< What stands there.
+  std::string corrected;  ///< What it must be.
+  std::string evidence;   ///< The numbers or the argument.
+  std::string proved_by;  ///< Id of the case that shows it.
+};
+
+/// What the cases must show, what other codes check, the errors of the 1993 report, and the works that are cited.
+struct Catalogue {
+  std::vector<Requirement> requirements;  ///< The 1993 report's equations, problems, the solver's closed lists.
+  std::vector<std::string> families;      ///< Of cases, in the order of the report; also groups of problems.
+  std::vector<PeerCheck> peers;           ///< In the order of the report, the checks of a suite together.
+  std::vector<Erratum> errata;            ///< As they were found.
+  Bibliography bibliography;
+
+  [[nodiscard]] const Requirement* requirement(const std::string& id) const;  ///< None: null.
+
+  /// The family of a case: the one it names, or that of most of its catalogue problems (of equally many the first);
+  /// empty if it names none and claims no problem of the catalogue.
+  [[nodiscard]] std::string family_of(const std::string& named, const std::vector<std::string>& requirements) const;
+};
+
+/// Reads requirements.toml, peers.toml, errata.toml and references.bib of a folder, whose comments explain them, and
+/// adds the requirements of the solver's lists. Ids and keys are unique, and every reference to a work or a requirement
+/// leads to one; cases are not known here. Errors: IoError if a file cannot be read; InputError with file, line, key,
+/// what was found and what is allowed.
+[[nodiscard]] Catalogue read_catalogue(const std::filesystem::path& folder);
+
+}  // namespace talus::verification

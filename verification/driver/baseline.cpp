@@ -1,0 +1,431 @@
+#include "verification/driver/baseline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "solver/base/error.hpp"
+
+namespace talus::verification {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool contains(const std::vector<std::string>& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
+}
+
+/// The cases that are compared.
+struct Scope {
+  const std::vector<std::string>& run;       ///< ResultsSource::only of the new results.
+  const std::vector<std::string>& compared;  ///< Allowance::only.
+
+  [[nodiscard]] bool has(const std::string& id) const {
+    return (run.empty() || contains(run, id)) && (compared.empty() || contains(compared, id));
+  }
+};
+
+// --- Names ----------------------------------------------------------------------------------------------------------
+
+/// A name of the baseline in the new results.
+struct Target {
+  std::optional<ItemName> name;  ///< Nothing: removed.
+  int rank = 0;                  ///< 2: a rename of the item, 1: a rename of its case, 0: the same name.
+};
+
+class Targets {
+ public:
+  explicit Targets(const std::vector<Renaming>& renames) {
+    for (const Renaming& renaming : renames)
+      after_.emplace(renaming.before, renaming.after);
+  }
+
+  [[nodiscard]] Target of(const ItemName& before) const {
+    if (const auto found = after_.find(before); found != after_.end()) return {found->second, 2};
+    const auto in_case = after_.find({before.id, ""});
+    if (in_case == after_.end()) return {before, 0};
+    if (!in_case->second) return {std::nullopt, 1};
+    return {ItemName{in_case->second->id, before.item}, 1};
+  }
+
+ private:
+  std::map<ItemName, std::optional<ItemName>> after_;
+};
+
+template <class T>
+using Items = std::vector<std::pair<ItemName, const T*>>;
+
+Items<CaseOutcome> cases_of(const RecordedResults& results) {
+  Items<CaseOutcome> items;
+  for (const RecordedCase& c : results.cases)
+    items.emplace_back(ItemName{c.id, ""}, &c.outcome);
+  return items;
+}
+
+Items<RecordedCheck> checks_of(const RecordedResults& results) {
+  Items<RecordedCheck> items;
+  for (const RecordedCase& c : results.cases) {
+    for (const RecordedCheck& check : c.checks)
+      items.emplace_back(ItemName{c.id, check.name}, &check);
+  }
+  return items;
+}
+
+Items<RecordedControl> controls_of(const RecordedResults& results) {
+  Items<RecordedControl> items;
+  for (const RecordedCase& c : results.cases) {
+    for (const RecordedControl& control : c.controls)
+      items.emplace_back(ItemName{c.id, control_item(control.name)}, &control);
+  }
+  return items;
+}
+
+/// Pairs the items of both results by name. Renamed items come first, so that no other takes the name that they have
+/// now. What is out of scope is in no pair.
+template <class Changed, class T>
+std::vector<Changed> paired(const Items<T>& before, const Items<T>& after, const Targets& targets, const Scope& scope) {
+  std::map<ItemName, std::size_t> place;
+  std::vector<Changed> now(after.size()), lost;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    place.emplace(after[i].first, i);
+    now[i].name = after[i].first;
+    now[i].presence = Presence::added;
+    now[i].after = *after[i].second;
+  }
+  for (const int rank : {2, 1, 0}) {
+    for (const auto& [name, value] : before) {
+      const Target target = targets.of(name);
+      if (target.rank != rank || !scope.has(target.name ? target.name->id : name.id)) continue;
+      const auto found = target.name ? place.find(*target.name) : place.end();
+      const bool is_free = found != place.end() && now[found->second].presence == Presence::added;
+      Changed& change = is_free ? now[found->second] : lost.emplace_back();
+      change.before = *value;
+      change.presence = is_free ? Presence::both : target.name ? Presence::gone : Presence::removed;
+      if (!is_free) change.name = name;
+      if (is_free && name != *target.name) change.renamed_from = name;
+    }
+  }
+  std::erase_if(now, [&](const Changed& change) { return !scope.has(change.name.id); });
+  now.insert(now.end(), std::make_move_iterator(lost.begin()), std::make_move_iterator(lost.end()));
+  for (Changed& change : now) {
+    if (change.presence == Presence::gone) change.worse.push_back(Reason::gone);
+  }
+  return now;
+}
+
+bool has_item(const RecordedResults& results, const ItemName& name) {
+  const RecordedCase* const found = find_case(results, name.id);
+  if (found == nullptr) return false;
+  const auto is_check = [&](const RecordedCheck& check) { return check.name == name.item; };
+  const auto is_control = [&](const RecordedControl& control) { return control_item(control.name) == name.item; };
+  return name.item.empty() || std::any_of(found->checks.begin(), found->checks.end(), is_check) ||
+         std::any_of(found->controls.begin(), found->controls.end(), is_control);
+}
+
+bool is_given(const std::vector<Renaming>& renames, const ItemName& name) {
+  return std::any_of(renames.begin(), renames.end(), [&](const Renaming& r) { return r.after == name; });
+}
+
+std::string still_there(const Renaming& renaming, const std::string& where) {
+  return fmt::format("{}: found '{}'; {} still has it: it must be a name that is no longer used", renaming.place,
+                     text_of(renaming.before), where);
+}
+
+/// Renames whose new name is not there, or whose old name still is. A case that did not come to its end need not have
+/// them.
+std::vector<std::string> renaming_errors_of(const std::vector<Renaming>& renames, const RecordedResults& after,
+                                            const Scope& scope) {
+  std::vector<std::string> errors;
+  const std::string file = after.source.file.string();
+  for (const Renaming& renaming : renames) {
+    const std::string& id = renaming.after ? renaming.after->id : renaming.before.id;
+    if (!scope.has(id)) continue;
+    const RecordedCase* const target = find_case(after, id);
+    const bool ended =
+        target == nullptr || target->outcome.status == Status::pass || target->outcome.status == Status::fail;
+    if (renaming.after && ended && !has_item(after, *renaming.after)) {
+      errors.push_back(fmt::format("{}: found '{}' on the right; it must be a name of {}", renaming.place,
+                                   text_of(*renaming.after), file));
+    }
+    if (has_item(after, renaming.before) && !is_given(renames, renaming.before))
+      errors.push_back(still_there(renaming, file));
+  }
+  return errors;
+}
+
+// --- What changed ---------------------------------------------------------------------------------------------------
+
+bool is_letter_of(const std::string& name, const std::string& family) {
+  return name.size() == 1 && family.starts_with(name + ":");
+}
+
+/// The largest change/bound that is allowed to a check of that case.
+double tolerance_of(const Allowance& allowance, const ItemName& name, const std::string& family) {
+  double value = 0.0;
+  for (const ChangeTolerance& tolerance : allowance.tolerances) {
+    if (tolerance.name.empty() || tolerance.name == family || is_letter_of(tolerance.name, family) ||
+        tolerance.name == name.id)
+      value = tolerance.value;
+  }
+  return value;
+}
+
+/// After - before of error/bound, where a NaN is as bad as an infinite one.
+double growth_of(double before, double after) {
+  const double from = std::isnan(before) ? infinity : before, to = std::isnan(after) ? infinity : after;
+  return from == to ? 0.0 : to - from;
+}
+
+Movement movement_of(const RecordedCheck& before, const RecordedCheck& after, double moved) {
+  if (before.unit != after.unit) return Movement::changed;
+  if (same_bits(before.measured, after.measured)) return Movement::identical;
+  const double limit = std::min(round_off_limit(before.kind), round_off_limit(after.kind));
+  return moved <= limit ? Movement::round_off : Movement::changed;
+}
+
+/// |difference| in bounds; a difference that is not finite is infinitely many, and so is any from an exact zero.
+double moved_by(double difference, double scale) {
+  if (difference == 0.0) return 0.0;
+  return std::isfinite(difference) && scale > 0.0 ? std::abs(difference) / scale : infinity;
+}
+
+void judge(CheckChange& change, const Allowance& allowance, double tolerance) {
+  const RecordedCheck& before = *change.before;
+  const RecordedCheck& after = *change.after;
+  const bool is_same = same_bits(before.measured, after.measured);
+  change.difference = is_same ? 0.0 : after.measured - before.measured;
+  change.moved = moved_by(change.difference, change_scale(before));
+  change.movement = movement_of(before, after, change.moved);
+  change.growth = growth_of(before.margin, after.margin);
+  change.tolerance = tolerance;
+  if (allowance.round_off && change.movement == Movement::round_off)
+    change.tolerance = std::max(tolerance, round_off_limit(before.kind));
+  const bool improved = !before.pass && after.pass;
+  const double growth = allowance.margin.value_or(change.tolerance);
+  constexpr double rounding = 1.0 + 1e-9;  // The difference of two ratios is rounded; zero is not.
+  if (before.pass && !after.pass) change.worse.push_back(Reason::verdict);
+  if (before.unit != after.unit) change.worse.push_back(Reason::unit);
+  const bool is_beyond = !improved && before.unit == after.unit && !(change.moved <= change.tolerance);
+  const bool is_large = change.movement == Movement::changed;
+  if (is_beyond && is_large) change.worse.push_back(Reason::value);
+  if (change.growth > growth * rounding) change.worse.push_back(Reason::margin);
+  if (is_beyond && !is_large) change.worse.push_back(Reason::round_off);
+}
+
+void judge(ControlChange& change) {
+  if (change.before->pass && !change.after->pass) change.worse.push_back(Reason::verdict);
+}
+
+void judge(CaseChange& change, const Allowance& allowance) {
+  if (change.before->status == Status::pass && change.after->status != Status::pass)
+    change.worse.push_back(Reason::status);
+  const auto before = static_cast<double>(change.before->evaluations);
+  const auto after = static_cast<double>(change.after->evaluations);
+  // A case that counted none in the baseline cannot be compared.
+  if (before > 0.0 && after > before * (1.0 + allowance.evaluation_growth)) change.worse.push_back(Reason::evaluations);
+}
+
+template <class Changes>
+std::map<std::string, std::size_t> gone_by_case(const Changes& changes) {
+  std::map<std::string, std::size_t> count;
+  for (const auto& change : changes)
+    count[change.name.id] += change.presence == Presence::gone ? 1 : 0;
+  return count;
+}
+
+template <class Changes>
+Totals::Items items_of(const Changes& changes) {
+  Totals::Items items;
+  for (const auto& change : changes) {
+    if (change.presence == Presence::both) ++items.compared;
+    if (change.presence == Presence::added) ++items.added;
+    if (change.presence == Presence::gone) ++items.gone;
+    if (change.presence == Presence::removed) ++items.removed;
+    if (!change.worse.empty()) ++items.worse;
+  }
+  return items;
+}
+
+void add_verdict(Totals::Items& items, bool before, bool after) {
+  if (before && !after) ++items.worsened;
+  if (!before && after) ++items.improved;
+}
+
+}  // namespace
+
+const char* name_of(Presence presence) {
+  switch (presence) {
+    case Presence::both:
+      return "both";
+    case Presence::added:
+      return "new";
+    case Presence::gone:
+      return "gone";
+    case Presence::removed:
+      return "removed";
+  }
+  TALUS_DEMAND(!"a presence outside its enumeration");
+  return "";
+}
+
+const char* name_of(Movement movement) {
+  switch (movement) {
+    case Movement::identical:
+      return "identical";
+    case Movement::round_off:
+      return "round_off";
+    case Movement::changed:
+      return "changed";
+  }
+  TALUS_DEMAND(!"a movement outside its enumeration");
+  return "";
+}
+
+const char* name_of(Reason reason) {
+  switch (reason) {
+    case Reason::status:
+      return "status";
+    case Reason::verdict:
+      return "verdict";
+    case Reason::gone:
+      return "gone";
+    case Reason::unit:
+      return "unit";
+    case Reason::value:
+      return "value";
+    case Reason::margin:
+      return "error/bound";
+    case Reason::evaluations:
+      return "evaluations";
+    case Reason::round_off:
+      return "round_off";
+  }
+  TALUS_DEMAND(!"a reason outside its enumeration");
+  return "";
+}
+
+double round_off_limit(Kind kind) { return kind == Kind::round_off ? 1.0 : 1e-9; }
+
+double change_scale(const RecordedCheck& before) {
+  if (before.bound == 0.0) return std::abs(before.reference);
+  return before.relative ? before.bound * std::abs(before.reference) : before.bound;
+}
+
+Comparison compare(const RecordedResults& before, const RecordedResults& after, const Allowance& allowance,
+                   const std::vector<Renaming>& renames) {
+  const Targets targets(renames);
+  const Scope scope{after.source.only, allowance.only};
+  Comparison comparison;
+  comparison.before = before.source;
+  comparison.after = after.source;
+  comparison.allowance = allowance;
+  comparison.cases = paired<CaseChange>(cases_of(before), cases_of(after), targets, scope);
+  comparison.checks = paired<CheckChange>(checks_of(before), checks_of(after), targets, scope);
+  comparison.controls = paired<ControlChange>(controls_of(before), controls_of(after), targets, scope);
+  for (const RecordedCase& c : before.cases) {
+    const Target target = targets.of({c.id, ""});
+    if (!scope.has(target.name ? target.name->id : c.id)) comparison.unselected.push_back(c.id);
+  }
+  for (CheckChange& change : comparison.checks) {
+    if (change.presence == Presence::both) {
+      judge(change, allowance, tolerance_of(allowance, change.name, find_case(after, change.name.id)->family));
+    }
+  }
+  for (ControlChange& change : comparison.controls) {
+    if (change.presence == Presence::both) judge(change);
+  }
+  // Items that are gone have the name of the baseline.
+  const auto checks = gone_by_case(comparison.checks), controls = gone_by_case(comparison.controls);
+  for (CaseChange& change : comparison.cases) {
+    if (change.presence == Presence::both) judge(change, allowance);
+    const std::string& id = change.renamed_from ? change.renamed_from->id : change.name.id;
+    if (const auto found = checks.find(id); found != checks.end()) change.checks_gone = found->second;
+    if (const auto found = controls.find(id); found != controls.end()) change.controls_gone = found->second;
+  }
+  comparison.renaming_errors = renaming_errors_of(renames, after, scope);
+  return comparison;
+}
+
+Totals totals_of(const Comparison& comparison) {
+  Totals totals;
+  totals.cases = items_of(comparison.cases);
+  totals.checks = items_of(comparison.checks);
+  totals.controls = items_of(comparison.controls);
+  for (const CaseChange& change : comparison.cases) {
+    if (change.presence != Presence::both) continue;
+    add_verdict(totals.cases, change.before->status == Status::pass, change.after->status == Status::pass);
+    totals.evaluations_before += change.before->evaluations;
+    totals.evaluations_after += change.after->evaluations;
+    totals.seconds_before += change.before->seconds;
+    totals.seconds_after += change.after->seconds;
+    if (change.after->evaluations > change.before->evaluations) ++totals.evaluations_grown;
+    if (change.after->evaluations < change.before->evaluations) ++totals.evaluations_shrunk;
+  }
+  for (const CheckChange& change : comparison.checks) {
+    if (change.presence != Presence::both) continue;
+    const RecordedCheck &before = *change.before, &after = *change.after;
+    add_verdict(totals.checks, before.pass, after.pass);
+    if (change.movement == Movement::identical) ++totals.identical;
+    if (change.movement == Movement::round_off) ++totals.round_off;
+    if (change.movement == Movement::changed) ++totals.changed;
+    if (change.growth > 0.0) ++totals.margins_grown;
+    if (change.growth < 0.0) ++totals.margins_shrunk;
+    if (after.bound > before.bound) ++totals.bounds_widened;
+    if (after.bound < before.bound) ++totals.bounds_tightened;
+    if (!same_bits(before.reference, after.reference)) ++totals.references_changed;
+  }
+  for (const ControlChange& change : comparison.controls) {
+    if (change.presence == Presence::both) add_verdict(totals.controls, change.before->pass, change.after->pass);
+  }
+  return totals;
+}
+
+void validate(const RecordedResults& before, Tier tier, const Allowance& allowance,
+              const std::vector<Renaming>& renames, const std::vector<std::string>& families,
+              const std::vector<std::string>& registered) {
+  const std::string file = before.source.file.string();
+  if (before.source.tier != tier) {
+    throw InputError(fmt::format("{}: tier: found \"{}\"; it must be \"{}\", the tier that it is compared with", file,
+                                 name_of(before.source.tier), name_of(tier)));
+  }
+  if (before.cases.empty()) throw InputError(file + ": cases: found none; there must be at least one");
+  std::vector<std::string> known = families;
+  known.insert(known.end(), registered.begin(), registered.end());
+  for (const RecordedCase& c : before.cases) {
+    for (const std::string& name : {c.family, c.id}) {
+      if (!name.empty() && !contains(known, name)) known.push_back(name);
+    }
+  }
+  for (const ChangeTolerance& tolerance : allowance.tolerances) {
+    const auto is_letter = [&](const std::string& family) { return is_letter_of(tolerance.name, family); };
+    if (!tolerance.name.empty() && !contains(known, tolerance.name) &&
+        std::none_of(known.begin(), known.end(), is_letter))
+      throw unknown_name("--tolerance: family or case", tolerance.name, known);
+  }
+  for (const Renaming& renaming : renames) {
+    if (!has_item(before, renaming.before)) {
+      throw InputError(
+          fmt::format("{}: found '{}' on the left; it must be a name of the baseline {} (delete the line if "
+                      "the baseline has the new name already)",
+                      renaming.place, text_of(renaming.before), file));
+    }
+    if (renaming.after && !contains(registered, renaming.after->id))
+      throw unknown_name(renaming.place + ": case", renaming.after->id, registered);
+    if (renaming.before.item.empty() && contains(registered, renaming.before.id) && !is_given(renames, renaming.before))
+      throw InputError(still_there(renaming, "this program"));
+  }
+}
+
+}  // namespace talus::verification

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "verification/driver/baseline.hpp"
+
+namespace talus::verification {
+
+/// The JSON text of baseline.json (schema 1): both sources, what was allowed, totals, and every case, check and control
+/// with both values, what changed and why it is worse.
+[[nodiscard]] std::string json_of(const Comparison& comparison);
+
+}  // namespace talus::verification

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace talus::records {
+
+/// A CSV file: a header that names the columns, then one line for each row. As in RFC 4180 a cell in double quotes may
+/// hold commas, ends of lines and, doubled, quotes; lines may end with CR LF. Empty lines and lines that begin with `#`
+/// are passed over.
+class Csv {
+ public:
+  /// Splits the text of a file, whose name is for messages only. RecordError (file, line, found, allowed) if there is
+  /// no header, a row has another number of cells, a quoted cell does not end, or the last line has no end (the file
+  /// was cut short).
+  Csv(std::filesystem::path file, std::string_view text);
+  Csv(const Csv&) = delete;
+  Csv& operator=(const Csv&) = delete;
+  Csv(Csv&&) = default;
+  Csv& operator=(Csv&&) = default;
+
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+  [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
+  [[nodiscard]] std::size_t rows() const { return lines_.size(); }
+
+  /// Index of the column of that name; RecordError if there is none.
+  [[nodiscard]] std::size_t column(std::string_view name) const;
+
+  /// Line of the file in which a row begins, from 1.
+  [[nodiscard]] std::size_t line(std::size_t row) const { return lines_[row]; }
+
+  [[nodiscard]] std::string_view cell(std::size_t row, std::size_t column) const {
+    return cells_[row * header_.size() + column];
+  }
+  /// The number in a cell; RecordError if the cell holds anything else or a number that is not finite.
+  [[nodiscard]] double number(std::size_t row, std::size_t column) const;
+
+ private:
+  std::filesystem::path file_;
+  std::vector<char> text_;  ///< Cells without their quotes; not a string: `cells_` must stay valid when this is moved.
+  std::vector<std::string> header_;
+  std::vector<std::string_view> cells_;  ///< Row by row.
+  std::vector<std::size_t> lines_;
+};
+
+/// Reads a CSV file. FileError if it cannot be read; RecordError as above.
+[[nodiscard]] Csv read_csv(const std::filesystem::path& file);
+
+/// The text of a CSV file, written cell by cell. Cells are quoted where they must be; numbers are written so that the
+/// same double is read back.
+class CsvText {
+ public:
+  explicit CsvText(const std::vector<std::string>& columns);
+
+  void cell(std::string_view text);
+  /// In the fewest digits that suffice.
+  void number(double value);
+  /// In 17 significant digits, without trailing zeros.
+  void long_number(double value);
+  /// std::logic_error if the row has another number of cells than the header.
+  void end_row();
+
+  [[nodiscard]] std::string text() && { return std::move(text_); }
+
+ private:
+  void separate();
+
+  std::string text_;
+  std::size_t columns_;
+  std::size_t cells_ = 0;  ///< Of the row so far.
+};
+
+}  // namespace talus::records

@@ -1,0 +1,99 @@
+#include "verification/record/figure_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "verification/record/error.hpp"
+
+namespace talus::records {
+namespace {
+
+/// A column that a series names, and where its numbers go.
+struct Source {
+  std::size_t column = 0;
+  std::vector<double>* into = nullptr;
+};
+
+std::vector<Source> sources_of(Series& series, const Csv& csv) {
+  std::vector<Source> sources;
+  const auto add = [&](const std::string& name, std::vector<double>& into) {
+    into.clear();
+    if (!name.empty()) sources.push_back({csv.column(name), &into});
+  };
+  add(series.columns.x, series.x);
+  add(series.columns.y, series.y);
+  add(series.columns.y_low, series.y_low);
+  add(series.columns.y_high, series.y_high);
+  add(series.columns.value, series.values);
+  add(series.columns.radius, series.radius);
+  add(series.style == Style::shapes ? "line" : "", series.line);
+  return sources;
+}
+
+}  // namespace
+
+std::string csv_of(const Figure& figure) {
+  const auto any = [&](const std::vector<double> Series::*numbers) {
+    return std::any_of(figure.series.begin(), figure.series.end(),
+                       [&](const Series& series) { return !(series.*numbers).empty(); });
+  };
+  const bool bars = any(&Series::y_low), values = any(&Series::values);
+  std::vector<std::string> columns{"series", "x", "y"};
+  if (bars) columns.insert(columns.end(), {"y_low", "y_high"});
+  if (values) columns.emplace_back("value");
+  CsvText text{columns};
+  for (const Series& series : figure.series) {
+    const bool own_bars = !series.y_low.empty();
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      text.cell(series.columns.where);
+      text.long_number(series.x[i]);
+      text.long_number(series.y[i]);
+      if (bars) {
+        text.long_number(own_bars ? series.y_low[i] : series.y[i]);
+        text.long_number(own_bars ? series.y_high[i] : series.y[i]);
+      }
+      if (values) text.long_number(series.values.empty() ? 0.0 : series.values[i]);
+      text.end_row();
+    }
+  }
+  return std::move(text).text();
+}
+
+void read_points(Figure& figure, const Csv& csv, Rows rows) {
+  std::vector<bool> used(csv.rows(), false);
+  for (Series& series : figure.series) {
+    const std::vector<Source> sources = sources_of(series, csv);
+    const std::string& where = series.columns.where;
+    const std::size_t kind = where.empty() ? 0 : csv.column("series");
+    for (std::size_t row = 0; row < csv.rows(); ++row) {
+      if (!where.empty() && csv.cell(row, kind) != where) continue;
+      used[row] = true;
+      for (const Source& source : sources)
+        source.into->push_back(csv.number(row, source.column));
+    }
+    if (series.x.empty()) {
+      throw RecordError(fmt::format("{}: figure '{}': series '{}' (columns '{}', '{}'{}) has no row",
+                                    csv.file().string(), figure.name, series.label, series.columns.x, series.columns.y,
+                                    where.empty() ? "" : ", series = '" + where + "'"));
+    }
+  }
+  const auto stray = std::find(used.begin(), used.end(), false);
+  if (rows == Rows::all && stray != used.end()) {
+    const auto row = static_cast<std::size_t>(stray - used.begin());
+    throw RecordError(fmt::format("{}:{}: found a row of '{}', which is no series of figure '{}'", csv.file().string(),
+                                  csv.line(row), csv.cell(row, 0), figure.name));
+  }
+}
+
+void read_points(Figure& figure, const std::filesystem::path& folder, Rows rows) {
+  try {
+    read_points(figure, read_csv(folder / figure.csv), rows);
+  } catch (const FileError& fault) {
+    throw RecordError(fault.what());
+  }
+}
+
+}  // namespace talus::records

@@ -1,0 +1,75 @@
+/// Strict reading of JSON. Heavy: include it in .cpp files only.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "verification/record/error.hpp"
+
+namespace talus::records {
+
+/// Keys keep the order of the file.
+using Json = nlohmann::ordered_json;
+
+/// The JSON document in a file. FileError if the file cannot be read; RecordError if it is empty or not JSON.
+[[nodiscard]] Json read_json(const std::filesystem::path& file);
+
+/// A JSON value and its place, e.g. "results.json: results.cases[0].checks[2]". Each access throws RecordError with the
+/// place, what was found and what is allowed if the value is not of the kind asked for. The document must outlive it.
+class Node {
+ public:
+  Node(const Json& value, std::string place) : value_(&value), place_(std::move(place)) {}
+
+  /// Throws RecordError: the place, then `what`.
+  [[noreturn]] void complain(const std::string& what) const;
+  /// The same for a part of this value, e.g. "series[1].colour"; empty: the value itself.
+  [[noreturn]] void complain_of(const std::string& part, const std::string& what) const;
+  /// Throws RecordError: "must be ALLOWED, found VALUE", a long value cut short.
+  [[noreturn]] void refuse(const std::string& allowed) const;
+
+  /// Whether this object holds `key` with a value other than null.
+  [[nodiscard]] bool has(const char* key) const;
+  /// The member of an object; RecordError if it is missing or null.
+  [[nodiscard]] Node at(const char* key) const;
+  [[nodiscard]] bool is_null(const char* key) const;
+
+  [[nodiscard]] std::string text() const;
+  /// A text that is not empty or blank.
+  [[nodiscard]] std::string words() const;
+  /// One of these texts.
+  [[nodiscard]] std::string one_of(const std::vector<std::string>& allowed) const;
+  /// A file name that cannot lead out of its folder.
+  [[nodiscard]] std::string file_name() const;
+  /// Any number; those that are not finite by the names of json_number().
+  [[nodiscard]] double number() const;
+  [[nodiscard]] double finite() const;
+  [[nodiscard]] int integer() const;
+  /// A whole number >= 0.
+  [[nodiscard]] std::uint64_t count() const;
+  [[nodiscard]] bool flag() const;
+  [[nodiscard]] std::vector<Node> list() const;
+  /// The members of an object in the order of the file.
+  [[nodiscard]] std::vector<std::pair<std::string, Node>> members() const;
+  [[nodiscard]] std::vector<std::string> texts() const;
+
+  // Members that may be absent.
+  [[nodiscard]] std::string text_or_empty(const char* key) const { return has(key) ? at(key).text() : std::string{}; }
+  [[nodiscard]] bool flag_or_false(const char* key) const { return has(key) && at(key).flag(); }
+  [[nodiscard]] std::vector<Node> list_or_empty(const char* key) const {
+    return has(key) ? at(key).list() : std::vector<Node>{};
+  }
+
+  [[nodiscard]] const Json& json() const { return *value_; }
+
+ private:
+  void demand_object() const;
+
+  const Json* value_;
+  std::string place_;
+};
+
+}  // namespace talus::records

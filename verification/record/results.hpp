@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "verification/record/case_record.hpp"
+
+namespace talus::records {
+
+/// Where results come from: enough to make them again.
+struct Provenance {
+  std::string revision;                                        ///< Git commit of the sources, or "unknown".
+  bool dirty = false;                                          ///< The sources differ from that commit.
+  std::string compiler;                                        ///< Name and version.
+  std::string flags;                                           ///< Options that the code was compiled with.
+  std::string build_type;                                      ///< "Release", "Debug", ...
+  std::string cpu;                                             ///< Model name.
+  unsigned cores = 0;                                          ///< Processors that the process may use.
+  std::string os;                                              ///< Distribution and kernel.
+  std::vector<std::pair<std::string, std::string>> libraries;  ///< Name and version.
+  std::string date;                                            ///< UTC, ISO 8601; see epoch_seconds().
+};
+
+/// Seconds since 1970 of an ISO date such as 2026-03-01T12:00:00Z (UTC; the time may be absent). RecordError for any
+/// other text.
+[[nodiscard]] long long epoch_seconds(const std::string& iso_date);
+
+/// Numbers of cases, checks and controls.
+struct Counts {
+  std::size_t cases = 0;
+  std::size_t passed = 0;
+  std::size_t failed = 0;
+  std::size_t checks = 0;
+  std::size_t checks_failed = 0;
+  std::size_t slack = 0;   ///< Checks whose bound was chosen and is fifty times the error.
+  std::size_t exempt = 0;  ///< Exact and round-off checks: their bound was not chosen, it is never called slack.
+  std::size_t controls = 0;
+  std::size_t controls_failed = 0;
+};
+
+/// The checks of one case that touch a requirement.
+struct ShownBy {
+  std::string case_id;
+  std::vector<std::string> checks;
+};
+
+/// Something that must be shown to work, and the checks that show it.
+struct Requirement {
+  std::string id;
+  std::string group;
+  std::string text;               ///< One line.
+  std::vector<ShownBy> shown_by;  ///< A case that claims it stands here even without a check.
+  int order = 0;                  ///< The order that an integrator declares; 0 for all else.
+};
+
+/// A check that another code or a published benchmark set makes, and the cases that show the same.
+struct Peer {
+  std::string suite;                  ///< Key of a work in the bibliography.
+  std::string id;                     ///< Its name there.
+  std::string what;                   ///< The set-up.
+  std::string form;                   ///< What it is compared with.
+  std::vector<std::string> problems;  ///< Ids of requirements.
+  std::string remark;
+  std::vector<std::string> cases;
+};
+
+/// An error of a printed source that a case proves.
+struct Erratum {
+  std::string id;
+  std::string where;
+  std::string printed;
+  std::string corrected;
+  std::string evidence;
+  std::string case_id;
+};
+
+/// All that one run of the driver found; `results.json`.
+struct Results {
+  Provenance provenance;
+  Tier tier = Tier::quick;
+  std::vector<std::string> registered;  ///< Ids of all cases.
+  std::vector<std::string> selected;    ///< Ids of those that were to run.
+  std::vector<std::string> only{};      ///< Ids that --only named; empty: all of the tier.
+  std::vector<Record> records;          ///< One for each selected case.
+  std::vector<Requirement> requirements;
+  std::vector<std::string> families;  ///< Of cases, in the order of the report.
+  std::vector<Erratum> errata;
+  std::vector<Peer> peers;
+  std::string bibliography;  ///< The works that are cited, in BibTeX; may be empty.
+};
+
+[[nodiscard]] Counts counts_of(const Results& results);
+
+/// True if something was run, each selected case left one record, in that order, and each of these passed.
+[[nodiscard]] bool holds(const Results& results);
+
+}  // namespace talus::records

@@ -1,0 +1,105 @@
+/// The fields of results.json, schema 1; see json_fields.hpp.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "verification/record/case_fields.hpp"
+#include "verification/record/results.hpp"
+
+namespace talus::records {
+
+void fields(auto& f, Like<Provenance> auto& provenance) {
+  f.value("revision", provenance.revision);
+  f.value("dirty", provenance.dirty);
+  f.value("compiler", provenance.compiler);
+  f.value("flags", provenance.flags);
+  f.value("build_type", provenance.build_type);
+  f.value("cpu", provenance.cpu);
+  f.value("cores", provenance.cores);
+  f.value("os", provenance.os);
+  f.value("libraries", provenance.libraries);
+  f.words("date", provenance.date);
+}
+
+/// The date must be one.
+void demand_sound(const Node& node, const Provenance& provenance);
+
+void fields(auto& f, Like<Counts> auto& counts) {
+  f.value("cases", counts.cases);
+  f.value("passed", counts.passed);
+  f.value("failed", counts.failed);
+  f.value("checks", counts.checks);
+  f.value("checks_failed", counts.checks_failed);
+  f.value("slack", counts.slack);
+  f.value("exempt", counts.exempt);
+  f.value("controls", counts.controls);
+  f.value("controls_failed", counts.controls_failed);
+}
+
+void fields(auto& f, Like<ShownBy> auto& shown) {
+  f.words("case", shown.case_id);
+  f.value("checks", shown.checks);
+}
+
+void fields(auto& f, Like<Requirement> auto& requirement) {
+  f.words("id", requirement.id);
+  f.words("group", requirement.group);
+  f.value("text", requirement.text);
+  f.place("cases");
+  f.place("checks");
+  f.value("shown_by", requirement.shown_by);
+  f.value_if(requirement.order > 0, "order", requirement.order);
+  std::vector<std::string> cases;
+  std::size_t checks = 0;
+  for (const ShownBy& shown : requirement.shown_by) {
+    cases.push_back(shown.case_id);
+    checks += shown.checks.size();
+  }
+  f.derived("cases", cases, ", those of shown_by");
+  f.derived("checks", checks, ", the number of those in shown_by");
+}
+
+void fields(auto& f, Like<Peer> auto& peer) {
+  f.words("suite", peer.suite);
+  f.words("id", peer.id);
+  f.words("what", peer.what);
+  f.words("form", peer.form);
+  f.value("problems", peer.problems);
+  f.value("remark", peer.remark);
+  f.value("cases", peer.cases);
+}
+
+void fields(auto& f, Like<Erratum> auto& erratum) {
+  f.words("id", erratum.id);
+  f.value("where", erratum.where);
+  f.value("printed", erratum.printed);
+  f.value("corrected", erratum.corrected);
+  f.value("evidence", erratum.evidence);
+  f.value("case", erratum.case_id);
+}
+
+void fields(auto& f, Like<Results> auto& results) {
+  f.derived("schema", schema);
+  f.value("provenance", results.provenance);
+  f.value("tier", results.tier);
+  f.value("registered", results.registered);
+  f.value("selected", results.selected);
+  f.place("counts");
+  f.place("verdict");
+  f.value("requirements", results.requirements);
+  f.value("families", results.families);
+  f.value("cases", results.records);
+  f.value("errata", results.errata);
+  f.value("peers", results.peers);
+  f.value_if(!results.bibliography.empty(), "bibliography", results.bibliography);
+  f.value_if(!results.only.empty(), "only", results.only);
+  f.derived("counts", counts_of(results), ", which the cases hold");
+  f.derived("verdict", std::string(holds(results) ? "pass" : "fail"), ", which follows from the cases");
+}
+
+/// Each selected case is registered and has one record, and each family of a case is listed.
+void demand_sound(const Node& node, const Results& results);
+
+}  // namespace talus::records

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "verification/check/findings.hpp"
+
+/// Checks of many numbers at once, by the one that is worst.
+namespace talus::verification::problems {
+
+/// Keeps the error of larger size in `worst`, with its sign. A NaN stays, whatever comes after it.
+inline void keep_worst(double& worst, double error) {
+  if (!std::isnan(worst) && !(std::abs(error) <= std::abs(worst))) worst = error;
+}
+
+/// The worst of measured - reference, component by component; both are equally long.
+[[nodiscard]] inline double worst_error(const std::vector<double>& measured, const std::vector<double>& reference) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < reference.size(); ++i)
+    keep_worst(worst, measured.at(i) - reference[i]);
+  return worst;
+}
+
+/// Compares each of `measured` with its reference: one check of the worst difference.
+inline bool expect_each(Findings& findings, std::string name, const std::vector<double>& measured,
+                        const std::vector<double>& reference, const Tolerance& tolerance, std::string unit = "1") {
+  return findings.expect(std::move(name), worst_error(measured, reference), 0.0, tolerance, std::move(unit));
+}
+
+/// Of two ratios the one farther from 1; a NaN stays.
+[[nodiscard]] inline double farther_from_one(double ratio, double other) {
+  return std::isnan(ratio) || std::abs(other - 1.0) < std::abs(ratio - 1.0) ? ratio : other;
+}
+
+/// Holds the last of the errors against constant step^order. What its ratio lacks of 1 must have fallen as the next
+/// power of the error does, by 2^power from that of the last but one, at twice the step; `floor` is what the prediction
+/// itself is integrated to.
+inline void expect_constant(Findings& findings, const std::string& name, const Convergence& errors, double constant,
+                            int order, int power, double floor) {
+  const auto off = [&](std::size_t i) { return errors.errors()[i] / (constant * std::pow(errors.steps()[i], order)); };
+  const std::size_t last = errors.size() - 1;
+  findings.expect("error over its prediction, " + name, off(last), 1.0,
+                  Tolerance::truncation(std::max(std::abs(off(last - 1) - 1.0) / std::pow(2.0, power), floor),
+                                        power == 1 ? 1.5 : 2.0,
+                                        "what is left at twice the step falls by 2 to the next power of the error: a "
+                                        "constant that is another stays. At least what the prediction itself is "
+                                        "integrated to"));
+}
+
+}  // namespace talus::verification::problems
