@@ -1,7 +1,6 @@
 #include "solver/dynamics/contact_forces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -10,6 +9,7 @@
 
 #include "solver/dynamics/gap_update.hpp"
 #include "solver/dynamics/law_modes.hpp"
+#include "solver/dynamics/starting_impacts.hpp"
 
 namespace talus {
 namespace {
@@ -326,100 +326,6 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
   });
 }
 
-namespace {
-
-/// A contact whose dashpot follows from the effective mass, as its impact begins.
-struct Impact {
-  const ContactGroup* group{};
-  std::size_t instance{};
-  double closing{};  ///< u [L/T]
-  double mass{};     ///< p/u [M]
-  bool coupled{};    ///< solved for with the others
-};
-
-/// The impacts that begin at one time; of more each is taken by itself.
-constexpr std::size_t most_impacts = 12;
-
-struct Impacts {
-  std::array<Impact, most_impacts> each{};
-  std::size_t count{};
-};
-
-/// Rate at which one impact's bodies part for a unit impulse at another [1/M]: over the bodies that both have, of which
-/// the impulse acts on A against the normal and on B along it.
-double coupling(const PointMobility& mobility, const Workspace& work, const Impact& one, const Impact& other) {
-  const Gap &here = work.gaps[one.instance], &there = work.gaps[other.instance];
-  double sum = 0.0;
-  for (const auto& [body, sign] : {std::pair{one.group->a, 1.0}, {one.group->b, -1.0}}) {
-    for (const auto& [same, same_sign, share] :
-         {std::tuple{other.group->a, 1.0, other.group->share_a}, {other.group->b, -1.0, other.group->share_b}}) {
-      if (body != same) continue;
-      sum += sign * same_sign * share *
-             mobility.between(body, work.poses[index(body)], {here.p_WC, here.n_AB}, {there.p_WC, there.n_AB});
-    }
-  }
-  return sum;
-}
-
-/// Impulses that stop the closing speeds of the coupled impacts together: A p = u. False if A is singular.
-bool stopping_impulses(const PointMobility& mobility, const Workspace& work, const Impacts& impacts,
-                       std::array<double, most_impacts>& p) {
-  std::array<std::size_t, most_impacts> of{};
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < impacts.count; ++i)
-    if (impacts.each[i].coupled) of[n++] = i;
-  std::array<std::array<double, most_impacts + 1>, most_impacts> a{};
-  double largest = 0.0;  // on the diagonal
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j)
-      a[i][j] = coupling(mobility, work, impacts.each[of[i]], impacts.each[of[j]]);
-    a[i][n] = impacts.each[of[i]].closing;
-    largest = std::max(largest, a[i][i]);
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < n; ++i)
-      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-    std::swap(a[k], a[pivot]);
-    if (!(std::abs(a[k][k]) > 1e-12 * largest)) return false;
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const double factor = a[i][k] / a[k][k];
-      for (std::size_t j = k; j <= n; ++j)
-        a[i][j] -= factor * a[k][j];
-    }
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    double sum = a[i][n];
-    for (std::size_t j = i + 1; j < n; ++j)
-      sum -= a[i][j] * p[of[j]];
-    p[of[i]] = sum / a[i][i];
-  }
-  return true;
-}
-
-/// The effective masses of impacts that begin together.
-void find_masses(const PointMobility& mobility, const Workspace& work, Impacts& impacts) {
-  for (std::size_t i = 0; i < impacts.count; ++i) {
-    Impact& impact = impacts.each[i];
-    const double own = coupling(mobility, work, impact, impact);
-    impact.mass = own > 0.0 ? 1.0 / own : 0.0;
-    impact.coupled = own > 0.0 && impact.closing > 0.0;
-  }
-  // An impact that the others stop needs no impulse among them: it has the mass of a single impact.
-  for (bool all = false; !all;) {
-    std::array<double, most_impacts> p{};
-    if (!stopping_impulses(mobility, work, impacts, p)) return;
-    all = true;
-    for (std::size_t i = 0; i < impacts.count; ++i) {
-      if (impacts.each[i].coupled && !(p[i] > 0.0)) impacts.each[i].coupled = all = false;
-    }
-    for (std::size_t i = 0; all && i < impacts.count; ++i)
-      if (impacts.each[i].coupled) impacts.each[i].mass = p[i] / impacts.each[i].closing;
-  }
-}
-
-}  // namespace
-
 /// Starts the memory of laws that depend on the effective mass, of the instances that begin to touch: m = p/u, with p
 /// the impulse that stops the closing speed u there. Those that begin together (both ends of a side that lands flat, a
 /// rock between two columns) stop each other's, too: A p = u, with A the mobilities between them. A side that lands
@@ -427,7 +333,7 @@ void find_masses(const PointMobility& mobility, const Workspace& work, Impacts& 
 /// half the speed of the second, so that the smallest tilt makes no other restitution.
 void ContactForces::start_contacts(State& state, const Workspace& work) const {
   if (!work.any_near) return;
-  Impacts impacts;
+  StartingImpacts impacts;
   std::size_t begun = 0;
   const auto for_each_impact = [&](auto&& visit) {
     for_each_array(laws_, [&](const auto& array) {
@@ -454,22 +360,16 @@ void ContactForces::start_contacts(State& state, const Workspace& work) const {
     });
   };
   for_each_impact([&](const auto&, Slot slot, const ContactGroup& group) {
-    if (begun < most_impacts) impacts.each[begun] = {&group, slot.mode, work.rates[slot.mode]};
+    if (begun < impacts.each.size()) impacts.each[begun] = {&group, slot.mode, work.rates[slot.mode]};
     ++begun;
   });
   if (begun == 0) return;
-  const bool together = begun <= most_impacts;
+  const bool together = begun <= impacts.each.size();
   if (together) impacts.count = begun, find_masses(mobility_, work, impacts);
   std::size_t next = 0;
   for_each_impact([&](const auto& law, Slot slot, const ContactGroup& group) {
-    double mass = 0.0;
-    if (together) {
-      mass = impacts.each[next++].mass;
-    } else {
-      const Impact alone{&group, slot.mode};
-      const double own = coupling(mobility_, work, alone, alone);
-      mass = own > 0.0 ? 1.0 / own : 0.0;
-    }
+    const double mass =
+        together ? impacts.each[next++].mass : single_mass(mobility_, work, {.group = &group, .instance = slot.mode});
     law.start_contact(memory(law, state, slot), mass);
   });
 }
