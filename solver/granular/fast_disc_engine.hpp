@@ -156,6 +156,7 @@ class FastDiscEngine {
     ContactMemory memory;
   };
 
+  /// Calls work(stripe) for each stripe, by its own thread if there are several.
   template <class Work>
   void each(Work&& work);
   void sweep(double kick, double drift);
@@ -233,6 +234,16 @@ class FastDiscEngine {
   std::vector<Vec2> wall_forces_;  ///< the first of no wall
   long builds_{}, prunings_{}, evaluations_{};
 };
+
+template <class Work>
+void FastDiscEngine::each(Work&& work) {
+  if (team_ != nullptr) {
+    team_->each([&](std::size_t k) { work(stripes_[k]); });
+  } else {
+    for (Stripe& stripe : stripes_)
+      work(stripe);
+  }
+}
 
 template <class After>
 void FastDiscEngine::advance(Discs& discs, double h, long steps, After&& after) {
