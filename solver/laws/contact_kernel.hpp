@@ -18,8 +18,9 @@ namespace talus {
 ///                                        [F L/T] and what settle() releases [F L], from the force now and at the
 ///                                        evaluation before (< 0: the contact is new, 0: it was there without pushing)
 ///
-/// Number is double, or a pack of them that are evaluated side by side, each as it would be alone; numbers are passed by
-/// reference because compilers hand over wide packs in different ways. A test holds each law of DiscLaws to its modes.
+/// Number is double, or a pack of them that are evaluated side by side, each as it would be alone. They are passed by
+/// reference because compilers pass wide packs in different ways. A test compares the kernel of each law of DiscLaws
+/// with its modes, bit by bit.
 ///
 /// This one is the kernel of every OneSided law: a spring and a dashpot side by side,
 ///

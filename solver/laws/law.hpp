@@ -13,16 +13,17 @@
 
 namespace talus {
 
-/// A law of force along one line: a small value that turns kinematics, memory and mode into a force. It sees no body, no
-/// time step and no other law, remembers nothing itself, and is smooth inside a mode. This page is its contract. A law
-/// with a hook of one of these names but another signature does not compile (HooksAreWellFormed).
+/// A law of force along one line: a small value that turns kinematics, memory and mode into a force. It sees no body,
+/// no time step and no other law, remembers nothing itself, and is smooth inside a mode. This page is its contract. A
+/// law with a hook of one of these names but another signature does not compile (HooksAreWellFormed).
 ///
 /// Required of every law
 ///   name                          its name in scenes
 ///   modes                         the names of its modes; mode 0 is "not acting", mode 1 that of a contact that is
 ///                                 pressed, or of a cable that is stretched
 ///   memory_size                   number of doubles that it remembers, where the parameters do not decide it
-///   dissipation, release          mechanisms of the work of its dissipative force, and of the energy that resets release
+///   dissipation, release          mechanisms of the work of its dissipative force, and of the energy that resets
+///                                 release
 ///   fields()                      its parameters with dimension, range and meaning
 ///   acts(mode)                    static: whether it exerts a force in the mode
 ///   law(x, memory, mode)          the force [F]; evaluated twice it gives the same bits
@@ -34,41 +35,43 @@ namespace talus {
 /// Optional, of every law
 ///   orders()                      pairs of parameters of which one is at least the other
 ///   memory_count()                number of doubles in place of memory_size, where the parameters decide it
-///   track(x, memory, mode)        updates memory that follows the motion within a mode, such as a maximum, and
+///   track(x, memory, mode)        updates memory that follows the motion within a mode, such as a maximum; with
 ///   memory_follows(mode)          static: whether there is such memory in the mode
 ///   linear_part(memory, mode)     slopes [F/L, F T/L] in a mode; only if in every mode the force is linear in
 ///                                 deformation and rate
-///   linear_piece(memory, mode)    the straight line that it is in a mode, where the rate has no part in it; of laws with
-///                                 at most one double of memory. Chains of cables are then evaluated without the law
+///   linear_piece(memory, mode)    the straight line that it is in a mode, if the force does not depend on the rate; of
+///                                 laws with at most one double of memory. Chains of cables are then evaluated without
+///                                 the law
 ///
 /// Optional, of cables
-///   natural_elongation(memory)    elongation at which it is just slack [L]
-///   yields(mode)                  static: whether it is drawn out in the mode; with natural_elongation, which grows then,
-///                                 and
+///   natural_elongation(memory)    elongation at which it is just slack [L]; 0 with memory 0
+///   yields(mode)                  static: whether it is drawn out in the mode, where natural_elongation grows; with
 ///   largest_yield()               the largest tension that it has there [F]
-///   is_broken(mode)               static: whether it carries nothing for good
+///   is_broken(mode)               static: whether it exerts no force any more, whatever follows
 ///
 /// Optional, of contacts
-///   reach()                       how far apart the surfaces may be where it acts [L] >= 0. Without it, it acts between
-///                                 surfaces that touch only
-///   start_contact(memory, m_eff)  sets memory when the bodies touch, before the first reset, by the effective mass along
-///                                 the normal [M]; only called while memory_count() > 0; and
+///   reach()                       largest gap at which it acts [L] >= 0. Without this hook it acts only between
+///                                 surfaces that touch
+///   start_contact(memory, m_eff)  sets memory when the bodies touch, before the first reset, by the effective mass
+///                                 along the normal [M]; only called while memory_count() > 0; with
 ///   tangent(m_eff)                tangent() of a contact of that effective mass
 ///   retardation_time(memory)      c/k of a spring and dashpot [T]; friction that sticks has the same by default
-///   contact_time(m_eff)           how long a slow impact of that effective mass lasts [T]; infinite if it does not end,
+///   contact_time(m_eff)           duration of a slow impact of that effective mass [T]; infinite if it does not end;
+///                                 with
 ///   restitution(m_eff)            the ratio of speeds after and before it, and
 ///   largest_overlap(m_eff, speed) its largest overlap at that speed of approach [L]
-///   restitution_field             static: the parameter that sets the restitution, and
+///   restitution_field             static: the parameter that sets the restitution; with
 ///   set_restitution(e, m_eff)     sets that parameter, for impacts of that effective mass, e in (0, 1]
-///   set_every_restitution(e)      the same whatever the effective mass; with these two
+///   set_every_restitution(e)      the same whatever the effective mass; only with these two
 ///
 /// Optional, of contacts between discs: one of two
-///   is_clamped()                  the law is one-sided: without memory, in mode 1 k overlap + c rate with the slopes of
-///                                 linear_part({}, 1), as long as the surfaces overlap (false) or that is positive (true)
+///   is_clamped()                  the law is one-sided: without memory, and in mode 1 k overlap + c rate, the slopes
+///                                 those of linear_part({}, 1). It acts as long as the surfaces overlap (false) or that
+///                                 is positive (true)
 ///   needs_rate(), force(..), dissipated_power(..) or hysteresis_loss(..)
 ///                                 its contact kernel, written by hand (laws/contact_kernel.hpp)
 ///
-/// Optional parameters that others ask for
+/// Optional parameters, which readers and writers of files treat by their names
 ///   end_rule (EndRule), damping (double) [F T/L], damping_ratio (double), table (std::vector<YieldPoint>)
 template <class L>
 concept HasLawParts = std::equality_comparable<L> &&
@@ -153,7 +156,7 @@ concept SetsEveryRestitution = SetsRestitution<L> && requires(L law, double e) {
   { law.set_every_restitution(e) } -> std::same_as<void>;
 };
 template <class L>
-concept OneSided = L::memory_size == 0 && HasLinearPart<L> && requires(const L law) {
+concept OneSided = L::memory_size == 0 && HasLinearPart<L>&& requires(const L law) {
   { law.is_clamped() } -> std::same_as<bool>;
 };
 /// Parts of a contact kernel: of laws without memory its power, of others what a contact has lost.
@@ -192,81 +195,60 @@ concept HasYieldTable = requires(L law) {
   { law.table } -> std::same_as<std::vector<YieldPoint>&>;
 };
 
-/// Of each optional hook, whether a type that names it has it with the signature of the page above, and with those that
-/// go with it. A name is found whatever it is of: beside another of that name it is ambiguous.
+// clang-format off
+/// The optional hooks, each with the concept of its signature and of those that go with it.
+#define TALUS_LAW_HOOKS(HOOK)                         \
+  HOOK(orders, HasOrders)                             \
+  HOOK(memory_count, CountsMemory)                    \
+  HOOK(track, Tracks)                                 \
+  HOOK(memory_follows, Tracks)                        \
+  HOOK(linear_part, HasLinearPart)                    \
+  HOOK(linear_piece, HasLinearPiece)                  \
+  HOOK(natural_elongation, HasNaturalElongation)      \
+  HOOK(yields, Yields)                                \
+  HOOK(largest_yield, Yields)                         \
+  HOOK(is_broken, Breaks)                             \
+  HOOK(reach, ActsAtDistance)                         \
+  HOOK(start_contact, StartsByMass)                   \
+  HOOK(retardation_time, HasRetardationTime)          \
+  HOOK(contact_time, KnowsImpacts)                    \
+  HOOK(restitution, KnowsImpacts)                     \
+  HOOK(largest_overlap, KnowsImpacts)                 \
+  HOOK(restitution_field, SetsRestitution)            \
+  HOOK(set_restitution, SetsRestitution)              \
+  HOOK(set_every_restitution, SetsEveryRestitution)   \
+  HOOK(is_clamped, OneSided)                          \
+  HOOK(needs_rate, IsKernel)                          \
+  HOOK(force, IsKernel)                               \
+  HOOK(dissipated_power, IsKernel)                    \
+  HOOK(hysteresis_loss, IsKernel)                     \
+  HOOK(end_rule, HasEndRule)                          \
+  HOOK(damping, HasDamping)                           \
+  HOOK(damping_ratio, HasDampingRatio)                \
+  HOOK(table, HasYieldTable)
+
+/// For each hook a concept: the law has it with the right signature, or has no member of its name at all. A name is
+/// found even if it is private or of another kind: in a class that also inherits it from elsewhere it is ambiguous.
 namespace hook {
 
 template <class L, class Other>
 struct Beside : L, Other {};
 
-// clang-format off
 #define TALUS_HOOK(NAME, IS)                              \
   struct Other_##NAME { int NAME; };                      \
   template <class L>                                      \
   concept NAME = IS<L> || requires { &Beside<L, Other_##NAME>::NAME; };
-// clang-format on
-TALUS_HOOK(orders, HasOrders)
-TALUS_HOOK(memory_count, CountsMemory)
-TALUS_HOOK(track, Tracks)
-TALUS_HOOK(memory_follows, Tracks)
-TALUS_HOOK(linear_part, HasLinearPart)
-TALUS_HOOK(linear_piece, HasLinearPiece)
-TALUS_HOOK(natural_elongation, HasNaturalElongation)
-TALUS_HOOK(yields, Yields)
-TALUS_HOOK(largest_yield, Yields)
-TALUS_HOOK(is_broken, Breaks)
-TALUS_HOOK(reach, ActsAtDistance)
-TALUS_HOOK(start_contact, StartsByMass)
-TALUS_HOOK(retardation_time, HasRetardationTime)
-TALUS_HOOK(contact_time, KnowsImpacts)
-TALUS_HOOK(restitution, KnowsImpacts)
-TALUS_HOOK(largest_overlap, KnowsImpacts)
-TALUS_HOOK(restitution_field, SetsRestitution)
-TALUS_HOOK(set_restitution, SetsRestitution)
-TALUS_HOOK(set_every_restitution, SetsEveryRestitution)
-TALUS_HOOK(is_clamped, OneSided)
-TALUS_HOOK(needs_rate, IsKernel)
-TALUS_HOOK(force, IsKernel)
-TALUS_HOOK(dissipated_power, IsKernel)
-TALUS_HOOK(hysteresis_loss, IsKernel)
-TALUS_HOOK(end_rule, HasEndRule)
-TALUS_HOOK(damping, HasDamping)
-TALUS_HOOK(damping_ratio, HasDampingRatio)
-TALUS_HOOK(table, HasYieldTable)
+TALUS_LAW_HOOKS(TALUS_HOOK)
 #undef TALUS_HOOK
 
 }  // namespace hook
 
+#define TALUS_AND_HOOK(NAME, IS) && hook::NAME<L>
 template <class L>
-concept HooksAreWellFormed =
-    hook::orders<L> &&
-    hook::memory_count<L> &&
-    hook::track<L> &&
-    hook::memory_follows<L> &&
-    hook::linear_part<L> &&
-    hook::linear_piece<L> &&
-    hook::natural_elongation<L> &&
-    hook::yields<L> &&
-    hook::largest_yield<L> &&
-    hook::is_broken<L> &&
-    hook::reach<L> &&
-    hook::start_contact<L> &&
-    hook::retardation_time<L> &&
-    hook::contact_time<L> &&
-    hook::restitution<L> &&
-    hook::largest_overlap<L> &&
-    hook::restitution_field<L> &&
-    hook::set_restitution<L> &&
-    hook::set_every_restitution<L> &&
-    hook::is_clamped<L> &&
-    hook::needs_rate<L> &&
-    hook::force<L> &&
-    hook::dissipated_power<L> &&
-    hook::hysteresis_loss<L> &&
-    hook::end_rule<L> &&
-    hook::damping<L> &&
-    hook::damping_ratio<L> &&
-    hook::table<L>;
+concept HooksAreWellFormed = true TALUS_LAW_HOOKS(TALUS_AND_HOOK);
+#undef TALUS_AND_HOOK
+#undef TALUS_LAW_HOOKS
+// clang-format on
 
 template <class L>
 concept Law = HasLawParts<L> && HooksAreWellFormed<L>;

@@ -37,10 +37,11 @@ using ContactLaw = ContactLaws::Variant;
 /// Laws of cables.
 using CableLaws = LawList<TensionOnly, ElasticPlastic>;
 using CableLaw = CableLaws::Variant;
-/// Laws of contacts between discs, of which a shear cell asks for the time and the restitution of an impact.
+/// Laws of contacts between discs, of which a shear cell needs the duration and the restitution of an impact.
+template <class L>
+concept IsDiscLaw = HasContactKernel<L> && KnowsImpacts<L> && SetsRestitution<L>;
 template <Law... Laws>
-requires((HasContactKernel<Laws> && KnowsImpacts<Laws> && SetsRestitution<Laws>)&&...) using DiscLawList =
-    LawList<Laws...>;
+requires(IsDiscLaw<Laws>&&...) using DiscLawList = LawList<Laws...>;
 using DiscLaws = DiscLawList<LatchingSpring, LinearSpringDashpot>;
 using DiscLaw = DiscLaws::Variant;
 

@@ -41,8 +41,10 @@ struct ContactSide {
 /// Damping ratio xi = c/(2 sqrt(k m_eff)) of a linear spring and dashpot.
 [[nodiscard]] double damping_ratio_of(const Tangent& spring, double effective_mass);
 
-/// Time from touch to the end of the contact of a linear spring and dashpot [T]: pi/(w0 sqrt(1 - xi^2)) (attractive; infinite for xi >= 1) or
-/// 2 acos(xi)/(w0 sqrt(1 - xi^2)) (clamped, and its continuation).
+/// Time from touch to the end of the contact of a linear spring and dashpot [T], with w0 = sqrt(k/m_eff):
+///
+///   attractive   pi/(w0 sqrt(1 - xi^2));  infinite for xi >= 1
+///   clamped      2 acos(xi)/(w0 sqrt(1 - xi^2)), and its continuation beyond xi = 1
 [[nodiscard]] double contact_time(const Tangent& spring, EndRule rule, double effective_mass);
 
 /// Largest overlap of an impact at the given speed of approach [L]: (v/w0) exp(-xi acos(xi)/sqrt(1 - xi^2)), both
