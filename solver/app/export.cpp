@@ -23,7 +23,8 @@ struct ExportOptions {
   bool dashpot{false};
 };
 
-/// The cell's law as LAMMPS has it. Errors: InputError for a law that it does not have, unless a dashpot may replace it.
+/// The cell's law as LAMMPS has it. Errors: InputError for a law that LAMMPS does not have, unless --dashpot replaces
+/// it.
 LinearSpringDashpot linear_law(const ShearCell& cell, const ExportOptions& options) {
   if (const auto* linear = std::get_if<LinearSpringDashpot>(&cell.law)) return *linear;
   const double kept = cell.restitution();

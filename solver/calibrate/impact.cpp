@@ -118,7 +118,7 @@ Followed follow_impact(const Scene& scene, ContactId contact) {
 
 /// An impact in closed form, as a law knows it. Errors: InputError for a law that does not.
 struct KnownImpact {
-  double contact_time{};     ///< [T]
+  double contact_time{};  ///< [T]
   double restitution{};
   double largest_overlap{};  ///< [L]
 };
@@ -198,7 +198,8 @@ Impact simulate_impact(const ContactLaw& law, double effective_mass, double spee
   return simulate_impact(impact_scene(law, effective_mass, speed, step, phase, integrator), ContactId{0});
 }
 
-ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, double bound, const Integrator& integrator) {
+ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, double bound,
+                              const Integrator& integrator) {
   if (!(bound > 0.0)) throw InputError{fmt::format("error bound is {}; it must be > 0", bound)};
   const KnownImpact known = known_impact(law, effective_mass, 1.0);
   const double time = known.contact_time, exact = known.restitution;

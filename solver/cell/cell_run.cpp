@@ -145,14 +145,14 @@ long CellRun::free_steps() const {
     fastest = std::max(fastest, norm(Vec2{discs_.vx[i], discs_.vy[i]}));
   list.for_each_pair(discs_, [&](std::size_t i, std::size_t j, std::size_t, Vec2 d, const auto& shift) {
     const Vec2 v{discs_.vx[j] - discs_.vx[i] + shift.vx, discs_.vy[j] - discs_.vy[i]};
-    const double radii = within, gap = norm(d) - radii, nearing = -dot(d, v);
+    const double gap = norm(d) - within, nearing = -dot(d, v);
     if (!(gap > 0.0)) {
       time = 0.0;
     } else if (j >= first_block_disc(cell_)) {
       const double speed = norm(v);
       time = std::min(time, 2.0 * gap / (speed + std::sqrt(speed * speed + 2.0 * cell_.gravity * gap)));
     } else if (nearing > 0.0) {
-      const double room = dot(d, d) - radii * radii, root = nearing * nearing - dot(v, v) * room;
+      const double room = dot(d, d) - within * within, root = nearing * nearing - dot(v, v) * room;
       if (root >= 0.0) time = std::min(time, room / (nearing + std::sqrt(root)));
     }
   });

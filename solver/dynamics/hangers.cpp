@@ -139,9 +139,8 @@ bool CableForces::chain_parted(const State& state, const Workspace& work) const 
   for (const Chain& chain : work.rigging.chains) {
     if (!chain.carries) continue;
     for (const std::size_t c : chain.cables) {
-      visit_cable(laws_, places_[c], [&]<class L>(const L&, Slot slot) {
-        parted = parted || is_broken<L>(state.mode[slot.mode]);
-      });
+      visit_cable(laws_, places_[c],
+                  [&]<class L>(const L&, Slot slot) { parted = parted || is_broken<L>(state.mode[slot.mode]); });
     }
   }
   return parted;

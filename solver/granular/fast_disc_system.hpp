@@ -55,27 +55,27 @@ class FastDiscSystem : public FastDiscEngine {
   /// as the discs stand now.
   template <class Visit>
   void for_each_contact(const Discs& discs, Visit&& visit) const {
-    for_each_touching_pair(discs, [&](std::size_t a, std::size_t b, const NeighbourList::Shift& shift,
-                                      const ContactMemory& then) {
-      const Vec2 d{(discs.x[b] + shift.x) - discs.x[a], (discs.y[b] + shift.y) - discs.y[a]};
-      const Vec2 v{(discs.vx[b] + shift.vx) - discs.vx[a], discs.vy[b] - discs.vy[a]};
-      const double distance = norm(d);
-      const Vec2 n{d.x / distance, d.y / distance};
-      const Kinematics x{shapes().radius[a] + shapes().radius[b] - distance, -dot(v, n)};
-      if (!(x.extent > -reach(law_))) return;
-      std::array<double, 1> memory{then.largest};
-      const std::span<double> remembered{memory.data(), L::memory_size};
-      Mode mode = 1;  // of what touches; settling finds whether another has followed
-      talus::settle(law_, remembered, x, mode, [](double) {});
-      DiscContact contact{.a = a, .b = b, .depth = x.extent, .n_ab = n, .distance = distance};
-      contact.force = mode == 0 ? 0.0 : law_(x, remembered, mode).total();
-      contact.stored = law_.stored_energy(x, remembered, mode);
-      if constexpr (turns) {
-        contact.friction = friction_(then.stretch, contact.force);
-        contact.stored += friction_.stored_energy(then.stretch);
-      }
-      visit(contact);
-    });
+    for_each_touching_pair(
+        discs, [&](std::size_t a, std::size_t b, const NeighbourList::Shift& shift, const ContactMemory& then) {
+          const Vec2 d{(discs.x[b] + shift.x) - discs.x[a], (discs.y[b] + shift.y) - discs.y[a]};
+          const Vec2 v{(discs.vx[b] + shift.vx) - discs.vx[a], discs.vy[b] - discs.vy[a]};
+          const double distance = norm(d);
+          const Vec2 n{d.x / distance, d.y / distance};
+          const Kinematics x{shapes().radius[a] + shapes().radius[b] - distance, -dot(v, n)};
+          if (!(x.extent > -reach(law_))) return;
+          std::array<double, 1> memory{then.largest};
+          const std::span<double> remembered{memory.data(), L::memory_size};
+          Mode mode = 1;  // of what touches; settling finds whether another has followed
+          talus::settle(law_, remembered, x, mode, [](double) {});
+          DiscContact contact{.a = a, .b = b, .depth = x.extent, .n_ab = n, .distance = distance};
+          contact.force = mode == 0 ? 0.0 : law_(x, remembered, mode).total();
+          contact.stored = law_.stored_energy(x, remembered, mode);
+          if constexpr (turns) {
+            contact.friction = friction_(then.stretch, contact.force);
+            contact.stored += friction_.stored_energy(then.stretch);
+          }
+          visit(contact);
+        });
   }
 
  private:

@@ -14,9 +14,10 @@ std::string objection_to_reach(ContactMethod method, NodeDepth node_depth, const
                        name_of(node_depth), is_no_distance, name_of(NodeDepth::nearest));
   }
   if (!std::holds_alternative<Rectangle>(a) || !std::holds_alternative<Rectangle>(b)) return {};
-  return fmt::format("it acts at a distance, and the gap of a rectangle and a rectangle {}; give a superquadric, or "
-                     "contact by nodes",
-                     is_no_distance);
+  return fmt::format(
+      "it acts at a distance, and the gap of a rectangle and a rectangle {}; give a superquadric, or "
+      "contact by nodes",
+      is_no_distance);
 }
 
 }  // namespace talus

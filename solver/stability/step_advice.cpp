@@ -40,9 +40,9 @@ std::vector<SpringLabel> spring_labels(const Dynamics& dynamics) {
   return labels;
 }
 
-/// Time that an impact by this spring takes; for a cable, and for a law with more than one stiffness, half the period of
-/// its stiffest branch. A spring across which nothing can move (a cable that runs straight over its bodies' path) has no
-/// frequency and takes for ever.
+/// Duration of an impact by this spring [T]; for a cable, and for a law with more than one stiffness, half the period
+/// of its stiffest branch. A spring across which nothing can move (a cable that runs straight over its bodies' path)
+/// has no frequency: infinite.
 double duration(const SpringLabel& label, const Spring& spring) {
   if (!std::isfinite(spring.effective_mass)) return std::numeric_limits<double>::infinity();
   const double half_period = std::numbers::pi * std::sqrt(spring.effective_mass / spring.stiffness);

@@ -45,13 +45,12 @@ std::array<int, 2> read_nodes(SceneTable& table) {
   return {counts.front(), counts.back()};
 }
 
-/// The dashpot of friction that sticks. Without `shear_damping` a law with a retardation time c/k has the same along the
-/// surfaces as along the normal, as a viscoelastic solid has; other laws have none.
+/// The dashpot of friction that sticks. Without `shear_damping` a law with a retardation time c/k has the same along
+/// the surfaces as along the normal, as a viscoelastic solid has; other laws have none.
 void read_shear_damping(SceneTable& table, Contact& contact) {
   if (!contact.friction) return table.refuse("shear_damping", "without friction it has no use; leave it out");
   contact.friction->follows_normal =
-      !table.has("shear_damping") &&
-      std::visit([]<class L>(const L&) { return HasRetardationTime<L>; }, contact.law);
+      !table.has("shear_damping") && std::visit([]<class L>(const L&) { return HasRetardationTime<L>; }, contact.law);
   contact.friction->damping = table.quantity_or("shear_damping", dimension::damping, 0.0, Range::non_negative);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "solver/io/file/shown_title.hpp"
@@ -117,12 +118,12 @@ Contact between(const SceneContact& read, const Model& bodies) {
   const double mass = particle_mass(bodies, contact);
   std::visit(
       [&]<class L>(L& law) {
-        if constexpr (SetsRestitution<L>) {
-          L attractive = law;
-          if constexpr (HasEndRule<L>) attractive.end_rule = EndRule::attractive;
-          attractive.set_restitution(*read.restitution, mass);
-          if constexpr (HasEndRule<L>) attractive.end_rule = law.end_rule;
-          law = attractive;
+        if constexpr (SetsRestitution<L> && HasEndRule<L>) {
+          const EndRule rule = std::exchange(law.end_rule, EndRule::attractive);
+          law.set_restitution(*read.restitution, mass);
+          law.end_rule = rule;
+        } else if constexpr (SetsRestitution<L>) {
+          law.set_restitution(*read.restitution, mass);
         }
       },
       contact.law);

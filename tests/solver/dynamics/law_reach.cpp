@@ -49,7 +49,8 @@ BOOST_AUTO_TEST_CASE(gaps_are_evaluated_from_the_reach_of_the_law_on) {
 }
 
 BOOST_AUTO_TEST_CASE(a_law_that_acts_at_a_distance_needs_one) {
-  const Shape circle = Circle{1.0}, box = Rectangle{1.0, 2.0}, outline = Superquadric{1.0, 2.0, 3.0}, plane = HalfPlane{};
+  const Shape circle = Circle{1.0}, box = Rectangle{1.0, 2.0}, outline = Superquadric{1.0, 2.0, 3.0},
+              plane = HalfPlane{};
   for (const Shape& other : {circle, box, outline, plane})
     BOOST_TEST(objection_to_reach(ContactMethod::resultant, NodeDepth::nearest, circle, other).empty());
   for (const Shape& other : {circle, outline, plane})

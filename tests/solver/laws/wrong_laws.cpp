@@ -177,10 +177,10 @@ void refuse() {
 BOOST_AUTO_TEST_CASE(a_hook_with_a_wrong_signature_makes_no_law) {
   refuse<TracksWithoutMode, TracksButNeverSaysWhen, FollowsWithoutTracking, TracksAndChangesItself, TrackIsAMode,
          CountsInInt, OrdersOfAnother, PartOfTheMemoryAlone, PieceIsATangent, PieceOfTwoNumbers, ElongationOfTheMode,
-         YieldsWithoutElongation, YieldsWithoutLimit, BrokenIsAMode, BreaksByTheInstance, ReachIsAParameter, StartsWithoutTangent,
-         StartsWithoutMass, RetardsWithoutMemory, KnowsTheTimeAlone, KnowsNoMass, SetsNoField, FieldIsAName,
-         SetsEveryAlone, ClampedWithoutSlopes, KernelWithoutPower, KernelOfThePast, ForceByValue, EndRuleIsANumber,
-         DampingIsAFunction, RatioIsAFloat, TableWithoutYield, HiddenHook>();
+         YieldsWithoutElongation, YieldsWithoutLimit, BrokenIsAMode, BreaksByTheInstance, ReachIsAParameter,
+         StartsWithoutTangent, StartsWithoutMass, RetardsWithoutMemory, KnowsTheTimeAlone, KnowsNoMass, SetsNoField,
+         FieldIsAName, SetsEveryAlone, ClampedWithoutSlopes, KernelWithoutPower, KernelOfThePast, ForceByValue,
+         EndRuleIsANumber, DampingIsAFunction, RatioIsAFloat, TableWithoutYield, HiddenHook>();
 }
 
 BOOST_AUTO_TEST_CASE(a_law_without_a_part_is_none) { refuse<ActsIsUnknown, ForceIsADouble, Frictionless, int>(); }
