@@ -139,10 +139,12 @@ void make_pdf(const Document& d) {
     }
     return finished.output;
   };
-  // The first pass only collects page numbers; it need not write pictures.
-  Command draft = latex;
-  draft.arguments.insert(draft.arguments.begin(), "-draftmode");
-  pass(draft);
+  if (d.has_contents) {
+    // The first pass only collects page numbers; it need not write pictures.
+    Command draft = latex;
+    draft.arguments.insert(draft.arguments.begin(), "-draftmode");
+    pass(draft);
+  }
   if (pass(latex).find("Rerun to get") != std::string::npos) pass(latex);
 }
 

@@ -13,6 +13,7 @@ struct Document {
   std::string title;                ///< of the browser's window
   std::filesystem::path resources;  ///< reports/pandoc: header.tex, pdf.lua, references.csl, ...
   long long epoch{};                ///< date of the document, seconds since 1970
+  bool has_contents{true};          ///< a table of contents, labels or long tables, which take a pass of their own
 };
 
 /// The works of a bibliography in BibTeX as a Markdown list, each behind its key, in their order. Throws OutputError as

@@ -27,7 +27,7 @@ void describe(CLI::App& app, Options& options) {
       "or the pictures of one run (--plot). Exit codes: 0 written, 2 wrong usage or record, 4 a file or tool failed.");
   app.add_option("verify", options.verify, "folder with results.json and the cases' folders (build/verify)");
   app.add_option("report", options.report, "folder to write the report to (build/report)");
-  app.add_option("--plot", options.plot, "a folder with a plot.json: draw what it asks for");
+  app.add_option("--plot", options.plot, "a run's folder: draw the figures of its plot.json");
   app.add_option("--to", options.to, "folder for the pictures; default plots/ in that of --plot");
   app.add_option("--sheet", options.sheet, "a fence run's folder: make sheet.pdf and sheet.html from its sheet.json");
   app.add_option("--format", options.formats, "formats of --plot, from ps, pdf, svg, png; default the last three")
@@ -43,21 +43,21 @@ void complain(const std::string& words) {
   fmt::print(stderr, "{}", words);
 }
 
+void print(const talus::reports::Made& made) {
+  complain(made.warnings);
+  for (const auto& file : made.files)
+    fmt::print("{}\n", file.string());
+}
+
 void work(const Options& options) {
   const talus::reports::Workplace workplace{talus::reports::find_resources(), options.jobs};
   if (!options.plot.empty()) {
     const std::set<std::string> formats(options.formats.begin(), options.formats.end());
     const std::filesystem::path run = options.plot;
     const std::filesystem::path target = options.to.empty() ? run / "plots" : std::filesystem::path{options.to};
-    for (const auto& file : talus::reports::make_plots(run, target, formats, workplace))
-      fmt::print("{}\n", file.string());
-    return;
+    return print(talus::reports::make_plots(run, target, formats, workplace));
   }
-  if (!options.sheet.empty()) {
-    for (const auto& file : talus::reports::make_sheet(options.sheet, workplace))
-      fmt::print("{}\n", file.string());
-    return;
-  }
+  if (!options.sheet.empty()) return print(talus::reports::make_sheet(options.sheet, workplace));
   const std::string warnings = talus::reports::make_report(options.verify, options.report, workplace);
   complain(warnings);
   fmt::print("{0}/verification.md\n{0}/verification.html\n{0}/verification.pdf\n", options.report);

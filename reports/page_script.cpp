@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "reports/gnuplot_text.hpp"
+#include "verification/record/figure_points.hpp"
 
 namespace talus::reports {
 namespace {
@@ -42,22 +44,20 @@ bool axes_shared(const std::vector<Plot>& panels) {
   });
 }
 
-/// Series of shapes with a label, each label once.
-std::vector<Series> explained(const PagePlot& page) {
-  std::vector<Series> entries;
+/// Shapes with a label, each label once.
+std::vector<const Curve*> explained(const PagePlot& page) {
+  std::vector<const Curve*> entries;
   std::set<std::string> seen;
-  for (const Figure& figure : page.page.panels) {
-    for (const Series& series : figure.series) {
-      if (has_look(series.style) && !series.label.empty() && seen.insert(series.label).second) {
-        entries.push_back(series);
-      }
+  for (const Plot& panel : page.panels) {
+    for (const Curve& curve : panel.curves) {
+      if (has_look(curve.style) && !curve.label.empty() && seen.insert(curve.label).second) entries.push_back(&curve);
     }
   }
   return entries;
 }
 
 /// Width and height of a panel; one with equal units is drawn as large as its column lets it.
-std::pair<double, double> panel_size(const Plot& plot, const Page& page, double room) {
+std::pair<double, double> panel_size(const Plot& plot, const PagePlot& page, double room) {
   if (!plot.figure.equal) return {room, page.panel_high.value_or(room > 9.0 ? 5.6 : 4.4)};
   const double shape = (plot.y.high - plot.y.low) / (plot.x.high - plot.x.low);
   const double width = std::min(room, tallest_panel / shape);
@@ -82,7 +82,7 @@ Layout layout_of(const PagePlot& page, const std::vector<Panel>& panels, double 
     double tallest = 0.0;
     std::size_t key_rows = 0;
     for (std::size_t i = first; i < end; ++i) {
-      const auto [width, height] = panel_size(page.panels[i], page.page, room);
+      const auto [width, height] = panel_size(page.panels[i], page, room);
       const double x = left + static_cast<double>(i - first) * (room + gap) + 0.5 * (room - width);
       layout.frames.push_back({x, x + width, y + above + height, y + above});
       tallest = std::max(tallest, height);
@@ -131,21 +131,22 @@ std::string panel_commands(const Plot& plot, const Panel& panel, const Layout& l
                             0.5 * (frame.left + frame.right) / w, (frame.bottom - 1.05) / h, rows);
 }
 
-std::string legend_entry(const Series& series) {
-  const Look& look = series.look;
-  const std::string label = gnuplot_text(series.label);
+std::string legend_entry(const Curve& curve) {
+  const Look& look = curve.look;
+  const std::string label = gnuplot_text(curve.label);
   if (!look.fill.empty()) {
     return fmt::format("keyentry with boxes fs solid 0.75 border lc rgb '{}' fc rgb '{}' title {}",
                        look.colour.empty() ? look.fill : look.colour, look.fill, label);
   }
-  const std::string colour = coloured_by_value(series) ? "rgb 'black'" : fmt::format("rgb '{}'", look.colour);
+  const std::string colour = curve.by_value ? "rgb 'black'" : fmt::format("rgb '{}'", look.colour);
   return fmt::format("keyentry with lines lw {:g} dt {} lc {} title {}", std::max(look.width, 1.5),
                      look.dashed ? "(6,4)" : "1", colour, label);
 }
 
 /// The colours of a page's values.
-ColourScale colours_of(const Page& page) {
-  return page.scale ? ColourScale{page.scale->min, page.scale->max, page.two_hues} : ColourScale{};
+ColourScale colours_of(const PagePlot& page) {
+  const auto& scale = page.page.scale;
+  return scale ? ColourScale{scale->min, scale->max, page.two_hues} : ColourScale{};
 }
 
 /// The bar of colours with its numbers, `top` its upper edge.
@@ -179,7 +180,7 @@ std::string bar_commands(const Scale& scale, const ColourScale& colours, double 
 std::size_t rows_beside_bar(std::size_t entries) { return entries == 3 ? 3 : 2; }
 
 /// Bar of the scale and key of the shapes, below all panels.
-std::string legend_commands(const PagePlot& page, const std::vector<Series>& entries, const Layout& layout) {
+std::string legend_commands(const PagePlot& page, const std::vector<const Curve*>& entries, const Layout& layout) {
   if (entries.empty() && !page.page.scale) return {};
   const double h = layout.height;
   const bool bar = page.page.scale.has_value();
@@ -187,7 +188,7 @@ std::string legend_commands(const PagePlot& page, const std::vector<Series>& ent
       "unset border\nunset tics\nunset grid\nset xrange [0:1]\nset yrange [0:1]\nset lmargin at screen 0\n"
       "set rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen {:.6f}\n",
       layout.legend / h);
-  if (bar) text += bar_commands(*page.page.scale, colours_of(page.page), layout.legend, h);
+  if (bar) text += bar_commands(*page.page.scale, colours_of(page), layout.legend, h);
   text += entries.empty()
               ? "unset key\n"
               : fmt::format("set key at screen {:.6f}, screen {:.6f} {} top maxrows {} samplen 2.2 reverse Left\n",
@@ -195,18 +196,18 @@ std::string legend_commands(const PagePlot& page, const std::vector<Series>& ent
                             bar ? rows_beside_bar(entries.size()) : 1);
   // A point outside the axes: gnuplot draws a key only beside something that it plots.
   text += "plot '+' using (2):(2) with points notitle";
-  for (const Series& series : entries)
-    text += ", " + legend_entry(series);
+  for (const Curve* curve : entries)
+    text += ", " + legend_entry(*curve);
   return text + "\n";
 }
 
 /// The page between `set multiplot` and `unset multiplot`, and its height.
 std::pair<std::string, double> page_commands(const PagePlot& page, const Canvas& canvas) {
-  const std::vector<Series> entries = explained(page);
+  const std::vector<const Curve*> entries = explained(page);
   const double legend = page.page.scale ? 1.5 : entries.empty() ? 0.0 : 0.8;
   std::vector<Panel> panels;
   for (const Plot& plot : page.panels)
-    panels.push_back(panel_of(plot, fmt::format("panel{}_", panels.size() + 1), colours_of(page.page), canvas));
+    panels.push_back(panel_of(plot, fmt::format("panel{}_", panels.size() + 1), colours_of(page), canvas));
   const Layout layout = layout_of(page, panels, legend);
   const auto columns = std::min(static_cast<std::size_t>(page.page.columns), panels.size());
   const std::string clean = fmt::format("load {}\n", gnuplot_quoted(canvas.preamble.string()));
@@ -224,28 +225,34 @@ std::pair<std::string, double> page_commands(const PagePlot& page, const Canvas&
 
 }  // namespace
 
-Page panelled(const Figure& figure) {
-  Page page{figure.name, {}, figure.columns, {}, figure.scale, 2.8, true};
+PagePlot page_plot_of(Page page) {
+  PagePlot made{std::move(page), {}};
+  for (Figure& figure : made.page.panels)
+    made.panels.push_back(plot_of(std::move(figure)));
+  made.page.panels.clear();
+  return made;
+}
+
+PagePlot panelled(const Figure& figure, const std::filesystem::path& folder) {
+  Page page{figure.name, {}, figure.columns, {}, figure.scale};
+  Figure filled = figure;
+  records::read_points(filled, folder, records::Rows::some);
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {
     Figure panel = figure;
     panel.title = figure.panels[p];
     panel.panels.clear();
     panel.series.clear();
-    for (Series series : figure.series) {
+    for (Series& series : filled.series) {
       if (series.panel != static_cast<int>(p)) continue;
       series.label.clear();
       if (figure.scale && series.style != Style::heat) series.look.colour = "#000000";
-      panel.series.push_back(series);
+      panel.series.push_back(std::move(series));
     }
-    if (!panel.series.empty()) page.panels.push_back(panel);
+    if (!panel.series.empty()) page.panels.push_back(std::move(panel));
   }
-  return page;
-}
-
-PagePlot page_plot_of(const Page& page, const std::filesystem::path& folder) {
-  PagePlot made{page, {}};
-  for (const Figure& figure : page.panels)
-    made.panels.push_back(plot_of(figure, folder));
+  PagePlot made = page_plot_of(std::move(page));
+  made.panel_high = 2.8;
+  made.two_hues = true;
   return made;
 }
 

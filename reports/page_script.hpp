@@ -1,26 +1,30 @@
 /// Pages of figures, and films of pages, as gnuplot scripts.
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "reports/gnuplot_script.hpp"
-#include "reports/run_plots.hpp"
+#include "reports/pictures.hpp"
 
 namespace talus::reports {
 
-/// A page with the numbers of its panels read.
+/// A page with what drawing its panels needs.
 struct PagePlot {
-  Page page;
+  Page page;  ///< without its panels
   std::vector<Plot> panels;
+  std::optional<double> panel_high{};  ///< [cm]; chosen from the width if absent
+  bool two_hues{};                     ///< of the scale: blue against red, else pale to dark
 };
 
-/// The page of a figure that has panels. They have no key, since their titles and the caption say what is drawn; lines
-/// over heat maps are black.
-[[nodiscard]] Page panelled(const Figure& figure);
+/// The plots of a page whose figures hold their points; throws as plot_of() does.
+[[nodiscard]] PagePlot page_plot_of(Page page);
 
-/// Reads the numbers of a page; throws as plot_of() does.
-[[nodiscard]] PagePlot page_plot_of(const Page& page, const std::filesystem::path& folder);
+/// The page of a figure that has panels, whose points are read from its CSV file in `folder`. They have no key, since their titles and the caption say
+/// what is drawn; lines over heat maps are black. Throws as plot_of() does.
+[[nodiscard]] PagePlot panelled(const Figure& figure, const std::filesystem::path& folder);
 
 /// The commands that draw the page as folder/stem.<format>. Where all panels have the same axes, only those at the left
 /// and at the bottom are labelled.

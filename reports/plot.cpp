@@ -23,8 +23,19 @@ double number(const std::vector<double>& numbers, std::size_t i, double substitu
   return numbers.empty() ? substitute : numbers[i];
 }
 
+void demand_finite(const Series& series, const std::string& figure) {
+  for (const auto* const numbers :
+       {&series.x, &series.y, &series.y_low, &series.y_high, &series.line, &series.values, &series.radius}) {
+    const auto wrong = std::find_if(numbers->begin(), numbers->end(), [](double n) { return !std::isfinite(n); });
+    if (wrong == numbers->end()) continue;
+    throw RecordError(fmt::format("figure '{}': series '{}': found {} at point {}; it must be a finite number", figure,
+                                  series.label, *wrong, wrong - numbers->begin() + 1));
+  }
+}
+
 /// The curve of a series, whose points it takes.
 Curve curve_of(Series& series, const Figure& figure, std::size_t& undrawn) {
+  demand_finite(series, figure.name);
   Curve curve{series.label, series.style, {}, series.look, coloured_by_value(series)};
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     const double y = series.y[i];
@@ -103,8 +114,8 @@ Plot plot_of(Figure figure) {
     }
   }
   if (xs.empty()) {
-    throw RecordError(
-        fmt::format("{}: figure '{}' is empty: no point can be drawn", plot.figure.csv, plot.figure.name));
+    throw RecordError(fmt::format("{}{}figure '{}' is empty: no point can be drawn", plot.figure.csv,
+                                  plot.figure.csv.empty() ? "" : ": ", plot.figure.name));
   }
   for (const Line& line : plot.figure.lines)
     (line.axis == 'x' ? xs : ys).push_back(line.at);

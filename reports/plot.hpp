@@ -38,7 +38,8 @@ struct Plot {
   std::size_t undrawn{};  ///< points at or below zero, which a log axis cannot show
 };
 
-/// The plot of a figure whose series hold their points. Throws RecordError when nothing is left to draw.
+/// The plot of a figure whose series hold their points. Throws RecordError when a number is not finite or nothing is
+/// left to draw.
 [[nodiscard]] Plot plot_of(Figure figure);
 
 /// Reads the figure's CSV file in `folder`. Throws RecordError (file, column, line) when file or column is missing, a

@@ -9,7 +9,9 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <sstream>
 
 #include "reports/error.hpp"
 
@@ -79,6 +81,12 @@ void drain(Pipe& out, Pipe& err, Finished& finished) {
   }
 }
 
+OutputError cannot_start(const std::string& program, int failure) {
+  return OutputError(fmt::format(
+      "{}: cannot be started: {}{}", program, std::strerror(failure),
+      failure == ENOENT ? " (is it installed? scripts/setup installs what reports and pictures need)" : ""));
+}
+
 pid_t start(const Command& command, Pipe& out, Pipe& err) {
   std::vector<std::string> words{command.program};
   words.insert(words.end(), command.arguments.begin(), command.arguments.end());
@@ -95,9 +103,7 @@ pid_t start(const Command& command, Pipe& out, Pipe& err) {
                                    pointers(entries).data());
   posix_spawn_file_actions_destroy(&actions);
   if (failure != 0) {
-    throw OutputError(
-        fmt::format("{}: cannot be started: {}{}", command.program, std::strerror(failure),
-                    failure == ENOENT ? " (is it installed? scripts/setup installs what a report needs)" : ""));
+    throw cannot_start(command.program, failure);
   }
   return child;
 }
@@ -120,10 +126,19 @@ Finished run(const Command& command) {
   return finished;
 }
 
+void demand_program(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders{path != nullptr ? path : ""};
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (::access((std::filesystem::path{folder} / name).c_str(), X_OK) == 0) return;
+  throw cannot_start(name, ENOENT);
+}
+
 Finished run_or_throw(const Command& command, const std::string& purpose) {
   Finished finished = run(command);
   if (finished.status != 0) {
-    const std::string& words = finished.messages.empty() ? finished.output : finished.messages;
+    std::string& words = finished.messages.empty() ? finished.output : finished.messages;
+    words.erase(words.find_last_not_of('\n') + 1);
     throw OutputError(
         fmt::format("{} failed on {} (exit code {}):\n{}", command.program, purpose, finished.status, words));
   }

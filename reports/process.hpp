@@ -26,6 +26,9 @@ struct Finished {
 /// Runs the program to its end. Throws OutputError when it cannot be started (not found, no permission).
 [[nodiscard]] Finished run(const Command& command);
 
+/// Throws OutputError, as run() would, unless a program of that name is in PATH.
+void demand_program(const std::string& name);
+
 /// As run(), and throws OutputError naming the tool and showing its messages when it ends with other than 0.
 /// `purpose` completes "gnuplot failed on ...".
 Finished run_or_throw(const Command& command, const std::string& purpose);

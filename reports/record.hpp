@@ -3,6 +3,7 @@
 /// anything.
 #pragma once
 
+#include "verification/record/plots.hpp"
 #include "verification/record/record_files.hpp"
 
 namespace talus::reports {

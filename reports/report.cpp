@@ -35,7 +35,7 @@ std::vector<Drawing> drawings_of(const Results& results, const fs::path& verify,
       const std::string key = record.id + "/" + figure.name;
       try {
         if (!figure.panels.empty()) {
-          const PagePlot page = page_plot_of(panelled(figure), verify / record.id);
+          const PagePlot page = panelled(figure, verify / record.id);
           for (const Plot& panel : page.panels)
             drawn.hidden[key] += panel.undrawn;
           script += page_script(page, canvas, picture_stem(record, figure));

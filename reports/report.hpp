@@ -1,10 +1,12 @@
-/// The two things this floor makes: the verification report, and the pictures of a run.
+/// What this floor makes: the verification report, and pictures and sheet of a run.
 #pragma once
 
 #include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "reports/pictures.hpp"
 
 namespace talus::reports {
 
@@ -27,13 +29,26 @@ struct Workplace {
 std::string make_report(const std::filesystem::path& verify, const std::filesystem::path& report,
                         const Workplace& workplace);
 
-/// Draws what run/plot.json asks for into `target`: figures and pages in each of the formats (ps, pdf, svg, png), films
-/// as GIF, players as HTML. Returns the files' paths. Throws as make_report() does.
-std::vector<std::filesystem::path> make_plots(const std::filesystem::path& run, const std::filesystem::path& target,
-                                              const std::set<std::string>& formats, const Workplace& workplace);
+/// Files that were made, and the warnings of the tools that made them.
+struct Made {
+  std::vector<std::filesystem::path> files;
+  std::string warnings;
+};
 
-/// Makes run/sheet.pdf and run/sheet.html, one page each, from run/sheet.json; returns the files' paths. Throws as
-/// make_report() does.
-std::vector<std::filesystem::path> make_sheet(const std::filesystem::path& run, const Workplace& workplace);
+/// Draws into `target`: figures and pages in each of the formats (ps, pdf, svg, png), films as GIF, players as HTML.
+/// Throws RecordError as demand_sound() and plot_of() do, OutputError when a tool fails, FileError when a file cannot
+/// be written.
+Made make_pictures(Pictures pictures, const std::filesystem::path& target, const std::set<std::string>& formats,
+                   const Workplace& workplace);
+
+/// Draws the figures that run/plot.json describes, with the points of the CSV files beside it; else as make_pictures().
+Made make_plots(const std::filesystem::path& run, const std::filesystem::path& target,
+                const std::set<std::string>& formats, const Workplace& workplace);
+
+/// Makes run/sheet.pdf and run/sheet.html, one page each, from run/sheet.json. Throws as make_report() does.
+Made make_sheet(const std::filesystem::path& run, const Workplace& workplace);
+
+/// Throws OutputError unless the programs that make_sheet() starts are in PATH.
+void demand_sheet_tools();
 
 }  // namespace talus::reports

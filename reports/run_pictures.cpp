@@ -1,13 +1,15 @@
 #include <fmt/format.h>
 
 #include <kainjow/mustache.hpp>
+#include <utility>
 
 #include "reports/drawing.hpp"
 #include "reports/error.hpp"
 #include "reports/file.hpp"
 #include "reports/page_script.hpp"
 #include "reports/report.hpp"
-#include "reports/run_plots.hpp"
+#include "verification/record/figure_points.hpp"
+#include "verification/record/plots.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
@@ -30,10 +32,10 @@ std::string within_script(const std::string& json) {
   return text;
 }
 
-std::string player_page(const Player& player, const fs::path& run, const fs::path& resources) {
+std::string player_page(const Player& player, const fs::path& resources) {
   mustache::data values;
   values.set("title", player.title);
-  values.set("data", within_script(records::read_whole(run / player.data)));
+  values.set("data", within_script(player.data));
   const fs::path file = resources / "templates" / "player.mustache";
   mustache::mustache page(records::read_whole(file));
   const std::string text = page.render(values);
@@ -41,23 +43,26 @@ std::string player_page(const Player& player, const fs::path& run, const fs::pat
   return text;
 }
 
-/// Scripts of all that gnuplot draws, and the names of the files to come.
-std::vector<Drawing> drawings_of(const Plots& plots, const fs::path& run, const Canvas& canvas,
-                                 std::vector<std::string>& files) {
+/// Scripts of all that gnuplot draws, and the names of the files to come. Takes the points.
+std::vector<Drawing> drawings_of(Pictures& pictures, const Canvas& canvas, std::vector<std::string>& files) {
   std::vector<Drawing> drawings;
   const auto add = [&](const std::string& kind, const std::string& name, std::string script) {
     drawings.push_back({kind + " " + name, std::move(script)});
     for (const std::string& format : canvas.formats)
       files.push_back(name + "." + format);
   };
-  for (const Figure& figure : plots.figures)
-    add("figure", figure.name, figure_script(plot_of(figure, run), canvas, figure.name));
-  for (const Page& page : plots.pages)
-    add("page", page.name, page_script(page_plot_of(page, run), canvas, page.name));
-  for (const Film& film : plots.films) {
+  for (Figure& figure : pictures.figures) {
+    const std::string name = figure.name;
+    add("figure", name, figure_script(plot_of(std::move(figure)), canvas, name));
+  }
+  for (Page& page : pictures.pages) {
+    const std::string name = page.name;
+    add("page", name, page_script(page_plot_of(std::move(page)), canvas, name));
+  }
+  for (Film& film : pictures.films) {
     std::vector<PagePlot> pages;
-    for (const Page& page : film.pages)
-      pages.push_back(page_plot_of(page, run));
+    for (Page& page : film.pages)
+      pages.push_back(page_plot_of(std::move(page)));
     drawings.push_back({"film " + film.name, film_script(pages, film.delay, canvas, film.name)});
     files.push_back(film.name + ".gif");
   }
@@ -66,27 +71,32 @@ std::vector<Drawing> drawings_of(const Plots& plots, const fs::path& run, const 
 
 }  // namespace
 
-std::vector<fs::path> make_plots(const fs::path& run, const fs::path& target, const std::set<std::string>& formats,
-                                 const Workplace& workplace) {
-  const Plots plots = read_plots(run / "plot.json");
+Made make_pictures(Pictures pictures, const fs::path& target, const std::set<std::string>& formats,
+                   const Workplace& workplace) {
+  demand_sound(pictures);
   const Workshop workshop(target);
   const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", workshop.folder(), formats};
   std::vector<std::string> names;
-  const std::vector<Drawing> drawings = drawings_of(plots, run, canvas, names);
-  const std::string warnings = draw(drawings, workshop.folder(), workplace.jobs);
-  if (!warnings.empty()) fmt::print(stderr, "{}", warnings);
-  for (const Player& player : plots.players) {
+  const std::vector<Drawing> drawings = drawings_of(pictures, canvas, names);
+  Made made{{}, draw(drawings, workshop.folder(), workplace.jobs)};
+  for (const Player& player : pictures.players) {
     names.push_back(player.name + ".html");
-    records::write_whole(workshop.folder() / names.back(), player_page(player, run, workplace.resources));
+    records::write_whole(workshop.folder() / names.back(), player_page(player, workplace.resources));
   }
-  std::vector<fs::path> files;
   for (const std::string& name : names) {
     // A run has no date of its own; the same numbers still give the same bytes.
     date_picture(workshop.folder() / name, 0);
     workshop.publish(name);
-    files.push_back(target / name);
+    made.files.push_back(target / name);
   }
-  return files;
+  return made;
+}
+
+Made make_plots(const fs::path& run, const fs::path& target, const std::set<std::string>& formats,
+                const Workplace& workplace) {
+  Pictures pictures{.figures = records::read_plots(run / "plot.json")};
+  records::read_points(pictures.figures, run);
+  return make_pictures(std::move(pictures), target, formats, workplace);
 }
 
 }  // namespace talus::reports

@@ -7,6 +7,7 @@
 #include "reports/document.hpp"
 #include "reports/drawing.hpp"
 #include "reports/file.hpp"
+#include "reports/process.hpp"
 #include "reports/report.hpp"
 #include "reports/sheet_drawing.hpp"
 #include "reports/sheet_tables.hpp"
@@ -203,7 +204,12 @@ std::string rendered(const fs::path& page, const SheetRecord& record, const Esca
 
 }  // namespace
 
-std::vector<fs::path> make_sheet(const fs::path& run, const Workplace& workplace) {
+void demand_sheet_tools() {
+  for (const char* tool : {"gnuplot", "pdflatex"})
+    demand_program(tool);
+}
+
+Made make_sheet(const fs::path& run, const Workplace& workplace) {
   const SheetRecord record = read_sheet(run / "sheet.json");
   const Workshop workshop(run);
   const fs::path& folder = workshop.folder();
@@ -211,11 +217,10 @@ std::vector<fs::path> make_sheet(const fs::path& run, const Workplace& workplace
     const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", folder, {format}};
     return Drawing{"the sheet", sheet_script(record, canvas, stem, medium)};
   };
-  const std::string warnings =
-      draw({drawing(SheetMedium::paper, "pdf", "drawing"), drawing(SheetMedium::screen, "svg", "drawing"),
-            drawing(SheetMedium::phone, "svg", "phone")},
-           folder, workplace.jobs);
-  if (!warnings.empty()) fmt::print(stderr, "{}", warnings);
+  Made made{{},
+            draw({drawing(SheetMedium::paper, "pdf", "drawing"), drawing(SheetMedium::screen, "svg", "drawing"),
+                  drawing(SheetMedium::phone, "svg", "phone")},
+                 folder, workplace.jobs)};
   // A run has no date of its own; the same numbers give the same bytes.
   date_picture(folder / "drawing.pdf", 0);
 
@@ -226,13 +231,17 @@ std::vector<fs::path> make_sheet(const fs::path& run, const Workplace& workplace
   const std::string latex = rendered(templates / "sheet.tex.mustache", record, latex_text, latex_table, "drawing.pdf");
   records::write_whole(folder / "sheet.tex",
                        printable(latex, records::read_whole(workplace.resources / "pandoc" / "header.tex")));
-  make_pdf({.folder = folder, .stem = "sheet", .title = record.title, .resources = workplace.resources, .epoch = 0});
-  std::vector<fs::path> files;
+  make_pdf({.folder = folder,
+            .stem = "sheet",
+            .title = record.title,
+            .resources = workplace.resources,
+            .epoch = 0,
+            .has_contents = false});
   for (const char* name : {"sheet.html", "sheet.pdf"}) {
     workshop.publish(name);
-    files.push_back(run / name);
+    made.files.push_back(run / name);
   }
-  return files;
+  return made;
 }
 
 }  // namespace talus::reports

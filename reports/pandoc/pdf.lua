@@ -25,8 +25,8 @@ function Blocks(blocks)
   local joined = pandoc.List()
   for _, block in ipairs(blocks) do
     local last = joined[#joined]
-    local formula = block.t == 'Para' and block.content[1].t == 'Math' and block.content[1].mathtype == 'DisplayMath'
-    if formula and last and last.t == 'Para' then
+    local first = last and last.t == 'Para' and block.t == 'Para' and block.content[1]
+    if first and first.t == 'Math' and first.mathtype == 'DisplayMath' then
       last.content:insert(pandoc.SoftBreak())
       last.content:extend(block.content)
     else
@@ -63,35 +63,48 @@ local function breakable(word)
   return parts
 end
 
--- What is seen of a cell, in letters; of a formula about as many as its signs without commands and braces.
-local function length_of(blocks)
+-- What is seen of a cell, in letters; of a formula about as many as its signs without commands and braces. By hand:
+-- pandoc.walk_block takes twice as long as all the rest of this file.
+local function length_of(elements)
   local letters = 0
-  pandoc.walk_block(pandoc.Div(blocks), {
-    Str = function(word) letters = letters + utf8.len(word.text) end,
-    Code = function(code) letters = letters + utf8.len(code.text) end,
-    Space = function() letters = letters + 1 end,
-    SoftBreak = function() letters = letters + 1 end,
-    Math = function(formula) letters = letters + #formula.text:gsub('\\%a+', 'x'):gsub('[{}^_ ]', '') end,
-  })
+  for _, element in ipairs(elements) do
+    local kind = element.t
+    if kind == 'Str' or kind == 'Code' then
+      letters = letters + utf8.len(element.text)
+    elseif kind == 'Space' or kind == 'SoftBreak' then
+      letters = letters + 1
+    elseif kind == 'Math' then
+      letters = letters + #element.text:gsub('\\%a+', 'x'):gsub('[{}^_ ]', '')
+    elseif element.content then
+      letters = letters + length_of(element.content)
+    end
+  end
   return letters
 end
 
 -- Where all has room, columns are as wide as what they hold; pandoc would spread them over the page, and break cells.
 local function fit_columns(wide)
+  local room = 110
   local longest = {}
   for i = 1, #wide.colspecs do longest[i] = 3 end
+  local sum = 3 * #longest
   local function measure(rows)
     for _, row in ipairs(rows) do
       for i, cell in ipairs(row[2] or row.cells) do
-        longest[i] = math.max(longest[i], length_of(cell.contents) + 2)
+        local letters = length_of(cell.contents) + 2
+        if letters > longest[i] then
+          sum = sum + letters - longest[i]
+          longest[i] = letters
+          if sum > room then return end
+        end
       end
     end
   end
   measure(wide.head[2] or wide.head.rows)
-  for _, body in ipairs(wide.bodies) do measure(body.body) end
-  local sum = 0
-  for _, letters in ipairs(longest) do sum = sum + letters end
-  if sum > 110 then return end
+  for _, body in ipairs(wide.bodies) do
+    if sum <= room then measure(body.body) end
+  end
+  if sum > room then return end
   for i, spec in ipairs(wide.colspecs) do wide.colspecs[i] = { spec[1], nil } end
 end
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
@@ -16,7 +16,6 @@ namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 struct AnimateOptions {
   std::string folder;
@@ -45,25 +44,24 @@ std::vector<GeometryFile> chosen_files(const RunFolder& run, const AnimateOption
 
 /// A page for each frame: the side view, and beside it the view along the fence if there is one.
 template <class Drawn>
-Json film(const Drawn& drawn, const std::string& name, const std::string& title, const FrameStyle& side,
-          const FrameStyle& along, double seconds) {
-  Json pages = Json::array();
+reports::Film film(const Drawn& drawn, const std::string& name, const std::string& title, const FrameStyle& side,
+                   const FrameStyle& along, double seconds) {
+  reports::Film made{name, seconds / static_cast<double>(drawn.frames.size()), {}};
   for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
-    const std::string csv = fmt::format("frame{}.csv", i);
-    Json panels = Json::array({frame_figure(drawn, i, side, csv)});
-    if (drawn.has_depth) panels.push_back(frame_figure(drawn, i, along, csv));
-    pages.push_back({{"name", fmt::format("page{}", i)},
-                     {"title", title},
-                     {"columns", panels.size()},
-                     {"panels", std::move(panels)},
-                     {"scale", colour_scale(drawn)}});
+    reports::Page page{.name = fmt::format("page{}", i),
+                       .title = title,
+                       .panels = {frame_figure(drawn, i, side)},
+                       .scale = colour_scale(drawn)};
+    if (drawn.has_depth) page.panels.push_back(frame_figure(drawn, i, along));
+    page.columns = static_cast<int>(page.panels.size());
+    made.pages.push_back(std::move(page));
   }
-  return {{"name", name}, {"delay", seconds / static_cast<double>(drawn.frames.size())}, {"pages", std::move(pages)}};
+  return made;
 }
 
 /// `drawn`: DrawnGeometry or DrawnDiscs.
 template <class Drawn>
-int animate(const Drawn& drawn, const KeptRun& run, const AnimateOptions& options) {
+DrawingRequest animation(const Drawn& drawn, const KeptRun& run, const AnimateOptions& options) {
   FrameStyle side{View::side, window_of(drawn, View::side), options.numbers, true, {}};
   if (!options.window.empty())
     side.window = {options.window[0], options.window[1], options.window[2], options.window[3]};
@@ -71,34 +69,30 @@ int animate(const Drawn& drawn, const KeptRun& run, const AnimateOptions& option
   const PictureOptions& picture = options.picture;
   const std::string name = picture.name.empty() ? "animation" : picture.name;
   const std::string title = picture.title.empty() ? run.run.title : picture.title;
-  const DrawingRecord record{picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder}};
-  Json asked{{"schema", 1}, {"figures", Json::array()}, {"films", Json::array()}, {"players", Json::array()}};
-  if (options.gif) {
-    for (std::size_t i = 0; i < drawn.frames.size(); ++i)
-      record.add(fmt::format("frame{}.csv", i), frame_csv(drawn, i));
-    asked["films"].push_back(film(drawn, name, title, side, along, options.seconds));
-  }
-  if (options.html || !options.gif) {
-    record.add("player.json", player_json(drawn, run, side.window, along.window));
-    asked["players"].push_back({{"name", name}, {"title", title}, {"data", "player.json"}});
-  }
-  record.add("plot.json", asked.dump(1));
-  return record.draw({"svg"});
+  DrawingRequest request{
+      .pictures = {},
+      .target = picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder},
+      .formats = {}};
+  if (options.gif) request.pictures.films.push_back(film(drawn, name, title, side, along, options.seconds));
+  if (options.html || !options.gif)
+    request.pictures.players.push_back({name, title, player_json(drawn, run, side.window, along.window)});
+  return request;
 }
 
-int animate(const AnimateOptions& options) {
+int animate(const AnimateOptions& options, const DrawingSink& sink) {
   if (!options.window.empty() && !(options.window[0] < options.window[2] && options.window[1] < options.window[3])) {
     throw InputError{fmt::format("--window: found {}; it must be x-min y-min x-max y-max, with min < max",
                                  fmt::join(options.window, " "))};
   }
   const KeptRun run = read_kept_run(options.folder);
   const DrawnStates states = read_states(run.run, chosen_files(run.run, options), options.picture.colour);
-  return std::visit([&](const auto& drawn) { return animate(drawn, run, options); }, states);
+  sink(std::visit([&](const auto& drawn) { return animation(drawn, run, options); }, states));
+  return ok;
 }
 
 }  // namespace
 
-Command add_animate(CLI::App& talus) {
+Command add_animate(CLI::App& talus, const DrawingSink& sink) {
   CLI::App* app = talus.add_subcommand("animate", "Show a run as it moves: an HTML page that plays it, or a GIF");
   const auto options = std::make_shared<AnimateOptions>();
   app->add_option("DIR", options->folder, "folder that `talus run --out` or `talus cell --out` wrote")->required();
@@ -118,7 +112,7 @@ Command add_animate(CLI::App& talus) {
       "  talus run cases/fence/sample2.DAT --out out --frames 200 && talus animate out\n"
       "  talus animate out --gif --seconds 10\n"
       "  talus cell cases/cell/ice.toml --out cell && talus animate cell --colour force --gif --html");
-  return {app, [options] { return animate(*options); }};
+  return {app, [options, sink] { return animate(*options, sink); }};
 }
 
 }  // namespace talus::app

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "solver/base/exit_code.hpp"
+#include "solver/draw/drawing.hpp"
 
 namespace CLI {
 class App;
@@ -27,12 +28,13 @@ struct Command {
 [[nodiscard]] Command add_cell(CLI::App& talus);
 [[nodiscard]] Command add_convert(CLI::App& talus);
 [[nodiscard]] Command add_export(CLI::App& talus);
-[[nodiscard]] Command add_plot(CLI::App& talus);
-[[nodiscard]] Command add_snapshot(CLI::App& talus);
-[[nodiscard]] Command add_animate(CLI::App& talus);
 [[nodiscard]] Command add_study(CLI::App& talus);
 [[nodiscard]] Command add_list(CLI::App& talus);
 [[nodiscard]] Command add_new(CLI::App& talus);
+/// These send what they draw to the sink.
+[[nodiscard]] Command add_plot(CLI::App& talus, const DrawingSink& sink);
+[[nodiscard]] Command add_snapshot(CLI::App& talus, const DrawingSink& sink);
+[[nodiscard]] Command add_animate(CLI::App& talus, const DrawingSink& sink);
 
 /// Of an option: a number between these. What is not a number is refused, which CLI::Range lets pass.
 [[nodiscard]] CLI::Validator number_between(double least, double most);

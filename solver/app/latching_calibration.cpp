@@ -55,7 +55,7 @@ void refuse_what_means_nothing(const CalibrateOptions& options) {
     throw InputError{"--masses: it is missing; --pivot and --offset change the last of them"};
 }
 
-LatchingRatio calibrated(CalibrateOptions options) {
+LatchingRatio calibrated_ratio(CalibrateOptions options) {
   const ElapsedTime elapsed{"calibrating"};
   refuse_what_means_nothing(options);
   LatchingRatio found;
@@ -134,7 +134,7 @@ void print_text(const LatchingRatio& found, const CalibrateOptions& options) {
 
 int calibrate_latching(const CalibrateOptions& options) {
   static_cast<void>(unit_system(options.units));
-  const LatchingRatio found = calibrated(options);
+  const LatchingRatio found = calibrated_ratio(options);
   if (options.json) {
     print_json(found, options);
   } else {

@@ -30,26 +30,28 @@ Limits limits(const char* option, const std::vector<double>& ends) {
   return std::pair{ends[0], ends[1]};
 }
 
-int plot(PlotOptions& options) {
+int plot(PlotOptions& options, const DrawingSink& sink) {
   HistoryPlotOptions& wish = options.wish;
   if (options.list) return list_histories(wish.folders);
   if (!wish.histories.empty()) {
     wish.x_limits = limits("--x-limits", options.x_limits);
     wish.y_limits = limits("--y-limits", options.y_limits);
-    return plot_histories(wish);
+    sink(history_drawing(wish));
+    return ok;
   }
   const fs::path folder = wish.folders.front();
   if (wish.folders.size() > 1) throw InputError{"several runs are drawn over each other by --history only; name one"};
-  return draw_run_figures({.folder = folder,
-                           .target = wish.picture.folder.empty() ? folder / "plots" : fs::path{wish.picture.folder},
-                           .elements = wish.elements,
-                           .all = wish.all,
-                           .formats = wish.picture.formats});
+  sink(run_drawing({.folder = folder,
+                    .target = wish.picture.folder.empty() ? folder / "plots" : fs::path{wish.picture.folder},
+                    .elements = wish.elements,
+                    .all = wish.all,
+                    .formats = wish.picture.formats}));
+  return ok;
 }
 
 }  // namespace
 
-Command add_plot(CLI::App& talus) {
+Command add_plot(CLI::App& talus, const DrawingSink& sink) {
   CLI::App* app = talus.add_subcommand("plot", "Draw the histories of a run, or chosen ones of several runs");
   const auto options = std::make_shared<PlotOptions>();
   HistoryPlotOptions& wish = options->wish;
@@ -88,7 +90,7 @@ Command add_plot(CLI::App& talus) {
       "  talus plot out --list\n"
       "  talus plot out --history top_joint_force,48 --element 3,4 --format ps\n"
       "  talus plot slack tight --history 4 --element 2 --x x --title \"Rock\"");
-  return {app, [options] { return plot(*options); }};
+  return {app, [options, sink] { return plot(*options, sink); }};
 }
 
 }  // namespace talus::app

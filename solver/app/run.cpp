@@ -17,7 +17,7 @@
 #include "solver/app/second_run.hpp"
 #include "solver/app/start_warnings.hpp"
 #include "solver/base/error.hpp"
-#include "solver/draw/report_tool.hpp"
+#include "solver/draw/drawing.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/folder_lock.hpp"
 #include "solver/io/output/checkpoint.hpp"
@@ -34,10 +34,10 @@ namespace fs = std::filesystem;
 /// fences take 5,000 to 25,000, a deck of 1993 as many as it has steps.)
 constexpr long most_repeated = 50'000;
 
-/// Makes the folder and finds the tool before the run: what is wrong with them must not cost a run. The folder is kept
+/// Makes the folder and finds the tools of the sheet before the run: what is wrong with them must not cost a run. The folder is kept
 /// for this run by what is returned.
 std::unique_ptr<FolderLock> prepare(const RunOrder& order) {
-  if (order.sheet) static_cast<void>(report_tool());
+  if (order.sheet) find_sheet_tools();
   if (order.folder.empty()) return {};
   make_folder(order.folder);
   auto lock = std::make_unique<FolderLock>(order.folder);
@@ -189,8 +189,7 @@ int run(const RunOptions& options) {
     }
   }
   if (!order.folder.empty()) write_files(order, *run, record, left);
-  if (order.sheet && run_report_tool({"--sheet", order.folder.string()}, true) != 0)
-    throw IoError{fmt::format("{}: the sheet was not made", (order.folder / "sheet.json").string())};
+  if (order.sheet) draw_sheet(order.folder);
   print_result(options, order, *run, record, left);
   // The first of them have been printed at the start.
   for (std::size_t i = run->start_warnings().size(); i < record.warnings.size(); ++i)

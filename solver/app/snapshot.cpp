@@ -6,7 +6,8 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
@@ -17,7 +18,6 @@ namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 /// GPLOT's dialogue as options.
 struct SnapshotOptions {
@@ -62,15 +62,6 @@ std::vector<GeometryFile> chosen_files(const std::vector<GeometryFile>& files, c
   return chosen;
 }
 
-template <class Drawn>
-Json page(const std::string& name, const std::string& title, int columns, Json panels, const Drawn& drawn) {
-  return {{"name", name},
-          {"title", title},
-          {"columns", columns},
-          {"panels", std::move(panels)},
-          {"scale", colour_scale(drawn)}};
-}
-
 /// Panels side by side so that the page is about as high as it is wide, and if that may be its last row is full.
 int usual_columns(const Window& window, std::size_t panels) {
   const double shape = (window.top - window.bottom) / (window.right - window.left);
@@ -85,56 +76,60 @@ int usual_columns(const Window& window, std::size_t panels) {
 }
 
 template <class Drawn>
-void add_pages(Json& pages, const Drawn& drawn, View view, const SnapshotOptions& options) {
+void add_pages(std::vector<reports::Page>& pages, const Drawn& drawn, View view, const SnapshotOptions& options) {
   FrameStyle style{view, window_of(drawn, view), options.numbers, !options.no_grid, options.divisions};
   if (!options.window.empty())
     style.window = {options.window[0], options.window[1], options.window[2], options.window[3]};
   const std::string stem = fmt::format("{}_{}", options.picture.name.empty() ? "snapshot" : options.picture.name,
                                        view == View::side ? "side" : "along");
-  const std::string title = options.picture.title.empty() ? drawn.run.title : options.picture.title;
-  Json panels = Json::array();
+  reports::Page page{.name = stem,
+                     .title = options.picture.title.empty() ? drawn.run.title : options.picture.title,
+                     .panels = {},
+                     .scale = colour_scale(drawn)};
   for (std::size_t i = 0; i < drawn.frames.size(); ++i) {
-    panels.push_back(frame_figure(drawn, i, style, fmt::format("frame{}.csv", i)));
+    page.panels.push_back(frame_figure(drawn, i, style));
     if (!options.single) continue;
-    pages.push_back(page(fmt::format("{}_{:02}", stem, i + 1), title, 1, panels, drawn));
-    panels.clear();
+    page.name = fmt::format("{}_{:02}", stem, i + 1);
+    pages.push_back(page);
+    page.panels.clear();
   }
   if (options.single) return;
-  const int columns = options.columns > 0 ? options.columns : usual_columns(style.window, panels.size());
-  pages.push_back(page(stem, title, columns, std::move(panels), drawn));
+  page.columns = options.columns > 0 ? options.columns : usual_columns(style.window, page.panels.size());
+  pages.push_back(std::move(page));
 }
 
 /// `drawn`: DrawnGeometry or DrawnDiscs.
 template <class Drawn>
-int snapshot(const Drawn& drawn, const SnapshotOptions& options) {
+DrawingRequest snapshot(const Drawn& drawn, const SnapshotOptions& options) {
   if (options.view != "side" && !drawn.has_depth) {
     throw InputError{
         fmt::format("--view: found \"{}\"; in {} nothing has a place along z", options.view, options.folder)};
   }
-  Json pages = Json::array();
+  const PictureOptions& picture = options.picture;
+  DrawingRequest request{
+      .pictures = {},
+      .target = picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder},
+      .formats = picture.formats};
+  std::vector<reports::Page>& pages = request.pictures.pages;
   if (options.view != "along") add_pages(pages, drawn, View::side, options);
   if (options.view != "side") add_pages(pages, drawn, View::along, options);
-  const PictureOptions& picture = options.picture;
-  const DrawingRecord record{picture.folder.empty() ? fs::path{options.folder} / "plots" : fs::path{picture.folder}};
-  for (std::size_t i = 0; i < drawn.frames.size(); ++i)
-    record.add(fmt::format("frame{}.csv", i), frame_csv(drawn, i));
-  record.add("plot.json", Json{{"schema", 1}, {"figures", Json::array()}, {"pages", std::move(pages)}}.dump(1));
-  return record.draw(picture.formats);
+  return request;
 }
 
-int snapshot(const SnapshotOptions& options) {
+int snapshot(const SnapshotOptions& options, const DrawingSink& sink) {
   if (!options.window.empty() && !(options.window[0] < options.window[2] && options.window[1] < options.window[3])) {
     throw InputError{fmt::format("--window: found {}; it must be x-min y-min x-max y-max, with min < max",
                                  fmt::join(options.window, " "))};
   }
   const RunFolder run = read_run_folder(options.folder);
   const DrawnStates states = read_states(run, chosen_files(state_files(run), options, run), options.picture.colour);
-  return std::visit([&](const auto& drawn) { return snapshot(drawn, options); }, states);
+  sink(std::visit([&](const auto& drawn) { return snapshot(drawn, options); }, states));
+  return ok;
 }
 
 }  // namespace
 
-Command add_snapshot(CLI::App& talus) {
+Command add_snapshot(CLI::App& talus, const DrawingSink& sink) {
   CLI::App* app = talus.add_subcommand("snapshot", "Draw bodies and cables, or discs, of a run at chosen times");
   const auto options = std::make_shared<SnapshotOptions>();
   app->add_option("DIR", options->folder, "folder that `talus run --out` or `talus cell --out` wrote")->required();
@@ -166,7 +161,7 @@ Command add_snapshot(CLI::App& talus) {
       "  talus snapshot out --times \"0 s,20 ms,50 ms\" --view both --numbers\n"
       "  talus cell cases/cell/ice.toml --out cell && talus snapshot cell --colour force --count 4\n"
       "  talus snapshot out --count 1 --window -10 -15 10 9.69 --format ps");
-  return {app, [options] { return snapshot(*options); }};
+  return {app, [options, sink] { return snapshot(*options, sink); }};
 }
 
 }  // namespace talus::app

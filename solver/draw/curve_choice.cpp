@@ -27,10 +27,11 @@ std::vector<std::size_t> places_of_largest(const std::vector<double>& values, st
   return places;
 }
 
-void print_left_out(const std::string& panel, std::size_t drawn, std::size_t all) {
+void note_left_out(const std::string& panel, std::size_t drawn, std::size_t all, std::vector<std::string>& notes) {
   if (drawn == all) return;
-  fmt::print("{}: {} of {} curves drawn, those with the largest range; --all draws all, --element those named\n", panel,
-             drawn, all);
+  notes.push_back(
+      fmt::format("{}: {} of {} curves drawn, those with the largest range; --all draws all, --element those named",
+                  panel, drawn, all));
 }
 
 }  // namespace talus::app

@@ -15,7 +15,7 @@ inline constexpr std::size_t most_curves = 8;
 /// Places of the `most` largest values, in their order; of equal ones the first. All places if there are no more.
 [[nodiscard]] std::vector<std::size_t> places_of_largest(const std::vector<double>& values, std::size_t most);
 
-/// Prints that `drawn` of `all` curves are drawn in a panel; nothing if these are all.
-void print_left_out(const std::string& panel, std::size_t drawn, std::size_t all);
+/// Adds to the notes that `drawn` of `all` curves are drawn in a panel; nothing if these are all.
+void note_left_out(const std::string& panel, std::size_t drawn, std::size_t all, std::vector<std::string>& notes);
 
 }  // namespace talus::app

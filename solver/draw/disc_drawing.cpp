@@ -4,14 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 namespace talus::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Calls draw(shift) for each whole number of periods by which what reaches from `left` to `right` is in the window.
 template <class Draw>
@@ -21,56 +17,73 @@ void for_images(double left, double right, double period, const Window& window, 
     draw(image * period);
 }
 
-/// Rows "series,line,x,y,radius,value".
-class Rows {
- public:
-  void add(const char* series, const Vec2& p, double radius = 0.0, double value = 0.0) {
-    fmt::format_to(std::back_inserter(text_), "{},{},{:.6g},{:.6g},{:.6g},{:.4g}\n", series, line_, p.x, p.y, radius,
-                   value);
-  }
-  void next_line() { ++line_; }
-  std::string text() && { return std::move(text_); }
-
- private:
-  std::string text_{"series,line,x,y,radius,value\n"};
-  long line_{0};
-};
-
-/// A bar of that width between two points.
-void add_bar(Rows& rows, const char* series, const Vec2& from, const Vec2& to, double width) {
+/// Adds a bar of that width between two points.
+void add_bar(records::Series& bars, const Vec2& from, const Vec2& to, double width) {
   const Vec2 along = to - from;
   const double length = norm(along);
   const Vec2 side = length > 0.0 ? (0.5 * width / length) * Vec2{-along.y, along.x} : Vec2{};
-  for (const Vec2& corner : {from + side, to + side, to - side, from - side})
-    rows.add(series, corner);
-  rows.next_line();
+  add_polyline(bars, {from + side, to + side, to - side, from - side});
 }
 
-/// Those behind first. In a frame's CSV file the column `series` holds the kind.
-Json series_of(const DrawnDiscs& drawn, const DiscFrame& frame) {
-  const auto walls =
-      std::count_if(frame.discs.begin(), frame.discs.end(), [](const SeenDisc& disc) { return disc.wall; });
+/// Adds the discs of a frame to the series of those of walls, or of the others, whose values colour them.
+void add_discs(const DrawnDiscs& drawn, const DiscFrame& frame, records::Series& walls, records::Series& discs) {
+  const std::vector<double> values = disc_values(frame, drawn.colour);
+  for (std::size_t i = 0; i < frame.discs.size(); ++i) {
+    const SeenDisc& disc = frame.discs[i];
+    for_images(disc.p.x - disc.radius, disc.p.x + disc.radius, *drawn.run.files.period, drawn.window,
+               [&](double shift) {
+                 records::Series& series = disc.wall ? walls : discs;
+                 series.add(disc.p.x + shift, disc.p.y);
+                 series.radius.push_back(disc.radius);
+                 if (!disc.wall) series.values.push_back(values[i]);
+               });
+  }
+}
+
+void add_contacts(const DrawnDiscs& drawn, const DiscFrame& frame, records::Series& bars) {
+  const double scale = drawn.largest_force > 0.0 ? widest_bar(drawn) / drawn.largest_force : 0.0;
+  for (const SeenContact& contact : frame.contacts) {
+    const auto [left, right] = std::minmax(contact.from.x, contact.to.x);
+    for_images(left, right, *drawn.run.files.period, drawn.window, [&](double shift) {
+      const Vec2 by{shift, 0.0};
+      add_bar(bars, contact.from + by, contact.to + by, scale * contact.force);
+    });
+  }
+}
+
+void add_borders(const DrawnDiscs& drawn, records::Series& borders) {
+  const double period = *drawn.run.files.period;
+  for_images(-0.5 * period, -0.5 * period, period, drawn.window, [&](double shift) {
+    const double x = shift - 0.5 * period;
+    add_polyline(borders, {{x, drawn.window.bottom}, {x, drawn.window.top}});
+  });
+}
+
+/// Those behind first.
+std::vector<records::Series> series_of(const DrawnDiscs& drawn, const DiscFrame& frame) {
+  using records::Style;
+  records::Series walls = frame_series("disc of a wall", Style::circles, {"#5f6368", "#c4c7cb", 0.3});
+  records::Series discs = frame_series("", Style::circles, {"#33475b", "", 0.3});
+  records::Series borders =
+      frame_series("border of the field, beyond it images", Style::shapes, {"#0072b2", "", 1.2, true});
+  add_discs(drawn, frame, walls, discs);
+  add_borders(drawn, borders);
+  std::vector<records::Series> series;
+  if (!walls.x.empty()) series.push_back(std::move(walls));
+  if (!discs.x.empty()) series.push_back(std::move(discs));
+  series.push_back(std::move(borders));
+  if (frame.contacts.empty()) return series;
   const std::string unit = drawn.run.unit(dimension::force);
-  Json series = Json::array();
-  const auto add = [&](const char* where, const std::string& label, const char* style, const Json& look) {
-    series.push_back({{"label", label}, {"x", "x"}, {"y", "y"}, {"style", style}, {"where", where}});
-    series.back().update(look);
-  };
-  if (walls > 0) {
-    add("wall", "disc of a wall", "circles",
-        {{"radius", "radius"}, {"colour", "#5f6368"}, {"fill", "#c4c7cb"}, {"width", 0.3}});
-  }
-  if (static_cast<std::size_t>(walls) < frame.discs.size())
-    add("disc", "", "circles", {{"radius", "radius"}, {"colour", "#33475b"}, {"value", "value"}, {"width", 0.3}});
-  add("border", "border of the field, beyond it images", "shapes",
-      {{"colour", "#0072b2"}, {"width", 1.2}, {"dashed", true}});
-  if (!frame.contacts.empty()) {
-    const std::string largest = fmt::format("{:.3g}{}{}", drawn.largest_force, unit.empty() ? "" : " ", unit);
-    // On an edge of white, which tells it from dark discs.
-    add("contact", "", "shapes", {{"colour", "#ffffff"}, {"fill", "#ffffff"}, {"width", 1.0}});
-    add("contact", "contact, as wide as its force; widest " + largest, "shapes",
-        {{"colour", "#000000"}, {"fill", "#000000"}, {"width", 0.3}});
-  }
+  const std::string largest = fmt::format("{:.3g}{}{}", drawn.largest_force, unit.empty() ? "" : " ", unit);
+  records::Series bars =
+      frame_series("contact, as wide as its force; widest " + largest, Style::shapes, {"#000000", "#000000", 0.3});
+  add_contacts(drawn, frame, bars);
+  // On a white edge, which makes it visible on dark discs.
+  records::Series edges = bars;
+  edges.label.clear();
+  edges.look = {"#ffffff", "#ffffff", 1.0};
+  series.push_back(std::move(edges));
+  series.push_back(std::move(bars));
   return series;
 }
 
@@ -88,12 +101,12 @@ Window whole_window(const DrawnDiscs& drawn) {
   return window;
 }
 
-Json numbers(const DiscFrame& frame, const Window& window) {
-  Json marks = Json::array();
+std::vector<records::Mark> numbers(const DiscFrame& frame, const Window& window) {
+  std::vector<records::Mark> marks;
   for (std::size_t i = 0; i < frame.discs.size(); ++i) {
     const Vec2& p = frame.discs[i].p;
     if (p.x < window.left || p.x > window.right) continue;
-    marks.push_back({{"x", p.x}, {"y", p.y}, {"words", fmt::format("{}", i + 1)}});
+    marks.push_back({p.x, p.y, fmt::format("{}", i + 1)});
   }
   return marks;
 }
@@ -145,41 +158,13 @@ double largest_value(const DrawnDiscs& drawn, DiscColour colour) {
 
 double widest_bar(const DrawnDiscs& drawn) { return 0.8 * drawn.largest_radius; }
 
-std::string frame_csv(const DrawnDiscs& drawn, std::size_t frame) {
-  const Window& window = drawn.window;
+records::Figure frame_figure(const DrawnDiscs& drawn, std::size_t frame, const FrameStyle& style) {
   const DiscFrame& shown = drawn.frames[frame];
-  const double period = *drawn.run.files.period;
-  const std::vector<double> values = disc_values(shown, drawn.colour);
-  Rows rows;
-  for (std::size_t i = 0; i < shown.discs.size(); ++i) {
-    const SeenDisc& disc = shown.discs[i];
-    for_images(disc.p.x - disc.radius, disc.p.x + disc.radius, period, window, [&](double shift) {
-      rows.add(disc.wall ? "wall" : "disc", disc.p + Vec2{shift, 0.0}, disc.radius, values[i]);
-    });
-  }
-  const double scale = drawn.largest_force > 0.0 ? widest_bar(drawn) / drawn.largest_force : 0.0;
-  for (const SeenContact& contact : shown.contacts) {
-    const auto [left, right] = std::minmax(contact.from.x, contact.to.x);
-    for_images(left, right, period, window, [&](double shift) {
-      const Vec2 by{shift, 0.0};
-      add_bar(rows, "contact", contact.from + by, contact.to + by, scale * contact.force);
-    });
-  }
-  for_images(-0.5 * period, -0.5 * period, period, window, [&](double shift) {
-    rows.add("border", {shift - 0.5 * period, window.bottom});
-    rows.add("border", {shift - 0.5 * period, window.top});
-    rows.next_line();
-  });
-  return std::move(rows).text();
+  return frame_figure(drawn.run, style, {.number = frame, .time = shown.time}, series_of(drawn, shown),
+                      style.numbers ? numbers(shown, style.window) : std::vector<records::Mark>{});
 }
 
-Json frame_figure(const DrawnDiscs& drawn, std::size_t frame, const FrameStyle& style, const std::string& csv_file) {
-  const DiscFrame& shown = drawn.frames[frame];
-  return frame_figure(drawn.run, style, {frame, shown.time, csv_file}, series_of(drawn, shown),
-                      style.numbers ? numbers(shown, style.window) : Json::array());
-}
-
-Json colour_scale(const DrawnDiscs& drawn) {
+std::optional<records::Scale> colour_scale(const DrawnDiscs& drawn) {
   const bool speed = drawn.colour == DiscColour::speed;
   return colour_scale(speed ? "speed of a disc" : "sum of the contact forces on a disc",
                       drawn.run.unit(speed ? dimension::velocity : dimension::force),

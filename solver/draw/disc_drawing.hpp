@@ -14,7 +14,7 @@ enum class DiscColour {
   force,  ///< the sum of the forces of its contacts
 };
 
-/// The discs that a run left, as far as they are drawn, with places in
+/// The discs that a run left, as far as they are drawn, with positions in
 /// [-period/2, period/2) along x, as in PIC.DAT.
 struct DrawnDiscs {
   RunFolder run;
@@ -39,14 +39,10 @@ struct DrawnDiscs {
 /// `drawn.window`; discs have the side view alone.
 [[nodiscard]] inline Window window_of(const DrawnDiscs& drawn, View) { return drawn.window; }
 
-/// A frame's discs, contacts and borders as the CSV file that its figure names, with all images in the window.
-[[nodiscard]] std::string frame_csv(const DrawnDiscs& drawn, std::size_t frame);
+/// A frame's discs, contacts and borders as a figure, with all images in `drawn.window`.
+[[nodiscard]] records::Figure frame_figure(const DrawnDiscs& drawn, std::size_t frame, const FrameStyle& style);
 
-/// A frame as a figure of the drawing record, over its CSV file.
-[[nodiscard]] nlohmann::ordered_json frame_figure(const DrawnDiscs& drawn, std::size_t frame, const FrameStyle& style,
-                                                  const std::string& csv_file);
-
-/// The scale of what colours discs, for a page; null if that is nought throughout.
-[[nodiscard]] nlohmann::ordered_json colour_scale(const DrawnDiscs& drawn);
+/// The scale of what colours discs, for a page; nothing if that is zero throughout.
+[[nodiscard]] std::optional<records::Scale> colour_scale(const DrawnDiscs& drawn);
 
 }  // namespace talus::app

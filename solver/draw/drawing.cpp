@@ -1,18 +1,18 @@
 #include "solver/draw/drawing.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
+#include <algorithm>
 #include <charconv>
-#include <cstdlib>
-#include <cstring>
+#include <cstdio>
+#include <stdexcept>
+#include <thread>
+#include <utility>
 
+#include "reports/error.hpp"
+#include "reports/report.hpp"
 #include "solver/base/error.hpp"
-#include "solver/draw/report_tool.hpp"
-#include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/quantity_text.hpp"
 
 namespace talus::app {
@@ -47,33 +47,62 @@ double option_time(const std::string& option, const std::string& text, const Run
   return value;
 }
 
-int draw(const fs::path& record, const fs::path& target, const std::vector<std::string>& formats) {
-  return run_report_tool(
-      {"--plot", record.string(), "--to", target.string(), "--format", fmt::format("{}", fmt::join(formats, ","))});
+namespace {
+
+reports::Workplace workplace() {
+  return {reports::find_resources(), std::max(1U, std::thread::hardware_concurrency())};
 }
 
-DrawingRecord::DrawingRecord(fs::path target) : target_{std::move(target)} {
-  make_folder(target_);
-  std::string name = (target_ / ".record.XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) {
-    throw IoError{fmt::format("{}: {}", target_.string(), std::strerror(errno))};
+/// Does it with the errors of reports/ as those of the solver.
+template <class Work>
+auto with_own_errors(Work&& work) {
+  try {
+    return work();
+  } catch (const reports::RecordError& error) {
+    throw InputError{error.what()};
+  } catch (const reports::FileError& error) {
+    throw IoError{error.what()};
+  } catch (const reports::OutputError& error) {
+    throw IoError{error.what()};
+  } catch (const fs::filesystem_error& error) {
+    throw IoError{error.what()};
   }
-  folder_ = name;
 }
 
-DrawingRecord::~DrawingRecord() {
-  std::error_code none;
-  fs::remove_all(folder_, none);
+/// Writes to stderr, behind all that was printed: both streams may go to one file.
+void print_warnings(const std::string& warnings) {
+  std::fflush(stdout);
+  fmt::print(stderr, "{}", warnings);
 }
 
-void DrawingRecord::add(const std::string& name, std::string_view text) const { write_whole(folder_ / name, text); }
+}  // namespace
 
-void DrawingRecord::link(const std::string& name, const fs::path& file) const {
-  std::error_code error;
-  fs::create_symlink(fs::absolute(file), folder_ / name, error);
-  if (error) throw IoError{fmt::format("{}: {}", (folder_ / name).string(), error.message())};
+void draw(DrawingRequest request) {
+  for (const std::string& note : request.notes)
+    fmt::print("{}\n", note);
+  std::fflush(stdout);  // who waits for the pictures may read them
+  const reports::Made made = with_own_errors([&] {
+    return reports::make_pictures(std::move(request.pictures), request.target,
+                                  {request.formats.begin(), request.formats.end()}, workplace());
+  });
+  print_warnings(made.warnings);
+  for (const fs::path& file : made.files)
+    fmt::print("{}\n", file.string());
 }
 
-int DrawingRecord::draw(const std::vector<std::string>& formats) const { return app::draw(folder_, target_, formats); }
+void draw_sheet(const fs::path& run) {
+  try {
+    print_warnings(with_own_errors([&] { return reports::make_sheet(run, workplace()); }).warnings);
+  } catch (const std::runtime_error& error) {
+    throw IoError{fmt::format("{}: the sheet was not made: {}", (run / "sheet.json").string(), error.what())};
+  }
+}
+
+void find_sheet_tools() {
+  with_own_errors([] {
+    static_cast<void>(reports::find_resources());
+    reports::demand_sheet_tools();
+  });
+}
 
 }  // namespace talus::app

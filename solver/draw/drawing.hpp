@@ -1,10 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "reports/pictures.hpp"
 #include "solver/io/output/run_folder.hpp"
 
 namespace CLI {
@@ -35,30 +36,25 @@ void add_colour_option(CLI::App& app, PictureOptions& options);
 [[nodiscard]] double option_time(const std::string& option, const std::string& text, const RunFolder& run,
                                  bool positive = true);
 
-/// Draws what the plot.json in `record` asks for into `target` by talus_report, which stands beside talus or in a
-/// folder of PATH, and returns its exit code. Errors: IoError if it is not there or ends by a signal.
-[[nodiscard]] int draw(const std::filesystem::path& record, const std::filesystem::path& target,
-                       const std::vector<std::string>& formats);
-
-/// A record that is drawn from and then removed.
-class DrawingRecord {
- public:
-  /// Makes `target` and the record's folder in it. Errors: IoError.
-  explicit DrawingRecord(std::filesystem::path target);
-  DrawingRecord(const DrawingRecord&) = delete;
-  DrawingRecord& operator=(const DrawingRecord&) = delete;
-  ~DrawingRecord();
-
-  /// Adds a file. Errors: IoError.
-  void add(const std::string& name, std::string_view text) const;
-  /// Adds a file that stands elsewhere. Errors: IoError.
-  void link(const std::string& name, const std::filesystem::path& file) const;
-  /// Draws into the target; the exit code of talus_report.
-  [[nodiscard]] int draw(const std::vector<std::string>& formats) const;
-
- private:
-  std::filesystem::path target_;
-  std::filesystem::path folder_;
+/// Pictures that a command draws.
+struct DrawingRequest {
+  reports::Pictures pictures;
+  std::filesystem::path target;      ///< folder that receives them
+  std::vector<std::string> formats;  ///< of figures and pages
+  std::vector<std::string> notes{};  ///< printed before: what is left out
 };
+
+/// Where commands send their requests: draw(), or a test.
+using DrawingSink = std::function<void(DrawingRequest)>;
+
+/// Prints the notes, draws the pictures and prints their files. Errors: InputError for what cannot be drawn; IoError if
+/// gnuplot is missing or fails, or a file cannot be written; no file is then half written.
+void draw(DrawingRequest request);
+
+/// Makes sheet.pdf and sheet.html in the folder of a run from its sheet.json. Errors: IoError.
+void draw_sheet(const std::filesystem::path& run);
+
+/// Finds what draw_sheet() needs besides the run. Errors: IoError naming what is missing.
+void find_sheet_tools();
 
 }  // namespace talus::app

@@ -9,7 +9,7 @@
 
 namespace talus::app {
 
-/// The states of a run as they are drawn. Both kinds have `run`, `frames` and `has_depth`, and window_of, frame_csv,
+/// The states of a run as they are drawn. Both kinds have `run`, `frames` and `has_depth`, and window_of,
 /// frame_figure, colour_scale and player_json take either.
 using DrawnStates = std::variant<DrawnGeometry, DrawnDiscs>;
 

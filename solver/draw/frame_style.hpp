@@ -1,10 +1,12 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "solver/base/vec.hpp"
 #include "solver/io/output/run_folder.hpp"
+#include "verification/record/figure.hpp"
 
 namespace talus::app {
 
@@ -28,21 +30,26 @@ struct FrameStyle {
   std::vector<int> divisions;  ///< of the grid; empty: round numbers
 };
 
-/// Which frame a figure shows, and by what.
+/// Which frame a figure shows.
 struct ShownFrame {
   std::size_t number{};
   double time{};
-  std::string csv_file;
-  std::string abscissa{"x"};  ///< words at the axis to the right
+  std::string abscissa{"x"};  ///< label of the axis to the right
 };
 
-/// A frame as a figure of the drawing record: equal axes over the style's window, titled by the time. Its name begins
-/// with the view's and ends with the frame's number.
-[[nodiscard]] nlohmann::ordered_json frame_figure(const RunFolder& run, const FrameStyle& style,
-                                                  const ShownFrame& frame, nlohmann::ordered_json series,
-                                                  nlohmann::ordered_json marks);
+/// A frame as a figure: equal axes over the style's window, titled by the time. Its name begins with the view's and
+/// ends with the frame's number.
+[[nodiscard]] records::Figure frame_figure(const RunFolder& run, const FrameStyle& style, const ShownFrame& frame,
+                                           std::vector<records::Series> series, std::vector<records::Mark> marks);
 
-/// Colours from 0 to the largest value for a page; null if that is nought.
-[[nodiscard]] nlohmann::ordered_json colour_scale(const std::string& words, const std::string& unit, double largest);
+/// A series without points.
+[[nodiscard]] records::Series frame_series(const std::string& label, records::Style style, records::Look look);
+
+/// Adds a polyline to a series of shapes.
+void add_polyline(records::Series& shapes, const std::vector<Vec2>& points);
+
+/// Colours from 0 to the largest value for a page; nothing if that is zero.
+[[nodiscard]] std::optional<records::Scale> colour_scale(const std::string& words, const std::string& unit,
+                                                         double largest);
 
 }  // namespace talus::app

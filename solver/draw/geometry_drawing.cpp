@@ -3,16 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace talus::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// How the kinds of shapes are drawn, those behind first. In a frame's CSV file the column `series` holds the kind.
+/// How the kinds of shapes are drawn, those behind first.
 struct Kind {
   const char* name;
   const char* words;
@@ -46,58 +47,96 @@ std::vector<Vec2> seen_along(const GeometryLine& line, const std::string& kind, 
   return points;
 }
 
-/// Ends the series of mirror images, which the view along the fence alone shows.
-constexpr std::string_view of_images = "_image";
+std::vector<Vec2> seen(const GeometryLine& line, View view) {
+  std::vector<Vec2> points;
+  for (const Vec3& p : line.points)
+    points.push_back({view == View::side ? p.x : p.z, p.y});
+  return points;
+}
 
-/// Rows "series,line,x,y,z,v,tension": x, y of the side view, z, v of the view along the fence.
-class Rows {
+/// The shapes of a frame as one view shows them: of each kind those that are there and their mirror images.
+class Shapes {
  public:
-  std::string_view suffix{};  ///< of the series' names
-
-  void add(const char* series, const Vec2& side, const Vec2& along, double tension) {
-    fmt::format_to(std::back_inserter(text_), "{}{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n", series, suffix, line_,
-                   side.x, side.y, along.x, along.y, tension);
+  Shapes(const DrawnGeometry& geometry, View view) : geometry_{geometry}, view_{view} {
+    for (std::size_t i = 0; i < series_.size(); ++i) {
+      const Kind& kind = kinds[i];
+      const bool scaled = std::string_view{kind.name} == "taut" && geometry.largest_tension > 0.0;
+      const records::Look look{kind.colour, kind.fill, kind.width, kind.dashed};
+      series_[i] = {frame_series("", records::Style::shapes, look),
+                    frame_series(scaled ? "" : kind.words, records::Style::shapes, look)};
+    }
   }
-  void next_line() { ++line_; }
-  const std::string& text() const { return text_; }
+
+  void add_line(const GeometryLine& line, bool image) {
+    if (line.body < 0) {
+      records::Series& cables = of_kind(line.slack ? "slack" : "taut", image);
+      add_polyline(cables, seen(line, view_));
+      if (!line.slack) cables.values.resize(cables.x.size(), line.tension);
+      return;
+    }
+    const std::string& kind = body_of(geometry_, line).kind;
+    const bool along = view_ == View::along;
+    add_polyline(of_kind(kind, image),
+                 along ? seen_along(line, kind, half_width(geometry_, line.body)) : seen(line, view_));
+  }
+
+  /// `z`: of the bar, in place of its joint's.
+  void add_hanger(const HangerBar& bar, double z, bool image) {
+    const bool side = view_ == View::side;
+    add_polyline(of_kind("hanger", image), {{side ? bar.joint.x : z, bar.joint.y}, {side ? bar.end.x : z, bar.end.y}});
+  }
+
+  /// Those that are not empty, the ones behind first; images stand behind the middle of the fence.
+  [[nodiscard]] std::vector<records::Series> all() && {
+    std::vector<records::Series> found;
+    for (auto& [images, there] : series_) {
+      for (records::Series* one : {&images, &there})
+        if (!one->x.empty()) found.push_back(std::move(*one));
+    }
+    return found;
+  }
 
  private:
-  std::string text_{"series,line,x,y,z,v,tension\n"};
-  long line_{0};
+  struct OfKind {
+    records::Series images, there;
+  };
+
+  records::Series& of_kind(std::string_view name, bool image) {
+    const auto kind =
+        std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& each) { return each.name == name; });
+    OfKind& found = series_.at(static_cast<std::size_t>(kind - std::begin(kinds)));
+    return image ? found.images : found.there;
+  }
+
+  const DrawnGeometry& geometry_;
+  View view_;
+  std::array<OfKind, std::size(kinds)> series_;
 };
 
-void add_outline(Rows& rows, const DrawnGeometry& geometry, const GeometryLine& line) {
-  const std::string& kind = body_of(geometry, line).kind;
-  const std::vector<Vec2> along = seen_along(line, kind, half_width(geometry, line.body));
-  const auto series =
-      std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& each) { return each.name == kind; });
-  // Both views have as many rows: the shorter one stays at its end.
-  for (std::size_t i = 0; i < std::max(line.points.size(), along.size()); ++i) {
-    const Vec3& p = line.points[std::min(i, line.points.size() - 1)];
-    rows.add(series->name, {p.x, p.y}, along[std::min(i, along.size() - 1)], 0.0);
+std::vector<records::Series> series_of(const DrawnGeometry& geometry, const GeometryFrame& frame, View view) {
+  const bool along = view == View::along;  // mirror images are seen along the fence alone
+  Shapes shapes{geometry, view};
+  std::vector<const GeometryLine*> lines;
+  for (const GeometryLine& line : frame.lines)
+    lines.push_back(&line);
+  // The middle of the fence stands in front of its ends.
+  std::stable_sort(lines.begin(), lines.end(), [](const GeometryLine* a, const GeometryLine* b) {
+    return std::abs(a->points.front().z) > std::abs(b->points.front().z);
+  });
+  for (const GeometryLine* line : lines) {
+    shapes.add_line(*line, false);
+    if (!along) continue;
+    if (const auto image = mirror_image(geometry, *line)) shapes.add_line(*image, true);
   }
-  rows.next_line();
-}
-
-void add_cable(Rows& rows, const GeometryLine& line) {
-  for (const Vec3& p : line.points)
-    rows.add(line.slack ? "slack" : "taut", {p.x, p.y}, {p.z, p.y}, line.tension);
-  rows.next_line();
-}
-
-void add_line(Rows& rows, const DrawnGeometry& geometry, const GeometryLine& line) {
-  if (line.body >= 0) return add_outline(rows, geometry, line);
-  add_cable(rows, line);
-}
-
-void add_hanger(Rows& rows, const HangerBar& bar, double z) {
-  rows.add("hanger", in_plane(bar.joint), {z, bar.joint.y}, 0.0);
-  rows.add("hanger", in_plane(bar.end), {z, bar.end.y}, 0.0);
-  rows.next_line();
+  for (const HangerBar& bar : hangers(frame)) {
+    shapes.add_hanger(bar, bar.joint.z, false);
+    if (along && geometry.run.files.mirrored && bar.joint.z != 0.0) shapes.add_hanger(bar, -bar.joint.z, true);
+  }
+  return std::move(shapes).all();
 }
 
 /// Element numbers at the bodies' middles; those of one kind that would cover each other stand together.
-Json marks(const DrawnGeometry& geometry, const GeometryFrame& frame, const FrameStyle& style) {
+std::vector<records::Mark> marks(const DrawnGeometry& geometry, const GeometryFrame& frame, const FrameStyle& style) {
   struct Place {
     Vec2 p;
     std::string kind;
@@ -116,82 +155,30 @@ Json marks(const DrawnGeometry& geometry, const GeometryFrame& frame, const Fram
     if (place == places.end()) place = places.insert(place, {p, kind, {}});
     place->numbers.push_back(number);
   }
-  Json made = Json::array();
+  std::vector<records::Mark> made;
   for (const Place& place : places) {
     const int first = place.numbers.front();
     const int last = place.numbers.back();
     const auto count = place.numbers.size();
-    made.push_back({{"x", place.p.x},
-                    {"y", place.p.y},
-                    {"words", count == 1   ? fmt::format("{}", first)
-                              : count == 2 ? fmt::format("{}, {}", first, last)
-                                           : fmt::format("{} .. {}", first, last)}});
+    made.push_back({place.p.x, place.p.y,
+                    count == 1   ? fmt::format("{}", first)
+                    : count == 2 ? fmt::format("{}, {}", first, last)
+                                 : fmt::format("{} .. {}", first, last)});
   }
   return made;
 }
 
 }  // namespace
 
-std::string frame_csv(const DrawnGeometry& geometry, std::size_t frame) {
-  Rows rows;
-  std::vector<const GeometryLine*> lines;
-  for (const GeometryLine& line : geometry.frames[frame].lines)
-    lines.push_back(&line);
-  // The middle of the fence stands in front of its ends.
-  std::stable_sort(lines.begin(), lines.end(), [](const GeometryLine* a, const GeometryLine* b) {
-    return std::abs(a->points.front().z) > std::abs(b->points.front().z);
-  });
-  for (const GeometryLine* line : lines) {
-    add_line(rows, geometry, *line);
-    const auto image = mirror_image(geometry, *line);
-    if (!image) continue;
-    rows.suffix = of_images;
-    add_line(rows, geometry, *image);
-    rows.suffix = {};
-  }
-  for (const HangerBar& bar : hangers(geometry.frames[frame])) {
-    rows.suffix = {};
-    add_hanger(rows, bar, bar.joint.z);
-    if (!geometry.run.files.mirrored || bar.joint.z == 0.0) continue;
-    rows.suffix = of_images;
-    add_hanger(rows, bar, -bar.joint.z);
-  }
-  return rows.text();
-}
-
-Json frame_figure(const DrawnGeometry& geometry, std::size_t frame, const FrameStyle& style,
-                  const std::string& csv_file) {
+records::Figure frame_figure(const DrawnGeometry& geometry, std::size_t frame, const FrameStyle& style) {
   const GeometryFrame& shown = geometry.frames[frame];
-  const bool side = style.view == View::side;
-  const std::string csv = frame_csv(geometry, frame);
-  Json series = Json::array();
-  const auto add = [&](const Kind& kind, std::string_view suffix) {
-    const std::string where = fmt::format("{}{}", kind.name, suffix);
-    if (csv.find(fmt::format("\n{},", where)) == std::string::npos) return;
-    const bool taut = std::string_view{kind.name} == "taut";
-    const bool named = suffix.empty() && !(taut && geometry.largest_tension > 0.0);
-    series.push_back({{"label", named ? kind.words : ""},
-                      {"x", side ? "x" : "z"},
-                      {"y", side ? "y" : "v"},
-                      {"style", "shapes"},
-                      {"where", where},
-                      {"colour", kind.colour},
-                      {"fill", kind.fill},
-                      {"width", kind.width},
-                      {"dashed", kind.dashed},
-                      {"value", taut ? "tension" : ""}});
-  };
-  for (const Kind& kind : kinds) {
-    if (!side) add(kind, of_images);  // behind the middle of the fence
-    add(kind, {});
-  }
-  ShownFrame which{frame, shown.time, csv_file};
-  if (!side) which.abscissa = geometry.run.files.mirrored ? "z, below 0 the mirror image" : "z";
-  return frame_figure(geometry.run, style, which, std::move(series),
-                      style.numbers ? marks(geometry, shown, style) : Json::array());
+  ShownFrame which{.number = frame, .time = shown.time};
+  if (style.view == View::along) which.abscissa = geometry.run.files.mirrored ? "z, below 0 the mirror image" : "z";
+  return frame_figure(geometry.run, style, which, series_of(geometry, shown, style.view),
+                      style.numbers ? marks(geometry, shown, style) : std::vector<records::Mark>{});
 }
 
-Json colour_scale(const DrawnGeometry& geometry) {
+std::optional<records::Scale> colour_scale(const DrawnGeometry& geometry) {
   return colour_scale("tension of taut cables", geometry.run.unit(dimension::force), geometry.largest_tension);
 }
 

@@ -5,19 +5,18 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
-#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "solver/base/error.hpp"
 #include "solver/base/exit_code.hpp"
 #include "solver/draw/curve_choice.hpp"
+#include "solver/draw/frame_style.hpp"
 #include "solver/draw/history_choice.hpp"
 
 namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 /// One curve and the run that it is of.
 struct RunCurve {
@@ -78,8 +77,8 @@ std::vector<CurvePanel> panels_of(const HistoryPlotOptions& options) {
   return panels;
 }
 
-/// Leaves the curves with the largest ranges: of several runs all of a quantity, or none.
-void limit(CurvePanel& panel) {
+/// Leaves the curves with the largest ranges: of several runs all of a quantity, or none. Notes what is left out.
+void limit(CurvePanel& panel, std::vector<std::string>& notes) {
   if (panel.curves.size() <= most_curves) return;
   using Quantity = std::pair<std::string, std::string>;
   const auto quantity_of = [](const RunCurve& each) { return Quantity{each.curve.y.subject, each.curve.y.words}; };
@@ -101,8 +100,8 @@ void limit(CurvePanel& panel) {
     if (std::binary_search(kept.begin(), kept.end(), static_cast<std::size_t>(known - quantities.begin())))
       curves.push_back(std::move(each));
   }
-  print_left_out(panel.key.empty() ? "panel" : fmt::format("panel [{}]", panel.key), curves.size(),
-                 panel.curves.size());
+  note_left_out(panel.key.empty() ? "panel" : fmt::format("panel [{}]", panel.key), curves.size(), panel.curves.size(),
+                notes);
   panel.curves = std::move(curves);
 }
 
@@ -128,23 +127,13 @@ std::string label(const RunCurve& each, const CurvePanel& panel) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-Json axis(const std::string& title, const std::string& fallback, const std::string& unit, const Limits& limits,
-          int divisions) {
-  Json made{
-      {"label", !title.empty() ? title : fallback}, {"unit", title.empty() ? unit : ""}, {"divisions", divisions}};
-  if (limits) made["min"] = limits->first;
-  if (limits) made["max"] = limits->second;
+records::Axis axis(const std::string& title, const std::string& fallback, const std::string& unit, const Limits& limits,
+                   int divisions) {
+  records::Axis made{
+      .label = !title.empty() ? title : fallback, .unit = title.empty() ? unit : "", .divisions = divisions};
+  if (limits) made.min = limits->first;
+  if (limits) made.max = limits->second;
   return made;
-}
-
-std::string csv_of(const CurvePanel& panel) {
-  std::string text = "series,x,y\n";
-  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
-    const ChosenCurve& curve = panel.curves[i].curve;
-    for (std::size_t row = 0; row < curve.x.values.size(); ++row)
-      fmt::format_to(std::back_inserter(text), "{},{},{}\n", i, curve.x.values[row], curve.y.values[row]);
-  }
-  return text;
 }
 
 void demand_one_unit(const CurvePanel& panel) {
@@ -159,31 +148,30 @@ void demand_one_unit(const CurvePanel& panel) {
   }
 }
 
-Json figure(const CurvePanel& panel, const HistoryPlotOptions& options, std::size_t place, bool alone) {
+/// Takes the values of the panel's curves.
+records::Figure figure(CurvePanel& panel, const HistoryPlotOptions& options, std::size_t place, bool alone) {
   demand_one_unit(panel);
   const ChosenCurve& first = panel.curves.front().curve;
-  Json series = Json::array();
-  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
-    series.push_back({{"label", label(panel.curves[i], panel)},
-                      {"x", "x"},
-                      {"y", "y"},
-                      {"style", "lines"},
-                      {"where", fmt::format("{}", i)}});
-  }
   const std::string common = shared(panel.curves, words);
   const bool of_time = options.abscissa == "time";
   const std::string x_words = of_time || first.x.subject.empty() ? first.x.words
                               : first.x.subject == first.y.subject
                                   ? first.x.words
                                   : fmt::format("{} of {}", first.x.words, first.x.subject);
+  const std::string y_words = common.empty() ? "value" : common;
   const std::vector<int> divisions = options.divisions.empty() ? std::vector<int>{0, 0} : options.divisions;
-  return {{"name", fmt::format("panel{}", place)},
-          {"title", alone ? "" : fmt::format("({})", static_cast<char>('a' + static_cast<int>(place % 26)))},
-          {"x", axis(options.x_title, x_words, first.x.unit, options.x_limits, divisions[0])},
-          {"y", axis(options.y_title, common.empty() ? "value" : common, first.y.unit, options.y_limits, divisions[1])},
-          {"csv", fmt::format("panel{}.csv", place)},
-          {"grid", !options.no_grid},
-          {"series", series}};
+  records::Figure made{.name = fmt::format("panel{}", place),
+                       .title = alone ? "" : fmt::format("({})", static_cast<char>('a' + static_cast<int>(place % 26))),
+                       .caption = "",
+                       .x = axis(options.x_title, x_words, first.x.unit, options.x_limits, divisions[0]),
+                       .y = axis(options.y_title, y_words, first.y.unit, options.y_limits, divisions[1]),
+                       .grid = !options.no_grid};
+  for (RunCurve& each : panel.curves) {
+    records::Series& series = made.series.emplace_back(frame_series(label(each, panel), records::Style::lines, {}));
+    series.x = std::move(each.curve.x.values);
+    series.y = std::move(each.curve.y.values);
+  }
+  return made;
 }
 
 /// "top_tension" of one history asked for, else "histories".
@@ -198,26 +186,28 @@ std::string file_stem(const HistoryPlotOptions& options) {
 
 }  // namespace
 
-int plot_histories(const HistoryPlotOptions& options) {
+DrawingRequest history_drawing(const HistoryPlotOptions& options) {
   std::vector<CurvePanel> panels = panels_of(options);
-  if (!options.all && options.elements.empty()) std::for_each(panels.begin(), panels.end(), limit);
   const PictureOptions& picture = options.picture;
-  const fs::path target =
-      picture.folder.empty() ? fs::path{options.folders.front()} / "plots" : fs::path{picture.folder};
-  Json figures = Json::array();
-  for (std::size_t i = 0; i < panels.size(); ++i)
-    figures.push_back(figure(panels[i], options, i, panels.size() == 1));
-  const int columns = options.columns > 0 ? options.columns : panels.size() > 2 ? 2 : 1;
+  DrawingRequest request{
+      .pictures = {},
+      .target = picture.folder.empty() ? fs::path{options.folders.front()} / "plots" : fs::path{picture.folder},
+      .formats = picture.formats};
+  if (!options.all && options.elements.empty()) {
+    for (CurvePanel& panel : panels)
+      limit(panel, request.notes);
+  }
   const std::string own_title = options.folders.size() == 1 ? read_run_folder(options.folders.front()).title : "";
-  const Json page{{"name", file_stem(options)},
-                  {"title", picture.title.empty() ? own_title : picture.title},
-                  {"columns", columns},
-                  {"panels", std::move(figures)}};
-  const DrawingRecord record{target};
+  reports::Page page{.name = file_stem(options),
+                     .title = picture.title.empty() ? own_title : picture.title,
+                     .columns = options.columns > 0 ? options.columns
+                                : panels.size() > 2 ? 2
+                                                    : 1,
+                     .panels = {}};
   for (std::size_t i = 0; i < panels.size(); ++i)
-    record.add(fmt::format("panel{}.csv", i), csv_of(panels[i]));
-  record.add("plot.json", Json{{"schema", 1}, {"figures", Json::array()}, {"pages", {page}}}.dump(1));
-  return record.draw(picture.formats);
+    page.panels.push_back(figure(panels[i], options, i, panels.size() == 1));
+  request.pictures.pages.push_back(std::move(page));
+  return request;
 }
 
 int list_histories(const std::vector<std::string>& folders) {

@@ -31,9 +31,9 @@ struct HistoryPlotOptions {
   PictureOptions picture;
 };
 
-/// Draws the histories of one run, or of several over each other; the exit code. Errors: InputError for what the runs
-/// did not keep; IoError.
-[[nodiscard]] int plot_histories(const HistoryPlotOptions& options);
+/// The histories of one run, or of several over each other, as one page. Errors: InputError for what the runs did not
+/// keep; IoError.
+[[nodiscard]] DrawingRequest history_drawing(const HistoryPlotOptions& options);
 
 /// Prints what each run kept.
 [[nodiscard]] int list_histories(const std::vector<std::string>& folders);

@@ -1,37 +1,34 @@
 #include "solver/draw/run_figures.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "solver/base/error.hpp"
 #include "solver/draw/curve_choice.hpp"
-#include "solver/draw/drawing.hpp"
 #include "solver/draw/history_choice.hpp"
-#include "solver/io/file/toml_document.hpp"
+#include "verification/record/error.hpp"
+#include "verification/record/figure_points.hpp"
+#include "verification/record/plots.hpp"
 
 namespace talus::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 /// What a curve is of: "rock" of "rock.vx", "energy" of "energy.kinetic".
-std::string subject_of(const Json& series) {
-  const std::string label = series.at("label").get<std::string>();
-  return label.substr(0, label.rfind('.'));
-}
+std::string subject_of(const records::Series& series) { return series.label.substr(0, series.label.rfind('.')); }
 
 /// Leaves the curves of the elements. Errors: InputError for one that has none in any figure.
-void keep_elements(Json& figures, const KeptRun& run, const std::vector<std::string>& elements) {
+void keep_elements(std::vector<records::Figure>& figures, const KeptRun& run,
+                   const std::vector<std::string>& elements) {
   std::set<std::string> wanted;
   std::vector<std::string> known;
-  for (const Json& figure : figures) {
-    for (const Json& series : figure.at("series")) {
+  for (const records::Figure& figure : figures) {
+    for (const records::Series& series : figure.series) {
       const std::string subject = subject_of(series);
       if (std::find(known.begin(), known.end(), subject) == known.end()) known.push_back(subject);
     }
@@ -43,63 +40,51 @@ void keep_elements(Json& figures, const KeptRun& run, const std::vector<std::str
       throw InputError{fmt::format("--element: {}", unknown_name("element", element, known).what())};
     wanted.insert(*found);
   }
-  Json kept = Json::array();
-  for (Json& figure : figures) {
-    Json curves = Json::array();
-    for (Json& series : figure.at("series"))
-      if (wanted.contains(subject_of(series))) curves.push_back(std::move(series));
-    if (curves.empty()) continue;
-    figure["series"] = std::move(curves);
-    kept.push_back(std::move(figure));
-  }
-  figures = std::move(kept);
+  for (records::Figure& figure : figures)
+    std::erase_if(figure.series, [&](const auto& series) { return !wanted.contains(subject_of(series)); });
+  std::erase_if(figures, [](const records::Figure& figure) { return figure.series.empty(); });
 }
 
-/// Leaves the curves with the largest ranges.
-void keep_widest(Json& figure, const KeptHistory& history) {
-  const Json& series = figure.at("series");
+/// Leaves the curves with the largest ranges. Notes what is left out.
+void keep_widest(records::Figure& figure, std::vector<std::string>& notes) {
   std::vector<double> ranges;
-  for (const Json& curve : series) {
-    const KeptColumn* column = history.find(curve.at("label").get<std::string>());
-    ranges.push_back(column != nullptr ? range_of(column->values) : 0.0);
-  }
-  Json kept = Json::array();
+  for (const records::Series& curve : figure.series)
+    ranges.push_back(range_of(curve.y));
+  std::vector<records::Series> kept;
   for (const std::size_t place : places_of_largest(ranges, most_curves))
-    kept.push_back(series.at(place));
-  print_left_out(figure.at("name").get<std::string>(), kept.size(), series.size());
-  figure["series"] = std::move(kept);
+    kept.push_back(std::move(figure.series[place]));
+  note_left_out(figure.name, kept.size(), figure.series.size(), notes);
+  figure.series = std::move(kept);
+}
+
+/// The figures that the run describes, without their points. Errors: IoError, InputError.
+std::vector<records::Figure> figures_of(const fs::path& file) {
+  try {
+    return records::read_plots(file);
+  } catch (const records::FileError& error) {
+    throw IoError{error.what()};
+  } catch (const records::RecordError& error) {
+    throw InputError{fmt::format("{}; it is not what `talus run --out` or `talus cell --out` leaves", error.what())};
+  }
 }
 
 }  // namespace
 
-int draw_run_figures(const RunFigureOptions& options) {
-  const fs::path file = options.folder / "plot.json";
-  Json plot;
+DrawingRequest run_drawing(const RunFigureOptions& options) {
+  std::vector<records::Figure> figures = figures_of(options.folder / "plot.json");
+  if (!options.elements.empty()) keep_elements(figures, read_kept_run(options.folder.string()), options.elements);
   try {
-    plot = Json::parse(read_text(file));
-    Json& figures = plot.at("figures");
-    if (!options.elements.empty()) keep_elements(figures, read_kept_run(options.folder.string()), options.elements);
-    if (!options.all && options.elements.empty()) {
-      std::map<std::string, KeptHistory> histories;
-      for (Json& figure : figures) {
-        if (figure.at("series").size() <= most_curves) continue;
-        const std::string csv = figure.at("csv").get<std::string>();
-        if (!histories.contains(csv)) histories.emplace(csv, read_history(options.folder / csv));
-        keep_widest(figure, histories.at(csv));
-      }
-    }
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError{fmt::format("{}: it is not what `talus run --out` or `talus cell --out` leaves: {}", file.string(),
-                                 error.what())};
+    records::read_points(figures, options.folder);
+  } catch (const records::RecordError& error) {
+    throw InputError{error.what()};
   }
-  const DrawingRecord record{options.target};
-  std::set<std::string> csv_files;
-  for (const Json& figure : plot.at("figures"))
-    csv_files.insert(figure.at("csv").get<std::string>());
-  for (const std::string& csv : csv_files)
-    record.link(csv, options.folder / csv);
-  record.add("plot.json", plot.dump(1));
-  return record.draw(options.formats);
+  DrawingRequest request{.pictures = {}, .target = options.target, .formats = options.formats};
+  if (!options.all && options.elements.empty()) {
+    for (records::Figure& figure : figures)
+      if (figure.series.size() > most_curves) keep_widest(figure, request.notes);
+  }
+  request.pictures.figures = std::move(figures);
+  return request;
 }
 
 }  // namespace talus::app

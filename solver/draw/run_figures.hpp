@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/draw/drawing.hpp"
+
 namespace talus::app {
 
 /// What `talus plot` without --history draws of a run.
@@ -15,8 +17,8 @@ struct RunFigureOptions {
   std::vector<std::string> formats;
 };
 
-/// Draws the figures that the run's plot.json describes, and prints how many curves are left out; the exit code of
-/// talus_report. Errors: InputError for an element that no figure has; IoError.
-[[nodiscard]] int draw_run_figures(const RunFigureOptions& options);
+/// The figures that the run's plot.json describes, with the points of its CSV files. Errors: InputError for an element
+/// that no figure has, or for a file that is not what a run leaves; IoError.
+[[nodiscard]] DrawingRequest run_drawing(const RunFigureOptions& options);
 
 }  // namespace talus::app

@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(heat_maps_are_drawn_in_their_panels) {
   figure.columns = 2;
   figure.scale = Scale{"growth", -1.0, 1.0, "1"};
   write_csv(scratch, "series,h [s],e,value\na,0,1,-9\na,1,1,0\nb,0,1,0\nb,1,1,0\n");
-  const PagePlot page = page_plot_of(panelled(figure), scratch.folder);
+  const PagePlot page = panelled(figure, scratch.folder);
   BOOST_TEST(page.panels.size() == 2u);
   BOOST_TEST(page.panels[0].figure.title == "first");
   const std::string script = page_script(page, {"preamble.gp", scratch.folder, {"svg"}}, "f");

@@ -11,7 +11,7 @@ namespace talus::verification {
 
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double golden = 0.61803398874989484820;        // (sqrt(5) - 1) / 2
 constexpr double golden_square = 0.3819660112501051518;  // 1 - golden
 
@@ -60,7 +60,7 @@ Convergence Convergence::between(double smallest, double largest) const {
 
 PowerLaw Convergence::fit() const {
   const bool enough = std::set<double>(steps_.begin(), steps_.end()).size() >= 2;
-  if (!all_positive(steps_) || !all_positive(errors_) || !enough) return {not_a_number, not_a_number, not_a_number};
+  if (!all_positive(steps_) || !all_positive(errors_) || !enough) return {nan, nan, nan};
   const double x_mean = mean_log(steps_);
   const double y_mean = mean_log(errors_);
   double sxx = 0.0;
@@ -91,14 +91,12 @@ void PhaseError::add(double error) {
   ++count_;
   sum_of_squares_ += error * error;
   // A NaN must not be lost: std::max would drop it.
-  largest_ = std::isnan(error) || std::isnan(largest_) ? not_a_number : std::max(largest_, std::abs(error));
+  largest_ = std::isnan(error) || std::isnan(largest_) ? nan : std::max(largest_, std::abs(error));
 }
 
-double PhaseError::rms() const {
-  return count_ == 0 ? not_a_number : std::sqrt(sum_of_squares_ / static_cast<double>(count_));
-}
+double PhaseError::rms() const { return count_ == 0 ? nan : std::sqrt(sum_of_squares_ / static_cast<double>(count_)); }
 
-double PhaseError::max() const { return count_ == 0 ? not_a_number : largest_; }
+double PhaseError::max() const { return count_ == 0 ? nan : largest_; }
 
 std::vector<double> even_phases(std::size_t count) {
   std::vector<double> phases;

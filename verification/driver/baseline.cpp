@@ -201,7 +201,7 @@ double moved_by(double difference, double scale) {
   return std::isfinite(difference) && scale > 0.0 ? std::abs(difference) / scale : infinity;
 }
 
-void judge(CheckChange& change, const Allowance& allowance, double tolerance) {
+void weigh(CheckChange& change, const Allowance& allowance, double tolerance) {
   const RecordedCheck& before = *change.before;
   const RecordedCheck& after = *change.after;
   const bool is_same = same_bits(before.measured, after.measured);
@@ -224,11 +224,11 @@ void judge(CheckChange& change, const Allowance& allowance, double tolerance) {
   if (is_beyond && !is_large) change.worse.push_back(Reason::round_off);
 }
 
-void judge(ControlChange& change) {
+void weigh(ControlChange& change) {
   if (change.before->pass && !change.after->pass) change.worse.push_back(Reason::verdict);
 }
 
-void judge(CaseChange& change, const Allowance& allowance) {
+void weigh(CaseChange& change, const Allowance& allowance) {
   if (change.before->status == Status::pass && change.after->status != Status::pass)
     change.worse.push_back(Reason::status);
   const auto before = static_cast<double>(change.before->evaluations);
@@ -340,16 +340,16 @@ Comparison compare(const RecordedResults& before, const RecordedResults& after, 
   }
   for (CheckChange& change : comparison.checks) {
     if (change.presence == Presence::both) {
-      judge(change, allowance, tolerance_of(allowance, change.name, find_case(after, change.name.id)->family));
+      weigh(change, allowance, tolerance_of(allowance, change.name, find_case(after, change.name.id)->family));
     }
   }
   for (ControlChange& change : comparison.controls) {
-    if (change.presence == Presence::both) judge(change);
+    if (change.presence == Presence::both) weigh(change);
   }
   // Items that are gone have the name of the baseline.
   const auto checks = gone_by_case(comparison.checks), controls = gone_by_case(comparison.controls);
   for (CaseChange& change : comparison.cases) {
-    if (change.presence == Presence::both) judge(change, allowance);
+    if (change.presence == Presence::both) weigh(change, allowance);
     const std::string& id = change.renamed_from ? change.renamed_from->id : change.name.id;
     if (const auto found = checks.find(id); found != checks.end()) change.checks_gone = found->second;
     if (const auto found = controls.find(id); found != controls.end()) change.controls_gone = found->second;

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int schema = 1;
+constexpr int baseline_schema = 1;
 
 /// JSON has no NaN and no infinity: they become words, as in results.json.
 Json number(double value) {
@@ -157,7 +157,7 @@ Json array_of(const std::vector<T>& values) {
 std::string json_of(const Comparison& comparison) {
   const Totals totals = totals_of(comparison);
   const bool is_worse = totals.worse() > 0;
-  const Json json{{"schema", schema},
+  const Json json{{"schema", baseline_schema},
                   {"verdict", is_worse                             ? "worse"
                               : comparison.renaming_errors.empty() ? "not worse"
                                                                    : "wrong renames"},

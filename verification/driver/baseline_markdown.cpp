@@ -19,7 +19,7 @@ constexpr std::size_t most_names = 50;
 constexpr std::size_t most_times = 5;
 
 /// Text that Markdown shows as it is, in one line.
-std::string plain(const std::string& text) {
+std::string unmarked(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
     if (c == '\n' || c == '\r') {
@@ -35,7 +35,7 @@ std::string plain(const std::string& text) {
 std::string row(const std::vector<std::string>& cells) {
   std::string text = "|";
   for (const std::string& cell : cells)
-    text += " " + plain(cell) + " |";
+    text += " " + unmarked(cell) + " |";
   return text + "\n";
 }
 
@@ -55,7 +55,7 @@ std::string names_list(const char* title, const std::vector<std::string>& names)
   if (names.empty()) return "";
   std::string text = fmt::format("\n### {}\n\n", title);
   for (std::size_t i = 0; i < std::min(most_names, names.size()); ++i)
-    text += "- " + plain(names[i]) + "\n";
+    text += "- " + unmarked(names[i]) + "\n";
   if (names.size() > most_names) text += fmt::format("- and {} more\n", names.size() - most_names);
   return text;
 }
@@ -114,7 +114,7 @@ std::string markdown_of(const Comparison& comparison) {
   std::string text = title(comparison, totals);
   if (!comparison.after.holds) text += "\n**The run itself fails:** see its output and `junit.xml`.\n";
   for (const std::string& error : comparison.renaming_errors)
-    text += "\n- " + plain(error);
+    text += "\n- " + unmarked(error);
   if (!comparison.renaming_errors.empty()) text += "\n";
   if (!worse.empty()) text += "\n### Worse\n\n" + changes(worse, most_worse);
   text +=

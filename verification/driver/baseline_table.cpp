@@ -13,9 +13,9 @@ namespace talus::verification {
 
 namespace {
 
-constexpr std::size_t most_worse = 50;
-constexpr std::size_t most_admitted = 5;
-constexpr std::size_t most_names = 5;
+constexpr std::size_t worse_rows = 50;
+constexpr std::size_t admitted_rows = 5;
+constexpr std::size_t names_listed = 5;
 
 std::string row(const std::string& name, const std::string& text) { return fmt::format("{:<12} {}\n", name, text); }
 
@@ -108,9 +108,9 @@ std::string list_of(const std::vector<ChangeLine>& lines, std::size_t most) {
 std::string names_text(const char* what, const std::vector<std::string>& names) {
   if (names.empty()) return "";
   std::string text;
-  for (std::size_t i = 0; i < std::min(most_names, names.size()); ++i)
+  for (std::size_t i = 0; i < std::min(names_listed, names.size()); ++i)
     text += (i == 0 ? "" : "; ") + names[i];
-  if (names.size() > most_names) text += fmt::format("; and {} more", names.size() - most_names);
+  if (names.size() > names_listed) text += fmt::format("; and {} more", names.size() - names_listed);
   return row(what, text);
 }
 
@@ -122,8 +122,8 @@ std::string table_of(const Comparison& comparison) {
   const auto admitted = lines_of_admitted(comparison);
   std::string text = source_text(comparison) + totals_text(comparison, totals);
   text += names_text("new", new_items(comparison));
-  if (!worse.empty()) text += "worse than the baseline:\n" + list_of(worse, most_worse);
-  if (!admitted.empty()) text += "largest changes that are not worse:\n" + list_of(admitted, most_admitted);
+  if (!worse.empty()) text += "worse than the baseline:\n" + list_of(worse, worse_rows);
+  if (!admitted.empty()) text += "largest changes that are not worse:\n" + list_of(admitted, admitted_rows);
   if (totals.worse() > 0) {
     text += fmt::format(
         "WORSE: {}, {} and {} are worse than the baseline\n"

@@ -17,6 +17,7 @@
 #include "verification/catalogue/catalogue.hpp"
 #include "verification/driver/baseline_gate.hpp"
 #include "verification/driver/case_run.hpp"
+#include "verification/driver/exit_code.hpp"
 #include "verification/driver/flaw.hpp"
 #include "verification/driver/junit.hpp"
 #include "verification/driver/provenance.hpp"
@@ -30,12 +31,6 @@ namespace talus::verification {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int exit_pass = 0;
-constexpr int exit_fail = 1;
-constexpr int exit_usage = 2;
-constexpr int exit_io = 4;
-constexpr int exit_worse = 6;
 
 struct Options {
   std::string out = "build/verify";

@@ -16,14 +16,14 @@ std::string property(const char* name, const std::string& value) {
 }
 
 /// The shortest text that reads back as the same double; "nan" and "inf" as words.
-std::string number(double value) { return fmt::format("{}", value); }
+std::string shortest(double value) { return fmt::format("{}", value); }
 
 /// The numbers behind a verdict, of checks and controls alike. `unit` is that of measured and reference, and of error
 /// and bound unless these are relative.
 template <class Compared>
 std::string comparison(const Compared& compared, const std::string& unit, bool relative) {
-  return property("measured", number(compared.measured)) + property("reference", number(compared.reference)) +
-         property("error", number(compared.error)) + property("bound", number(compared.bound)) +
+  return property("measured", shortest(compared.measured)) + property("reference", shortest(compared.reference)) +
+         property("error", shortest(compared.error)) + property("bound", shortest(compared.bound)) +
          property("unit", unit.empty() ? "1" : unit) + property("relative", relative ? "true" : "false");
 }
 

@@ -22,14 +22,13 @@ namespace talus::verification {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 constexpr int schema = 1;
 
 /// A value of the file together with its JSON path, so that every error names both.
 class Field {
  public:
-  Field(const Json* value, std::string path, const fs::path& file)
+  Field(const nlohmann::json* value, std::string path, const fs::path& file)
       : value_(value), path_(std::move(path)), file_(&file) {}
 
   /// InputError with file, path and value found; `allowed` completes "it must be".
@@ -65,7 +64,7 @@ class Field {
   }
 
   /// Refuses any other value.
-  void require(const Json& allowed) const {
+  void require(const nlohmann::json& allowed) const {
     if (value_ == nullptr || *value_ != allowed) fail(allowed.dump());
   }
 
@@ -132,12 +131,12 @@ class Field {
     if (value_->is_object()) return "an object";
     if (value_->is_array()) return "an array";
     constexpr std::size_t longest = 60;
-    std::string text = value_->dump(-1, ' ', true, Json::error_handler_t::replace);
+    std::string text = value_->dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
     if (text.size() > longest) text = text.substr(0, longest) + "...";
     return text;
   }
 
-  const Json* value_;  ///< nullptr: absent.
+  const nlohmann::json* value_;  ///< nullptr: absent.
   std::string path_;
   const fs::path* file_;
 };
@@ -266,9 +265,9 @@ const RecordedCase* find_case(const RecordedResults& results, const std::string&
 RecordedResults read_results(const fs::path& file) {
   const std::string text = contents(file);
   if (text.empty()) throw InputError(file.string() + ": is empty; it must be a results.json that talus_verify wrote");
-  Json json;
+  nlohmann::json json;
   try {
-    json = Json::parse(text);
+    json = nlohmann::json::parse(text);
   } catch (const nlohmann::json::exception& fault) {
     const std::string words = fault.what();  // "[json.exception.parse_error.101] parse error at line 1, ..."
     const auto start = words.find("] ");

@@ -12,7 +12,7 @@ namespace {
 using records::Record;
 using records::Trace;
 
-bool contains(const std::vector<std::string>& list, const std::string& word) {
+bool listed(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
@@ -36,7 +36,7 @@ std::vector<records::Peer> checks_of_peers(const std::vector<Record>& all, const
   for (const auto& peer : catalogue.peers) {
     list.push_back({peer.suite, peer.id, peer.what, peer.form, peer.problems, peer.remark, {}});
     for (const Record& record : all) {
-      const auto same = [&](const Trace& trace) { return trace.shown() && contains(peer.problems, trace.requirement); };
+      const auto same = [&](const Trace& trace) { return trace.shown() && listed(peer.problems, trace.requirement); };
       if (std::any_of(record.requirements.begin(), record.requirements.end(), same))
         list.back().cases.push_back(record.id);
     }
@@ -56,7 +56,7 @@ std::string resolved_family(const Record& record, const Catalogue& catalogue) {
 std::vector<records::Erratum> proved_errata(const std::vector<std::string>& registered, const Catalogue& catalogue) {
   std::vector<records::Erratum> list;
   for (const auto& each : catalogue.errata) {
-    if (contains(registered, each.proved_by))
+    if (listed(registered, each.proved_by))
       list.push_back({each.id, each.where, each.printed, each.corrected, each.evidence, each.proved_by});
   }
   return list;

@@ -19,6 +19,7 @@
 #include <thread>
 
 #include "verification/driver/case_run.hpp"
+#include "verification/driver/exit_code.hpp"
 
 namespace talus::verification {
 
@@ -27,7 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int exit_io = 4;
 constexpr auto poll_interval = std::chrono::milliseconds(5);
 
 /// A case that runs in a child process.

@@ -153,9 +153,9 @@ void CsvText::number(double value) {
   fmt::format_to(std::back_inserter(text_), FMT_COMPILE("{}"), value);
 }
 
-void CsvText::long_number(double value) {
+void CsvText::number(double value, int digits) {
   separate();
-  fmt::format_to(std::back_inserter(text_), "{:.17g}", value);
+  fmt::format_to(std::back_inserter(text_), "{:.{}g}", value, digits);
 }
 
 void CsvText::end_row() {

@@ -50,17 +50,16 @@ class Csv {
 /// Reads a CSV file. FileError if it cannot be read; RecordError as above.
 [[nodiscard]] Csv read_csv(const std::filesystem::path& file);
 
-/// The text of a CSV file, written cell by cell. Cells are quoted where they must be; numbers are written so that the
-/// same double is read back.
+/// The text of a CSV file, written cell by cell. Cells are quoted where they must be.
 class CsvText {
  public:
   explicit CsvText(const std::vector<std::string>& columns);
 
   void cell(std::string_view text);
-  /// In the fewest digits that suffice.
+  /// In the fewest digits that give the same double back.
   void number(double value);
-  /// In 17 significant digits, without trailing zeros.
-  void long_number(double value);
+  /// In `digits` significant digits, without trailing zeros; 17 give the same double back.
+  void number(double value, int digits);
   /// std::logic_error if the row has another number of cells than the header.
   void end_row();
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct Source {
   std::size_t column = 0;
   std::vector<double>* into = nullptr;
 };
+
+/// Digits that give a double back.
+constexpr int digits = 17;
 
 std::vector<Source> sources_of(Series& series, const Csv& csv) {
   std::vector<Source> sources;
@@ -31,6 +35,15 @@ std::vector<Source> sources_of(Series& series, const Csv& csv) {
   add(series.columns.radius, series.radius);
   add(series.style == Style::shapes ? "line" : "", series.line);
   return sources;
+}
+
+/// The CSV file that a figure names; that it cannot be read is a fault of the record.
+Csv csv_beside(const Figure& figure, const std::filesystem::path& folder) {
+  try {
+    return read_csv(folder / figure.csv);
+  } catch (const FileError& fault) {
+    throw RecordError(fault.what());
+  }
 }
 
 }  // namespace
@@ -49,13 +62,13 @@ std::string csv_of(const Figure& figure) {
     const bool own_bars = !series.y_low.empty();
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       text.cell(series.columns.where);
-      text.long_number(series.x[i]);
-      text.long_number(series.y[i]);
+      text.number(series.x[i], digits);
+      text.number(series.y[i], digits);
       if (bars) {
-        text.long_number(own_bars ? series.y_low[i] : series.y[i]);
-        text.long_number(own_bars ? series.y_high[i] : series.y[i]);
+        text.number(own_bars ? series.y_low[i] : series.y[i], digits);
+        text.number(own_bars ? series.y_high[i] : series.y[i], digits);
       }
-      if (values) text.long_number(series.values.empty() ? 0.0 : series.values[i]);
+      if (values) text.number(series.values.empty() ? 0.0 : series.values[i], digits);
       text.end_row();
     }
   }
@@ -89,10 +102,15 @@ void read_points(Figure& figure, const Csv& csv, Rows rows) {
 }
 
 void read_points(Figure& figure, const std::filesystem::path& folder, Rows rows) {
-  try {
-    read_points(figure, read_csv(folder / figure.csv), rows);
-  } catch (const FileError& fault) {
-    throw RecordError(fault.what());
+  read_points(figure, csv_beside(figure, folder), rows);
+}
+
+void read_points(std::vector<Figure>& figures, const std::filesystem::path& folder) {
+  std::map<std::string, Csv> files;
+  for (Figure& figure : figures) {
+    auto file = files.find(figure.csv);
+    if (file == files.end()) file = files.emplace(figure.csv, csv_beside(figure, folder)).first;
+    read_points(figure, file->second, Rows::some);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "verification/record/csv.hpp"
 #include "verification/record/figure.hpp"
@@ -25,5 +26,8 @@ void read_points(Figure& figure, const Csv& csv, Rows rows);
 
 /// The same from the figure's CSV file in `folder`; RecordError, too, if that cannot be read.
 void read_points(Figure& figure, const std::filesystem::path& folder, Rows rows);
+
+/// Fills the points of figures that share CSV files in `folder`, each of which is read once. RecordError as above.
+void read_points(std::vector<Figure>& figures, const std::filesystem::path& folder);
 
 }  // namespace talus::records

@@ -56,13 +56,6 @@ class Node {
   [[nodiscard]] std::vector<std::pair<std::string, Node>> members() const;
   [[nodiscard]] std::vector<std::string> texts() const;
 
-  // Members that may be absent.
-  [[nodiscard]] std::string text_or_empty(const char* key) const { return has(key) ? at(key).text() : std::string{}; }
-  [[nodiscard]] bool flag_or_false(const char* key) const { return has(key) && at(key).flag(); }
-  [[nodiscard]] std::vector<Node> list_or_empty(const char* key) const {
-    return has(key) ? at(key).list() : std::vector<Node>{};
-  }
-
   [[nodiscard]] const Json& json() const { return *value_; }
 
  private:

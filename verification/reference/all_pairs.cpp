@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace talus::reference {
+namespace talus::verification::reference {
 
 void AllPairs::step(double h) {
   const std::vector<double> old_vx = vx, old_vy = vy;
@@ -28,4 +28,4 @@ void AllPairs::step(double h) {
     x[i] += h * vx[i], y[i] += h * vy[i];
 }
 
-}  // namespace talus::reference
+}  // namespace talus::verification::reference

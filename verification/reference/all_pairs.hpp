@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace talus::reference {
+namespace talus::verification::reference {
 
 /// Discs in the open plane that push each other by a spring and a dashpot that cannot pull. Each step tries all pairs.
 struct AllPairs {
@@ -16,4 +16,4 @@ struct AllPairs {
   void step(double h);
 };
 
-}  // namespace talus::reference
+}  // namespace talus::verification::reference

@@ -4,12 +4,11 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
-#include <utility>
+#include <string>
+#include <string_view>
 
 #include "solver/io/fence1993/read_deck.hpp"
+#include "verification/record/csv.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -17,54 +16,37 @@ namespace {
 constexpr double yield_top = 2e5;     // [lb]
 constexpr double yield_bottom = 1e5;  // [lb]
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream in{line + ","};
-  for (std::string cell; std::getline(in, cell, ',');)
-    cells.push_back(cell);
-  return cells;
-}
-
-/// Value and last digit of a text such as "3.87", in units of `unit`.
-PrintedNumber number(const std::string& text, double unit) {
+/// A number of the print such as "3.87", in units of `unit`, and half of its last digit.
+PrintedNumber printed(const records::Csv& csv, std::size_t row, const char* name, double unit) {
+  const std::size_t column = csv.column(name);
+  const std::string_view text = csv.cell(row, column);
   const std::size_t point = text.find('.');
-  const auto decimals = point == std::string::npos ? 0.0 : static_cast<double>(text.size() - point - 1);
-  return {std::stod(text) * unit, 0.5 * std::pow(10.0, -decimals) * unit};
+  const auto decimals = point == std::string_view::npos ? 0.0 : static_cast<double>(text.size() - point - 1);
+  return {csv.number(row, column) * unit, 0.5 * std::pow(10.0, -decimals) * unit};
 }
 
-PrintedRow row_of(const std::vector<std::string>& cells) {
-  if (cells.size() != 9) throw std::invalid_argument{fmt::format("{} cells, 9 belong there", cells.size())};
-  PrintedRow row{.table = std::stoi(cells[0]),
-                 .height = std::stod(cells[3]),
-                 .bottom_cable = cells[2] != "none",
-                 .plastic = cells[4] == "elastic_plastic",
-                 .joint = number(cells[5], 1e4),
-                 .top = number(cells[6], 1e5),
-                 .bottom = {},
-                 .speed = number(cells[8], 1.0)};
-  if (!cells[7].empty()) row.bottom = number(cells[7], 1e5);
-  return row;
+PrintedRow row_of(const records::Csv& csv, std::size_t row) {
+  const auto cell = [&](const char* column) { return csv.cell(row, csv.column(column)); };
+  PrintedRow made{.table = static_cast<int>(csv.number(row, csv.column("table"))),
+                  .height = csv.number(row, csv.column("yc_ft")),
+                  .bottom_cable = cell("slack_ft") != "none",
+                  .plastic = cell("cable") == "elastic_plastic",
+                  .joint = printed(csv, row, "joint_1e4_lb", 1e4),
+                  .top = printed(csv, row, "top_1e5_lb", 1e5),
+                  .bottom = {},
+                  .speed = printed(csv, row, "vx_ft_s", 1.0)};
+  if (!cell("bottom_1e5_lb").empty()) made.bottom = printed(csv, row, "bottom_1e5_lb", 1e5);
+  return made;
 }
 
 }  // namespace
 
 std::vector<PrintedRow> printed_rows() {
   const std::filesystem::path file = std::filesystem::path{TALUS_CASES} / "published" / "fence_tables_2_3.csv";
-  std::ifstream in{file};
-  if (!in) throw std::runtime_error{file.string() + ": cannot be read"};
+  const records::Csv csv = records::read_csv(file);
   std::vector<PrintedRow> rows;
-  bool heading = true;
-  int line_number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++line_number;
-    if (line.empty() || line.front() == '#') continue;
-    if (std::exchange(heading, false)) continue;
-    try {
-      rows.push_back(row_of(cells_of(line)));
-    } catch (const std::logic_error& fault) {
-      throw std::runtime_error{fmt::format("{}:{}: {}", file.string(), line_number, fault.what())};
-    }
-  }
+  for (std::size_t row = 0; row < csv.rows(); ++row)
+    rows.push_back(row_of(csv, row));
   return rows;
 }
 

@@ -133,7 +133,7 @@ State scaled(const Model& model, State state, const UnitScale& scale) {
   const Layout layout{model};
   scaler(state.t, dimension::time);
   for (std::size_t i = 0; i < state.q.size(); ++i) {
-    const bool turns = layout.coordinates[i].axis == Axis::angle;
+    const bool turns = layout.coordinates[i].axis == talus::Axis::angle;
     scaler(state.q[i], turns ? dimension::angle : dimension::length);
     scaler(state.v[i], turns ? dimension::angular_velocity : dimension::velocity);
   }

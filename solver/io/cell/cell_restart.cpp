@@ -19,7 +19,7 @@ namespace talus {
 namespace {
 
 constexpr double most_cycles = 1e15;
-constexpr double furthest = 1e6;  ///< in widths: beyond, too few digits of a place are left
+constexpr double largest_place = 1e6;  ///< in widths: beyond, too few digits of a place are left
 
 /// A place along x brought into the field, [-width/2, width/2).
 double in_field(double x, double width) { return x - width * std::floor(x / width + 0.5); }
@@ -93,9 +93,9 @@ CellRestart read_cell_restart(std::string_view text, std::string_view name, cons
     input.start_record();
     const auto of = [&](const char* part) { return fmt::format("disc {}: {}", i + 1, part); };
     discs.x[i] = real(of("x")), discs.y[i] = real(of("y"));
-    if (std::abs(discs.x[i]) > furthest * cell.width()) {
+    if (std::abs(discs.x[i]) > largest_place * cell.width()) {
       throw InputError{fmt::format("{}:{}: {}: found {}; it must be within {:g} widths of the field", name,
-                                   input.line(), of("x"), discs.x[i], furthest)};
+                                   input.line(), of("x"), discs.x[i], largest_place)};
     }
     discs.vx[i] = real(of("vx")), discs.vy[i] = real(of("vy"));
     lines.push_back(input.line());

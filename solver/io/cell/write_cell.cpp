@@ -70,7 +70,7 @@ struct HistoryColumn {
   Dimension dimension;
   Q quantity;
 };
-constexpr std::array history_columns{
+constexpr std::array cell_columns{
     HistoryColumn{"top_shear", dimension::pressure, Q::top_shear},
     HistoryColumn{"top_normal", dimension::pressure, Q::top_normal},
     HistoryColumn{"bottom_shear", dimension::pressure, Q::bottom_shear},
@@ -185,7 +185,7 @@ std::vector<CellNumber> cell_results(const CellRun& run) {
 
 std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
   std::vector<std::string> names{cell_header(scene, "time", dimension::time)};
-  for (const HistoryColumn& column : history_columns)
+  for (const HistoryColumn& column : cell_columns)
     names.push_back(cell_header(scene, column.name, column.dimension));
   names.insert(names.end(), {"stress_ratio", "multiple_share"});
   if (scene.cell.friction)
@@ -196,7 +196,7 @@ std::string cell_history_csv(const CellScene& scene, const CellRun& run) {
     const auto of = [&](Q quantity) { return run.interval_mean(k, quantity); };
     const double last = run.failure().empty() ? scene.plan.end : static_cast<double>(run.steps()) * scene.plan.step;
     csv.number(run.began() + std::min(static_cast<double>(k + 1) * scene.plan.every, last));
-    for (const HistoryColumn& column : history_columns)
+    for (const HistoryColumn& column : cell_columns)
       csv.number(of(column.quantity));
     csv.number(share_or_none(of(Q::top_shear), of(Q::top_normal)));
     csv.number(share_or_none(of(Q::multiple), of(Q::contacts)));

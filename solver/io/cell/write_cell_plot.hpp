@@ -6,7 +6,7 @@
 
 namespace talus {
 
-/// plot.json of a cell: figures over the columns of its history.csv and profile.csv, which talus_report draws, and
+/// plot.json of a cell: figures over the columns of its history.csv and profile.csv, which `talus plot` draws, and
 /// where its states are (read_run_folder).
 [[nodiscard]] std::string cell_plot_json(const CellScene& scene, const CellRun& run);
 

@@ -14,48 +14,46 @@
 namespace talus {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr int schema = 2;
 constexpr std::string_view hash_line = "\"fnv1a\": ";
 
-Json item(const std::vector<double>& numbers) {
-  Json list = Json::array();
+nlohmann::json item(const std::vector<double>& numbers) {
+  nlohmann::json list = nlohmann::json::array();
   for (const double value : numbers)
-    list.push_back(Json(records::json_number(value)));
+    list.push_back(nlohmann::json(records::json_number(value)));
   return list;
 }
 
-Json item(const std::string& text) { return text; }
+nlohmann::json item(const std::string& text) { return text; }
 
 /// Reads fields of the file, or says what is wrong with them.
 class Reader {
  public:
-  Reader(const std::filesystem::path& file, const Json& json) : file_{file}, json_{json} {}
+  Reader(const std::filesystem::path& file, const nlohmann::json& json) : file_{file}, json_{json} {}
 
   [[noreturn]] void refuse(std::string_view field, std::string_view found, std::string_view allowed) const {
     throw InputError{fmt::format("{}: {}: found {}; it must be {}", file_.string(), field, found, allowed)};
   }
 
-  const Json& member(std::string_view field, std::string_view allowed) const {
+  const nlohmann::json& member(std::string_view field, std::string_view allowed) const {
     const auto found = json_.find(field);
     if (found == json_.end()) refuse(field, "nothing", allowed);
     return *found;
   }
   std::string text(std::string_view field) const {
-    const Json& value = member(field, "a text");
+    const nlohmann::json& value = member(field, "a text");
     if (!value.is_string()) refuse(field, value.dump(), "a text");
     return value.get<std::string>();
   }
   double quantity(std::string_view field, bool zero_allowed) const {
     const std::string_view allowed = zero_allowed ? "a number >= 0" : "a number > 0";
-    const Json& value = member(field, allowed);
+    const nlohmann::json& value = member(field, allowed);
     const double number = value.is_number() ? value.get<double>() : -1.0;
     if (number < 0.0 || (number == 0.0 && !zero_allowed)) refuse(field, value.dump(), allowed);
     return number;
   }
   long steps() const {
-    const Json& value = member("steps", "a whole number > 0");
+    const nlohmann::json& value = member("steps", "a whole number > 0");
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 1ULL << 53)
       refuse("steps", value.dump(), "a whole number > 0");
     return value.get<long>();
@@ -69,7 +67,7 @@ class Reader {
       }
       if (!value.is_array()) refuse("memory: " + name, value.dump(), "a list of numbers or a text");
       std::vector<double> numbers;
-      for (const Json& element : value)
+      for (const nlohmann::json& element : value)
         numbers.push_back(list_number(name, element));
       items.emplace(name, std::move(numbers));
     }
@@ -77,14 +75,14 @@ class Reader {
   }
 
  private:
-  double list_number(const std::string& name, const Json& element) const {
+  double list_number(const std::string& name, const nlohmann::json& element) const {
     const std::optional<double> number = records::number_of(element);
     if (!number) refuse("memory: " + name, element.dump(), "a number");
     return *number;
   }
 
   const std::filesystem::path& file_;
-  const Json& json_;
+  const nlohmann::json& json_;
 };
 
 }  // namespace
@@ -98,8 +96,8 @@ std::string fnv1a(std::string_view text) {
 
 std::string checkpoint_text(const Checkpoint& checkpoint, std::string_view program) {
   std::string text = "{\n";
-  const auto member = [&text](std::string_view name, const Json& value) {
-    text += fmt::format("{}: {},\n", Json(name).dump(), value.dump());
+  const auto member = [&text](std::string_view name, const nlohmann::json& value) {
+    text += fmt::format("{}: {},\n", nlohmann::json(name).dump(), value.dump());
   };
   member("schema", schema);
   member("talus", program);
@@ -113,8 +111,8 @@ std::string checkpoint_text(const Checkpoint& checkpoint, std::string_view progr
   text += "\"memory\": {\n";
   std::string_view separator;
   for (const auto& [name, value] : checkpoint.memory) {
-    const Json written = std::visit([](const auto& kept) { return item(kept); }, value);
-    text += fmt::format("{}{}: {}", separator, Json(name).dump(), written.dump());
+    const nlohmann::json written = std::visit([](const auto& kept) { return item(kept); }, value);
+    text += fmt::format("{}{}: {}", separator, nlohmann::json(name).dump(), written.dump());
     separator = ",\n";
   }
   text += "\n},\n";
@@ -123,7 +121,7 @@ std::string checkpoint_text(const Checkpoint& checkpoint, std::string_view progr
 
 Checkpoint read_checkpoint(const std::filesystem::path& file, std::string_view program) {
   const std::string content = read_text(file);
-  const Json json = Json::parse(content, nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(content, nullptr, false);
   if (!json.is_object()) {
     throw InputError{
         fmt::format("{}: found {} bytes that are not a JSON object; it must be a checkpoint that talus "
@@ -131,8 +129,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, std::string_view p
                     file.string(), content.size())};
   }
   const Reader reader{file, json};
-  const auto demand = [&](std::string_view field, const Json& allowed) {
-    if (const Json& found = reader.member(field, allowed.dump()); found != allowed)
+  const auto demand = [&](std::string_view field, const nlohmann::json& allowed) {
+    if (const nlohmann::json& found = reader.member(field, allowed.dump()); found != allowed)
       reader.refuse(field, found.dump(), allowed.dump());
   };
   demand("schema", schema);

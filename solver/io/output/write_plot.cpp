@@ -16,7 +16,7 @@ namespace {
 using records::Json;
 
 /// One kind of figure: all columns whose name ends (or begins) so, against time.
-struct Kind {
+struct FigureKind {
   std::string_view name;
   std::string_view title;
   std::string_view axis;
@@ -24,8 +24,8 @@ struct Kind {
   std::string_view beginning;
 };
 
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all{
+const std::vector<FigureKind>& kinds() {
+  static const std::vector<FigureKind> all{
       {"positions", "Positions of the centres of mass", "position", {".x", ".y"}, ""},
       {"angles", "Angles", "angle", {".angle"}, ""},
       {"velocities", "Velocities", "velocity", {".vx", ".vy"}, ""},
@@ -39,7 +39,7 @@ const std::vector<Kind>& kinds() {
   return all;
 }
 
-bool belongs(const Column& column, const Kind& kind) {
+bool belongs(const Column& column, const FigureKind& kind) {
   const std::string_view name = column.name;
   if (!kind.beginning.empty()) return name.substr(0, kind.beginning.size()) == kind.beginning;
   return std::any_of(kind.endings.begin(), kind.endings.end(), [name](std::string_view ending) {
@@ -62,7 +62,7 @@ records::Axis axis(std::string_view label, const UnitSystem& units, Dimension di
 std::string plot_json(const RunRecord& record, const std::string& csv_file, const RunFiles& files) {
   const History& history = record.history;
   std::vector<records::Figure> figures;
-  for (const Kind& kind : kinds()) {
+  for (const FigureKind& kind : kinds()) {
     std::vector<records::Series> all;
     Dimension dimension;
     for (std::size_t i = 1; i < history.columns.size(); ++i) {

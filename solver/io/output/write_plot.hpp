@@ -8,7 +8,7 @@
 namespace talus {
 
 /// plot.json: the figures of a run (paths, velocities, contact forces, tensions, energies) as descriptions over the
-/// columns of `csv_file`, in the schema of verification records, which talus_report draws; and the files that
+/// columns of `csv_file`, in the schema of verification records, which `talus plot` draws; and the files that
 /// histories, snapshots and animations are drawn from (read_run_folder).
 [[nodiscard]] std::string plot_json(const RunRecord& record, const std::string& csv_file, const RunFiles& files);
 

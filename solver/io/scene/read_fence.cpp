@@ -35,7 +35,7 @@ std::vector<std::string> keys() {
 constexpr int usual_rock_points = 4, usual_column_points = 2;
 
 /// What an element is part of.
-enum class Part { ground, rock, column };
+enum class ElementPart { ground, rock, column };
 
 /// The outline: by `power` as in a deck, or by `shape`, with `exponent` if that is a superquadric.
 void read_outline(SceneTable& table, FenceElement& element) {
@@ -67,13 +67,13 @@ void take_rectangle(FenceElement& element) {
 }
 
 /// The density: as given, or by the mass of the solid.
-void read_density(SceneTable& table, FenceElement& element, Part part) {
+void read_density(SceneTable& table, FenceElement& element, ElementPart part) {
   if (table.has("mass")) {
     table.refuse("density", "found beside mass; leave one of them out");
     const double mass = table.quantity("mass", dimension::mass, Range::positive);
     element.density = 1.0;
     element.density = mass / mass_properties(element).mass;
-  } else if (table.has("density") || part != Part::ground) {
+  } else if (table.has("density") || part != ElementPart::ground) {
     if (!table.has("density")) return table.complain("density", "it is missing; give density or mass");
     element.density = table.quantity("density", dimension::density, Range::positive);
   } else {
@@ -81,17 +81,17 @@ void read_density(SceneTable& table, FenceElement& element, Part part) {
   }
 }
 
-FenceElement read_element(SceneTable table, Part part) {
+FenceElement read_element(SceneTable table, ElementPart part) {
   std::vector<std::string> known = keys<FenceElement>();
   for (const auto& field : FenceElement::vectors())
     known.emplace_back(field.name);
   known.insert(known.end(), {"solid", "shape", "exponent", "mass", "held", "along"});
   table.allow(known);
   FenceElement element;
-  element.type = part == Part::column ? ElementType::column : ElementType::rock;
-  element.solid = part == Part::ground ? scenes::ElementSolid::block
-                  : part == Part::rock ? scenes::ElementSolid::ellipsoid
-                                       : scenes::ElementSolid::cylinder;
+  element.type = part == ElementPart::column ? ElementType::column : ElementType::rock;
+  element.solid = part == ElementPart::ground ? scenes::ElementSolid::block
+                  : part == ElementPart::rock ? scenes::ElementSolid::ellipsoid
+                                              : scenes::ElementSolid::cylinder;
   element.solid = table.choice_or("solid", element.solid);
   for (const auto& field : FenceElement::fields()) {
     if (field.name != "density") table.read_field(element, field);
@@ -99,7 +99,7 @@ FenceElement read_element(SceneTable table, Part part) {
   read_outline(table, element);
   read_density(table, element, part);
   element.along = table.quantity_or("along", dimension::length, 0.0);
-  element.points = part == Part::rock ? usual_rock_points : usual_column_points;
+  element.points = part == ElementPart::rock ? usual_rock_points : usual_column_points;
   for (const auto& field : FenceElement::counts()) {
     if (table.has(field.name)) table.read_count(element, field);
   }
@@ -110,7 +110,7 @@ FenceElement read_element(SceneTable table, Part part) {
       for (const std::string& axis : table.choices("held", {held_axes.begin(), held_axes.end()}))
         element.held[static_cast<std::size_t>(std::ranges::find(held_axes, axis) - held_axes.begin())] = true;
     });
-  } else if (part == Part::ground) {
+  } else if (part == ElementPart::ground) {
     element.held = {true, true, true};
   }
   return element;
@@ -253,18 +253,18 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   fence.history_elements = wholes_or_none(table, "history_elements");
   fence.history_codes = wholes_or_none(table, "history_codes");
   std::vector<SceneTable> elements;
-  const auto read = [&](const SceneTable& element, Part part) {
+  const auto read = [&](const SceneTable& element, ElementPart part) {
     elements.push_back(element);
     FenceElement found;
     source.guard(element.line(), [&] { found = read_element(element, part); });
     return found;
   };
-  source.guard(table.line(), [&] { fence.ground = read(table.table("ground"), Part::ground); });
+  source.guard(table.line(), [&] { fence.ground = read(table.table("ground"), ElementPart::ground); });
   for (const SceneTable& rock : table.numbered_tables("rock"))
-    fence.rocks.push_back(read(rock, Part::rock));
+    fence.rocks.push_back(read(rock, ElementPart::rock));
   if (!table.has("rock") || (fence.rocks.empty() && !source.has_nameless("rock")))
     table.complain("rock", "it is missing; a fence has at least one rock, headed [[fence.rock]]");
-  source.guard(table.line(), [&] { fence.column = read(table.table("column"), Part::column); });
+  source.guard(table.line(), [&] { fence.column = read(table.table("column"), ElementPart::column); });
   if (table.has("ground_profile")) {
     table.guard([&] {
       for (const auto& [x, y] : table.pairs("ground_profile", dimension::length, dimension::length))

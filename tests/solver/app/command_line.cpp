@@ -295,14 +295,45 @@ BOOST_AUTO_TEST_CASE(calibration_of_a_scene) {
     BOOST_TEST(found.at(key).get<double>() > 0.0);
 }
 
-BOOST_AUTO_TEST_CASE(plot_without_its_tool_says_so) {
+// The program and its exit code, and a target that stays as it was.
+BOOST_AUTO_TEST_CASE(drawing_that_fails_says_why_and_leaves_nothing) {
   const Folder folder;
-  fs::copy_file(TALUS_EXECUTABLE, folder.path / "talus");
-  const std::string out = (folder.path / "run").string();
-  BOOST_REQUIRE(talus_ran({"run", scene("pendulum.toml"), "--out", out}).code == 0);
-  const Ended ended = ran((folder.path / "talus").string(), {"plot", out}, "", "/nowhere");
-  BOOST_TEST(ended.code == 4);
-  BOOST_TEST(ended.err == "talus: talus_report draws the plots; it is neither beside talus nor in PATH\n");
+  const std::string run = (folder.path / "run").string(), pictures = (folder.path / "pictures").string();
+  BOOST_REQUIRE(talus_ran({"run", scene("pendulum.toml"), "--frames", "4", "--out", run}).code == 0);
+  BOOST_REQUIRE(talus_ran({"plot", run, "--format", "svg", "--out", pictures}).code == 0);
+  const auto before = files(pictures);
+  const std::string missing =
+      "talus: gnuplot: cannot be started: No such file or directory (is it installed? scripts/setup installs what "
+      "reports and pictures need)\n";
+  const auto refused = [&](const std::vector<std::string>& command, const char* path, int code,
+                           const std::string& words) {
+    const Ended ended = ran(TALUS_EXECUTABLE, command, "", path);
+    BOOST_TEST(ended.code == code, ended.err);
+    BOOST_TEST(holds(ended.err, words), ended.err);
+    BOOST_TEST(ended.out == "");
+    BOOST_TEST((files(pictures) == before));
+    BOOST_TEST(fs::exists(pictures));
+  };
+  for (const std::string command : {"plot", "snapshot"})
+    refused({command, run, "--out", pictures}, "/nowhere", 4, missing);
+  refused({"animate", run, "--gif", "--out", pictures}, "/nowhere", 4, missing);
+  // Before the run, which leaves no folder.
+  const std::string sheet = (folder.path / "sheet").string();
+  refused({"run", scene("fence/table_2.toml"), "--sheet", "--out", sheet}, "/nowhere", 4, missing);
+  BOOST_TEST(!fs::exists(sheet));
+
+  // A gnuplot that begins a picture and fails.
+  const fs::path broken = folder.path / "gnuplot";
+  std::ofstream{broken} << "#!/bin/sh\necho half > \"$(dirname \"$1\")/energies.svg\"\necho no terminal >&2\nexit 3\n";
+  fs::permissions(broken, fs::perms::owner_all);
+  const std::string path = folder.path.string() + ":" + std::getenv("PATH");
+  refused({"plot", run, "--out", pictures}, path.c_str(), 4, "(exit code 3):\ntalus: no terminal\n");
+
+  refused({"plot", run, "--out", "/proc/none"}, nullptr, 4, "talus: /proc/none/.partial-");
+  refused({"plot", run, "--history", "vx", "--name", "a/b", "--out", pictures}, nullptr, 2,
+          "talus: name of a page: found 'a/b'; it must be a plain file name\n");
+  std::ofstream{fs::path{run} / "history.csv", std::ios::app} << "cut";
+  refused({"plot", run, "--out", pictures}, nullptr, 2, "history.csv:");
 }
 
 BOOST_AUTO_TEST_CASE(lists_hold_the_closed_lists) {

@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(long_work_shows_how_far_it_is) {
   BOOST_TEST(holds(drawn, "drawing, 2 s"), drawn);
 }
 
-// Warnings before, amid and after what is printed, by the program and by talus_report; more than a buffer of stdout.
+// Warnings before, amid and after what is printed; more than a buffer of stdout.
 BOOST_AUTO_TEST_CASE(lines_are_whole_where_both_streams_go_to_one_file) {
   const Folder folder;
   const std::string run = (folder.path / "run").string();
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(lines_are_whole_where_both_streams_go_to_one_file) {
     BOOST_TEST(together == expected, boost::test_tools::per_element());
     if (command.front() == "run") BOOST_TEST((apart.out.size() > 4096U && !apart.err.empty()));
     if (command.front() == "plot") {
-      // What talus itself prints stands before what the tool prints.
+      // What is left out is said before the pictures are drawn.
       const std::string text = talus::read_text(log);
       BOOST_TEST(text.find("curves drawn") < text.find("positions.svg"), text);
     }

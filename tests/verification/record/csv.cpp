@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read_back) {
     for (const double number : numbers) {
       text.cell(word);
       text.number(number);
-      text.long_number(number);
+      text.number(number, 17);
       text.end_row();
     }
   }

@@ -118,6 +118,27 @@ BOOST_AUTO_TEST_CASE(shapes_and_circles_have_lines_values_and_radii) {
   BOOST_TEST(figure.series[1].line.empty());
 }
 
+BOOST_AUTO_TEST_CASE(figures_share_a_file_beside_them) {
+  const Scratch scratch;
+  std::ofstream{scratch.path / "a.csv"} << "t,x,y\n0,1,2\n1,3,4\n";
+  std::ofstream{scratch.path / "b.csv"} << "t,x\n0,5\n";
+  const auto figure = [](const std::string& name, const std::string& csv, const std::string& column) {
+    Figure made{.name = name, .title = "", .caption = "", .x = {.label = "t"}, .y = {.label = column}, .csv = csv};
+    made.series.push_back({.label = column});
+    made.series.back().columns = {.x = "t", .y = column};
+    return made;
+  };
+  std::vector<Figure> figures{figure("one", "a.csv", "x"), figure("two", "b.csv", "x"), figure("three", "a.csv", "y")};
+  read_points(figures, scratch.path);
+  using Numbers = std::vector<double>;
+  BOOST_TEST(figures[0].series[0].y == Numbers({1.0, 3.0}));
+  BOOST_TEST(figures[1].series[0].y == Numbers({5.0}));
+  BOOST_TEST(figures[2].series[0].y == Numbers({2.0, 4.0}));
+  BOOST_TEST(figures[2].series[0].x == Numbers({0.0, 1.0}));
+  figures.push_back(figure("four", "c.csv", "x"));
+  BOOST_TEST(holds(complaint([&] { read_points(figures, scratch.path); }), "c.csv: No such file or directory"));
+}
+
 BOOST_AUTO_TEST_CASE(each_rule_of_a_figure_is_demanded) {
   const auto of = [](void (*spoil)(Figure&)) { return fault_of(heat_map(), spoil); };
   BOOST_TEST(of([](Figure&) {}) == "");

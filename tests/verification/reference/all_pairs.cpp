@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-using talus::reference::AllPairs;
+using talus::verification::reference::AllPairs;
 
 namespace {
 

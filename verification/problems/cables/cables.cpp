@@ -9,10 +9,7 @@
 #include "verification/study/leapfrog_impact_error.hpp"
 #include "verification/study/phases.hpp"
 
-namespace talus::verification::problems {
-
-Case cables();
-
+namespace talus::verification::problems::cables {
 namespace {
 
 constexpr reference::Bungee fall{40.0, 2.0, 10.0, 0.7};
@@ -145,7 +142,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case cables() {
+Case definition() {
   return {.id = "cables",
           .title = "Cables that yield and break",
           .requirements = {{"Eq. 14", {"of a fall", "exit speed on a cable with a dashpot"}},
@@ -200,4 +197,4 @@ Case cables() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::cables

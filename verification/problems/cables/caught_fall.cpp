@@ -11,10 +11,7 @@
 #include "verification/study/phases.hpp"
 #include "verification/study/predicted_errors.hpp"
 
-namespace talus::verification::problems {
-
-Case caught_fall();
-
+namespace talus::verification::problems::caught_fall {
 namespace {
 
 constexpr double damping_ratio = 0.2, production_steps = 50.0;
@@ -148,7 +145,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case caught_fall() {
+Case definition() {
   const std::string speeds = "e of a caught fall, rms error over its prediction, G = ";
   return {.id = "caught_fall",
           .title = "Fall into a cable with a dashpot",
@@ -165,4 +162,4 @@ Case caught_fall() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::caught_fall

@@ -11,10 +11,7 @@
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case cubic_swing();
-
+namespace talus::verification::problems::cubic_swing {
 namespace {
 
 constexpr reference::MidSpan span{1.0, 1.0, 1.0};
@@ -133,7 +130,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case cubic_swing() {
+Case definition() {
   const std::string steps = "period, error of the smallest step over its prediction";
   const std::string limit = "period at A = .02 L from the cubic oscillator's";
   const std::string loads = "loads P(w) at rest at w, largest relative way over that of a rounded length";
@@ -153,4 +150,4 @@ Case cubic_swing() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::cubic_swing

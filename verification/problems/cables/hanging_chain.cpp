@@ -12,10 +12,7 @@
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case hanging_chain();
-
+namespace talus::verification::problems::hanging_chain {
 namespace {
 
 constexpr reference::HangingChain chain{9, 0.15, 1.0 / 9.0, 1.0, 0.25};
@@ -169,7 +166,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case hanging_chain() {
+Case definition() {
   const std::string balance = "accelerations at the exact places, largest, as a displacement";
   const std::string shape = "relaxed chain, distance from the exact elastic shape over that from the catenary";
   const std::string limit = "distance from the catenary at the stiffest over the first-order term";
@@ -188,4 +185,4 @@ Case hanging_chain() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::hanging_chain

@@ -12,10 +12,7 @@
 #include "verification/study/phases.hpp"
 #include "verification/study/predicted_errors.hpp"
 
-namespace talus::verification::problems {
-
-Case snatched_cable();
-
+namespace talus::verification::problems::snatched_cable {
 namespace {
 
 reference::ImpactEvents exact_snatch(double xi) {
@@ -141,7 +138,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case snatched_cable() {
+Case definition() {
   const std::string phases = "largest tension undamped, error of each phase from its prediction, over (w h)^2";
   const std::string damped = "largest tension, rms error at the smallest step over its prediction, xi = 0.3";
   return {.id = "snatched_cable",
@@ -158,4 +155,4 @@ Case snatched_cable() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::snatched_cable

@@ -12,10 +12,7 @@
 #include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case stretched_chain();
-
+namespace talus::verification::problems::stretched_chain {
 namespace {
 
 constexpr reference::StretchedChain chain{8, 1.0, 1.0};
@@ -234,7 +231,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case stretched_chain() {
+Case definition() {
   const std::string along = "frequencies along the row, largest relative error against leapfrog's own";
   const std::string across = "frequencies across the row, largest relative error against leapfrog's own";
   const std::string growth = "growth of the last mode beyond the limit, rate over the exact one";
@@ -256,4 +253,4 @@ Case stretched_chain() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::stretched_chain

@@ -14,10 +14,7 @@
 #include "verification/study/common_formula.hpp"
 #include "verification/study/expectations.hpp"
 
-namespace talus::verification::problems {
-
-Case latching_chain();
-
+namespace talus::verification::problems::latching_chain {
 namespace {
 
 constexpr double ratio = 0.49;
@@ -185,7 +182,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case latching_chain() {
+Case definition() {
   return {
       .id = "latching_chain",
       .title = "A row of discs that latch",
@@ -207,4 +204,4 @@ Case latching_chain() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::latching_chain

@@ -15,10 +15,7 @@
 #include "verification/study/expectations.hpp"
 #include "verification/study/plane_impact.hpp"
 
-namespace talus::verification::problems {
-
-Case latching_restitution();
-
+namespace talus::verification::problems::latching_restitution {
 namespace {
 
 struct Meeting {
@@ -433,7 +430,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case latching_restitution() {
+Case definition() {
   return {
       .id = "latching_restitution",
       .title = "What two discs keep, by four methods",
@@ -475,4 +472,4 @@ Case latching_restitution() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::latching_restitution

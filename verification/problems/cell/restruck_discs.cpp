@@ -14,10 +14,7 @@
 #include "verification/reference/latching_chain.hpp"
 #include "verification/study/expectations.hpp"
 
-namespace talus::verification::problems {
-
-Case restruck_discs();
-
+namespace talus::verification::problems::restruck_discs {
 namespace {
 
 /// Forgets the largest overlap where the force falls to zero, not where the discs part: the soft line begins anew in
@@ -292,7 +289,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case restruck_discs() {
+Case definition() {
   return {.id = "restruck_discs",
           .title = "Discs struck anew",
           .family = "the shear cell",
@@ -320,4 +317,4 @@ Case restruck_discs() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::restruck_discs

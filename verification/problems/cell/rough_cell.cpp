@@ -6,10 +6,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 
-namespace talus::verification::problems {
-
-Case rough_cell();
-
+namespace talus::verification::problems::rough_cell {
 namespace {
 
 ShearCell cell_with(const Setup& setup) {
@@ -187,7 +184,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case rough_cell() {
+Case definition() {
   return {.id = "rough_cell",
           .title = "Sheared cell of rough discs: momentum, energy and spin",
           .family = "the shear cell",
@@ -213,4 +210,4 @@ Case rough_cell() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::rough_cell

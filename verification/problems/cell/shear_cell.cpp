@@ -9,10 +9,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 
-namespace talus::verification::problems {
-
-Case shear_cell();
-
+namespace talus::verification::problems::shear_cell {
 namespace {
 
 struct Balance {
@@ -256,7 +253,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case shear_cell() {
+Case definition() {
   return {.id = "shear_cell",
           .title = "Sheared cell of discs: what the walls feel and what is inside",
           .family = "the shear cell",
@@ -285,4 +282,4 @@ Case shear_cell() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::shear_cell

@@ -12,10 +12,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 
-namespace talus::verification::problems {
-
-Case shear_cell_failures();
-
+namespace talus::verification::problems::shear_cell_failures {
 namespace {
 
 /// A latching spring that is wrong in one way.
@@ -327,7 +324,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case shear_cell_failures() {
+Case definition() {
   return {.id = "shear_cell_failures",
           .title = "Sheared cell: where it fails, and what shows it",
           .family = "the shear cell",
@@ -362,4 +359,4 @@ Case shear_cell_failures() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::shear_cell_failures

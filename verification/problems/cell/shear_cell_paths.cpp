@@ -9,10 +9,7 @@
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/reference/virtual_discs.hpp"
 
-namespace talus::verification::problems {
-
-Case shear_cell_paths();
-
+namespace talus::verification::problems::shear_cell_paths {
 namespace {
 
 /// A cell in which discs meet from the first steps on: random velocities so many times what they are, 60 times is as
@@ -225,7 +222,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case shear_cell_paths() {
+Case definition() {
   return {.id = "shear_cell_paths",
           .title = "Sheared cell: virtual discs, mirror, restart and jumps move it alike",
           .family = "the shear cell",
@@ -253,4 +250,4 @@ Case shear_cell_paths() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::shear_cell_paths

@@ -13,10 +13,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 
-namespace talus::verification::problems {
-
-Case shear_study();
-
+namespace talus::verification::problems::shear_study {
 namespace {
 
 using Q = StudyQuantity;
@@ -163,7 +160,7 @@ void run(Findings& findings, const Setup& setup) {
   std::vector<StudyPoint> points = shear_study_points(setup.coarse);
   for (StudyPoint& point : points)
     if (setup.has("one_speed") && point.series == "1000 d/s") point.speed = 5000.0;
-  std::vector<StudyMean> study = shear_study(points, plan);
+  std::vector<StudyMean> study = talus::shear_study(points, plan);
   for (StudyMean& point : study) {
     if (setup.has("one_speed") && point.point.series == "1000 d/s") point.point.speed = 1000.0;
     // 2 kPa for 32 and back.
@@ -212,7 +209,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case shear_study() {
+Case definition() {
   return {.id = "shear_study",
           .title = "Sheared cell: do multiple contacts lower the stress ratio?",
           .family = "the shear cell",
@@ -229,4 +226,4 @@ Case shear_study() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::shear_study

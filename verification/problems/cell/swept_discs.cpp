@@ -16,10 +16,7 @@
 #include "verification/check/case.hpp"
 #include "verification/reference/all_pairs.hpp"
 
-namespace talus::verification::problems {
-
-Case swept_discs();
-
+namespace talus::verification::problems::swept_discs {
 namespace {
 
 constexpr double step = 0.157;
@@ -189,7 +186,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case swept_discs() {
+Case definition() {
   return {
       .id = "swept_discs",
       .title = "Discs swept in lanes and by threads: the bits of a loop over all pairs",
@@ -210,4 +207,4 @@ Case swept_discs() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::swept_discs

@@ -13,10 +13,7 @@
 #include "verification/problems/fence/fence_snapshots.hpp"
 #include "verification/study/fence_table.hpp"
 
-namespace talus::verification::problems {
-
-Case fence_appendix();
-
+namespace talus::verification::problems::fence_appendix {
 namespace {
 
 /// One simulation and its twins.
@@ -313,7 +310,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case fence_appendix() {
+Case definition() {
   return {.id = "fence_appendix",
           .title = "Appendix I: fences of one and two layers",
           .family = "the fence",
@@ -338,4 +335,4 @@ Case fence_appendix() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::fence_appendix

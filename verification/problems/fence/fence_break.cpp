@@ -6,10 +6,7 @@
 #include "verification/check/case.hpp"
 #include "verification/study/weak_hangers.hpp"
 
-namespace talus::verification::problems {
-
-Case fence_break();
-
+namespace talus::verification::problems::fence_break {
 namespace {
 
 constexpr double strength = 25000.0;  // [lb]
@@ -146,7 +143,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case fence_break() {
+Case definition() {
   return {.id = "fence_break",
           .title = "A fence whose hangers break",
           .family = "the fence",
@@ -167,4 +164,4 @@ Case fence_break() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::fence_break

@@ -8,10 +8,7 @@
 #include "verification/study/fence_table.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case fence_equations();
-
+namespace talus::verification::problems::fence_equations {
 namespace {
 
 using scenes::Fence;
@@ -247,7 +244,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case fence_equations() {
+Case definition() {
   return {.id = "fence_equations",
           .title = "Equations of the fence, as printed and as corrected",
           .family = "the fence",
@@ -280,4 +277,4 @@ Case fence_equations() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::fence_equations

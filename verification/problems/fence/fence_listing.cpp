@@ -10,7 +10,7 @@
 #include "verification/problems/fence/sample2_print.hpp"
 #include "verification/problems/fence/sample2_run.hpp"
 
-namespace talus::verification::problems {
+namespace talus::verification::problems::fence_listing {
 namespace {
 
 /// How a rule of 1993 is known.
@@ -376,7 +376,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case fence_listing() {
+Case definition() {
   return {.id = "fence_listing",
           .title = "The listing of sample2, digit by digit",
           .family = "the fence",
@@ -428,4 +428,4 @@ Case fence_listing() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::fence_listing

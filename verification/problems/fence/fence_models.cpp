@@ -11,10 +11,7 @@
 #include "verification/reference/restitution.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case fence_models();
-
+namespace talus::verification::problems::fence_models {
 namespace {
 
 scenes::Fence deck(const char* name) { return read_deck(std::filesystem::path{TALUS_CASES} / "fence" / name); }
@@ -235,7 +232,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case fence_models() {
+Case definition() {
   return {.id = "fence_models",
           .title = "Models of one fence: halves, nodes, dashpots",
           .family = "the fence",
@@ -258,4 +255,4 @@ Case fence_models() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::fence_models

@@ -13,10 +13,7 @@
 #include "verification/problems/fence/fence_snapshots.hpp"
 #include "verification/study/expectations.hpp"
 
-namespace talus::verification::problems {
-
-Case fence_tables();
-
+namespace talus::verification::problems::fence_tables {
 namespace {
 
 constexpr long history_every = 100;  // steps: 2e-4 s
@@ -463,7 +460,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case fence_tables() {
+Case definition() {
   return {
       .id = "fence_tables",
       .title = "Rock impact studies: Tables 2 and 3",
@@ -493,4 +490,4 @@ Case fence_tables() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::fence_tables

@@ -11,6 +11,7 @@
 
 #include "solver/io/file/fortran.hpp"
 #include "solver/io/file/toml_document.hpp"
+#include "verification/record/table.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -35,17 +36,9 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Rows of a CSV after its head.
+/// Rows of a CSV file, cell by cell.
 std::vector<std::vector<std::string>> rows_of(const char* file) {
-  std::vector<std::vector<std::string>> rows;
-  for (const std::string& line : lines_of(published(file))) {
-    std::istringstream in{line};
-    rows.emplace_back();
-    for (std::string field; std::getline(in, field, ',');)
-      rows.back().push_back(field);
-  }
-  rows.erase(rows.begin());
-  return rows;
+  return records::data_file(file, records::read_csv(std::filesystem::path{TALUS_CASES} / "published" / file)).rows;
 }
 
 /// What the listing says of a quantity: after its name and " = ", or in the table of masses.

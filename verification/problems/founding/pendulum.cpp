@@ -21,10 +21,7 @@
 #include "verification/study/scene_run.hpp"
 #include "verification/study/swing.hpp"
 
-namespace talus::verification::problems {
-
-Case pendulum();
-
+namespace talus::verification::problems::pendulum {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -385,7 +382,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case pendulum() {
+Case definition() {
   return {
       .id = "pendulum",
       .title = "Rigid pendulum: every integrator on a smooth motion",
@@ -424,4 +421,4 @@ Case pendulum() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::pendulum

@@ -17,7 +17,7 @@
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
+namespace talus::verification::problems::pivoted_cylinder {
 namespace {
 
 const reference::PivotedCylinder problem{};
@@ -409,7 +409,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case pivoted_cylinder() {
+Case definition() {
   return {.id = "pivoted_cylinder",
           .title = "Pivoted cylinder hit by a rock",
           .family = "founding problems",
@@ -455,4 +455,4 @@ Case pivoted_cylinder() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::pivoted_cylinder

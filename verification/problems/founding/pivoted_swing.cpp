@@ -17,11 +17,11 @@
 namespace talus::verification::problems {
 namespace {
 
-const reference::PivotedCylinder problem{};
+const reference::PivotedCylinder pivoted{};
 constexpr double swing_time = 1.2;  // [s]: nearly half a period; the rock has long fallen past the column
 
 double small_frequency() {
-  return std::sqrt(0.5 * problem.mass * problem.gravity * problem.length / reference::inertia_about_pin(problem));
+  return std::sqrt(0.5 * pivoted.mass * pivoted.gravity * pivoted.length / reference::inertia_about_pin(pivoted));
 }
 
 /// The exact pendulum through a state of the column: by energy it passes the bottom with `rate`, and has the state's
@@ -32,7 +32,7 @@ struct SwingThrough {
 
   explicit SwingThrough(double angle, double rate)
       : motion{reference::swing(
-            problem, std::sqrt(rate * rate + std::pow(2.0 * small_frequency() * std::sin(0.5 * angle), 2)))} {
+            pivoted, std::sqrt(rate * rate + std::pow(2.0 * small_frequency() * std::sin(0.5 * angle), 2)))} {
     since = angle / rate;
     for (int i = 0; i < 6;
          ++i)  // Newton: the angle is a few hundredths of the largest, 6 steps are twice what it takes
@@ -138,7 +138,7 @@ Track whole_run(const PivotedRun& run, double step, double dense, const Setup& s
 /// Speeds of rock and column's centre until `end`; every fourth sample of the solver is drawn.
 Figure velocities(const std::string& name, const std::string& title, const std::string& caption, double end,
                   const Track& track, const reference::PivotedSoftImpact& soft) {
-  const reference::PivotedImpact rigid = reference::rigid_impact(problem);
+  const reference::PivotedImpact rigid = reference::rigid_impact(pivoted);
   Figure figure{.name = name,
                 .title = title,
                 .caption = caption,
@@ -149,7 +149,7 @@ Figure velocities(const std::string& name, const std::string& title, const std::
                            {"column, solver", {}, {}, Style::points},
                            {"rock, solver", {}, {}, Style::points}},
                 .lines = {{'y', rigid.column, "4.857"}, {'y', rigid.rock, "2.357"}}};
-  const double h = 0.5 * problem.length;
+  const double h = 0.5 * pivoted.length;
   const auto add = [&figure](std::size_t series, double t, double value) { figure.series[series].add(t, value); };
   for (std::size_t i = 0; i < track.t.size() && track.t[i] <= end; ++i) {
     add(0, track.t[i], h * soft.samples[i].rate * std::cos(soft.samples[i].angle));
@@ -173,7 +173,7 @@ struct Expected {
 /// through it.
 void compare_over_time(Findings& findings, const Track& track, const State& end, const SwingThrough& exact,
                        const Expected& expected) {
-  const reference::PivotedSoftImpact soft = reference::soft_impact(problem, expected.contact, track.t);
+  const reference::PivotedSoftImpact soft = reference::soft_impact(pivoted, expected.contact, track.t);
   double worst_angle = 0.0, worst_rate = 0.0;
   Series exact_angle{.label = "elliptic functions", .style = Style::lines};
   Series angle{.label = "solver", .style = Style::points};
@@ -193,7 +193,7 @@ void compare_over_time(Findings& findings, const Track& track, const State& end,
       "rad");
   findings.expect(
       "largest distance of the rate to the soft reference after the contact", worst_rate, 0.0,
-      Tolerance::truncation(expected.error_of_v1 / (0.5 * problem.length), 1.0, expected.why + ", over l/2"), "rad/s");
+      Tolerance::truncation(expected.error_of_v1 / (0.5 * pivoted.length), 1.0, expected.why + ", over l/2"), "rad/s");
   const std::string lines =
       "Points: central difference at 100 steps per contact; lines: soft reference; dashed: "
       "velocities after the rigid impact.";
@@ -215,7 +215,7 @@ void compare_over_time(Findings& findings, const Track& track, const State& end,
 void check_swing(Findings& findings, const Setup& setup) {
   const PivotedRun run;
   const reference::PivotedContact contact = contact_of(run);
-  const reference::PivotedSoftImpact first = reference::soft_impact(problem, contact);
+  const reference::PivotedSoftImpact first = reference::soft_impact(pivoted, contact);
   const double step = incommensurate_step(first.at_end.t, 100.0);
   const AfterImpact after = impact(run, CentralDifference{}, step, setup, findings);
   const SwingThrough exact{after.at_end.q[0], after.at_end.v[0]};
@@ -225,9 +225,9 @@ void check_swing(Findings& findings, const Setup& setup) {
   const double xi = contact.damping / (2.0 * std::sqrt(contact.stiffness * impact_mass()));
   const double wh = std::sqrt(run.stiffness / impact_mass()) * step;
   const double error_of_e =
-      problem.restitution * wh * (xi + std::abs(leapfrog_restitution_shift(xi, reference::EndRule::attractive)));
+      pivoted.restitution * wh * (xi + std::abs(leapfrog_restitution_shift(xi, reference::EndRule::attractive)));
   const double error_of_v1 =
-      error_of_e * problem.approach_speed * impact_mass() / reference::effective_column_mass(problem);
+      error_of_e * pivoted.approach_speed * impact_mass() / reference::effective_column_mass(pivoted);
   const std::string why =
       "largest first-order error of e at 100 steps per contact from touch: half the jump at the end "
       "and the lag";
@@ -235,14 +235,14 @@ void check_swing(Findings& findings, const Setup& setup) {
                   "ft/s");
   findings.expect(
       "V1, production run", after.rock, first.at_end.rock_vx,
-      Tolerance::truncation(error_of_v1 * reference::effective_column_mass(problem) / problem.rock_mass, 1.0, why),
+      Tolerance::truncation(error_of_v1 * reference::effective_column_mass(pivoted) / pivoted.rock_mass, 1.0, why),
       "ft/s");
 
   const Track track = whole_run(run, step, 2.0 * first.at_end.t, setup, findings);
   const double turned = track.turned;
   // From energy, w1 dw1 = w0^2 sin(A) dA: dA = dw1/(w0 cos(A/2)).
   const double error_of_angle =
-      error_of_v1 / (0.5 * problem.length) / (small_frequency() * std::cos(0.5 * first.largest_angle));
+      error_of_v1 / (0.5 * pivoted.length) / (small_frequency() * std::cos(0.5 * first.largest_angle));
   findings.expect("largest angle of the swing, production run", turned, first.largest_angle,
                   Tolerance::truncation(error_of_angle, 1.0, why + "; through energy"), "rad");
   findings.expect(

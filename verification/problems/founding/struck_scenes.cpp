@@ -13,7 +13,7 @@
 namespace talus::verification::problems {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double fraction(double x) { return x - std::floor(x); }
 

@@ -15,7 +15,7 @@
 namespace talus::verification::problems {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double per_small_swing = 128.0;  // steps
 
 /// A decimal number of 45 digits, rounded to 14 places by way of a long double, which carries 18 digits.

@@ -20,10 +20,7 @@
 #include "verification/study/leapfrog_impact_error.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case timestep();
-
+namespace talus::verification::problems::timestep {
 namespace {
 
 Integrator verlet(const Setup& setup) {
@@ -408,7 +405,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case timestep() {
+Case definition() {
   return {
       .id = "timestep",
       .title = "Error against time step: contacts, smooth motion",
@@ -448,4 +445,4 @@ Case timestep() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::timestep

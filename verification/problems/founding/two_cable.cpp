@@ -16,7 +16,7 @@
 #include "verification/study/phases.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
+namespace talus::verification::problems::two_cable {
 namespace {
 
 const reference::TwoCable problem{};
@@ -397,7 +397,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case two_cable() {
+Case definition() {
   return {
       .id = "two_cable",
       .title = "Two-cable particle impact",
@@ -435,4 +435,4 @@ Case two_cable() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::two_cable

@@ -6,10 +6,7 @@
 #include "verification/problems/friction/friction_findings.hpp"
 #include "verification/study/sliding_scenes.hpp"
 
-namespace talus::verification::problems {
-
-Case friction();
-
+namespace talus::verification::problems::friction {
 namespace {
 
 constexpr double loop_friction = 0.25, loop_stiffness = 64.0, loop_normal = 4.0, loop_amplitude = 0.0625;
@@ -117,7 +114,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case friction() {
+Case definition() {
   return {
       .id = "friction",
       .title = "Friction by spring and slider",
@@ -167,4 +164,4 @@ Case friction() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::friction

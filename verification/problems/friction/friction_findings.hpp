@@ -1,9 +1,13 @@
 #pragma once
 
 #include "verification/check/case.hpp"
+#include "verification/study/oblique_runs.hpp"
 
 /// Parts of the case `friction`.
 namespace talus::verification::problems {
+
+/// Coefficient of friction of the contacts, unless a part says otherwise.
+inline constexpr double mu = oblique_friction;
 
 /// A disc that slides until it rolls, and bodies on slopes on both sides of the angle of friction.
 void check_rolling(Findings& findings, const Setup& setup);

@@ -14,8 +14,6 @@
 namespace talus::verification::problems {
 namespace {
 
-constexpr double mu = oblique_friction;
-
 /// Order of the speed along the plane after the impact, and its error at 128 steps a contact times 128^2.
 double check_order(Findings& findings, const Setup& setup, const std::string& name, double kappa, double ratio,
                    const char* method, double width, std::vector<Convergence>& shown) {

@@ -14,8 +14,6 @@
 namespace talus::verification::problems {
 namespace {
 
-constexpr double mu = oblique_friction;
-
 /// One impact over 64 phases: exact and mean slip rate afterwards, rms error.
 struct Rebound {
   double before{}, exact{}, mean{}, error{};

@@ -11,7 +11,6 @@
 namespace talus::verification::problems {
 namespace {
 
-constexpr double mu = 0.3;
 constexpr double stiffness = 2e6;  // along the normal and along the plane
 
 /// Round-off of the normal force: the overlap is the difference of two lengths of half a metre.

@@ -17,10 +17,7 @@
 #include "verification/study/curves.hpp"
 #include "verification/study/expectations.hpp"
 
-namespace talus::verification::problems {
-
-Case prescribed_motion();
-
+namespace talus::verification::problems::prescribed_motion {
 namespace {
 
 /// The solver's system with an acceleration from outside on its first three coordinates, a function of time.
@@ -286,7 +283,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case prescribed_motion() {
+Case definition() {
   return {.id = "prescribed_motion",
           .title = "Motions prescribed: cables, and friction with a memory",
           .requirements = {{"law.tension_only", {"over its prediction, cables"}},
@@ -321,4 +318,4 @@ Case prescribed_motion() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::prescribed_motion

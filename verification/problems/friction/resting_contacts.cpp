@@ -13,10 +13,7 @@
 #include "verification/study/curves.hpp"
 #include "verification/study/recorded_run.hpp"
 
-namespace talus::verification::problems {
-
-Case resting_contacts();
-
+namespace talus::verification::problems::resting_contacts {
 namespace {
 
 constexpr double gravity = 9.81;
@@ -264,7 +261,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case resting_contacts() {
+Case definition() {
   return {.id = "resting_contacts",
           .title = "Sliding to rest and resting contacts",
           .family = "C: friction and rotation",
@@ -289,4 +286,4 @@ Case resting_contacts() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::resting_contacts

@@ -11,10 +11,7 @@
 #include "verification/study/oblique_runs.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case spinning_discs();
-
+namespace talus::verification::problems::spinning_discs {
 namespace {
 
 constexpr double first_mass = 1.0, second_mass = 0.25;
@@ -148,7 +145,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case spinning_discs() {
+Case definition() {
   return {.id = "spinning_discs",
           .title = "Discs that meet spinning",
           .requirements = {{"C6", {"slip rate of unlike discs"}},
@@ -168,4 +165,4 @@ Case spinning_discs() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::spinning_discs

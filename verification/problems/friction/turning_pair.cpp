@@ -10,10 +10,7 @@
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/turned_pair.hpp"
 
-namespace talus::verification::problems {
-
-Case turning_pair();
-
+namespace talus::verification::problems::turning_pair {
 namespace {
 
 using namespace turned_pair;
@@ -170,7 +167,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case turning_pair() {
+Case definition() {
   return {
       .id = "turning_pair",
       .title = "A locked pair turned round, and closed paths that stick",
@@ -194,4 +191,4 @@ Case turning_pair() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::turning_pair

@@ -12,10 +12,7 @@
 #include "verification/study/curves.hpp"
 #include "verification/study/expectations.hpp"
 
-namespace talus::verification::problems {
-
-Case wedged_disc();
-
+namespace talus::verification::problems::wedged_disc {
 namespace {
 
 constexpr double squeeze = 0.25, end_time = 3.0;
@@ -203,7 +200,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case wedged_disc() {
+Case definition() {
   return {.id = "wedged_disc",
           .title = "A small disc between two large ones",
           .requirements = {{"C11", {"over its prediction", "order, velocity_verlet", "late directions"}},
@@ -224,4 +221,4 @@ Case wedged_disc() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::wedged_disc

@@ -12,10 +12,7 @@
 #include "verification/reference/gas_of_discs.hpp"
 #include "verification/study/curves.hpp"
 
-namespace talus::verification::problems {
-
-Case cooling_gas();
-
+namespace talus::verification::problems::cooling_gas {
 namespace {
 
 constexpr double restitution = 0.95, drift = 0.5;
@@ -219,7 +216,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case cooling_gas() {
+Case definition() {
   return {
       .id = "cooling_gas",
       .title = "A gas of discs cools",
@@ -244,4 +241,4 @@ Case cooling_gas() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::cooling_gas

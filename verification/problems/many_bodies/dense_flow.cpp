@@ -5,10 +5,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/many_bodies/dense_runs.hpp"
 
-namespace talus::verification::problems {
-
-Case dense_flow();
-
+namespace talus::verification::problems::dense_flow {
 namespace {
 
 void draw(Findings& findings, const std::vector<DenseFlow>& all) {
@@ -68,7 +65,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case dense_flow() {
+Case definition() {
   return {.id = "dense_flow",
           .title = "A dense flow of discs of unlike size",
           .requirements = {{"F7", {"friction at the slowest flow", "inertial number"}}},
@@ -81,4 +78,4 @@ Case dense_flow() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::dense_flow

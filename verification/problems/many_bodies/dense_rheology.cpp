@@ -9,10 +9,7 @@
 #include "verification/reference/power_fit.hpp"
 #include "verification/study/curves.hpp"
 
-namespace talus::verification::problems {
-
-Case dense_rheology();
-
+namespace talus::verification::problems::dense_rheology {
 namespace {
 
 struct Step {
@@ -321,7 +318,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case dense_rheology() {
+Case definition() {
   return {.id = "dense_rheology",
           .title = "Friction and solid fraction of dense flows of discs",
           .requirements = {{"F7",
@@ -344,4 +341,4 @@ Case dense_rheology() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::dense_rheology

@@ -10,10 +10,7 @@
 #include "solver/laws/linear_spring_dashpot.hpp"
 #include "verification/check/case.hpp"
 
-namespace talus::verification::problems {
-
-Case disc_lattice();
-
+namespace talus::verification::problems::disc_lattice {
 namespace {
 
 constexpr int rows = 8, columns = 8;
@@ -123,7 +120,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case disc_lattice() {
+Case definition() {
   return {.id = "disc_lattice",
           .title = "Lattice of discs: the step at which it grows unstable",
           .requirements = {{"F2", {"growth per step"}}},
@@ -138,4 +135,4 @@ Case disc_lattice() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::disc_lattice

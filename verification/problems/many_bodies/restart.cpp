@@ -12,10 +12,7 @@
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scaled_scene.hpp"
 
-namespace talus::verification::problems {
-
-Case restart();
-
+namespace talus::verification::problems::restart {
 namespace {
 
 struct Half {
@@ -169,7 +166,7 @@ std::vector<Claim> claims() {
 
 }  // namespace
 
-Case restart() {
+Case definition() {
   return {.id = "restart",
           .title = "Stopped at half time and taken on",
           .requirements = claims(),
@@ -186,4 +183,4 @@ Case restart() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::restart

@@ -11,10 +11,7 @@
 #include "verification/problems/many_bodies/followed_discs.hpp"
 #include "verification/reference/gas_of_discs.hpp"
 
-namespace talus::verification::problems {
-
-Case sheared_gas();
-
+namespace talus::verification::problems::sheared_gas {
 namespace {
 
 struct Sheared {
@@ -178,7 +175,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case sheared_gas() {
+Case definition() {
   const std::string friction = "friction over the theory's, farthest";
   const std::string temperature = "temperature over the theory's, farthest";
   const std::string balance = "account of loss over heat, farthest";
@@ -195,4 +192,4 @@ Case sheared_gas() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::sheared_gas

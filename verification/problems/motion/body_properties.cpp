@@ -11,10 +11,7 @@
 #include "verification/check/case.hpp"
 #include "verification/reference/solid_moments.hpp"
 
-namespace talus::verification::problems {
-
-Case body_properties();
-
+namespace talus::verification::problems::body_properties {
 namespace {
 
 constexpr std::array sizes{std::array{0.953951, 0.953951}, std::array{1.25, 4.0}, std::array{3.1, 1.03},
@@ -93,7 +90,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case body_properties() {
+Case definition() {
   return {.id = "body_properties",
           .title = "Area, mass and moment of inertia",
           .requirements = {{"A2", {"area", "centroid", "polar moment", "moment of inertia", "mass", "about a pin"}},
@@ -110,4 +107,4 @@ Case body_properties() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::body_properties

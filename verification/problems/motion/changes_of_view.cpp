@@ -10,10 +10,7 @@
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case changes_of_view();
-
+namespace talus::verification::problems::changes_of_view {
 namespace {
 
 constexpr double step = 2.5e-4;
@@ -196,7 +193,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case changes_of_view() {
+Case definition() {
   return {.id = "changes_of_view",
           .title = "A motion does not depend on who looks at it",
           .requirements = {{"A6", {"numbers that differ", "difference of the end"}},
@@ -228,4 +225,4 @@ Case changes_of_view() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::changes_of_view

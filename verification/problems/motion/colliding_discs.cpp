@@ -11,10 +11,7 @@
 #include "verification/study/phases.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case colliding_discs();
-
+namespace talus::verification::problems::colliding_discs {
 namespace {
 
 constexpr double stiffness = 1000.0, friction = 0.4, shear_ratio = 0.6;
@@ -205,7 +202,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case colliding_discs() {
+Case definition() {
   return {.id = "colliding_discs",
           .title = "Momentum and energy of colliding discs",
           .requirements = {{"A4", {"momentum", "moment of momentum", "energy left over"}},
@@ -232,4 +229,4 @@ Case colliding_discs() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::colliding_discs

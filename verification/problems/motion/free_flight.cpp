@@ -9,10 +9,7 @@
 #include "verification/reference/constant_force.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case free_flight();
-
+namespace talus::verification::problems::free_flight {
 namespace {
 
 constexpr double mass = 2.3, inertia = 0.71, moment = 0.37;
@@ -143,7 +140,7 @@ std::vector<Claim> claims() {
 
 }  // namespace
 
-Case free_flight() {
+Case definition() {
   return {.id = "free_flight",
           .title = "Free flight with spin",
           .requirements = claims(),
@@ -158,4 +155,4 @@ Case free_flight() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::free_flight

@@ -22,10 +22,7 @@
 #include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case round_off();
-
+namespace talus::verification::problems::round_off {
 namespace {
 
 /// One body on a spring and a dashpot, x'' = -x - c x', in numbers of any type: the smallest system that the solver's
@@ -435,7 +432,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case round_off() {
+Case definition() {
   return {.id = "round_off",
           .title = "What rounding leaves",
           .requirements = {{"A8", {"rounding", "least error", "error against the step", "in 113 bits"}},
@@ -462,4 +459,4 @@ Case round_off() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::round_off

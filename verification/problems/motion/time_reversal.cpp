@@ -11,10 +11,7 @@
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case time_reversal();
-
+namespace talus::verification::problems::time_reversal {
 namespace {
 
 constexpr long reversal_steps = 10000;
@@ -178,7 +175,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case time_reversal() {
+Case definition() {
   return {.id = "time_reversal",
           .title = "There and back: time reversal",
           .requirements = {{"A5", {"return of"}},
@@ -198,4 +195,4 @@ Case time_reversal() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::time_reversal

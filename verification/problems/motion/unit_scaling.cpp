@@ -8,10 +8,7 @@
 #include "verification/study/scaled_scene.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case unit_scaling();
-
+namespace talus::verification::problems::unit_scaling {
 namespace {
 
 constexpr UnitScale all_units{0x1p43, 0x1p-31, 0x1p-17};
@@ -210,7 +207,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case unit_scaling() {
+Case definition() {
   return {.id = "unit_scaling",
           .title = "The same scene in other units",
           .requirements = {{"A7", {"numbers that differ"}},
@@ -249,4 +246,4 @@ Case unit_scaling() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::unit_scaling

@@ -16,10 +16,7 @@
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case bounces();
-
+namespace talus::verification::problems::bounces {
 namespace {
 
 constexpr double gravity = 1.0, fall_height = 1.0;
@@ -321,7 +318,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case bounces() {
+Case definition() {
   const std::string heights = "rms error of the heights over the predicted, farthest, ";
   return {.id = "bounces",
           .title = "Bounces under gravity",
@@ -343,4 +340,4 @@ Case bounces() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::bounces

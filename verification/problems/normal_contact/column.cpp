@@ -9,10 +9,7 @@
 #include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case column();
-
+namespace talus::verification::problems::column {
 namespace {
 
 constexpr int discs = 10;
@@ -92,7 +89,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case column() {
+Case definition() {
   return {.id = "column",
           .title = "A column at rest",
           .requirements = {{"B9", {"overlaps of ten contacts", "forces of ten contacts"}},
@@ -113,4 +110,4 @@ Case column() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::column

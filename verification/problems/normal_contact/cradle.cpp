@@ -11,10 +11,7 @@
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case cradle();
-
+namespace talus::verification::problems::cradle {
 namespace {
 
 constexpr double disc_radius = 4.0;
@@ -157,7 +154,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case cradle() {
+Case definition() {
   return {
       .id = "cradle",
       .title = "Three discs in a row",
@@ -175,4 +172,4 @@ Case cradle() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::cradle

@@ -13,10 +13,7 @@
 #include "verification/study/plane_impact.hpp"
 #include "verification/study/predicted_errors.hpp"
 
-namespace talus::verification::problems {
-
-Case hertz();
-
+namespace talus::verification::problems::hertz {
 namespace {
 
 constexpr double modulus = 0.75, radius = 4.0, stiffness = 2.0, production_steps = 100.0;
@@ -237,7 +234,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case hertz() {
+Case definition() {
   return {.id = "hertz",
           .title = "Impact by Hertz's law",
           .family = "B: normal contact",
@@ -260,4 +257,4 @@ Case hertz() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::hertz

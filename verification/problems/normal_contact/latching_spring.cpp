@@ -15,10 +15,7 @@
 #include "verification/study/pressed_disc.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case latching_spring();
-
+namespace talus::verification::problems::latching_spring {
 namespace {
 
 /// A disc pressed by hand along a path with reloads inside the hysteresis loop, out of slackness and after parting:
@@ -253,7 +250,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case latching_spring() {
+Case definition() {
   return {.id = "latching_spring",
           .title = "A spring that latches",
           .requirements = {{"B11", {"farthest of e = 0.9 ... 0.3", "order of e", "change of e"}},
@@ -282,4 +279,4 @@ Case latching_spring() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::latching_spring

@@ -14,10 +14,7 @@
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case pressed_pair();
-
+namespace talus::verification::problems::pressed_pair {
 namespace {
 
 constexpr double stiffness = 1024.0, squeeze = 0.125, end_time = 1.0;
@@ -208,7 +205,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case pressed_pair() {
+Case definition() {
   return {.id = "pressed_pair",
           .title = "Two discs pressed between walls",
           .requirements = {{"B10", {"heights against", "order, equal discs", "order, unlike discs"}},
@@ -229,4 +226,4 @@ Case pressed_pair() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::pressed_pair

@@ -15,7 +15,7 @@
 #include "verification/study/expectations.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
 
-namespace talus::verification::problems {
+namespace talus::verification::problems::restitution {
 namespace {
 
 Convergence restitution_errors(const Bounce& b, const Integrator& integrator, const std::vector<double>& steps,
@@ -242,7 +242,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case restitution() {
+Case definition() {
   return {
       .id = "restitution",
       .title = "Restitution and damping",
@@ -300,4 +300,4 @@ Case restitution() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::restitution

@@ -11,10 +11,7 @@
 #include "verification/check/case.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case restitution_at_impact();
-
+namespace talus::verification::problems::restitution_at_impact {
 namespace {
 
 constexpr double wanted = 0.6;
@@ -284,7 +281,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case restitution_at_impact() {
+Case definition() {
   return {.id = "restitution_at_impact",
           .title = "Restitution at every impact",
           .family = "B: normal contact",
@@ -302,4 +299,4 @@ Case restitution_at_impact() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::restitution_at_impact

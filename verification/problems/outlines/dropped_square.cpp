@@ -9,10 +9,7 @@
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case dropped_square();
-
+namespace talus::verification::problems::dropped_square {
 namespace {
 
 constexpr double half_side = 0.5, stiffness = 1e4, speed = 1.0, step = 1.0371e-4;
@@ -139,7 +136,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case dropped_square() {
+Case definition() {
   return {.id = "dropped_square",
           .title = "A square that falls on edge and corner",
           .requirements = {{"E7", {"left and right", "fell flat", "spin against tilt"}},
@@ -162,4 +159,4 @@ Case dropped_square() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::dropped_square

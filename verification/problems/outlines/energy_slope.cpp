@@ -9,10 +9,7 @@
 #include "verification/check/case.hpp"
 #include "verification/study/touching_pair.hpp"
 
-namespace talus::verification::problems {
-
-Case energy_slope();
-
+namespace talus::verification::problems::energy_slope {
 namespace {
 
 constexpr double stiffness = 1000.0, nudge = 1e-5;
@@ -205,7 +202,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case energy_slope() {
+Case definition() {
   return {.id = "energy_slope",
           .title = "Force as the slope of the stored energy",
           .requirements = {{"E6", {"force against the slope", "share of places"}},
@@ -240,4 +237,4 @@ Case energy_slope() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::energy_slope

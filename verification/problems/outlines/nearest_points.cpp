@@ -10,10 +10,7 @@
 #include "verification/check/case.hpp"
 #include "verification/reference/superellipse.hpp"
 
-namespace talus::verification::problems {
-
-Case nearest_points();
-
+namespace talus::verification::problems::nearest_points {
 namespace {
 
 constexpr std::array exponents{1.2, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 50.0, 200.0, 1000.0};
@@ -136,7 +133,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case nearest_points() {
+Case definition() {
   return {.id = "nearest_points",
           .title = "Nearest points: a map of the search",
           .requirements = {{"E2", {"nearest point"}},
@@ -152,4 +149,4 @@ Case nearest_points() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::nearest_points

@@ -9,10 +9,7 @@
 #include "verification/check/case.hpp"
 #include "verification/reference/superellipse.hpp"
 
-namespace talus::verification::problems {
-
-Case node_spacing();
-
+namespace talus::verification::problems::node_spacing {
 namespace {
 
 constexpr double radius = 0.7, stiffness = 1000.0;
@@ -138,7 +135,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case node_spacing() {
+Case definition() {
   return {.id = "node_spacing",
           .title = "Nodes on a disc, and on a sharp corner",
           .requirements = {{"E4", {"ripple", "sum over the nodes"}},
@@ -159,4 +156,4 @@ Case node_spacing() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::node_spacing

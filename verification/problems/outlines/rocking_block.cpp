@@ -8,10 +8,7 @@
 #include "verification/reference/rocking_block.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case rocking_block();
-
+namespace talus::verification::problems::rocking_block {
 namespace {
 
 constexpr double gravity = 9.81, damping_ratio = 3.0;
@@ -142,7 +139,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case rocking_block() {
+Case definition() {
   return {
       .id = "rocking_block",
       .title = "A block that rocks from corner to corner",
@@ -163,4 +160,4 @@ Case rocking_block() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::rocking_block

@@ -8,10 +8,7 @@
 #include "verification/reference/rocking_ellipse.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case rocking_ellipse();
-
+namespace talus::verification::problems::rocking_ellipse {
 namespace {
 
 constexpr double axis_a = 1.0, axis_b = 0.6, gravity = 9.81, shear_ratio = 1.0 / 3.0;
@@ -126,7 +123,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case rocking_ellipse() {
+Case definition() {
   return {
       .id = "rocking_ellipse",
       .title = "An ellipse that rocks on a plane",
@@ -146,4 +143,4 @@ Case rocking_ellipse() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::rocking_ellipse

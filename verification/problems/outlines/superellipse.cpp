@@ -12,10 +12,7 @@
 #include "verification/problems/outlines/superellipse_findings.hpp"
 #include "verification/reference/superellipse.hpp"
 
-namespace talus::verification::problems {
-
-Case superellipse();
-
+namespace talus::verification::problems::superellipse {
 namespace {
 
 Superquadric superellipse_told(double n, const Setup& setup) {
@@ -253,7 +250,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case superellipse() {
+Case definition() {
   return {
       .id = "superellipse",
       .title = "Superellipses and the contact search",
@@ -292,4 +289,4 @@ Case superellipse() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::superellipse

@@ -7,10 +7,7 @@
 #include "verification/check/case.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case uneven_ground();
-
+namespace talus::verification::problems::uneven_ground {
 namespace {
 
 constexpr double radius = 0.5, mass = 2.0, gravity = 10.0;
@@ -177,7 +174,7 @@ void run_all(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case uneven_ground() {
+Case definition() {
   return {
       .id = "uneven_ground",
       .title = "Straight ground, a crest and a notch",
@@ -201,4 +198,4 @@ Case uneven_ground() {
       .run = run_all};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::uneven_ground

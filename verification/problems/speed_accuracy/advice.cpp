@@ -23,10 +23,7 @@
 #include "verification/study/scene_run.hpp"
 #include "verification/study/sliding_scenes.hpp"
 
-namespace talus::verification::problems {
-
-Case advice();
-
+namespace talus::verification::problems::advice {
 namespace {
 
 /// What is asked of one scene.
@@ -347,7 +344,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case advice() {
+Case definition() {
   return {
       .id = "advice",
       .title = "Advice on method and step",
@@ -372,4 +369,4 @@ Case advice() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::advice

@@ -16,10 +16,7 @@
 #include "verification/study/recorded_run.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case defaults();
-
+namespace talus::verification::problems::defaults {
 namespace {
 
 /// What a run gives, and what it took.
@@ -261,7 +258,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case defaults() {
+Case definition() {
   return {.id = "defaults",
           .title = "Scenes with all defaults",
           .family = "speed and accuracy",
@@ -292,4 +289,4 @@ Case defaults() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::defaults

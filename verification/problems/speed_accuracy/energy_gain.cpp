@@ -14,10 +14,7 @@
 #include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case energy_gain();
-
+namespace talus::verification::problems::energy_gain {
 namespace {
 
 /// A gas of undamped discs in a box, run by velocity Verlet with w h = eta for its contacts, all of the same w.
@@ -326,7 +323,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case energy_gain() {
+Case definition() {
   return {
       .id = "energy_gain",
       .title = "One-sided contacts gain energy below the limit of stability",
@@ -355,4 +352,4 @@ Case energy_gain() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::energy_gain

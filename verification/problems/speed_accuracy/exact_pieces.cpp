@@ -15,10 +15,7 @@
 #include "verification/reference/struck_row.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case exact_pieces();
-
+namespace talus::verification::problems::exact_pieces {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -242,7 +239,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case exact_pieces() {
+Case definition() {
   return {
       .id = "exact_pieces",
       .title = "Linear pieces, exactly",
@@ -266,4 +263,4 @@ Case exact_pieces() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::exact_pieces

@@ -2,10 +2,7 @@
 
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
 
-namespace talus::verification::problems {
-
-Case failure_catalogue();
-
+namespace talus::verification::problems::failure_catalogue {
 namespace {
 
 /// A row of the table: the failure, what measures it, the case that goes deeper, and the fault that takes the failure
@@ -84,7 +81,7 @@ std::vector<Fault> faults() {
 
 }  // namespace
 
-Case failure_catalogue() {
+Case definition() {
   return {.id = "failure_catalogue",
           .title = "Failures, each on two sides",
           .family = "speed and accuracy",
@@ -105,4 +102,4 @@ Case failure_catalogue() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::failure_catalogue

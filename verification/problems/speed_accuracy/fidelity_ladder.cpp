@@ -11,10 +11,7 @@
 #include "verification/reference/bed_of_springs.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case fidelity_ladder();
-
+namespace talus::verification::problems::fidelity_ladder {
 namespace {
 
 constexpr int phases = 16;  // of the first node from the line of impact
@@ -296,7 +293,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case fidelity_ladder() {
+Case definition() {
   return {.id = "fidelity_ladder",
           .title = "No more model than a question needs",
           .family = "speed and accuracy",
@@ -325,4 +322,4 @@ Case fidelity_ladder() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::fidelity_ladder

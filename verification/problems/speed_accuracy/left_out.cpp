@@ -15,10 +15,7 @@
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems {
-
-Case left_out();
-
+namespace talus::verification::problems::left_out {
 namespace {
 
 /// A system that works out every gap of every pair, however far apart, at each evaluation.
@@ -208,7 +205,7 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
     asked.update_all(state, laws);
     asked.forces(state, laws, forces);
     for (const auto& runs : work.waking.cables) {
-      for (const CableRun& run : runs) {
+      for (const talus::CableRun& run : runs) {
         if (!run.quiet) by_law += static_cast<double>(run.count) / count;
         for (std::size_t c = run.cable; c < run.cable + run.count; ++c)
           largest = std::max(largest, std::abs(work.paths.tension[c] - forces.tensions[c]));
@@ -349,7 +346,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case left_out() {
+Case definition() {
   return {
       .id = "left_out",
       .title = "What is left out changes nothing",
@@ -383,4 +380,4 @@ Case left_out() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::left_out

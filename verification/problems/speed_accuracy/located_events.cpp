@@ -10,10 +10,7 @@
 #include "verification/problems/speed_accuracy/fence_exit.hpp"
 #include "verification/study/expectations.hpp"
 
-namespace talus::verification::problems {
-
-Case located_events();
-
+namespace talus::verification::problems::located_events {
 namespace {
 
 /// Evaluations at most for errors of 1e-6 and 1e-9 on each of the motions: set before the method was written.
@@ -192,7 +189,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case located_events() {
+Case definition() {
   return {.id = "located_events",
           .title = "Steps of variable order, cut at events",
           .family = "speed and accuracy",
@@ -212,4 +209,4 @@ Case located_events() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::located_events

@@ -16,10 +16,7 @@
 #include "verification/study/common_formula.hpp"
 #include "verification/study/expectations.hpp"
 
-namespace talus::verification::problems {
-
-Case stability_maps();
-
+namespace talus::verification::problems::stability_maps {
 namespace {
 
 constexpr double nought = 1e-10;  // ln growth that counts as none
@@ -377,7 +374,7 @@ void run(Findings& findings, const Setup& setup) {
 
 }  // namespace
 
-Case stability_maps() {
+Case definition() {
   return {.id = "stability_maps",
           .title = "Growth per step against damping and step",
           .family = "speed and accuracy",
@@ -424,4 +421,4 @@ Case stability_maps() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::stability_maps

@@ -74,7 +74,8 @@ std::string cable(const char* name, const char* end, double x, double y, const c
       name, end, x, y, of);
 }
 
-VariedScene scene(const char* name, const char* quantity, double end, const std::string& parts, double gravity = 9.81) {
+VariedScene varied(const char* name, const char* quantity, double end, const std::string& parts,
+                   double gravity = 9.81) {
   return {
       name, quantity,
       fmt::format("title = \"{}\"\nunits = \"SI\"\ngravity = [\"0 m/s^2\", \"{} m/s^2\"]\n{}[run]\nend = \"{} s\"\n",
@@ -123,95 +124,96 @@ std::vector<VariedScene> varied_scenes() {
   const std::string bob = body("bob", "pinned", 1.0, -0.5, -0.8660254037844386, pinned_bob);
   const std::string square_drop = plane(0.0) + contact("box", "ground", 1e6, 0.4, friction(0.3));
   return {
-      scene("disc that bounces", "disc.y.end", 1.2,
-            disc("disc", 0, 1, "") + plane(0) + contact("disc", "ground", 1e6, 0.8)),
-      scene("disc on a soft ground", "disc-ground.force.max", 0.8,
-            disc("disc", 0, 1, "") + plane(0) + contact("disc", "ground", 5e4, 0.3)),
-      scene("pendulum against a wall", "bob.spin.end", 1.2, bob + wall + contact("bob", "wall", 1e5, 0.7)),
-      scene("pendulum against a soft wall", "bob.angle.end", 1.0, bob + wall + contact("bob", "wall", 1e4, 0.4)),
-      scene("block that slides to rest", "box.x.end", 2.0,
-            box("box", 10, 0.25, 0.25, 0, 0.25, velocity(3, 0)) + plane(0) +
-                contact("box", "ground", 1e6, 0.3, friction(0.3))),
-      scene("block that slides down an incline", "box.x.end", 1.0,
-            box("box", 5, 0.3, 0.1, 0.05, 0.0866025403784439, "angle = \"-30 deg\"\n") + plane(-30) +
-                contact("box", "ground", 1e6, 0.3, friction(0.2))),
-      scene("disc that rolls down", "disc.x.end", 1.0,
-            disc("disc", 0.0342020, 0.0939690, "") + plane(-20) + contact("disc", "ground", 1e6, 0.5, friction(0.4))),
-      scene("disc that slides down", "disc.spin.end", 1.0,
-            disc("disc", 0.0642787, 0.0766040, "") + plane(-40) + contact("disc", "ground", 1e6, 0.5, friction(0.1))),
-      scene("disc with backspin", "disc.x.end", 1.0,
-            disc("disc", 0, 0.1, velocity(2, 0) + "spin = \"60 rad/s\"\n") + plane(0) +
-                contact("disc", "ground", 1e6, 0.5, friction(0.2))),
-      scene("oblique impact that slides", "disc.spin.end", 0.2,
-            disc("disc", 0, 0.2, velocity(4, -2)) + plane(0) + contact("disc", "ground", 1e6, 0.8, friction(0.1)), 0),
-      scene("oblique impact that sticks", "disc.vx.end", 0.2,
-            disc("disc", 0, 0.2, velocity(1, -2)) + plane(0) + contact("disc", "ground", 1e6, 0.6, friction(0.6)), 0),
-      scene("three discs in a row", "c.vx.end", 0.4,
-            disc("a", 0, 0, velocity(2, 0)) + disc("b", 0.3, 0, "") + disc("c", 0.5, 0, "") +
-                contact("a", "b", 1e6, 0.9) + contact("b", "c", 1e6, 0.9),
-            0),
-      scene("row of different masses", "c.vx.end", 0.4,
-            disc("a", 0, 0, velocity(2, 0)) + body("b", "particle", 0.5, 0.3, 0, circle(0.1)) +
-                body("c", "particle", 4, 0.52, 0, circle(0.1)) + contact("a", "b", 3e5, 0.5) +
-                contact("b", "c", 3e5, 0.5),
-            0),
-      scene("fall into a cable", "bob.y.min", 2.0,
-            body("bob", "particle", 3, 0, -1, "") +
-                cable("rope", "bob", 0, 0,
-                      "law = \"tension_only\"\nstiffness = \"2 kN/m\"\ndamping = \"20 N s/m\"\n"
-                      "rest_length = \"2 m\"\n")),
-      scene("fall into a stiff cable", "rope.tension.max", 1.0,
-            body("bob", "particle", 3, 0, -1, "") +
-                cable("rope", "bob", 0, 0, "law = \"tension_only\"\nstiffness = \"200 kN/m\"\nslack = \"1 m\"\n")),
-      scene("cable that yields", "bob.y.min", 1.0,
-            body("bob", "particle", 20, 0, -1, "") +
-                cable("rope", "bob", 0, 0,
-                      "law = \"elastic_plastic\"\nstiffness = \"100 kN/m\"\nyield = \"2 kN\"\n"
-                      "hardening = \"5 kN/m\"\nrest_length = \"2 m\"\n")),
-      scene("mass between two cables", "bob.y.max", 0.6,
-            body("bob", "particle", 5, 0, 0, velocity(0, 8)) +
-                cable("left", "bob", -2, 0, "law = \"tension_only\"\nstiffness = \"50 kN/m\"\n") +
-                cable("right", "bob", 2, 0, "law = \"tension_only\"\nstiffness = \"50 kN/m\"\nslack = \"10 mm\"\n"),
-            0),
-      scene("Hertzian bounce", "disc-ground.force.max", 0.5,
-            disc("disc", 0, 0.6, "") + plane(0) + law("disc", "ground", hertz.c_str())),
-      scene("Hertzian impact of two discs", "b.vx.end", 0.3,
-            disc("a", 0, 0, velocity(3, 0)) + disc("b", 0.4, 0.05, "") + law("a", "b", hertz.c_str()), 0),
-      scene("latching impact", "b.vx.end", 0.3,
-            disc("a", 0, 0, velocity(3, 0)) + disc("b", 0.4, 0, "") + law("a", "b", latching.c_str()), 0),
-      scene("latching bounce", "disc.y.end", 0.7,
-            disc("disc", 0, 0.6, "") + plane(0) + law("disc", "ground", (latching + "growth = \"20 m^-1\"\n").c_str())),
-      scene("box on its corner", "box.spin.end", 0.3,
-            box("box", 3, 0.3, 0.1, 0, 0.5, "angle = \"35 deg\"\n" + velocity(0.5, -2)) + square_drop),
-      scene("box that lands flat and slides", "box.x.end", 1.2,
-            box("box", 3, 0.3, 0.1, 0, 0.3, velocity(2, 0)) + square_drop),
-      scene("stone that tumbles", "stone.y.end", 0.8,
-            ellipse(0.3, 0.15, 0, 0.8, "angle = \"50 deg\"\nspin = \"1 rad/s\"\n") + plane(0) +
-                contact("stone", "ground", 1e6, 0.6, friction(0.4))),
-      scene("stone that rocks", "stone.angle.end", 0.9,
-            ellipse(0.3, 0.2, 0, 0.2, "angle = \"5 deg\"\n") + plane(0) +
-                contact("stone", "ground", 1e6, 0.3, friction(0.8))),
-      scene("disc in a valley", "disc.x.end", 1.0,
-            disc("disc", -0.8, 0.7, "") +
-                "[[body]]\nname = \"valley\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\n"
-                "shape = { kind = \"terrain\", points = [[\"-2 m\", \"1 m\"], [\"0 m\", \"0 m\"], [\"2 m\", \"1 m\"]] "
-                "}\n" +
-                contact("disc", "valley", 1e6, 0.4, friction(0.5))),
-      scene("carriage against a stop", "load.x.end", 0.8,
-            body("load", "sliding_x", 8, -0.5, 0, circle(0.1) + velocity(1.5, 0)) + wall +
-                contact("load", "wall", 2e5, 0.5)),
-      scene("guided bar against a wall", "bar.angle.end", 0.6,
-            body("bar", "guided_x", 4, -0.6, -0.3,
-                 "inertia = \"0.2 kg m^2\"\npin = [\"0.2 m\", \"0.3 m\"]\n" + circle(0.15) + velocity(2, 0)) +
-                wall + contact("bar", "wall", 2e5, 0.5)),
-      scene("piston", "piston.y.min", 0.9,
-            body("piston", "sliding_y", 6, 0, 0.5, circle(0.1)) + plane(0) + contact("piston", "ground", 2e4, 0.2)),
-      scene("ball against a pinned plank", "plank.spin.end", 0.3,
-            disc("ball", -0.5, -0.6, velocity(4, 0)) +
-                body("plank", "pinned", 3, 0, -0.5,
-                     "inertia = \"0.26 kg m^2\"\npin = [\"0 m\", \"0.5 m\"]\nshape = { kind = \"rectangle\", "
-                     "half_width = \"0.05 m\", half_height = \"0.5 m\" }\n") +
-                contact("ball", "plank", 5e5, 0.5)),
+      varied("disc that bounces", "disc.y.end", 1.2,
+             disc("disc", 0, 1, "") + plane(0) + contact("disc", "ground", 1e6, 0.8)),
+      varied("disc on a soft ground", "disc-ground.force.max", 0.8,
+             disc("disc", 0, 1, "") + plane(0) + contact("disc", "ground", 5e4, 0.3)),
+      varied("pendulum against a wall", "bob.spin.end", 1.2, bob + wall + contact("bob", "wall", 1e5, 0.7)),
+      varied("pendulum against a soft wall", "bob.angle.end", 1.0, bob + wall + contact("bob", "wall", 1e4, 0.4)),
+      varied("block that slides to rest", "box.x.end", 2.0,
+             box("box", 10, 0.25, 0.25, 0, 0.25, velocity(3, 0)) + plane(0) +
+                 contact("box", "ground", 1e6, 0.3, friction(0.3))),
+      varied("block that slides down an incline", "box.x.end", 1.0,
+             box("box", 5, 0.3, 0.1, 0.05, 0.0866025403784439, "angle = \"-30 deg\"\n") + plane(-30) +
+                 contact("box", "ground", 1e6, 0.3, friction(0.2))),
+      varied("disc that rolls down", "disc.x.end", 1.0,
+             disc("disc", 0.0342020, 0.0939690, "") + plane(-20) + contact("disc", "ground", 1e6, 0.5, friction(0.4))),
+      varied("disc that slides down", "disc.spin.end", 1.0,
+             disc("disc", 0.0642787, 0.0766040, "") + plane(-40) + contact("disc", "ground", 1e6, 0.5, friction(0.1))),
+      varied("disc with backspin", "disc.x.end", 1.0,
+             disc("disc", 0, 0.1, velocity(2, 0) + "spin = \"60 rad/s\"\n") + plane(0) +
+                 contact("disc", "ground", 1e6, 0.5, friction(0.2))),
+      varied("oblique impact that slides", "disc.spin.end", 0.2,
+             disc("disc", 0, 0.2, velocity(4, -2)) + plane(0) + contact("disc", "ground", 1e6, 0.8, friction(0.1)), 0),
+      varied("oblique impact that sticks", "disc.vx.end", 0.2,
+             disc("disc", 0, 0.2, velocity(1, -2)) + plane(0) + contact("disc", "ground", 1e6, 0.6, friction(0.6)), 0),
+      varied("three discs in a row", "c.vx.end", 0.4,
+             disc("a", 0, 0, velocity(2, 0)) + disc("b", 0.3, 0, "") + disc("c", 0.5, 0, "") +
+                 contact("a", "b", 1e6, 0.9) + contact("b", "c", 1e6, 0.9),
+             0),
+      varied("row of different masses", "c.vx.end", 0.4,
+             disc("a", 0, 0, velocity(2, 0)) + body("b", "particle", 0.5, 0.3, 0, circle(0.1)) +
+                 body("c", "particle", 4, 0.52, 0, circle(0.1)) + contact("a", "b", 3e5, 0.5) +
+                 contact("b", "c", 3e5, 0.5),
+             0),
+      varied("fall into a cable", "bob.y.min", 2.0,
+             body("bob", "particle", 3, 0, -1, "") +
+                 cable("rope", "bob", 0, 0,
+                       "law = \"tension_only\"\nstiffness = \"2 kN/m\"\ndamping = \"20 N s/m\"\n"
+                       "rest_length = \"2 m\"\n")),
+      varied("fall into a stiff cable", "rope.tension.max", 1.0,
+             body("bob", "particle", 3, 0, -1, "") +
+                 cable("rope", "bob", 0, 0, "law = \"tension_only\"\nstiffness = \"200 kN/m\"\nslack = \"1 m\"\n")),
+      varied("cable that yields", "bob.y.min", 1.0,
+             body("bob", "particle", 20, 0, -1, "") +
+                 cable("rope", "bob", 0, 0,
+                       "law = \"elastic_plastic\"\nstiffness = \"100 kN/m\"\nyield = \"2 kN\"\n"
+                       "hardening = \"5 kN/m\"\nrest_length = \"2 m\"\n")),
+      varied("mass between two cables", "bob.y.max", 0.6,
+             body("bob", "particle", 5, 0, 0, velocity(0, 8)) +
+                 cable("left", "bob", -2, 0, "law = \"tension_only\"\nstiffness = \"50 kN/m\"\n") +
+                 cable("right", "bob", 2, 0, "law = \"tension_only\"\nstiffness = \"50 kN/m\"\nslack = \"10 mm\"\n"),
+             0),
+      varied("Hertzian bounce", "disc-ground.force.max", 0.5,
+             disc("disc", 0, 0.6, "") + plane(0) + law("disc", "ground", hertz.c_str())),
+      varied("Hertzian impact of two discs", "b.vx.end", 0.3,
+             disc("a", 0, 0, velocity(3, 0)) + disc("b", 0.4, 0.05, "") + law("a", "b", hertz.c_str()), 0),
+      varied("latching impact", "b.vx.end", 0.3,
+             disc("a", 0, 0, velocity(3, 0)) + disc("b", 0.4, 0, "") + law("a", "b", latching.c_str()), 0),
+      varied(
+          "latching bounce", "disc.y.end", 0.7,
+          disc("disc", 0, 0.6, "") + plane(0) + law("disc", "ground", (latching + "growth = \"20 m^-1\"\n").c_str())),
+      varied("box on its corner", "box.spin.end", 0.3,
+             box("box", 3, 0.3, 0.1, 0, 0.5, "angle = \"35 deg\"\n" + velocity(0.5, -2)) + square_drop),
+      varied("box that lands flat and slides", "box.x.end", 1.2,
+             box("box", 3, 0.3, 0.1, 0, 0.3, velocity(2, 0)) + square_drop),
+      varied("stone that tumbles", "stone.y.end", 0.8,
+             ellipse(0.3, 0.15, 0, 0.8, "angle = \"50 deg\"\nspin = \"1 rad/s\"\n") + plane(0) +
+                 contact("stone", "ground", 1e6, 0.6, friction(0.4))),
+      varied("stone that rocks", "stone.angle.end", 0.9,
+             ellipse(0.3, 0.2, 0, 0.2, "angle = \"5 deg\"\n") + plane(0) +
+                 contact("stone", "ground", 1e6, 0.3, friction(0.8))),
+      varied("disc in a valley", "disc.x.end", 1.0,
+             disc("disc", -0.8, 0.7, "") +
+                 "[[body]]\nname = \"valley\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\n"
+                 "shape = { kind = \"terrain\", points = [[\"-2 m\", \"1 m\"], [\"0 m\", \"0 m\"], [\"2 m\", \"1 m\"]] "
+                 "}\n" +
+                 contact("disc", "valley", 1e6, 0.4, friction(0.5))),
+      varied("carriage against a stop", "load.x.end", 0.8,
+             body("load", "sliding_x", 8, -0.5, 0, circle(0.1) + velocity(1.5, 0)) + wall +
+                 contact("load", "wall", 2e5, 0.5)),
+      varied("guided bar against a wall", "bar.angle.end", 0.6,
+             body("bar", "guided_x", 4, -0.6, -0.3,
+                  "inertia = \"0.2 kg m^2\"\npin = [\"0.2 m\", \"0.3 m\"]\n" + circle(0.15) + velocity(2, 0)) +
+                 wall + contact("bar", "wall", 2e5, 0.5)),
+      varied("piston", "piston.y.min", 0.9,
+             body("piston", "sliding_y", 6, 0, 0.5, circle(0.1)) + plane(0) + contact("piston", "ground", 2e4, 0.2)),
+      varied("ball against a pinned plank", "plank.spin.end", 0.3,
+             disc("ball", -0.5, -0.6, velocity(4, 0)) +
+                 body("plank", "pinned", 3, 0, -0.5,
+                      "inertia = \"0.26 kg m^2\"\npin = [\"0 m\", \"0.5 m\"]\nshape = { kind = \"rectangle\", "
+                      "half_width = \"0.05 m\", half_height = \"0.5 m\" }\n") +
+                 contact("ball", "plank", 5e5, 0.5)),
   };
 }
 

@@ -68,7 +68,7 @@ void add_row(const std::vector<std::string>& row, Chart& chart) {
 double between(double low, double high, double share) { return low * std::pow(high / low, share); }
 
 /// Lines of orders 1, 2 and 4 to compare with, in the empty corner of runs that are both short and good.
-std::vector<Slope> slopes_in(const Chart& chart) {
+std::vector<records::Slope> slopes_in(const Chart& chart) {
   double first = std::numeric_limits<double>::infinity(), last = 0.0, least = top;
   for (const Series& series : chart.series) {
     for (std::size_t i = 0; i < series.x.size(); ++i) {
@@ -77,7 +77,7 @@ std::vector<Slope> slopes_in(const Chart& chart) {
       least = std::min(least, series.y[i]);
     }
   }
-  std::vector<Slope> slopes;
+  std::vector<records::Slope> slopes;
   for (const auto& [order, share] : {std::pair{1.0, 0.55}, {2.0, 0.4}, {4.0, 0.25}})
     slopes.push_back(
         {-order, between(first, last, 0.05), between(least, top, share), fmt::format("order {:g}", order)});

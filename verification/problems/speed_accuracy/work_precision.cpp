@@ -16,10 +16,7 @@
 #include "verification/problems/speed_accuracy/work_charts.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
 
-namespace talus::verification::problems {
-
-Case work_precision();
-
+namespace talus::verification::problems::work_precision {
 namespace {
 
 /// Nanoseconds of one run, without output and ledger: the median of 15 repetitions, all methods and points of a scene
@@ -414,7 +411,7 @@ std::vector<Claim> claims() {
 
 }  // namespace
 
-Case work_precision() {
+Case definition() {
   const std::string equal_work =
       "error of rk4 over that of velocity_verlet at equal work, over its prediction, wall, damped";
   return {
@@ -438,4 +435,4 @@ Case work_precision() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems
+}  // namespace talus::verification::problems::work_precision
