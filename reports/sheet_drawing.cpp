@@ -168,7 +168,7 @@ std::string range(char axis, const std::vector<double>& values) {
 }
 
 /// Where the parts of the drawing stand, and how large their letters are.
-struct Layout {
+struct SheetLayout {
   struct Frame {
     double left, right, bottom, top;  ///< shares of the drawing
     std::string margins() const {
@@ -186,7 +186,7 @@ struct Layout {
   double width, height;  ///< [cm]
 };
 
-Layout layout_of(const SheetRecord& record, SheetMedium medium) {
+SheetLayout sheet_layout(const SheetRecord& record, SheetMedium medium) {
   if (medium == SheetMedium::phone) {
     // 364 pixels: a phone's 390 less the page's margins.
     return {.tics = 11.5,
@@ -220,7 +220,7 @@ Layout layout_of(const SheetRecord& record, SheetMedium medium) {
 }  // namespace
 
 std::string sheet_script(const SheetRecord& record, const Canvas& canvas, const std::string& stem, SheetMedium medium) {
-  const Layout layout = layout_of(record, medium);
+  const SheetLayout layout = sheet_layout(record, medium);
   View side = side_view(record), front = front_view(record);
   const View forces = force_chart(record);
   Block ground{"ground"};

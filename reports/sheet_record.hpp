@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,6 +13,8 @@ namespace talus::reports {
 
 using Triple = std::array<double, 3>;
 using Pair = std::array<double, 2>;
+inline double size(Triple v) { return std::hypot(v[0], v[1], v[2]); }
+inline double size(Pair v) { return std::hypot(v[0], v[1]); }
 
 struct SheetForce {
   double peak{}, peak_time{};

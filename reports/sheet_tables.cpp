@@ -16,9 +16,6 @@ constexpr std::size_t longest = 5, longest_together = 12;
 
 using Row = std::vector<std::string>;
 
-double size(Triple v) { return std::hypot(v[0], v[1], v[2]); }
-double size(Pair v) { return std::hypot(v[0], v[1]); }
-
 std::string seconds(double value) { return fmt::format("{:.4f}", value); }
 std::string per_cent(double share) { return fmt::format("{:.1f}", 100.0 * share); }
 

@@ -10,9 +10,6 @@
 namespace talus::reports {
 namespace {
 
-double size(Triple v) { return std::hypot(v[0], v[1], v[2]); }
-double size(Pair v) { return std::hypot(v[0], v[1]); }
-
 std::string in_words(std::string verdict) {
   if (verdict == "undecided") return "undecided at the end";
   std::replace(verdict.begin(), verdict.end(), '_', ' ');
@@ -24,17 +21,17 @@ std::string colour(const std::string& verdict) {
   return verdict == "undecided" ? "amber" : "red";
 }
 
-std::string per_cent(double ratio) { return fmt::format("{:.3g} %", 100.0 * ratio); }
+std::string as_per_cent(double ratio) { return fmt::format("{:.3g} %", 100.0 * ratio); }
 std::string at(double time) { return fmt::format("at {:.4f} s", time); }
 
 /// A quantity in the scene's units, and in the others in brackets.
-std::string both(const SheetRecord& record, double value, const SheetUnits& units) {
+std::string with_units(const SheetRecord& record, double value, const SheetUnits& units) {
   const bool us = record.us_units;
   return fmt::format("{} {} ({} {})", digits(value / (us ? units.us : units.si)), us ? units.us_name : units.si_name,
                      digits(value / (us ? units.si : units.us)), us ? units.si_name : units.us_name);
 }
 
-std::string margin(double ratio) { return ratio > 0.0 ? per_cent(ratio) + " of its limit" : "no limit"; }
+std::string margin(double ratio) { return ratio > 0.0 ? as_per_cent(ratio) + " of its limit" : "no limit"; }
 
 std::string passage(const SheetRecord& record, const SheetRock& rock) {
   std::string text = in_words(rock.verdict);
@@ -43,10 +40,10 @@ std::string passage(const SheetRecord& record, const SheetRock& rock) {
   const double speed = size(rock.left ? rock.exit_velocity : rock.end_velocity);
   const double energy = rock.left ? rock.exit_energy : rock.end_energy;
   text += rock.left ? fmt::format("; after its last contact {} ", at(rock.exit_time)) : "; still touching at the end: ";
-  text += fmt::format("{}, {}, {} of its energy", both(record, speed, speed_units), both(record, energy, energy_units),
-                      per_cent(energy / rock.approach_energy));
+  text += fmt::format("{}, {}, {} of its energy", with_units(record, speed, speed_units),
+                      with_units(record, energy, energy_units), as_per_cent(energy / rock.approach_energy));
   if (rock.verdict == "undecided")
-    text += fmt::format("; it still advances at {}", both(record, std::abs(rock.end_velocity[0]), speed_units));
+    text += fmt::format("; it still advances at {}", with_units(record, std::abs(rock.end_velocity[0]), speed_units));
   return text;
 }
 
@@ -65,7 +62,7 @@ template <class Parts>
 std::string closest(const Parts& parts, const typename Parts::value_type& named) {
   const auto found = std::ranges::max_element(parts, {}, [](const auto& part) { return part.margin; });
   if (!(found->margin > named.margin)) return "";
-  return fmt::format("; closest to its limit: {}, {}", found->name, per_cent(found->margin));
+  return fmt::format("; closest to its limit: {}, {}", found->name, as_per_cent(found->margin));
 }
 
 std::vector<SheetFact> facts(const SheetRecord& record) {
@@ -77,15 +74,15 @@ std::vector<SheetFact> facts(const SheetRecord& record) {
   if (const auto anchor = largest(record.anchors, [](const SheetAnchor& a) { return size(a.force.at_peak); });
       anchor != record.anchors.end())
     found.push_back(
-        {"anchor force", both(record, anchor->force.peak, force_units) + " " + at(anchor->force.peak_time)});
+        {"anchor force", with_units(record, anchor->force.peak, force_units) + " " + at(anchor->force.peak_time)});
   if (const auto cable = largest(record.segments, &SheetSegment::peak); cable != record.segments.end()) {
-    found.push_back({"cable force", fmt::format("{} {}, {}: {}", both(record, cable->peak, force_units),
+    found.push_back({"cable force", fmt::format("{} {}, {}: {}", with_units(record, cable->peak, force_units),
                                                 at(cable->peak_time), cable->name, margin(cable->margin)) +
                                         closest(record.segments, *cable)});
   }
   if (const auto hanger = largest(record.columns, [](const SheetColumn& c) { return c.hanger.peak; });
       hanger != record.columns.end()) {
-    found.push_back({"hanger force", fmt::format("{} {}, {}: {}", both(record, hanger->hanger.peak, force_units),
+    found.push_back({"hanger force", fmt::format("{} {}, {}: {}", with_units(record, hanger->hanger.peak, force_units),
                                                  at(hanger->hanger.peak_time), hanger->name, margin(hanger->margin)) +
                                          closest(record.columns, *hanger)});
   }
@@ -102,7 +99,7 @@ std::string repeat(const SheetRecord& record, const SheetQuality::Repeat& repeat
 
 std::string repair(const SheetQuality::Repair& repair) {
   if (!repair.flaw.empty()) return fmt::format("{} was tried and does not help: {}", repair.option, repair.flaw);
-  const std::string balance = repair.balance ? ", energy balance within " + per_cent(*repair.balance) : "";
+  const std::string balance = repair.balance ? ", energy balance within " + as_per_cent(*repair.balance) : "";
   return fmt::format("{} was tried and repairs it: {}{}", repair.option, in_words(repair.verdict), balance);
 }
 
@@ -111,7 +108,7 @@ std::vector<SheetFact> quality_facts(const SheetRecord& record) {
   std::vector<SheetFact> found;
   if (!quality.usable) found.push_back({"reason", quality.flaw});
   if (quality.repair) found.push_back({"repair", repair(*quality.repair)});
-  found.push_back({"energy balance", quality.balance ? "within " + per_cent(*quality.balance) : "not kept"});
+  found.push_back({"energy balance", quality.balance ? "within " + as_per_cent(*quality.balance) : "not kept"});
   found.push_back({"steps", quality.step + (quality.contact_steps ? fmt::format("; {:.0f} in the shortest contact",
                                                                                 *quality.contact_steps)
                                                                   : "")});

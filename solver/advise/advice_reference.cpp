@@ -23,10 +23,8 @@ constexpr double fine = 1e-10;
 /// Whether two methods have hardly an error in common: their orders differ, and one chooses its own steps. (All
 /// leapfrog methods go through the same places.)
 bool differ(const RunMethod& a, const RunMethod& b) {
-  const auto order_of = [](const RunMethod& method) {
-    return order(make_integrator(method.integrator, method.tolerance));
-  };
-  return order_of(a) != order_of(b) && (a.tolerance != 0.0 || b.tolerance != 0.0);
+  return integrator_traits(a.integrator).order != integrator_traits(b.integrator).order &&
+         (a.tolerance != 0.0 || b.tolerance != 0.0);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "solver/app/interruption.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
+#include "solver/integrate/euler.hpp"
 #include "solver/io/cell/cell_restart.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/toml_document.hpp"
@@ -85,7 +86,7 @@ CellOrder new_order(const CellOptions& options) {
   if (!options.units.empty()) order.choices.units = unit_system(options.units);
   order.choices.seed = options.seed;
   order.choices.historical = options.historical;
-  if (options.historical && options.integrator.empty()) order.choices.integrator = "euler";
+  if (options.historical && options.integrator.empty()) order.choices.integrator = Euler::name;
   order.choices.jump = options.jump;
   order.choices.virtual_discs = options.virtual_discs;
   order.scene = read_cell(order.file, order.choices);

@@ -13,30 +13,23 @@
 namespace talus::app {
 namespace {
 
-/// Calls visit(T{}) for each alternative T of a variant, in order.
-template <class Variant, std::size_t I = 0, class Visit>
-void for_each(Visit&& visit) {
-  if constexpr (I < std::variant_size_v<Variant>) {
-    visit(std::variant_alternative_t<I, Variant>{});
-    for_each<Variant, I + 1>(visit);
-  }
-}
-
 void list_integrators() {
   fmt::print("integrators (order on smooth motion; step control by `tolerance`)\n");
-  for_each<Integrator>([](const auto& integrator) {
-    using T = std::decay_t<decltype(integrator)>;
-    std::string_view control = "fixed step";
-    if constexpr (requires { T::has_step_control; }) {
-      if (T::has_step_control) control = T::needs_tolerance ? "needs a tolerance" : "fixed step, or a tolerance";
+  const auto order_and_control = [](const IntegratorTraits& traits) -> std::string {
+    switch (traits.step_control) {
+      case StepControl::fixed:
+        return fmt::format("order {}   fixed step", traits.order);
+      case StepControl::fixed_or_tolerance:
+        return fmt::format("order {}   fixed step, or a tolerance", traits.order);
+      case StepControl::tolerance:
+        return fmt::format("order {}   needs a tolerance", traits.order);
+      case StepControl::closed_form:
+        break;
     }
-    if (needs_closed_form(T::name)) {
-      fmt::print("  {:<23} no error  where motion between events is linear: particles, discs on planes, no cables\n",
-                 T::name);
-    } else {
-      fmt::print("  {:<23} order {}   {}\n", T::name, T::order, control);
-    }
-  });
+    return "no error  where motion between events is linear: particles, discs on planes, no cables";
+  };
+  for (const std::string& name : integrator_names())
+    fmt::print("  {:<23} {}\n", name, order_and_control(integrator_traits(name)));
   fmt::print("  {:<23} {} where it can be, else {} with the tolerance\n", automatic_integrator, Exact::name,
              StormerCowell::name);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -17,13 +18,11 @@
 namespace talus {
 namespace {
 
-std::string method_name(const SteppedContact& contact) {
-  return std::visit([](const auto& method) { return std::string{method.name}; }, contact.method);
-}
+std::string_view method_name(const SteppedContact& contact) { return traits(contact.method).name; }
 
 /// c pi w1 h.
 double gain_in_loading(const SteppedContact& contact) {
-  return swing_gain(method_name(contact)) * std::numbers::pi * contact.loading_angle();
+  return traits(contact.method).amplitude_growth_rate * std::numbers::pi * contact.loading_angle();
 }
 
 InputError out_of_range(const SteppedContact& contact, double restitution, double least) {
@@ -79,7 +78,7 @@ double SteppedContact::steps_in_contact(double ratio) const {
 }
 
 double stepped_restitution(const SteppedContact& contact, double ratio) {
-  return stepped_restitution(method_name(contact), std::sqrt(ratio), contact.loading_angle());
+  return stepped_restitution(contact.method, std::sqrt(ratio), contact.loading_angle());
 }
 
 double least_restitution(const SteppedContact& contact) {

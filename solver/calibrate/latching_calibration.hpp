@@ -20,7 +20,7 @@ struct SteppedContact {
 };
 
 /// Restitution of stepped impacts by their leading terms: sqrt(K1/K2) exp[c pi (w1 + w2) h] with the method's
-/// swing_gain() c. Ratio: K1/K2 in (0, 1].
+/// amplitude_growth_rate c. Ratio: K1/K2 in (0, 1].
 [[nodiscard]] double stepped_restitution(const SteppedContact& contact, double ratio);
 
 /// Least restitution by that formula: c pi w1 h exp(1 + c pi w1 h). The stiffer K2, the more a step of euler or taylor

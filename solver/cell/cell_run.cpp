@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -30,11 +29,9 @@ long steps_in(double time, double step) { return std::max(1L, std::lround(time /
 
 std::size_t at(CellQuantity quantity) { return static_cast<std::size_t>(quantity); }
 
-/// What a free fall of n steps is longer by than n^2/2 g h^2, in n/2 g h^2.
-double fall_bias(std::string_view integrator) {
-  if (integrator == "euler") return -1.0;
-  return integrator == "euler_cromer" || integrator == "central_difference" ? 1.0 : 0.0;
-}
+/// What a free fall of n steps is longer by than n^2/2 g h^2, in n/2 g h^2. The coordinates of a staggered method are
+/// half a step ahead, and move with the velocity of each step's end.
+double fall_bias(const IntegratorTraits& method) { return method.free_fall_error + (method.is_staggered ? 1.0 : 0.0); }
 
 CellRun::System system_of(const ShearCell& cell, const CellPlan& plan, const FilledCell& start) {
   const double skin = cell_skin(cell);
@@ -104,9 +101,7 @@ void CellRun::take_steps(long steps) {
       book_walls(h, system.wall_force(block_wall), system.wall_force(base_wall), height);
     };
     using Method = std::decay_t<decltype(method)>;
-    constexpr bool kick_and_drift =
-        std::same_as<Method, CentralDifferenceOf<Discs>> || std::same_as<Method, EulerCromerOf<Discs>>;
-    if constexpr (kick_and_drift && requires { system.place(block); }) {
+    if constexpr (traits_of<Method>.kick_and_drift && requires { system.place(block); }) {
       system.advance(discs_, h, steps, [&] { book(system.place(block).y - system.place(base).y); });
     } else {
       for (long n = 0; n < steps; ++n) {
@@ -169,7 +164,7 @@ long CellRun::free_steps() const {
 /// How far the block falls freely in so many steps [L].
 double CellRun::block_way(long steps) const {
   const auto n = static_cast<double>(steps);
-  const double h = plan_.step, fall = 0.5 * cell_.gravity * h * (n + fall_bias(plan_.integrator));
+  const double h = plan_.step, fall = 0.5 * cell_.gravity * h * (n + fall_bias(traits(method_)));
   return n * h * (discs_.vy.back() - fall);
 }
 
@@ -222,10 +217,10 @@ void CellRun::sample(bool flown) {
   const auto value = [&](CellQuantity quantity) -> double& { return values[at(quantity)]; };
   const double forwards = std::signbit(cell_.block_speed) ? -1.0 : 1.0, area = cell_.width() * cell_.diameter;
   const std::size_t free = cell_.free_discs();
-  // Contacts that the last drift has begun or ended are as they are now. A velocity Verlet has evaluated them since,
-  // at other velocities, by which friction settles.
-  const auto settle = [&](const auto& method, auto& system) {
-    if constexpr (!std::same_as<std::decay_t<decltype(method)>, VelocityVerletOf<Discs>>) system.settle(discs_);
+  // Contacts that the last drift has begun or ended are as they are now. A method that ends its steps with an
+  // evaluation has evaluated them since, at other velocities, by which friction settles.
+  const auto settle = [&]<class Method>(const Method&, auto& system) {
+    if constexpr (!traits_of<Method>.ends_with_evaluation) system.settle(discs_);
   };
   std::visit(settle, method_, system_);
   const std::vector<ActingContact> contacts = acting_contacts();

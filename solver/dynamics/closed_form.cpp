@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "solver/dynamics/dynamics.hpp"
-#include "solver/integrate/eventful_system.hpp"
+#include "solver/integrate/affine_piece.hpp"
 
 namespace talus {
 namespace {

@@ -9,7 +9,7 @@
 #include "solver/dynamics/contact_forces.hpp"
 #include "solver/dynamics/energies.hpp"
 #include "solver/dynamics/workspace.hpp"
-#include "solver/integrate/eventful_system.hpp"
+#include "solver/integrate/affine_piece.hpp"
 #include "solver/model/layout.hpp"
 #include "solver/model/model.hpp"
 #include "solver/state/state.hpp"

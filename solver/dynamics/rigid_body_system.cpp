@@ -42,7 +42,7 @@ void RigidBodySystem::settle(State& state, const State& before) {
   dynamics_->settle(state, work_, &before);
 }
 
-Prospect RigidBodySystem::guards(const State& state, bool same, double ahead, std::vector<double>& out) {
+GuardBounds RigidBodySystem::guards(const State& state, bool same, double ahead, std::vector<double>& out) {
   if (!same) dynamics_->update(state, work_);
   const double longest_step = dynamics_->update_far(state, ahead, work_);
   out.resize(state.mode.size());

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "solver/dynamics/dynamics.hpp"
+#include "solver/integrate/guard_bounds.hpp"
 
 namespace talus {
 
@@ -32,9 +33,9 @@ class RigidBodySystem {
   void evaluate(State& state, Rates& out);
 
   /// Guards in the state's modes; `same`: of the state that was settled, or whose derivative was asked for, last. Of
-  /// bodies that at their speed do not touch in the time ahead [T] they are infinite; see Prospect. No force
+  /// bodies that at their speed do not touch in the time ahead [T] they are infinite; see GuardBounds. No force
   /// evaluation.
-  Prospect guards(const State& state, bool same, double ahead, std::vector<double>& out);
+  GuardBounds guards(const State& state, bool same, double ahead, std::vector<double>& out);
   /// Those of a few modes, at any state; the numbers of others may change, too.
   void guards_of(const State& state, std::span<const std::size_t> modes, std::span<double> out);
   bool follows(const State& state) const { return dynamics_->follows(state); }

@@ -2,22 +2,47 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "solver/granular/discs.hpp"
-#include "solver/integrate/central_difference.hpp"
-#include "solver/integrate/euler.hpp"
-#include "solver/integrate/euler_cromer.hpp"
-#include "solver/integrate/taylor.hpp"
-#include "solver/integrate/velocity_verlet.hpp"
+#include "solver/integrate/integrator_list.hpp"
 
 namespace talus {
 
-/// The closed list of methods that step discs: those of fixed step and one force evaluation a step, the same as those
-/// of rigid bodies.
-using DiscMethod = std::variant<VelocityVerletOf<Discs>, EulerCromerOf<Discs>, CentralDifferenceOf<Discs>,
-                                TaylorOf<Discs>, EulerOf<Discs>>;
+/// What every system of discs offers to a method, declared only: DiscSystem, FastDiscSystem and others define it.
+struct AnyDiscSystem {
+  void drift(Discs& discs, double h);
+  void kick(Discs& discs, double h);
+  Discs drifted(const Discs& discs, double h) const;
+  void settle(Discs& discs);
+  void evaluate(Discs& discs, DiscRates& out);
+};
+
+/// A method of the list of integrators that steps discs as well: one of fixed step over any states, with one force
+/// evaluation a step, because the memory of contacts stands beside the state and follows it evaluation by evaluation.
+template <class I>
+concept StepsDiscs = requires {
+  requires(I::step_control == StepControl::fixed && I::evaluations == 1);
+  requires IntegratorFor<typename Rebound<I, Discs>::type, AnyDiscSystem, Discs>;
+};
+
+/// Of a list of integrators those that step discs, as methods over discs: DiscMethodsOf<std::variant<I...>>::type.
+template <class List, class... Found>
+struct DiscMethodsOf;
+template <class... Found>
+struct DiscMethodsOf<std::variant<>, Found...> {
+  using type = std::variant<Found...>;
+};
+template <class I, class... Others, class... Found>
+struct DiscMethodsOf<std::variant<I, Others...>, Found...> : DiscMethodsOf<std::variant<Others...>, Found...> {};
+template <StepsDiscs I, class... Others, class... Found>
+struct DiscMethodsOf<std::variant<I, Others...>, Found...>
+    : DiscMethodsOf<std::variant<Others...>, Found..., typename Rebound<I, Discs>::type> {};
+
+/// Any of the methods that step discs.
+using DiscMethod = DiscMethodsOf<Integrator>::type;
 
 /// Names of all, in the list's order.
 [[nodiscard]] std::vector<std::string> disc_method_names();
@@ -25,13 +50,12 @@ using DiscMethod = std::variant<VelocityVerletOf<Discs>, EulerCromerOf<Discs>, C
 /// The method of that name. Errors: InputError for an unknown name.
 [[nodiscard]] DiscMethod make_disc_method(std::string_view name);
 
-/// How far a method's steps drive an undamped swing: along a quarter of it its amplitude grows by the factor
-/// exp(c pi w h), c = 1/4 for euler, whose energy grows by 1 + (w h)^2 in each of pi/(2 w h) steps, 1/8 for taylor, 0
-/// for the leapfrog methods.
-[[nodiscard]] double swing_gain(std::string_view name);
+/// What a method declares.
+[[nodiscard]] const IntegratorTraits& traits(const DiscMethod& method);
 
-/// What an impact by a latching spring, a quarter of a swing at w1 and one at w2 = w1/e, keeps of its speed in a
-/// method's steps, if it keeps e without them: e exp(c pi (w1 + w2) h). loading_angle: w1 h [rad] >= 0.
-[[nodiscard]] double stepped_restitution(std::string_view name, double restitution, double loading_angle);
+/// Restitution of an impact by a latching spring in a method's steps, if it is e without them. The impact is a quarter
+/// of an oscillation at w1 and one at w2 = w1/e: e exp(c pi (w1 + w2) h), c the method's amplitude_growth_rate.
+/// loading_angle: w1 h [rad] >= 0.
+[[nodiscard]] double stepped_restitution(const DiscMethod& method, double restitution, double loading_angle);
 
 }  // namespace talus

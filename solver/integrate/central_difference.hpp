@@ -4,6 +4,7 @@
 
 #include "solver/integrate/advance.hpp"
 #include "solver/integrate/concepts.hpp"
+#include "solver/integrate/linear_limit.hpp"
 
 namespace talus {
 
@@ -20,6 +21,12 @@ struct CentralDifferenceOf {
 
   static constexpr std::string_view name = "central_difference";
   static constexpr int order = 2;
+  static constexpr StepControl step_control = StepControl::fixed;
+  static constexpr int evaluations = 1;
+  static constexpr int additions = 1;
+  static constexpr bool kick_and_drift = true;
+
+  static double linear_limit(double damping_ratio) { return leapfrog_limit(damping_ratio); }
 
   template <Splittable<StateType> System>
   void start(System& system, StateType& state, Scalar h) const {

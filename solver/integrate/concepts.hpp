@@ -1,21 +1,34 @@
 #pragma once
 
 #include <concepts>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "solver/base/memory.hpp"
+#include "solver/base/named_member.hpp"
 #include "solver/state/state.hpp"
 
 namespace talus {
+
+// Systems.
+
+TALUS_NAMED_MEMBER(NamesDrifted, drifted);
+template <class S, class StateType>
+concept DriftedFits =
+    !NamesDrifted<S> || requires(const S& system, const StateType& state, typename StateType::Number h) {
+  { system.drifted(state, h) } -> std::same_as<StateType>;
+};
 
 /// A system whose motion can be advanced in two halves, each of them exact for its own part. Its states are numbers of
 /// type StateType::Number.
 ///   drift(state, h)  moves the coordinates, and the memory that follows the motion, with the present velocities; no
 ///                    force is evaluated
 ///   kick(state, h)   brings the modes up to date, evaluates the forces once, advances velocities, work and impulse
-///   drifted(state, h)  only of systems that keep something beside the state, such as what contacts remember: the state
-///                      moved so, and all else left as it is
+/// Optional, of systems that keep something beside the state, such as the memory of contacts:
+///   drifted(state, h)  returns the state moved so, and leaves all else as it is
 template <class S, class StateType = State>
-concept Splittable = requires(S& system, StateType& state, typename StateType::Number h) {
+concept Splittable = DriftedFits<S, StateType> && requires(S& system, StateType& state, typename StateType::Number h) {
   system.drift(state, h);
   system.kick(state, h);
 };
@@ -39,34 +52,154 @@ concept Differentiable = Evaluable<S, StateType> &&
   system.derivative(fixed, rates);
 };
 
-/// A method of integration: it knows its system by one of the concepts above and nothing of bodies, files or observers.
-/// Methods of a fixed step are templates on the states that they step, rigid bodies' or discs', in numbers of any kind
-/// (`StateType::Number`, `StateType::Rates`, and a function kick_velocities(state, rates, h)).
-/// Every method brings the modes up to date before each force evaluation: the classical way, and that of 1993.
-///   name, order                     its name in scenes; its order on smooth motion
-///   start(system, state, h)         once before the first step of length h (a staggered method shifts the state here)
-///   step(system, state, h)          advances state by h, time included
-///   synchronize(system, copy, h)    only of staggered methods: brings all parts of a copy of the state to the same
-///   time,
-///                                   state.t (see synchronized())
-///   remember(memory, like)          names all that the method carries from one step to the next. After it is put back
-///                                   into a method of the same name, step() goes on bit for bit, without start();
-///                                   `like`, a state of the same scene, tells the sizes
-///   failure()                       optional: why the method cannot go on, empty while it can; the run ends as
-///   diverged
-template <class I, class S>
-concept IntegratorFor = requires(I integrator, S& system, State& state, const State& fixed, double h, Memory& memory) {
-  { I::name } -> std::convertible_to<std::string_view>;
-  { I::order } -> std::convertible_to<int>;
-  integrator.start(system, state, h);
-  integrator.step(system, state, h);
-  integrator.remember(memory, fixed);
+// States.
+
+/// States whose coordinates and velocities are one vector each, as those of rigid bodies.
+template <class StateType>
+concept VectorState = requires(StateType& state) {
+  { state.q } -> std::same_as<std::vector<typename StateType::Number>&>;
+  { state.v } -> std::same_as<std::vector<typename StateType::Number>&>;
 };
+
+// Integrators.
+
+/// How the length of a method's steps is chosen.
+enum class StepControl {
+  fixed,               ///< each step has the given length
+  fixed_or_tolerance,  ///< the same; with a tolerance > 0 the method chooses its steps within the given one
+  tolerance,           ///< always by a tolerance > 0
+  closed_form,         ///< exact between events, for motion that is linear there
+};
+/// Whether steps of a given length are possible.
+constexpr bool has_fixed_steps(StepControl control) {
+  return control == StepControl::fixed || control == StepControl::fixed_or_tolerance;
+}
+/// Whether a tolerance is possible.
+constexpr bool takes_tolerance(StepControl control) {
+  return control == StepControl::fixed_or_tolerance || control == StepControl::tolerance;
+}
+
+TALUS_NAMED_MEMBER(NamesSynchronize, synchronize);
+TALUS_NAMED_MEMBER(NamesFailure, failure);
+TALUS_NAMED_MEMBER(NamesEvents, events);
+TALUS_NAMED_MEMBER(NamesLinearLimit, linear_limit);
+TALUS_NAMED_MEMBER(NamesAmplitudeGrowth, amplitude_growth_rate);
+TALUS_NAMED_MEMBER(NamesFreeFallError, free_fall_error);
+TALUS_NAMED_MEMBER(NamesKickAndDrift, kick_and_drift);
+TALUS_NAMED_MEMBER(NamesEndsWithEvaluation, ends_with_evaluation);
+
+/// The constants that every method declares, and that they agree with each other; see IntegratorFor.
+template <class I>
+concept Described = requires {
+  { I::name } -> std::same_as<const std::string_view&>;
+  { I::order } -> std::same_as<const int&>;
+  { I::step_control } -> std::same_as<const StepControl&>;
+  { I::evaluations } -> std::same_as<const int&>;
+  { I::additions } -> std::same_as<const int&>;
+  requires(I::order > 0) == (I::step_control != StepControl::closed_form);
+  requires(I::evaluations > 0) == has_fixed_steps(I::step_control);
+  requires(I::additions > 0);
+};
+
+/// A method that takes a tolerance has a place for it.
+template <class I>
+concept ToleranceFits = !takes_tolerance(I::step_control) || requires(I & integrator) {
+  { integrator.tolerance } -> std::same_as<double&>;
+};
+
+// The form of each optional member, if it is there at all.
+template <class I>
+concept FailureFits = !NamesFailure<I> || requires(const I& integrator) {
+  { integrator.failure() } -> std::same_as<const std::string&>;
+};
+template <class I>
+concept EventsFit = !NamesEvents<I> || requires(const I& integrator) {
+  { integrator.events() } -> std::same_as<long>;
+};
+template <class I>
+concept LinearLimitFits = !NamesLinearLimit<I> || (has_fixed_steps(I::step_control) && requires(double damping_ratio) {
+  { I::linear_limit(damping_ratio) } -> std::same_as<double>;
+});
+template <class I>
+concept AmplitudeGrowthFits = !NamesAmplitudeGrowth<I> || requires {
+  { I::amplitude_growth_rate } -> std::same_as<const double&>;
+};
+template <class I>
+concept FreeFallErrorFits = !NamesFreeFallError<I> || requires {
+  { I::free_fall_error } -> std::same_as<const double&>;
+};
+template <class I>
+concept KickAndDriftFits = !NamesKickAndDrift<I> || requires {
+  { I::kick_and_drift } -> std::same_as<const bool&>;
+};
+template <class I>
+concept EndsWithEvaluationFits = !NamesEndsWithEvaluation<I> || requires {
+  { I::ends_with_evaluation } -> std::same_as<const bool&>;
+};
+template <class I>
+concept OptionalMembersFit = FailureFits<I> && EventsFit<I> && LinearLimitFits<I> && AmplitudeGrowthFits<I> &&
+    FreeFallErrorFits<I> && KickAndDriftFits<I> && EndsWithEvaluationFits<I>;
 
 /// A method whose states hold velocities and coordinates at different times.
 template <class I, class S, class StateType>
-concept Staggered = requires(const I integrator, S& system, StateType& copy, typename StateType::Number h) {
+concept Staggered = requires(const I& integrator, S& system, StateType& copy, typename StateType::Number h) {
   integrator.synchronize(system, copy, h);
+};
+
+/// A method of integration. It knows its system by one of the concepts above and nothing of bodies, files or observers,
+/// and brings the modes up to date before each force evaluation: the classical way, and that of 1993.
+///
+/// A method of fixed step is a template over its states: `NameOf<StateType>`, and `Name` for `NameOf<State>`. Of the
+/// states it uses `StateType::Number` (the type of h), `StateType::Rates` and `kick_velocities(state, rates, h)`, and
+/// what VectorState says if it demands that. Only templates step states in other numbers than double; those with one
+/// force evaluation a step that do not demand a VectorState step discs too (see DiscMethod). Another method may be a
+/// class for rigid bodies' State alone.
+///
+/// Constants, all required:
+///   name          std::string_view: its name in scenes
+///   order         int: its order on smooth motion, the highest if it varies; 0 of a closed form, which has no error
+///   step_control  StepControl
+///   evaluations   int: force evaluations in a step of given length, once the method is started; 0 if it has no such
+///                 steps
+///   additions     int: additions to one number of the state in such a step, the most that any number gets, by which
+///                 rounding grows; of other methods in the time between two outputs
+///
+/// Members, all required:
+///   I()                           a copy of a method continues as the original
+///   start(system, state, h)       once before the first step of length h (a staggered method shifts the state here)
+///   step(system, state, h)        advances state by h, time included
+///   remember(memory, like)        names all that the method carries from one step to the next. After it is put back
+///                                 into a method of the same name, step() continues bit for bit, without start();
+///                                 `like`, a state of the same scene, gives the sizes
+///   double tolerance              required with a tolerance only: 0 where steps have the given length
+///
+/// Optional; one of another type or signature is an error of compilation:
+///   synchronize(system, copy, h) const
+///                                 of staggered methods: brings all parts of a copy of the state to the same time,
+///                                 copy.t (see synchronized())
+///   const std::string& failure() const  why the method cannot continue, empty while it can; the run ends as diverged
+///   long events() const           of methods that locate events: how many since the run's start
+///   static double linear_limit(double damping_ratio)
+///                                 of methods with steps of given length: largest stable h omega on the oscillator
+///                                 q'' = -omega^2 q - 2 xi omega q', xi >= 0; without it scenes' steps are not watched
+///                                 for linear instability. 0: every step grows
+///   double amplitude_growth_rate  c: along each quarter of an undamped oscillation the amplitude grows by the factor
+///                                 exp(c pi omega h) in the limit of small h; else 0
+///   double free_fall_error        what constant acceleration a adds to the coordinates of a synchronized state at time
+///                                 t, in a h t/2; else 0
+///   bool kick_and_drift           whether each step is kick(state, h), then drift(state, h), and no more; else false
+///   bool ends_with_evaluation     whether the last force evaluation of a step is that of its last coordinates; else
+///                                 false
+///
+/// Nothing else in the solver goes by a method's name: see traits_of and integrator_list.hpp.
+template <class I, class S, class StateType = State>
+concept IntegratorFor = requires(I integrator, S& system, StateType& state, const StateType& fixed,
+                                 typename StateType::Number h, Memory& memory) {
+  requires Described<I> && ToleranceFits<I> && OptionalMembersFit<I> && std::semiregular<I>;
+  requires !NamesSynchronize<I> || Staggered<I, S, StateType>;
+  integrator.start(system, state, h);
+  integrator.step(system, state, h);
+  integrator.remember(memory, fixed);
 };
 
 /// Brings all parts of a copy of the method's state to the same time, copy.t: what observers see.
@@ -81,5 +214,49 @@ template <class I, class S, class StateType>
   synchronize(integrator, system, state, h);
   return state;
 }
+
+/// A method of fixed step over other states, of type `Rebound<I, StateType>::type`: `NameOf<StateType>` for
+/// I = `NameOf<State>`. None for other methods.
+template <class I, class StateType>
+struct Rebound {};
+template <template <class> class Method, class StateType>
+struct Rebound<Method<State>, StateType> {
+  using type = Method<StateType>;
+};
+
+/// What a method declares, as values.
+struct IntegratorTraits {
+  std::string_view name;
+  int order{};
+  StepControl step_control{};
+  int evaluations{};
+  int additions{};
+  double (*linear_limit)(double damping_ratio){};  ///< null: not known
+  double amplitude_growth_rate{};
+  double free_fall_error{};
+  bool is_staggered{};
+  bool locates_events{};
+  bool kick_and_drift{};
+  bool ends_with_evaluation{};
+};
+
+/// Those of a method; see IntegratorFor.
+template <Described I>
+requires OptionalMembersFit<I>
+inline constexpr IntegratorTraits traits_of = [] {
+  IntegratorTraits traits{.name = I::name,
+                          .order = I::order,
+                          .step_control = I::step_control,
+                          .evaluations = I::evaluations,
+                          .additions = I::additions,
+                          .is_staggered = NamesSynchronize<I>,
+                          .locates_events = NamesEvents<I>};
+  if constexpr (NamesLinearLimit<I>) traits.linear_limit = &I::linear_limit;
+  if constexpr (NamesAmplitudeGrowth<I>) traits.amplitude_growth_rate = I::amplitude_growth_rate;
+  if constexpr (NamesFreeFallError<I>) traits.free_fall_error = I::free_fall_error;
+  if constexpr (NamesKickAndDrift<I>) traits.kick_and_drift = I::kick_and_drift;
+  if constexpr (NamesEndsWithEvaluation<I>) traits.ends_with_evaluation = I::ends_with_evaluation;
+  return traits;
+}();
 
 }  // namespace talus

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <string_view>
 
@@ -19,6 +20,16 @@ class EulerOf {
 
   static constexpr std::string_view name = "euler";
   static constexpr int order = 1;
+  static constexpr StepControl step_control = StepControl::fixed;
+  static constexpr int evaluations = 1;
+  static constexpr int additions = 1;
+  static constexpr double amplitude_growth_rate = 0.25;
+  static constexpr double free_fall_error = -1.0;  ///< coordinates move with the velocity of each step's start
+
+  static double linear_limit(double damping_ratio) {
+    const double xi = damping_ratio;
+    return xi < 1.0 ? 2.0 * xi : 2.0 / (xi + std::sqrt(xi * xi - 1.0));
+  }
 
   template <Evaluable<StateType> System>
   void start(System& system, StateType& state, Scalar) {

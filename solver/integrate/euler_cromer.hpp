@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "solver/integrate/concepts.hpp"
+#include "solver/integrate/linear_limit.hpp"
 
 namespace talus {
 
@@ -14,6 +15,13 @@ struct EulerCromerOf {
 
   static constexpr std::string_view name = "euler_cromer";
   static constexpr int order = 1;
+  static constexpr StepControl step_control = StepControl::fixed;
+  static constexpr int evaluations = 1;
+  static constexpr int additions = 1;
+  static constexpr double free_fall_error = 1.0;  ///< coordinates move with the velocity of each step's end
+  static constexpr bool kick_and_drift = true;
+
+  static double linear_limit(double damping_ratio) { return leapfrog_limit(damping_ratio); }
 
   template <Splittable<StateType> System>
   void start(System&, StateType&, Scalar) const {}

@@ -15,8 +15,9 @@
 
 namespace talus {
 
-std::string crowd_failure(double t) {
-  return fmt::format("{} events follow each other with hardly any time between them at t = {:.6g}", crowd_limit, t);
+std::string accumulation_failure(double t) {
+  return fmt::format("{} events follow each other with hardly any time between them at t = {:.6g}", most_accumulated,
+                     t);
 }
 
 namespace {
@@ -51,13 +52,13 @@ void EventSearch::Guards::fill_in() {
   all_endless = false;
 }
 
-void EventSearch::ask(EventfulSystem& system, NearEnd at, double ahead) {
-  const Prospect found = system.guards(*at.state, at.same, ahead, guards_.each);
+void EventSearch::ask(HybridSystem& system, NearEnd at, double ahead) {
+  const GuardBounds found = system.guards(*at.state, at.same, ahead, guards_.each);
   longest_step_ = found.longest_step;
   guards_.all_endless = !found.finite;
 }
 
-bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const std::vector<Mode>& before) {
+bool EventSearch::begin_segment(HybridSystem& system, const State& start, const std::vector<Mode>& before) {
   earlier_.each.clear(), earlier_.all_endless = false;
   ask(system, {&start, true}, endless);
   guards_.fill_in();
@@ -75,8 +76,8 @@ bool EventSearch::begin_piece(EventfulSystem& system, const State& start, const 
   return in_doubt;
 }
 
-double EventSearch::find(EventfulSystem& system, const State& begin, double end, double next, NearEnd near_end,
-                         const Motion& motion) {
+double EventSearch::find(HybridSystem& system, const State& begin, double end, double next, NearEnd near_end,
+                         const StateAt& state_at) {
   std::swap(before_, guards_);
   ask(system, near_end, steps_ahead * next);
   if (guards_.all_endless) {
@@ -92,7 +93,7 @@ double EventSearch::find(EventfulSystem& system, const State& begin, double end,
     worse |= dormant_[i] == 1.0 && guards_.each[i] <= 0.0 && guards_.each[i] < before_.each[i];
   }
   std::optional<double> last = near ? std::optional{end} : dip(begin.t, end);
-  const auto ends_by = [&](const std::optional<double>& t) { return t && find_ended(system, begin, *t, motion); };
+  const auto ends_by = [&](const std::optional<double>& t) { return t && find_ended(system, begin, *t, state_at); };
   bool ends = ends_by(last);
   if (near && !ends) {
     last = dip(begin.t, end);
@@ -109,7 +110,7 @@ double EventSearch::find(EventfulSystem& system, const State& begin, double end,
   }
   const double after = least_share();
   const auto share_at = [&](double t) {
-    look_at(system, begin, t, motion);
+    look_at(system, begin, t, state_at);
     return least_share();
   };
   const double before = share_at(begin.t);
@@ -170,20 +171,20 @@ std::optional<double> EventSearch::dip(double begin, double end) const {
 }
 
 /// Those guards that are listed as ended at a time in the last step.
-void EventSearch::look_at(EventfulSystem& system, const State& begin, double t, const Motion& motion) {
-  motion(t, looked_at_);
+void EventSearch::look_at(HybridSystem& system, const State& begin, double t, const StateAt& state_at) {
+  state_at(t, looked_at_);
   looked_at_.mode = begin.mode;
   looked_.resize(guards_.each.size());
   system.guards_of(looked_at_, ended_, looked_);
 }
 
 /// Lists the guards that are past their end at a time in the last step, of those that were not since the piece began.
-bool EventSearch::find_ended(EventfulSystem& system, const State& begin, double t, const Motion& motion) {
+bool EventSearch::find_ended(HybridSystem& system, const State& begin, double t, const StateAt& state_at) {
   ended_.clear();
   for (const std::size_t i : finite_) {
     if (dormant_[i] == 0.0) ended_.push_back(i);
   }
-  look_at(system, begin, t, motion);
+  look_at(system, begin, t, state_at);
   std::erase_if(ended_, [this](std::size_t i) { return !(looked_[i] <= 0.0); });
   return !ended_.empty();
 }
@@ -199,9 +200,9 @@ double EventSearch::least_share() const {
   return least;
 }
 
-void EventSearch::settle(EventfulSystem& system, State& at, const State& before) {
+void EventSearch::settle(HybridSystem& system, State& at, const State& before) {
   modes_ = at.mode;
-  system.settle_step(at, before);
+  system.settle(at, before);
   // What slid is at first brought to its limit, and only then seen to stick. What is out of reach lasts: nothing ahead.
   if (!system.guards(at, true, 0.0, looked_).finite) return;
   bool lasts = true;

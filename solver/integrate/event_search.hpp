@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "solver/base/memory.hpp"
-#include "solver/integrate/eventful_system.hpp"
+#include "solver/integrate/hybrid_system.hpp"
 #include "solver/state/state.hpp"
 
 namespace talus {
 
-/// Events in a row with hardly any time between after which a motion is said not to go on.
-inline constexpr long crowd_limit = 1000;
-/// And what is said.
-[[nodiscard]] std::string crowd_failure(double t);
+/// Events in a row with hardly any time between (Zeno behaviour) after which a motion ends.
+inline constexpr long most_accumulated = 1000;
+/// The message then.
+[[nodiscard]] std::string accumulation_failure(double t);
 
 /// A state near the end of a step.
 struct NearEnd {
@@ -28,25 +28,25 @@ struct NearEnd {
 class EventSearch {
  public:
   /// Writes the state at a time within the step.
-  using Motion = std::function<void(double t, State& out)>;
+  using StateAt = std::function<void(double t, State& out)>;
 
   EventSearch() = default;
   explicit EventSearch(const State& like) : looked_at_{like} {}
 
-  /// A piece of the motion begins; `before`: the modes before it. True if some mode began at its very end: then only a
-  /// short first step tells whether it lasts.
-  [[nodiscard]] bool begin_piece(EventfulSystem& system, const State& start, const std::vector<Mode>& before);
+  /// A segment of the motion begins; `before`: the modes before it. True if some mode began at its very end: then only
+  /// a short first step tells whether it lasts.
+  [[nodiscard]] bool begin_segment(HybridSystem& system, const State& start, const std::vector<Mode>& before);
   /// When the step from `begin` to the time `end` meets its first event; infinite if it meets none. The next step is no
   /// longer than `next` [T]. `near_end` screens out most steps: only where a guard comes within a thousandth of its way
   /// in the step to its end there, or may have been past it in between, are the guards asked again. An event that hides
   /// in that thousandth is past at the beginning of the next step, and is found there.
-  [[nodiscard]] double find(EventfulSystem& system, const State& begin, double end, double next, NearEnd near_end,
-                            const Motion& motion);
+  [[nodiscard]] double find(HybridSystem& system, const State& begin, double end, double next, NearEnd near_end,
+                            const StateAt& state_at);
   /// From the beginning of the piece, or from near the end of the last step, in which no body can pass another unseen:
   /// how long the next may be at most; infinite of a system that was never asked.
   double longest_step() const { return longest_step_; }
   /// Brings the modes up to date at an event, from the state at the beginning of the step.
-  void settle(EventfulSystem& system, State& at, const State& before);
+  void settle(HybridSystem& system, State& at, const State& before);
 
   /// Names its parts, for a state of so many modes. Errors when putting back: InputError if they do not fit.
   void remember(Memory& memory, std::size_t modes);
@@ -59,14 +59,14 @@ class EventSearch {
     void fill_in();
   };
 
-  void ask(EventfulSystem& system, NearEnd at, double ahead);
+  void ask(HybridSystem& system, NearEnd at, double ahead);
   void forget_dormant();
   void go_on(double begin);
   void list_finite();
   bool may_have_ended(std::size_t guard) const;
   std::optional<double> dip(double begin, double end) const;
-  void look_at(EventfulSystem& system, const State& begin, double t, const Motion& motion);
-  bool find_ended(EventfulSystem& system, const State& begin, double t, const Motion& motion);
+  void look_at(HybridSystem& system, const State& begin, double t, const StateAt& state_at);
+  bool find_ended(HybridSystem& system, const State& begin, double t, const StateAt& state_at);
   double least_share() const;
 
   Guards guards_;                ///< at the end of the last step

@@ -22,17 +22,17 @@ constexpr std::array<std::array<double, 2>, 4> gauss{{{0.18343464249564980493947
 
 }  // namespace
 
-void LinearMotion::begin(EventfulSystem& system, const State& start, double interval) {
+void LinearMotion::begin(HybridSystem& system, const State& start, double interval) {
   system.derivative(start, found_);
   piece_.terms.clear();
-  if (system.affine_piece) system.affine_piece(start, piece_);
+  (void)system.affine_piece(start, piece_);  // advance() fails without
   q0_ = start.q, v0_ = start.v, a0_ = found_.v;
   const double fastest = fastest_rate(piece_, std::vector<double>(a0_.size(), 1.0));
   step_ = fastest > 0.0 ? 1.0 / fastest : interval;
 }
 
-std::string LinearMotion::advance(EventfulSystem& system, const State& begin, State& end, double longest) {
-  if (!system.affine_piece) return "the system does not say where its motion is linear";
+std::string LinearMotion::advance(HybridSystem& system, const State& begin, State& end, double longest) {
+  if (!system.has_affine_pieces()) return "the system does not say where its motion is linear";
   const double h = std::min(share_ * step_, longest);
   share_ = 1.0;
   sum_series(begin, h, end);
@@ -79,8 +79,8 @@ void LinearMotion::state_at(const State& begin, const State&, double t, State& o
   out.t = t;
 }
 
-void LinearMotion::complete(EventfulSystem& system, const State& begin, State& end) {
-  if (!system.keeps_accounts) return;
+void LinearMotion::complete(HybridSystem& system, const State& begin, State& end) {
+  if (!system.keeps_accounts()) return;
   const double half = 0.5 * (end.t - begin.t);
   along_.mode = begin.mode;
   for (const auto& [node, weight] : gauss) {

@@ -18,19 +18,18 @@ class LinearMotion {
  public:
   static constexpr std::string_view name = "exact";
   static constexpr int order = 0;  ///< has no error to be of an order
-  static constexpr bool needs_tolerance = false;
-  static constexpr bool needs_closed_form = true;
+  static constexpr StepControl step_control = StepControl::closed_form;
 
   LinearMotion() = default;
   LinearMotion(const State& state, double) : found_{state}, along_{state} {}
 
-  void begin(EventfulSystem& system, const State& start, double interval);
-  void hesitate() { share_ = 1e-4; }
-  std::string advance(EventfulSystem& system, const State& begin, State& end, double longest);
+  void begin(HybridSystem& system, const State& start, double interval);
+  void shorten_to_probe() { share_ = 1e-4; }
+  std::string advance(HybridSystem& system, const State& begin, State& end, double longest);
   NearEnd near_end(const State& end) const { return {&end, false}; }
   void state_at(const State& begin, const State& end, double t, State& out) const;
-  void complete(EventfulSystem& system, const State& begin, State& end);
-  bool ends_at_outputs(const EventfulSystem& system) const { return system.keeps_accounts; }
+  void complete(HybridSystem& system, const State& begin, State& end);
+  bool ends_at_outputs(const HybridSystem& system) const { return system.keeps_accounts(); }
   double next_step() const { return step_; }
   double usual_step() const { return step_; }
   void remember(Memory& memory, const State& like);

@@ -50,11 +50,9 @@ ImplicitStep::ImplicitStep(const State& like)
   velocities_.fill(like.v);
 }
 
-bool ImplicitStep::begin(EventfulSystem& system, const State& at) {
-  if (!system.linearization) return false;
+bool ImplicitStep::begin(HybridSystem& system, const State& at) {
   piece_ = {};
-  system.linearization(at, piece_);
-  return !piece_.terms.empty() && solver_.group(piece_, at.v.size());
+  return system.linearization(at, piece_) && !piece_.terms.empty() && solver_.group(piece_, at.v.size());
 }
 
 /// The state of a stage by the rates of the stages before it and its own.
@@ -76,7 +74,7 @@ void ImplicitStep::place_stage(const State& begin, double h, std::size_t stage) 
 /// Newton's method for the accelerations k and memory rates y of a stage. With b = h/4, a change dk moves its
 /// velocities by b dk, its coordinates by b^2 dk, and memory by b (dz/dt - y) + b^2 slope dk, so that
 ///   (I + b C + b^2 K) dk = f(stage) - k - b sum pull (dz/dt - y).
-bool ImplicitStep::solve_stage(EventfulSystem& system, const State& begin, double h, std::size_t stage,
+bool ImplicitStep::solve_stage(HybridSystem& system, const State& begin, double h, std::size_t stage,
                                const ErrorScales& scales) {
   const double b = diagonal * h;
   Rates& rates = rates_[stage];
@@ -137,7 +135,7 @@ double ImplicitStep::error(double h, const ErrorScales& scales) {
          scales.tolerance;
 }
 
-double ImplicitStep::take(EventfulSystem& system, const State& begin, Rates& rates, double h, const ErrorScales& scales,
+double ImplicitStep::take(HybridSystem& system, const State& begin, Rates& rates, double h, const ErrorScales& scales,
                           State& end) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!solver_.factorise(piece_, diagonal * h)) return infinity;

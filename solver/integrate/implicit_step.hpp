@@ -7,7 +7,7 @@
 
 #include "solver/base/memory.hpp"
 #include "solver/integrate/affine_piece.hpp"
-#include "solver/integrate/eventful_system.hpp"
+#include "solver/integrate/hybrid_system.hpp"
 
 namespace talus {
 
@@ -30,14 +30,14 @@ class ImplicitStep {
   explicit ImplicitStep(const State& like);
 
   /// Linearizes the system in a state whose derivative was the last that it was asked for. False if it cannot be used.
-  [[nodiscard]] bool begin(EventfulSystem& system, const State& at);
+  [[nodiscard]] bool begin(HybridSystem& system, const State& at);
   /// Upper bound of the rates at which the linearized system moves [1/T].
   double fastest_rate(std::span<const double> lengths) const { return talus::fastest_rate(piece_, lengths); }
 
   /// Takes a step of length h. `rates`: at its beginning; afterwards, if the error is at most 1, at its end. Returns
   /// the error in multiples of the tolerance: infinite if Newton's method does not converge.
-  [[nodiscard]] double take(EventfulSystem& system, const State& begin, Rates& rates, double h,
-                            const ErrorScales& scales, State& end);
+  [[nodiscard]] double take(HybridSystem& system, const State& begin, Rates& rates, double h, const ErrorScales& scales,
+                            State& end);
   /// The state at a time within the last step, which began with this state.
   void state_at(const State& begin, double t, State& out) const;
 
@@ -47,7 +47,7 @@ class ImplicitStep {
  private:
   static constexpr std::size_t stages = 6;
 
-  bool solve_stage(EventfulSystem& system, const State& begin, double h, std::size_t stage, const ErrorScales& scales);
+  bool solve_stage(HybridSystem& system, const State& begin, double h, std::size_t stage, const ErrorScales& scales);
   void place_stage(const State& begin, double h, std::size_t stage);
   double error(double h, const ErrorScales& scales);
 

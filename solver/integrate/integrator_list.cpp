@@ -4,93 +4,84 @@
 
 #include <cmath>
 #include <optional>
-#include <type_traits>
-#include <utility>
 
 #include "solver/base/error.hpp"
+#include "solver/integrate/hybrid_system.hpp"
+#include "solver/integrate/method_list.hpp"
 
 namespace talus {
 namespace {
 
-constexpr std::size_t count = std::variant_size_v<Integrator>;
-
-/// Calls visit with each alternative of the list, default-made, in order.
-template <class Visit, std::size_t... I>
-void for_each(Visit&& visit, std::index_sequence<I...>) {
-  (visit(std::variant_alternative_t<I, Integrator>{}), ...);
-}
-
-template <class T>
-constexpr bool has_step_control() {
-  if constexpr (requires { T::has_step_control; }) return T::has_step_control;
-  return false;
-}
-
-template <class T>
-constexpr bool must_have_tolerance() {
-  if constexpr (requires { T::needs_tolerance; }) return T::needs_tolerance;
-  return false;
-}
+/// A system that any method can advance, declared only: the list is checked against it.
+struct AnySystem {
+  void drift(State& state, double h);
+  void kick(State& state, double h);
+  void settle(State& state);
+  void evaluate(State& state, Rates& out);
+  void derivative(const State& state, Rates& out);
+};
+template <class List>
+constexpr bool all_fit = false;
+template <class... I>
+constexpr bool all_fit<std::variant<I...>> = (IntegratorFor<I, AnySystem> && ...);
+static_assert(all_fit<Integrator>);
 
 template <class T>
 Integrator with_tolerance(T integrator, double tolerance) {
+  constexpr bool is_required = T::step_control == StepControl::tolerance;
   if (!(tolerance >= 0.0) || !std::isfinite(tolerance)) {
     throw InputError{fmt::format("integrator '{}': tolerance is {}; it must be > 0{}", T::name, tolerance,
-                                 must_have_tolerance<T>() ? "" : ", or left out")};
+                                 is_required ? "" : ", or left out")};
   }
-  if (tolerance != 0.0 && !has_step_control<T>()) {
+  if (tolerance != 0.0 && !takes_tolerance(T::step_control)) {
     throw InputError{fmt::format("integrator '{}' has no step control; its tolerance must be left out", T::name)};
   }
-  if (tolerance == 0.0 && must_have_tolerance<T>()) {
+  if (tolerance == 0.0 && is_required) {
     throw InputError{fmt::format("integrator '{}' has no fixed step; it needs a tolerance > 0", T::name)};
   }
-  if constexpr (has_step_control<T>()) integrator.tolerance = tolerance;
+  if constexpr (takes_tolerance(T::step_control)) integrator.tolerance = tolerance;
   return integrator;
 }
 
-/// What visit says of the integrator of that name. Errors: InputError if there is none.
+/// What visit returns for the integrator of that name. Errors: InputError if there is none.
 template <class Visit>
-auto asked(std::string_view wanted, Visit&& visit) {
-  std::optional<std::decay_t<decltype(visit(VelocityVerlet{}))>> found;
-  for_each(
-      [&](const auto& integrator) {
-        if (integrator.name == wanted) found = visit(integrator);
-      },
-      std::make_index_sequence<count>{});
-  if (!found) throw unknown_name("integrator", wanted, integrator_names());
-  return *found;
+auto visit_integrator(std::string_view name, Visit&& visit) {
+  return visit_method<Integrator>(name, "integrator", visit);
 }
 
 }  // namespace
 
-std::vector<std::string> integrator_names() {
-  std::vector<std::string> names;
-  for_each([&](const auto& integrator) { names.emplace_back(integrator.name); }, std::make_index_sequence<count>{});
-  return names;
+std::vector<std::string> integrator_names() { return method_names<Integrator>(); }
+
+Integrator make_integrator(std::string_view name, double tolerance) {
+  return visit_integrator(name, [&]<class T>(std::type_identity<T>) { return with_tolerance(T{}, tolerance); });
 }
 
-bool needs_tolerance(std::string_view wanted) {
-  return asked(wanted, []<class T>(const T&) { return must_have_tolerance<T>(); });
+const IntegratorTraits& integrator_traits(std::string_view name) {
+  return *visit_integrator(name, []<class T>(std::type_identity<T>) { return &traits_of<T>; });
 }
 
-bool needs_closed_form(std::string_view wanted) {
-  return asked(wanted, []<class T>(const T&) {
-    if constexpr (requires { T::needs_closed_form; }) return T::needs_closed_form;
-    return false;
-  });
+bool needs_tolerance(std::string_view name) { return integrator_traits(name).step_control == StepControl::tolerance; }
+
+bool needs_closed_form(std::string_view name) {
+  return integrator_traits(name).step_control == StepControl::closed_form;
 }
 
-bool has_step_control(std::string_view wanted) {
-  return asked(wanted, []<class T>(const T&) { return has_step_control<T>(); });
+bool has_step_control(std::string_view name) { return takes_tolerance(integrator_traits(name).step_control); }
+
+std::optional<double> linear_limit(std::string_view name, double damping_ratio) {
+  const auto limit = integrator_traits(name).linear_limit;
+  if (!limit) return std::nullopt;
+  return limit(damping_ratio);
 }
 
-Integrator make_integrator(std::string_view wanted, double tolerance) {
-  return asked(wanted, [&](const auto& integrator) { return with_tolerance(integrator, tolerance); });
+const IntegratorTraits& traits(const Integrator& integrator) {
+  return *std::visit([]<class T>(const T&) { return &traits_of<T>; }, integrator);
 }
 
-std::string_view name(const Integrator& integrator) {
-  return std::visit([](const auto& i) { return i.name; }, integrator);
-}
+std::string_view name(const Integrator& integrator) { return traits(integrator).name; }
+
+int order(const Integrator& integrator) { return traits(integrator).order; }
 
 double tolerance(const Integrator& integrator) {
   return std::visit(
@@ -101,14 +92,14 @@ double tolerance(const Integrator& integrator) {
       integrator);
 }
 
-int order(const Integrator& integrator) {
-  return std::visit([](const auto& i) { return i.order; }, integrator);
+bool chooses_steps(const Integrator& integrator) {
+  return tolerance(integrator) > 0.0 || !has_fixed_steps(traits(integrator).step_control);
 }
 
 std::optional<long> located_events(const Integrator& integrator) {
   return std::visit(
-      [](const auto& i) -> std::optional<long> {
-        if constexpr (requires { i.events(); }) return i.events();
+      []<class T>(const T& i) -> std::optional<long> {
+        if constexpr (NamesEvents<T>) return i.events();
         return std::nullopt;
       },
       integrator);

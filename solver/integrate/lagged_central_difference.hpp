@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <string_view>
 #include <utility>
@@ -29,8 +30,18 @@ class LaggedCentralDifferenceOf {
 
   static constexpr std::string_view name = "lagged_central_difference";
   static constexpr int order = 2;
+  static constexpr StepControl step_control = StepControl::fixed;
+  static constexpr int evaluations = 1;
+  static constexpr int additions = 1;
+
+  /// With a dashpot, however weak, half that of the central difference; without one nothing lags.
+  static double linear_limit(double damping_ratio) {
+    const double xi = damping_ratio;
+    return xi > 0.0 ? std::sqrt(1.0 + xi * xi) - xi : 2.0;
+  }
 
   template <Evaluable<StateType> System>
+  requires VectorState<StateType>
   void start(System& system, StateType& state, Scalar h) {
     old_velocity_ = state.v;
     rates_ = Rates{state};
@@ -38,6 +49,7 @@ class LaggedCentralDifferenceOf {
   }
 
   template <Evaluable<StateType> System>
+  requires VectorState<StateType>
   void step(System& system, StateType& state, Scalar h) {
     // Afterwards the state has the velocities of one step before, and those of this step are the old ones of the next.
     std::swap(state.v, old_velocity_);

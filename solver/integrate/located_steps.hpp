@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -10,61 +11,71 @@
 
 #include "solver/integrate/concepts.hpp"
 #include "solver/integrate/event_search.hpp"
+#include "solver/integrate/hybrid_system.hpp"
 #include "solver/state/state_memory.hpp"
 
 namespace talus {
 
-/// A method of integration: steps of a motion, each cut at its first event, to round-off; there modes change, and the
-/// motion begins anew.
-///
-/// Motion: how a state goes on in its modes from the beginning of a step.
-///   begin(system, start, interval)       a piece begins, one force evaluation; `interval` between outputs [T]
-///   hesitate()                           the next step is to be a ten-thousandth of what it would be
-///   advance(system, begin, end, longest) takes a step, at most so long [T]; says why if it cannot
+/// A motion: how a state continues in its modes from the beginning of a step.
+///   Motion(like, tolerance)              of states like one of the scene
+///   begin(system, start, interval)       a segment begins, one force evaluation; `interval` between outputs [T]
+///   shorten_to_probe()                   the next step is to be a ten-thousandth of what it would be
+///   advance(system, begin, end, longest) takes a step, at most so long [T]; returns why it cannot, or nothing
 ///   near_end(end)                        a state near that at the end, and whether the last derivative was its own
 ///   state_at(begin, end, t, out)         the state at a time within the last step
-///   complete(system, begin, end)         the step ends here: what it kept for its end
+///   complete(system, begin, end)         the step ends here: adds what waits for its end
 ///   ends_at_outputs(system)              whether no step may go beyond an output
-///   next_step()                          the next step of the piece is no longer than this [T]
-///   usual_step()                         length of a step that no event holds short [T]
+///   next_step()                          the next step of the segment is no longer than this [T]
+///   usual_step()                         length of a step that no event cuts short [T]
 ///   remember(memory, like)               its parts
-///   name, order, needs_tolerance, needs_closed_form   of the method that it makes
-///   Motion(like, tolerance)                           of a state of the scene
+///   name, order, step_control            of the method that it makes
+template <class M>
+concept Motion = std::semiregular<M> && std::constructible_from<M, const State&, double> &&
+    requires(M& motion, const M& fixed, HybridSystem& system, const State& begin, State& end, double t,
+             Memory& memory) {
+  { M::name } -> std::same_as<const std::string_view&>;
+  { M::order } -> std::same_as<const int&>;
+  { M::step_control } -> std::same_as<const StepControl&>;
+  { motion.begin(system, begin, t) } -> std::same_as<void>;
+  { motion.shorten_to_probe() } -> std::same_as<void>;
+  { motion.advance(system, begin, end, t) } -> std::same_as<std::string>;
+  { fixed.near_end(begin) } -> std::same_as<NearEnd>;
+  { fixed.state_at(begin, begin, t, end) } -> std::same_as<void>;
+  { motion.complete(system, begin, end) } -> std::same_as<void>;
+  { fixed.ends_at_outputs(system) } -> std::same_as<bool>;
+  { fixed.next_step() } -> std::same_as<double>;
+  { fixed.usual_step() } -> std::same_as<double>;
+  { motion.remember(memory, begin) } -> std::same_as<void>;
+};
+
+/// A method of integration: steps of a motion, each cut at its first event, to round-off; there modes change, and the
+/// motion restarts.
 ///
 /// The step h of the method is the interval between outputs, and costs nothing by itself. Of a system without guards it
 /// is a method for smooth motion. Bodies do not sleep: a step is longer than a wave takes to the next body.
-template <class Motion>
+template <Motion M>
 class LocatedSteps {
  public:
-  static constexpr std::string_view name = Motion::name;
-  static constexpr int order = Motion::order;
-  static constexpr bool needs_tolerance = Motion::needs_tolerance;
-  static constexpr bool has_step_control = Motion::needs_tolerance;
-  static constexpr bool needs_closed_form = Motion::needs_closed_form;
+  static constexpr std::string_view name = M::name;
+  static constexpr int order = M::order;
+  static constexpr StepControl step_control = M::step_control;
+  static constexpr int evaluations = 0;
+  static constexpr int additions = 1;  ///< outputs lie between the ends of steps that are much longer or shorter
 
   double tolerance{};  ///< as the motion takes it; 0 where it takes none
 
-  template <Differentiable System>
+  template <Hybrid System>
   void start(System& system, State& state, double) {
-    if constexpr (requires { system.wake_all(state); }) system.wake_all(state);
+    if constexpr (NamesWakeAll<System>) system.wake_all(state);
     system.settle(state);
-    set_out(state);
+    reset(state);
   }
 
-  /// Takes the state on by h, or says why it cannot: see failure().
-  template <Differentiable System>
+  /// Advances the state by h, or records why it cannot: see failure().
+  template <Hybrid System>
   void step(System& system, State& state, double h) {
-    EventfulSystem asked = eventful(system);
-    const double t = state.t + h;
-    while (failure_.empty() && end_.t < t) {
-      if (fresh_) begin_piece(asked, h);
-      take_step(asked, t);
-    }
-    if (failure_.empty()) {
-      state_at(t, state);
-      if (follows_ && t < end_.t) asked.settle_step(state, begin_);
-    }
-    state.t = t;
+    HybridSystemOf<System> hybrid{system};
+    advance(hybrid, state, h);
   }
 
   /// Events located so far.
@@ -73,27 +84,40 @@ class LocatedSteps {
   const std::string& failure() const { return failure_; }
 
   void remember(Memory& memory, const State& like) {
-    if (memory.puts_back()) set_out(like);
+    if (memory.puts_back()) reset(like);
     memory.part("begin", [&] { talus::remember(memory, begin_); });
     memory.part("end", [&] { talus::remember(memory, end_); });
-    memory.flag("fresh", fresh_);
+    memory.flag("fresh", needs_restart_);
     motion_.remember(memory, end_);
     search_.remember(memory, end_.mode.size());
     memory.flag("follows", follows_);
     memory.number("event_time", event_time_);
     memory.count("events", events_);
-    memory.count("crowd", crowd_);
+    memory.count("crowd", accumulated_);
   }
 
  private:
   /// All that a run carries, as at its start.
-  void set_out(const State& like) {
+  void reset(const State& like) {
     const double kept = tolerance;
     *this = {};
     tolerance = kept;
     begin_ = end_ = cut_ = like;
-    motion_ = Motion{like, tolerance};
+    motion_ = M{like, tolerance};
     search_ = EventSearch{like};
+  }
+
+  void advance(HybridSystem& system, State& state, double h) {
+    const double t = state.t + h;
+    while (failure_.empty() && end_.t < t) {
+      if (needs_restart_) begin_segment(system, h);
+      take_step(system, t);
+    }
+    if (failure_.empty()) {
+      state_at(t, state);
+      if (follows_ && t < end_.t) system.settle(state, begin_);
+    }
+    state.t = t;
   }
 
   /// The system at a time within the last step.
@@ -106,21 +130,20 @@ class LocatedSteps {
     out.mode = begin_.mode;
   }
 
-  void begin_piece(EventfulSystem& system, double interval) {
+  void begin_segment(HybridSystem& system, double interval) {
     motion_.begin(system, end_, interval);
-    fresh_ = false;
-    if (!system.guards) return;
-    if (search_.begin_piece(system, end_, begin_.mode)) motion_.hesitate();
+    needs_restart_ = false;
+    if (search_.begin_segment(system, end_, begin_.mode)) motion_.shorten_to_probe();
     follows_ = system.follows(end_);  // as long as no mode changes
   }
 
-  void take_step(EventfulSystem& system, double t) {
+  void take_step(HybridSystem& system, double t) {
     std::swap(begin_, end_);
     double longest = search_.longest_step();
     if (motion_.ends_at_outputs(system)) longest = std::min(longest, t - begin_.t);
     failure_ = motion_.advance(system, begin_, end_, longest);
     if (!failure_.empty()) return std::swap(begin_, end_);
-    const double event = system.guards ? find_event(system) : std::numeric_limits<double>::infinity();
+    const double event = find_event(system);
     if (event < end_.t) {
       motion_.state_at(begin_, end_, event, cut_);
       cut_.mode = begin_.mode;
@@ -130,35 +153,35 @@ class LocatedSteps {
     if (std::isfinite(event)) return settle_event(system);
     if (!follows_) return;
     modes_ = end_.mode;
-    system.settle_step(end_, begin_);
-    if (end_.mode != modes_) ++events_, fresh_ = true;
+    system.settle(end_, begin_);
+    if (end_.mode != modes_) ++events_, needs_restart_ = true;
   }
 
-  double find_event(EventfulSystem& system) {
+  double find_event(HybridSystem& system) {
     const auto near_end = motion_.near_end(end_);
     return search_.find(system, begin_, end_.t, motion_.next_step(), near_end,
                         [this](double t, State& out) { state_at(t, out); });
   }
 
-  void settle_event(EventfulSystem& system) {
+  void settle_event(HybridSystem& system) {
     modes_ = end_.mode;
     search_.settle(system, end_, begin_);
     if (end_.mode != modes_) ++events_;
-    crowd_ = end_.t - event_time_ <= 1e-3 * motion_.usual_step() ? crowd_ + 1 : 0;
+    accumulated_ = end_.t - event_time_ <= 1e-3 * motion_.usual_step() ? accumulated_ + 1 : 0;
     event_time_ = end_.t;
-    fresh_ = true;
-    if (crowd_ == crowd_limit) failure_ = crowd_failure(end_.t);
+    needs_restart_ = true;
+    if (accumulated_ == most_accumulated) failure_ = accumulation_failure(end_.t);
   }
 
   State begin_;  ///< at the beginning of the last step ...
   State end_;    ///< ... and at its end, in the modes after it
-  Motion motion_;
+  M motion_;
   EventSearch search_;
-  bool fresh_{true};     ///< the motion is to begin anew from the end of the last step
-  bool follows_{};       ///< some memory is to be settled after each step of the piece
-  double event_time_{};  ///< of the last event
+  bool needs_restart_{true};  ///< the motion is to restart from the end of the last step
+  bool follows_{};            ///< some memory is to be brought up to date after each step of the segment
+  double event_time_{};       ///< of the last event
   long events_{};
-  long crowd_{};  ///< events in a row with hardly any time between
+  long accumulated_{};  ///< events in a row with hardly any time between: Zeno behaviour, if they do not end
   std::string failure_;
 
   // Scratch.

@@ -12,6 +12,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <type_traits>
 #include <variant>
 
@@ -23,13 +24,51 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 using Vector = OdeintStepper::Vector;
 
+bool is_finite(const Vector& x) {
+  return std::all_of(x.begin(), x.end(), [](double number) { return std::isfinite(number); });
+}
+
+/// odeint's measure of a step's error; infinite where some error is not finite. odeint takes the largest by `<`, which
+/// loses a NaN, and would accept a step so long that its stages overflow.
+class ErrorChecker : public odeint::default_error_checker<double, odeint::range_algebra, odeint::default_operations> {
+ public:
+  using default_error_checker::default_error_checker;
+
+  double error(odeint::range_algebra& algebra, const Vector& x, const Vector& dxdt, Vector& errors, double dt) const {
+    const double largest = default_error_checker::error(algebra, x, dxdt, errors, dt);
+    return is_finite(errors) ? largest : std::numeric_limits<double>::infinity();
+  }
+};
+
 template <class Stepper>
-using Controlled = odeint::controlled_runge_kutta<Stepper>;
+using Controlled = odeint::controlled_runge_kutta<Stepper, ErrorChecker>;
 
 using Dopri5 = odeint::runge_kutta_dopri5<Vector>;
 using CashKarp54 = odeint::runge_kutta_cash_karp54<Vector>;
 using Fehlberg78 = odeint::runge_kutta_fehlberg78<Vector>;
-using BulirschStoer = odeint::bulirsch_stoer<Vector>;
+
+/// odeint's bulirsch_stoer, which accepts steps that overflow too: they are repeated with a fifth of the length, as
+/// those of the other steppers.
+class BulirschStoer {
+ public:
+  explicit BulirschStoer(double tolerance) : stepper_{tolerance, tolerance} {}
+
+  template <class System>
+  odeint::controlled_step_result try_step(System system, Vector& x, double& t, double& dt) {
+    before_ = x;
+    const double begin = t, length = dt;
+    const odeint::controlled_step_result result = stepper_.try_step(system, x, t, dt);
+    if (result == odeint::fail || is_finite(x)) return result;
+    x = before_, t = begin, dt = 0.2 * length;
+    stepper_.reset();
+    return odeint::fail;
+  }
+  void reset() { stepper_.reset(); }
+
+ private:
+  odeint::bulirsch_stoer<Vector> stepper_;
+  Vector before_;
+};
 
 /// Predictor and corrector of Adams with eight values, as odeint's adams_bashforth_moulton<8> joins them; taken apart
 /// because that class does not show the derivatives that it keeps.
@@ -86,7 +125,7 @@ using AnyStepper = std::variant<Dopri5, CashKarp54, Fehlberg78, Adams8, Controll
 
 template <class Stepper>
 Controlled<Stepper> controlled(double tolerance) {
-  return Controlled<Stepper>{typename Controlled<Stepper>::error_checker_type{tolerance, tolerance}};
+  return Controlled<Stepper>{ErrorChecker{tolerance, tolerance}};
 }
 
 AnyStepper make_stepper(OdeintMethod method, double tolerance) {
@@ -106,7 +145,7 @@ AnyStepper make_stepper(OdeintMethod method, double tolerance) {
       return Adams8{};
     case OdeintMethod::bulirsch_stoer:
       TALUS_DEMAND(!fixed);
-      return BulirschStoer{tolerance, tolerance};
+      return BulirschStoer{tolerance};
   }
   std::abort();
 }

@@ -13,6 +13,30 @@ namespace talus {
 /// The steppers of Boost.odeint that scenes can name.
 enum class OdeintMethod { dopri5, cash_karp54, fehlberg78, adams_bashforth_moulton8, bulirsch_stoer };
 
+/// What one of them declares as an integrator (see IntegratorFor); `additions` are upper bounds.
+struct OdeintTraits {
+  std::string_view name;
+  int order;
+  StepControl step_control;
+  int evaluations;
+  int additions;
+};
+constexpr OdeintTraits odeint_traits(OdeintMethod method) {
+  switch (method) {
+    case OdeintMethod::dopri5:  // the last of its seven stages is the first of the next step
+      return {"odeint_dopri5", 5, StepControl::fixed_or_tolerance, 6, 10};
+    case OdeintMethod::cash_karp54:
+      return {"odeint_cash_karp54", 5, StepControl::fixed_or_tolerance, 6, 10};
+    case OdeintMethod::fehlberg78:
+      return {"odeint_fehlberg78", 8, StepControl::fixed_or_tolerance, 13, 10};
+    case OdeintMethod::adams_bashforth_moulton8:  // predictor and corrector
+      return {"odeint_abm8", 8, StepControl::fixed, 2, 16};
+    case OdeintMethod::bulirsch_stoer:
+      break;
+  }
+  return {"odeint_bulirsch_stoer", 8, StepControl::tolerance, 0, 20};
+}
+
 /// Any of odeint's steppers behind one door: a state is one vector of numbers. A value: a copy goes on as the original
 /// would.
 class OdeintStepper {
@@ -24,7 +48,7 @@ class OdeintStepper {
   using Accepted = std::function<void(Vector& x, double t)>;
 
   /// tolerance > 0: relative and absolute error allowed in each step, step control on; 0: steps of fixed length. That
-  /// the method has what is asked for (see has_step_control, needs_tolerance) is the caller's contract.
+  /// the method can do so (see odeint_traits) is the caller's contract.
   OdeintStepper(OdeintMethod method, double tolerance);
   ~OdeintStepper();
   OdeintStepper(const OdeintStepper&);
@@ -55,14 +79,11 @@ void pack(const State& state, const Rates& rates, OdeintStepper::Vector& dxdt);
 template <OdeintMethod method>
 class Odeint {
  public:
-  static constexpr std::string_view name = method == OdeintMethod::dopri5                     ? "odeint_dopri5"
-                                           : method == OdeintMethod::cash_karp54              ? "odeint_cash_karp54"
-                                           : method == OdeintMethod::fehlberg78               ? "odeint_fehlberg78"
-                                           : method == OdeintMethod::adams_bashforth_moulton8 ? "odeint_abm8"
-                                                                                              : "odeint_bulirsch_stoer";
-  static constexpr int order = method == OdeintMethod::dopri5 || method == OdeintMethod::cash_karp54 ? 5 : 8;
-  static constexpr bool needs_tolerance = method == OdeintMethod::bulirsch_stoer;
-  static constexpr bool has_step_control = method != OdeintMethod::adams_bashforth_moulton8;
+  static constexpr std::string_view name = odeint_traits(method).name;
+  static constexpr int order = odeint_traits(method).order;
+  static constexpr StepControl step_control = odeint_traits(method).step_control;
+  static constexpr int evaluations = odeint_traits(method).evaluations;
+  static constexpr int additions = odeint_traits(method).additions;
 
   double tolerance{};  ///< relative and absolute error of a step; 0: fixed steps
 

@@ -87,9 +87,9 @@ std::size_t PolynomialMotion::width(const State& like) const {
 }
 
 /// The first step of a piece knows the rates at one time alone.
-void PolynomialMotion::begin(EventfulSystem& system, const State& start, double interval) {
+void PolynomialMotion::begin(HybridSystem& system, const State& start, double interval) {
   if (lengths_.empty()) lengths_ = system.lengths(start);
-  moves_memory_ = system.moves_memory, keeps_accounts_ = system.keeps_accounts;
+  moves_memory_ = system.moves_memory(), keeps_accounts_ = system.keeps_accounts();
   system.derivative(start, found_);
   flatten(found_);
   rates_.begin(start.t, new_);
@@ -99,17 +99,16 @@ void PolynomialMotion::begin(EventfulSystem& system, const State& start, double 
     start_scales(system, start);
   }
   step_ = first_share * usual_;
-  hesitates_ = implicit_ = implicit_last_ = false;
+  probes_ = implicit_ = implicit_last_ = false;
   held_ = 0;
 }
 
 /// Of a motion that starts at rest, errors relative to its own first displacement would never be small: the memory of
 /// friction is first integrated with no velocity at all. Its springs are moved by a/w^2 and a/w at least, with w the
 /// fastest rate of the springs that act.
-void PolynomialMotion::start_scales(EventfulSystem& system, const State& start) {
-  if (!system.linearization) return;
+void PolynomialMotion::start_scales(HybridSystem& system, const State& start) {
   AffinePiece piece;
-  system.linearization(start, piece);
+  if (!system.linearization(start, piece)) return;
   const double rate = fastest_rate(piece, lengths_);
   if (rate == 0.0) return;
   double most = 0.0;
@@ -118,7 +117,7 @@ void PolynomialMotion::start_scales(EventfulSystem& system, const State& start) 
   speed_ = most / rate, way_ = speed_ / rate;
 }
 
-std::string PolynomialMotion::advance(EventfulSystem& system, const State& begin, State& end, double longest) {
+std::string PolynomialMotion::advance(HybridSystem& system, const State& begin, State& end, double longest) {
   if (lengths_.empty()) lengths_ = system.lengths(begin);
   if (!implicit_ && held_ >= patience_) implicit_ = is_held_by_stiffness(system, begin);
   if (implicit_) {
@@ -128,10 +127,10 @@ std::string PolynomialMotion::advance(EventfulSystem& system, const State& begin
   implicit_last_ = false;
   // The rates at the end of the last step join the others only now: until then they told of that step.
   if (begin.t > rates_.newest()) {
-    if (hesitates_) {
+    if (probes_) {
       rates_.begin(begin.t, new_);
       order_ = 1;
-      hesitates_ = false;
+      probes_ = false;
     } else {
       rates_.add(begin.t, new_);
     }
@@ -157,7 +156,7 @@ std::string PolynomialMotion::advance(EventfulSystem& system, const State& begin
 }
 
 /// Whether springs and dashpots that act are faster than steps of this length can follow with a low order.
-bool PolynomialMotion::is_held_by_stiffness(EventfulSystem& system, const State& begin) {
+bool PolynomialMotion::is_held_by_stiffness(HybridSystem& system, const State& begin) {
   held_ = 0;
   system.derivative(begin, implicit_rates_);
   if (!implicit_step_.begin(system, begin) || !(step_ * implicit_step_.fastest_rate(lengths_) > 0.1)) {
@@ -171,7 +170,7 @@ bool PolynomialMotion::is_held_by_stiffness(EventfulSystem& system, const State&
 }
 
 /// One implicit step; false if the polynomial is to go on from the beginning of the step.
-bool PolynomialMotion::advance_implicitly(EventfulSystem& system, const State& begin, State& end, double longest) {
+bool PolynomialMotion::advance_implicitly(HybridSystem& system, const State& begin, State& end, double longest) {
   if (implicit_count_ > 0 && !implicit_step_.begin(system, begin)) return false;
   // The first few may find out how long they can be.
   constexpr long trial = 4;
@@ -206,7 +205,7 @@ void PolynomialMotion::leave_implicit(const State& begin) {
 }
 
 /// Predicts, evaluates and corrects; says nothing of whether the step will do.
-void PolynomialMotion::try_step(EventfulSystem& system, const State& begin, double h, State& end) {
+void PolynomialMotion::try_step(HybridSystem& system, const State& begin, double h, State& end) {
   const double t = begin.t + h;
   rates_.basis(t, std::min(used_ + 2, rates_.count() + 1), basis_);
   last_value_ = basis_[used_].value;
@@ -328,7 +327,7 @@ void PolynomialMotion::choose_next(double h, const Errors& errors) {
       if (higher > best) best = higher, ++order_;
     }
   }
-  if (hesitates_) {
+  if (probes_) {
     // It has told how long the first step may be; one without an error, that any may.
     step_ = first_share * usual_;
     if (errors.now > 0.0) step_ = std::min(best * h, step_);
@@ -342,7 +341,7 @@ void PolynomialMotion::choose_next(double h, const Errors& errors) {
 }
 
 void PolynomialMotion::remember(Memory& memory, const State& like) {
-  memory.flag("hesitates", hesitates_);
+  memory.flag("hesitates", probes_);
   memory.flag("moves_memory", moves_memory_);
   memory.flag("keeps_accounts", keeps_accounts_);
   new_.resize(width(like));

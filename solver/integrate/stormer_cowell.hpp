@@ -25,19 +25,18 @@ class PolynomialMotion {
  public:
   static constexpr std::string_view name = "stormer_cowell";
   static constexpr int order = 12;
-  static constexpr bool needs_tolerance = true;
-  static constexpr bool needs_closed_form = false;
+  static constexpr StepControl step_control = StepControl::tolerance;
 
   PolynomialMotion() = default;
   PolynomialMotion(const State& state, double tolerance);
 
-  void begin(EventfulSystem& system, const State& start, double interval);
-  void hesitate() { step_ *= 1e-4, hesitates_ = true; }
-  std::string advance(EventfulSystem& system, const State& begin, State& end, double longest);
+  void begin(HybridSystem& system, const State& start, double interval);
+  void shorten_to_probe() { step_ *= 1e-4, probes_ = true; }
+  std::string advance(HybridSystem& system, const State& begin, State& end, double longest);
   NearEnd near_end(const State& end) const { return implicit_last_ ? NearEnd{&end, true} : NearEnd{&predicted_, true}; }
   void state_at(const State& begin, const State& end, double t, State& out) const;
-  void complete(EventfulSystem&, const State&, State&) {}
-  bool ends_at_outputs(const EventfulSystem&) const { return false; }
+  void complete(HybridSystem&, const State&, State&) {}
+  bool ends_at_outputs(const HybridSystem&) const { return false; }
   double next_step() const { return step_; }
   double usual_step() const { return usual_; }
   void remember(Memory& memory, const State& like);
@@ -45,12 +44,12 @@ class PolynomialMotion {
  private:
   using Basis = Differences::Basis;
 
-  void start_scales(EventfulSystem& system, const State& start);
+  void start_scales(HybridSystem& system, const State& start);
   ErrorScales scales() const { return {speed_now_, way_now_, tolerance_, lengths_}; }
-  bool is_held_by_stiffness(EventfulSystem& system, const State& begin);
-  bool advance_implicitly(EventfulSystem& system, const State& begin, State& end, double longest);
+  bool is_held_by_stiffness(HybridSystem& system, const State& begin);
+  bool advance_implicitly(HybridSystem& system, const State& begin, State& end, double longest);
   void leave_implicit(const State& begin);
-  void try_step(EventfulSystem& system, const State& begin, double h, State& end);
+  void try_step(HybridSystem& system, const State& begin, double h, State& end);
   /// Of the last step; what it would have been with one term less, and one more; infinite where there is none.
   struct Errors {
     double now{};
@@ -75,8 +74,8 @@ class PolynomialMotion {
   std::size_t used_{1};        ///< and the last
   double step_{};              ///< length of the next step [T]
   double usual_{};             ///< the last that was not held short by an event [T]
-  bool hesitates_{};           ///< the step is too short to build on: after it the piece begins anew
-  bool moves_memory_{true};    ///< see EventfulSystem
+  bool probes_{};              ///< the next step is a probe, too short to build on: after it the segment restarts
+  bool moves_memory_{true};    ///< see Hybrid
   bool keeps_accounts_{true};  ///< likewise
   double tolerance_{};
   double way_{};                 ///< longest way of a coordinate so far [L]

@@ -20,6 +20,14 @@ class TaylorOf {
 
   static constexpr std::string_view name = "taylor";
   static constexpr int order = 1;
+  static constexpr StepControl step_control = StepControl::fixed;
+  static constexpr int evaluations = 1;
+  static constexpr int additions = 2;  ///< half kicks of a velocity
+  static constexpr double amplitude_growth_rate = 0.125;
+
+  static double linear_limit(double damping_ratio) {
+    return damping_ratio < 0.5 ? 4.0 * damping_ratio : 1.0 / damping_ratio;
+  }
 
   template <Evaluable<StateType> System>
   void start(System& system, StateType& state, Scalar) {

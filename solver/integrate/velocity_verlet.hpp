@@ -5,6 +5,7 @@
 
 #include "solver/integrate/advance.hpp"
 #include "solver/integrate/concepts.hpp"
+#include "solver/integrate/linear_limit.hpp"
 #include "solver/state/state_memory.hpp"
 
 namespace talus {
@@ -22,6 +23,12 @@ class VelocityVerletOf {
 
   static constexpr std::string_view name = "velocity_verlet";
   static constexpr int order = 2;
+  static constexpr StepControl step_control = StepControl::fixed;
+  static constexpr int evaluations = 1;
+  static constexpr int additions = 2;  ///< half kicks of a velocity
+  static constexpr bool ends_with_evaluation = true;
+
+  static double linear_limit(double damping_ratio) { return leapfrog_limit(damping_ratio); }
 
   template <Evaluable<StateType> System>
   void start(System& system, StateType& state, Scalar) {

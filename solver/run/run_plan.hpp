@@ -39,12 +39,14 @@ struct WatchRules {
 
 /// How long a scene runs, in which steps, and how often it is looked at.
 struct RunPlan {
-  double
-      step{};  ///< length of a step [T] > 0; for a method with step control: the interval it is asked to cover at once
-  double end{};  ///< time at which the run ends [T] > 0; reached by a whole number of steps, at the first not before it
-  double interval{};  ///< time between records of the history [T]; rounded to whole steps, at least one
-  bool ledger{
-      true};  ///< keep the accounts of energy and impulse (`ledger = off` saves their cost; the summary says so)
+  /// Length of a step [T] > 0; for a method with step control, the interval between its outputs.
+  double step{};
+  /// Time at which the run ends [T] > 0: reached by a whole number of steps, at the first that is not before it.
+  double end{};
+  /// Time between records of the history [T]; rounded to whole steps, at least one.
+  double interval{};
+  /// Whether the balances of energy and impulse are recorded (`ledger = off` saves their cost; the summary says so).
+  bool ledger{true};
   WatchRules watch{};
 };
 

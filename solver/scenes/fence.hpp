@@ -275,10 +275,10 @@ struct Fence {
 
   int layers{1};           ///< no_fence: 1 or 2
   double layer_spacing{};  ///< sp_fence: centre to centre [L] > 0 for two layers
-  double
-      rock_overlap{};  ///< rf_overlap: largest overlap of rock and column [L]; 0: penetration times the rock's radius
-  double
-      layer_overlap{};  ///< ff_overlap: largest overlap of columns of two layers [L]; 0: penetration times half width
+  /// rf_overlap: largest overlap of rock and column [L]; 0: penetration times the rock's radius.
+  double rock_overlap{};
+  /// ff_overlap: largest overlap of columns of two layers [L]; 0: penetration times half width.
+  double layer_overlap{};
 
   FenceOptions options{};
 

@@ -37,8 +37,4 @@ IntegratorChoice choose_integrator(const Model& model, std::string_view name, do
           *obstacle + ", so that there is no closed form"};
 }
 
-bool chooses_steps(const Integrator& integrator) {
-  return tolerance(integrator) > 0.0 || located_events(integrator).has_value();
-}
-
 }  // namespace talus

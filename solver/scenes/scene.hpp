@@ -42,9 +42,6 @@ inline constexpr double usual_tolerance = 1e-10;
 /// Errors: InputError as make_integrator(), naming the obstacle if the motion has no closed form but must have one.
 [[nodiscard]] IntegratorChoice choose_integrator(const Model& model, std::string_view name, double tolerance = 0.0);
 
-/// Whether the method chooses its own steps, so that the step of the plan is the time between two outputs.
-[[nodiscard]] bool chooses_steps(const Integrator& integrator);
-
 /// All that a run needs: what exists, how it starts, and by which method and plan it goes on.
 struct Scene {
   std::string title{};

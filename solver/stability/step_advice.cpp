@@ -5,7 +5,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <numbers>
 
@@ -70,51 +69,6 @@ bool acts(const Dynamics& dynamics, const State& state, std::size_t spring, cons
   return cable < cables.size() ? exerts(cables[cable].law, mode) : mode == CoulombFriction::sticking;
 }
 
-/// Largest growth of rk4 on x'' + 2 xi w x' + w^2 x = 0: |R(z)| with z = h w (-xi +- sqrt(xi^2 - 1)), R the Taylor
-/// polynomial.
-double rk4_growth(double hw, double xi) {
-  const std::complex<double> root = std::sqrt(std::complex<double>{xi * xi - 1.0, 0.0});
-  double largest = 0.0;
-  for (const std::complex<double> z : {hw * (-xi + root), hw * (-xi - root)}) {
-    largest = std::max(largest, std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))));
-  }
-  return largest;
-}
-
-/// Largest growth of blanes_moan4 on the same oscillator, omega = 1: spectral radius of its map of (q, v) from one
-/// shared kick to the next, each kick with the velocity of before it.
-double blanes_moan4_growth(double h, double xi) {
-  const auto drifts = BlanesMoan4::drifts();
-  auto kicks = BlanesMoan4::kicks();
-  kicks[0] += kicks.back();
-  double map[2][2];
-  for (const int column : {0, 1}) {
-    double q = column == 0 ? 1.0 : 0.0, v = 1.0 - q;
-    for (std::size_t i = 0; i < drifts.size(); ++i) {
-      v += kicks[i] * h * (-q - 2.0 * xi * v);
-      q += drifts[i] * h * v;
-    }
-    map[0][column] = q, map[1][column] = v;
-  }
-  const double half_trace = 0.5 * (map[0][0] + map[1][1]);
-  const double determinant = map[0][0] * map[1][1] - map[0][1] * map[1][0];
-  const double square = half_trace * half_trace - determinant;
-  return square < 0.0 ? std::sqrt(determinant) : std::abs(half_trace) + std::sqrt(square);
-}
-
-/// The shortest step at which a method begins to grow, omega = 1: bracketed on a grid and then bisected.
-double first_growth(double (*growth)(double h, double xi), double xi) {
-  double stable = 0.0;
-  double h = 0.001;
-  while (growth(h, xi) <= 1.0 + 1e-12)
-    stable = h, h += 0.001;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (stable + h);
-    (growth(middle, xi) <= 1.0 + 1e-12 ? stable : h) = middle;
-  }
-  return stable;
-}
-
 }  // namespace
 
 StepAdvice advise_step(const Dynamics& dynamics, const State& state, Springs which) {
@@ -162,11 +116,11 @@ StepAdvice advise_step(const Dynamics& dynamics, const State& state, Springs whi
 
 std::optional<StepLimit> step_limit(const StepAdvice& advice, std::string_view integrator) {
   std::optional<StepLimit> first;
+  const auto limit = integrator_traits(integrator).linear_limit;
+  if (!limit) return first;
   for (const NaturalMode& mode : advice.modes) {
-    const auto product = linear_limit(integrator, mode.damping_ratio);
-    if (!product) return std::nullopt;
-    const double step = *product / mode.frequency;
-    if (!first || step < first->step) first = StepLimit{mode, *product, step};
+    const double product = limit(mode.damping_ratio), step = product / mode.frequency;
+    if (!first || step < first->step) first = StepLimit{mode, product, step};
   }
   return first;
 }
@@ -214,20 +168,6 @@ double output_step(const Scene& scene) {
   }
   const double wanted = shortest > 0.0 ? std::ceil(outputs_per_contact * scene.plan.end / (rows * shortest)) : 1.0;
   return scene.plan.end / (rows * std::clamp(wanted, 1.0, most_per_row));
-}
-
-std::optional<double> linear_limit(std::string_view integrator, double damping_ratio) {
-  const double xi = damping_ratio;
-  if (integrator == CentralDifference::name || integrator == VelocityVerlet::name || integrator == EulerCromer::name) {
-    return 2.0 * (std::sqrt(1.0 + xi * xi) - xi);
-  }
-  // With a dashpot, however weak; without one nothing lags.
-  if (integrator == LaggedCentralDifference::name) return xi > 0.0 ? std::sqrt(1.0 + xi * xi) - xi : 2.0;
-  if (integrator == Euler::name) return xi < 1.0 ? 2.0 * xi : 2.0 / (xi + std::sqrt(xi * xi - 1.0));
-  if (integrator == Taylor::name) return xi < 0.5 ? 4.0 * xi : 1.0 / xi;
-  if (integrator == RungeKutta4::name) return first_growth(rk4_growth, xi);
-  if (integrator == BlanesMoan4::name) return first_growth(blanes_moan4_growth, xi);
-  return std::nullopt;
 }
 
 }  // namespace talus

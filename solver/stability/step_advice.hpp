@@ -43,14 +43,6 @@ struct StepAdvice {
 };
 [[nodiscard]] StepAdvice advise_step(const Dynamics& dynamics, const State& state, Springs which = Springs::all);
 
-/// Largest stable h omega of a method on a damped oscillator of damping ratio xi, dashpot velocities taken as the
-/// method takes them: 2 (sqrt(1 + xi^2) - xi) for the leapfrog methods, half of that for the lagged one if xi > 0; 2
-/// xi, beyond xi = 1 2/(xi + sqrt(xi^2 - 1)), for euler and 4 xi, beyond xi = 1/2 1/xi, for taylor, which both grow at
-/// any step where nothing damps; for rk4 where |R(z)| = 1 (2.828 at xi = 0); for blanes_moan4 where the spectral radius
-/// of its map first passes 1 (3.16 at xi = 0). Empty for other methods. It is a limit of growth, not of accuracy, and
-/// one-sided contacts gain energy well below it.
-[[nodiscard]] std::optional<double> linear_limit(std::string_view integrator, double damping_ratio);
-
 /// The mode whose limit comes first for a method, and the longest stable step [T]: not always the fastest mode, for
 /// damping shortens the step too. Empty where the method's limit is not known, or nothing vibrates.
 struct StepLimit {

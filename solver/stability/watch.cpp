@@ -44,7 +44,7 @@ Rectangle box_around(const Bounds& bounds) { return {bounds.half_width, bounds.h
 
 Watch::Watch(const Scene& scene, const Dynamics& dynamics, const State& start)
     : scene_{&scene}, dynamics_{&dynamics}, ledger_{dynamics, start}, modes_{start.mode} {
-  fixed_step_ = tolerance(scene.integrator) == 0.0 && !located_events(scene.integrator);
+  fixed_step_ = !chooses_steps(scene.integrator);
   const std::vector<Contact>& contacts = scene.model.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts[c].method == ContactMethod::nodes) by_nodes_.push_back(static_cast<ContactId>(c));

@@ -40,7 +40,7 @@ class Unguarded {
 class AllGuards : public RigidBodySystem {
  public:
   explicit AllGuards(const Dynamics& dynamics) : RigidBodySystem{dynamics, false} {}
-  Prospect guards(const State& state, bool same, double, std::vector<double>& out) {
+  GuardBounds guards(const State& state, bool same, double, std::vector<double>& out) {
     return RigidBodySystem::guards(state, same, std::numeric_limits<double>::infinity(), out);
   }
 };

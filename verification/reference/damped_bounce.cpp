@@ -49,11 +49,11 @@ struct Piece {
   std::optional<Real50> end;  // duration; none: for ever
 };
 
-struct Motion {
+struct BounceMotion {
   Real50 w0, xi, g, s, rest;
   EndRule rule;
 
-  explicit Motion(const DampedBounce& drop)
+  explicit BounceMotion(const DampedBounce& drop)
       : w0(drop.frequency), xi(drop.damping_ratio), g(drop.gravity), rest(g / (w0 * w0)), rule(drop.end) {
     s = sqrt(abs((1 - xi) * (1 + xi)));
   }
@@ -130,7 +130,7 @@ struct Motion {
   }
 };
 
-Piece first_piece(const DampedBounce& drop, const Motion& motion) {
+Piece first_piece(const DampedBounce& drop, const BounceMotion& motion) {
   if (!(drop.frequency > 0.0 && drop.damping_ratio >= 0.0 && drop.gravity >= 0.0 && drop.gap >= 0.0)) {
     throw std::invalid_argument("DampedBounce: needs w0 > 0, xi >= 0, g >= 0 and gap >= 0");
   }
@@ -142,7 +142,7 @@ Piece first_piece(const DampedBounce& drop, const Motion& motion) {
   return piece;
 }
 
-Piece next_piece(const Motion& motion, const Piece& piece) {
+Piece next_piece(const BounceMotion& motion, const Piece& piece) {
   Piece next{!piece.touching, piece.start + *piece.end, motion.x_at(piece, *piece.end), motion.v_at(piece, *piece.end),
              std::nullopt};
   // Known zeros exactly: round-off of the wrong sign would be a contact already open.
@@ -151,7 +151,7 @@ Piece next_piece(const Motion& motion, const Piece& piece) {
   return next;
 }
 
-Bounce bounce_of(const Motion& motion, const Piece& contact) {
+Bounce bounce_of(const BounceMotion& motion, const Piece& contact) {
   Bounce bounce;
   bounce.start_time = nearest(contact.start);
   bounce.start_speed = nearest(contact.v);
@@ -174,7 +174,7 @@ Bounce bounce_of(const Motion& motion, const Piece& contact) {
 }  // namespace
 
 std::vector<Bounce> bounces(const DampedBounce& drop, int count) {
-  const Motion motion(drop);
+  const BounceMotion motion(drop);
   std::vector<Bounce> list;
   for (Piece piece = first_piece(drop, motion); static_cast<int>(list.size()) < count;
        piece = next_piece(motion, piece)) {
@@ -185,7 +185,7 @@ std::vector<Bounce> bounces(const DampedBounce& drop, int count) {
 }
 
 std::vector<BounceState> bounce_states(const DampedBounce& drop, std::span<const double> times) {
-  const Motion motion(drop);
+  const BounceMotion motion(drop);
   Piece piece = first_piece(drop, motion);
   std::vector<BounceState> states;
   for (const double t : times) {

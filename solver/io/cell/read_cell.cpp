@@ -9,6 +9,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/granular/disc_method.hpp"
+#include "solver/integrate/euler.hpp"
 #include "solver/io/file/fortran.hpp"
 #include "solver/io/file/list_directed.hpp"
 #include "solver/io/file/shown_title.hpp"
@@ -48,8 +49,9 @@ std::vector<CellObjection> historical_objections(const CellScene& scene) {
   const LatchingSpring* const law = scene.cell.law_of_1989();
   if (!scene.plan.historical || law == nullptr) return found;
   const double ratio = law->stiffness / law->unloading_stiffness;
-  if (scene.plan.integrator != "euler") {
-    found.push_back({"integrator", fmt::format("found {}; a historical run is Euler's: euler", scene.plan.integrator)});
+  if (scene.plan.integrator != Euler::name) {
+    found.push_back(
+        {"integrator", fmt::format("found {}; a historical run is Euler's: {}", scene.plan.integrator, Euler::name)});
   }
   if (std::abs(ratio - 0.45) > 1e-9) {
     found.push_back({"unloading_stiffness", fmt::format("found {}; a historical run has K1/K2 = .45: it must be {}",

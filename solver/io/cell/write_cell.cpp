@@ -107,10 +107,10 @@ std::vector<CellNumber> cell_groups(const CellScene& scene, CellRun& run) {
       std::visit([]<class L>(const L&) { return L::restitution_field.meaning; }, cell.law);
   std::vector<CellNumber> groups{group("restitution", cell.restitution(), restitution)};
   if (cell.law_of_1989() != nullptr) {
-    groups.push_back(group(
-        "stepped_restitution",
-        stepped_restitution(scene.plan.integrator, cell.restitution(), cell.loading_frequency() * scene.plan.step),
-        "what the integrator makes of it with this step, in closed form"));
+    const double stepped = stepped_restitution(make_disc_method(scene.plan.integrator), cell.restitution(),
+                                               cell.loading_frequency() * scene.plan.step);
+    groups.push_back(
+        group("stepped_restitution", stepped, "what the integrator makes of it with this step, in closed form"));
   }
   if (cell.friction) {
     groups.push_back(group("friction", cell.friction->coefficient, "of two discs"));

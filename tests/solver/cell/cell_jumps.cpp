@@ -21,7 +21,7 @@ ShearCell sparse(ShearCell cell) {
 }
 
 void expect_same_with_jumps(const ShearCell& cell, const std::string& method) {
-  CellPlan how = plan(cell, 300.0, swing_gain(method) != 0.0 ? 300.0 : 20.0);
+  CellPlan how = plan(cell, 300.0, integrator_traits(method).amplitude_growth_rate != 0.0 ? 300.0 : 20.0);
   how.integrator = method;
   FilledCell start = fill(cell);
   for (std::size_t i = 0; i < cell.free_discs(); ++i)

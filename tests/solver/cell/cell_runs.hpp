@@ -30,8 +30,9 @@ inline std::vector<ShearCell> cells() {
 /// Methods that the cell may be run by.
 inline std::vector<std::string> methods(const ShearCell& cell) {
   std::vector<std::string> names = disc_method_names();
-  std::erase_if(names,
-                [&](const std::string& name) { return cell.law_of_1989() == nullptr && swing_gain(name) != 0.0; });
+  std::erase_if(names, [&](const std::string& name) {
+    return cell.law_of_1989() == nullptr && integrator_traits(name).amplitude_growth_rate != 0.0;
+  });
   return names;
 }
 

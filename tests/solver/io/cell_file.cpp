@@ -2,11 +2,14 @@
 #include "solver/io/cell/read_cell.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <boost/test/unit_test.hpp>
 #include <string>
+#include <vector>
 
 #include "solver/base/error.hpp"
+#include "solver/granular/disc_method.hpp"
 #include "tests/solver/io/folder.hpp"
 
 using namespace talus;
@@ -227,14 +230,18 @@ BOOST_AUTO_TEST_CASE(what_does_not_go_with_a_law_is_told_with_its_place) {
              "c.toml:6: cell: shear_stiffness: without friction it has no use; leave it out or give friction");
   BOOST_TEST(told("restitution = 0.5", "restitution = 0.5\nfriction = -0.1") ==
              "c.toml:6: cell: friction: found -0.1; it must be >= 0");
+  std::vector<std::string> leapfrogs = disc_method_names();
+  std::erase_if(leapfrogs,
+                [](const std::string& name) { return integrator_traits(name).amplitude_growth_rate != 0.0; });
   for (const char* const other : {"damping = \"0.02 N s/m\"\nlaw = \"linear_spring_dashpot\"",
                                   "restitution = 0.5\nfriction = 0.4", "restitution = 0.5\ngrowth = \"5e-3 1/m\""}) {
     const std::string scene = with(toml, "restitution = 0.5", other);
     BOOST_TEST(message(scene, "c.toml").empty());
     BOOST_TEST(message(with(scene, "euler_cromer", "taylor"), "c.toml") ==
-               "c.toml:17: run: integrator: found taylor; what its steps make of a restitution is known of latching "
-               "springs that do not grow stiffer, without friction; with other laws it must be a leapfrog: "
-               "velocity_verlet, euler_cromer, central_difference");
+               fmt::format("c.toml:17: run: integrator: found taylor; what its steps make of a restitution is known of "
+                           "latching springs that do not grow stiffer, without friction; with other laws it must be a "
+                           "leapfrog: {}",
+                           fmt::join(leapfrogs, ", ")));
     BOOST_TEST(
         message(with(scene, "jump = ", "historical = "), "c.toml") ==
         "c.toml:21: run: historical: found on; a historical run is of latching springs that do not grow stiffer, "

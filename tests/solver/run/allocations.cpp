@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(steps_of_a_fence_take_no_memory) {
     const Scene scene = fence(file, Sleep::off);
     for (const std::string& name : integrator_names()) {
       // The library's extrapolation takes three pieces a step itself.
-      if (needs_closed_form(name) || name == "odeint_bulirsch_stoer") continue;
+      if (needs_closed_form(name) || name == Odeint<OdeintMethod::bulirsch_stoer>::name) continue;
       // The rock hits from the first step on; the second count goes on to cables that come taut.
       const double tolerance = needs_tolerance(name) ? 1e-7 : 0.0;
       const long found = taken_in_steps(scene, make_integrator(name, tolerance), 4e-6, 2000);

@@ -98,8 +98,8 @@ void expect_momentum(Findings& findings, const Setup& setup, const std::string& 
   run_to_end(run);
   findings.count(run.evaluations());
   const Discs after = run.discs();
-  // Of the last force a velocity Verlet has given half; the first, of discs apart, is nought.
-  const double ahead = integrator == "velocity_verlet" ? 0.5 * plan.step : 0.0;
+  // A method that ends its steps with an evaluation has given half of that force; the first, of discs apart, is zero.
+  const double ahead = integrator_traits(integrator).ends_with_evaluation ? 0.5 * plan.step : 0.0;
   const Vec2 on_block = run.impulse_on_block() - ahead * run.wall_force(block_wall);
   const Vec2 on_base = run.impulse_on_base() - ahead * run.wall_force(base_wall);
   Vec2 gained;

@@ -120,7 +120,8 @@ void check_elastic(Findings& findings, const Setup& setup) {
                .y = {"position error", "m", true}};
   const double natural = 2.0 * pi * std::sqrt(eps * 0.8 / 9.80665);
   for (const char* name : {"velocity_verlet", "rk4"}) {
-    const bool fourth = std::string_view{name} == "rk4";
+    const int order = integrator_traits(name).order;
+    const bool fourth = order == 4;
     Convergence convergence;
     for (long steps = fourth ? 512 : 1024; steps <= (fourth ? 8192 : 65536); steps *= 2) {
       const RunEnd end = run_steps(scenes::cable_pendulum(hung(setup, eps)), make_integrator(name),
@@ -128,7 +129,6 @@ void check_elastic(Findings& findings, const Setup& setup) {
       convergence.add(duration / static_cast<double>(steps) / natural,
                       std::hypot(end.state.q[0] - truth.x, end.state.q[1] - truth.y));
     }
-    const int order = fourth ? 4 : 2;
     findings.expect_order(fmt::format("cable at eps = 0.01: order of {}", name), convergence,
                           order - (fourth ? 0.1 : 0.001), order + (fourth ? 0.1 : 0.001),
                           "smooth motion, the cable being taut throughout: the declared order, within what the next "

@@ -65,8 +65,8 @@ SmoothMotion column_swing() {
 /// The order of one method on one motion; its curve, and the slope to compare with.
 void study(const SmoothMotion& motion, const std::string& method, bool with_slope, Figure& figure, Findings& findings,
            const Setup& setup) {
-  const bool fourth = method == "rk4";
-  const bool first = method == "euler_cromer";
+  const int order = integrator_traits(method).order;
+  const bool first = order == 1, fourth = order == 4;
   const Integrator integrator = method == "velocity_verlet" ? verlet(setup) : make_integrator(method);
   Convergence gated;
   Series series{.label = motion.name + ", " + method};
@@ -77,7 +77,6 @@ void study(const SmoothMotion& motion, const std::string& method, bool with_slop
     if (steps >= (fourth ? 32 : 64) && !(fourth && steps > 512)) gated.add(series.x.back(), series.y.back());
     if (series.y.back() < 1e-15) break;
   }
-  const int order = fourth ? 4 : first ? 1 : 2;
   const double admitted = fourth ? 0.03 : first ? 7.5e-4 : setup.coarse ? 1.1e-4 : 5e-5;
   const char* why =
       fourth  ? "smooth motion: the declared order. Between 16 and 32 steps it is .084 off (column: .006), half of "
@@ -89,7 +88,7 @@ void study(const SmoothMotion& motion, const std::string& method, bool with_slop
                 "7e-5): that and half again";
   findings.expect_order(fmt::format("{}: order of {}", motion.name, method), gated, order - admitted, order + admitted,
                         why);
-  if (with_slope && method != "central_difference")
+  if (with_slope && !integrator_traits(method).is_staggered)
     figure.slopes.push_back({static_cast<double>(order), series.x[3], 2.0 * series.y[3], fmt::format("h^{}", order)});
   figure.series.push_back(series);
 }
@@ -148,11 +147,11 @@ void check_commensurate(Findings& findings) {
                 .x = {"step / contact time", "1", true},
                 .y = {"rms relative error", "1", true}};
   for (const char* method : {"velocity_verlet", "rk4"}) {
-    const bool rk4 = std::string_view{method} == "rk4";
-    const std::vector<double> counts = doublings(16.0, rk4 ? 6 : 8);
+    const bool fourth = integrator_traits(method).order == 4;
+    const std::vector<double> counts = doublings(16.0, fourth ? 6 : 8);
     const Sweep hidden = sweep(elastic, make_integrator(method), counts, Offset::none);
     const Sweep honest = sweep(elastic, make_integrator(method), counts, Offset::common);
-    const int seen = rk4 ? 4 : 3;
+    const int seen = fourth ? 4 : 3;
     findings.expect_order(fmt::format("commensurate steps: false order of {}", method), hidden.rms, seen - 0.1,
                           seen + 0.1,
                           "onset and release errors of second order are equal and opposite for every phase; "
@@ -164,7 +163,7 @@ void check_commensurate(Findings& findings) {
     figure.series.push_back({fmt::format("{}, t_c/h = N + 0.382", method), honest.rms.steps(), honest.rms.errors()});
     figure.slopes.push_back(
         {static_cast<double>(seen), hidden.rms.steps()[3], 0.5 * hidden.rms.errors()[3], fmt::format("h^{}", seen)});
-    if (rk4) continue;
+    if (fourth) continue;
     findings.expect("commensurate steps: rms constant of velocity_verlet",
                     hidden.rms.errors().back() * std::pow(hidden.steps.back(), 3.0),
                     std::pow(pi, 4.0) / (48.0 * std::numbers::sqrt3),
@@ -267,7 +266,7 @@ Series study(Findings& findings, const Study& s) {
   return {.label = s.scene + ", " + s.method,
           .x = swept.rms.steps(),
           .y = swept.rms.errors(),
-          .style = s.method == "central_difference" ? Style::points : Style::linespoints};
+          .style = integrator_traits(s.method).is_staggered ? Style::points : Style::linespoints};
 }
 
 std::vector<double> counts_of(const Setup& setup, double first, int decades_and_more) {
@@ -317,7 +316,7 @@ void study_wall(const std::string& method, Figure& figure, Findings& findings, c
                                            damped_constant, setup.coarse ? 0.004 : 0.001,
                                            "first-order prediction; its next order is below 1e-3 at the finest step",
                                            0.33 * damped_pair, pair_why(damped_pair)}));
-  if (method == "central_difference") return;
+  if (integrator_traits(method).is_staggered) return;
   // Labels stand at the anchors: those of rk4 apart from those of velocity Verlet.
   const double anchor = rk4 ? 4e-4 : 2e-2;
   figure.slopes.push_back(
@@ -364,7 +363,7 @@ void study_case(bool cables, const std::string& method, Figure& figure, Findings
                                       : leapfrog_impact_error(xi, reference::EndRule::attractive).restitution);
   figure.series.push_back(study(findings, {scene + ", damped", struck(0.5), method, counts_of(setup, 8.0, 6),
                                            Offset::own, 1, damped_constant, 0.08, own_offsets, scatter, scatter_why}));
-  if (method == "central_difference") return;
+  if (integrator_traits(method).is_staggered) return;
   const double elastic_constant = 0.5 * (rk4 ? rk4_elastic_constant() : leapfrog_elastic_constant());
   figure.series.push_back(study(findings, {scene + ", undamped", struck(1.0), method, counts_of(setup, 8.0, 6),
                                            Offset::own, 2, elastic_constant, 0.04, own_offsets, scatter, scatter_why}));

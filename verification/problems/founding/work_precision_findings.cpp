@@ -32,7 +32,7 @@ Series study(const MethodRange& method, const Swing& swing, Findings& findings, 
   const Integrator integrator = method.name == "velocity_verlet" ? verlet(setup) : make_integrator(method.name);
   Convergence convergence;
   Series series{.label = std::string(method.name)};
-  const double ratio = setup.coarse ? 8.0 : std::pow(2.0, method.order < 3 ? 1.0 : 0.5);
+  const double ratio = setup.coarse ? 8.0 : std::pow(2.0, method.order() < 3 ? 1.0 : 0.5);
   // Three steps have to do when coarse: four times shorter ones, where the tilt is a sixteenth.
   for (double n = static_cast<double>(method.first) * (setup.coarse ? 4.0 : 0.125); n < 2.5e5; n *= ratio) {
     const long steps = std::lround(n);
@@ -45,12 +45,12 @@ Series study(const MethodRange& method, const Swing& swing, Findings& findings, 
     }
     if (run.evaluations > 170000 || run.error < 2e-14 || (setup.coarse && steps >= 4096)) break;
   }
-  findings.expect_order("order of " + std::string(method.name), convergence, method.order - method.admitted(),
-                        method.order + method.admitted(),
+  findings.expect_order("order of " + std::string(method.name), convergence, method.order() - method.admitted(),
+                        method.order() + method.admitted(),
                         fmt::format("declared order {}; the next two terms of the expansion, taken from the errors "
                                     "at three coarser steps, tilt the line fitted between {} and {} steps by "
                                     "{:+.2g}: that and half of it again, for the terms after, either way",
-                                    method.order, method.first, method.last, method.tilt));
+                                    method.order(), method.first, method.last, method.tilt));
   return series;
 }
 
@@ -102,8 +102,8 @@ void draw(const MethodRange& method, const Series& series, Figure& chart) {
   const SlopePlace place = slope_place(method.name);
   if (place.height == 0.0 || series.x.empty()) return;
   const auto at = static_cast<std::size_t>(place.share * static_cast<double>(series.x.size()));
-  chart.slopes.push_back({-static_cast<double>(method.order), series.x[at], place.height * series.y[at],
-                          fmt::format("order {}", method.order)});
+  chart.slopes.push_back({-static_cast<double>(method.order()), series.x[at], place.height * series.y[at],
+                          fmt::format("order {}", method.order())});
 }
 
 }  // namespace

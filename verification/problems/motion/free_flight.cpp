@@ -61,33 +61,24 @@ FlightErrors fly(const Integrator& method, double step, long count, const Setup&
   return errors;
 }
 
-/// Additions to a coordinate in a step.
-double roundings(const std::string& method) {
-  if (method == "velocity_verlet" || method == "taylor") return 2.0;  // two half kicks
-  if (method == "blanes_moan4") return 7.0;                           // kicks
-  if (method == "rk4") return 4.0;
-  if (method == "odeint_abm8") return 16.0;
-  if (method == "odeint_bulirsch_stoer") return 20.0;
-  return method.starts_with("odeint") ? 10.0 : 1.0;
-}
-
 void check_method(Findings& findings, const Setup& setup, const std::string& method, Table& table) {
   const double tolerance = needs_tolerance(method) ? 1e-10 : 0.0;
   const FlightErrors errors = fly(make_integrator(method, tolerance), production_step, steps, setup, findings);
-  const double rounding = roundings(method) * steps * 0x1p-53 * errors.largest;
+  const IntegratorTraits& traits = integrator_traits(method);
+  const double rounding = static_cast<double>(traits.additions) * steps * 0x1p-53 * errors.largest;
   const std::string words = "one rounding for each addition to a coordinate in a step, u of the largest";
   table.rows.push_back({method, fmt::format("{:.1e}", errors.worst_place()),
                         fmt::format("{:.1e}", errors.worst_speed()), fmt::format("{:.1e}", rounding)});
   findings.expect(method + ", error of the velocities", errors.worst_speed(), 0.0,
                   Tolerance::round_off(rounding, words));
-  if (method != "euler_cromer" && method != "euler") {
+  if (traits.free_fall_error == 0.0) {
     findings.expect(method + ", error of the coordinates", errors.worst_place(), 0.0,
                     Tolerance::round_off(rounding, words));
     return;
   }
   for (std::size_t i = 0; i < flights.size(); ++i) {
     const double late = reference::semi_implicit_euler_error(flights[i], production_step, steps);
-    const bool early = method == "euler";
+    const bool early = traits.free_fall_error < 0.0;
     findings.expect(
         fmt::format("{}, error of {} over {}a h t/2", method, std::array{"x", "y", "the angle"}[i], early ? "-" : ""),
         errors.place[i] / (early ? -late : late), 1.0, Tolerance::round_off(rounding / std::abs(late), words));

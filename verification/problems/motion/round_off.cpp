@@ -14,7 +14,7 @@
 #include "solver/integrate/concepts.hpp"
 #include "solver/integrate/euler_cromer.hpp"
 #include "solver/integrate/lagged_central_difference.hpp"
-#include "solver/integrate/rk4.hpp"
+#include "solver/integrate/runge_kutta4.hpp"
 #include "solver/integrate/velocity_verlet.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"

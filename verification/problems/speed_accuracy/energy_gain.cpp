@@ -134,8 +134,8 @@ class Striking {
   double ratio(std::string_view method, double eta, double theta) const {
     const double h = eta / frequency;
     Scene scene = scene_;
-    // Central difference holds its coordinates half a step on: it begins so much further out.
-    const double ahead = method == "central_difference" ? 0.5 : 0.0;
+    // A staggered method holds its coordinates half a step on: it begins so much further out.
+    const double ahead = integrator_traits(method).is_staggered ? 0.5 : 0.0;
     scene.initial.q[1] = 1.0 + (1.0 - theta + ahead) * h * entry;
     scene.initial.v[1] = -entry;
     const long steps = static_cast<long>(std::ceil(3.1416 / (2.0 * std::asin(0.5 * eta)))) + 3;

@@ -55,7 +55,7 @@ class EveryPair {
   }
 
   // For steps between located events.
-  Prospect guards(const State& state, bool, double, std::vector<double>& out) {
+  GuardBounds guards(const State& state, bool, double, std::vector<double>& out) {
     dynamics_->update_all(state, work_);
     out.resize(state.mode.size());
     return {dynamics_->guards(state, work_, out), dynamics_->longest_step(work_)};
@@ -77,8 +77,8 @@ class EveryPair {
 
 /// Looks out for nothing that does not act yet.
 struct ShortSighted : RigidBodySystem {
-  Prospect guards(const State& state, bool same, double ahead, std::vector<double>& out) {
-    const Prospect found = RigidBodySystem::guards(state, same, ahead, out);
+  GuardBounds guards(const State& state, bool same, double ahead, std::vector<double>& out) {
+    const GuardBounds found = RigidBodySystem::guards(state, same, ahead, out);
     for (std::size_t i = 0; found.finite && i < out.size(); ++i)
       out[i] = state.mode[i] == 0 ? std::numeric_limits<double>::infinity() : out[i];
     return found;

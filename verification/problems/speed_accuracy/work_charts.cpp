@@ -164,8 +164,8 @@ std::vector<Table> cost_tables(const std::vector<SceneCurves>& all) {
     Table table{.name = fmt::format("cost_{:.0e}", error),
                 .caption = fmt::format("Force evaluations to an error of {:.0e}; -: not reached.", error),
                 .columns = {"method"}};
-    for (const WorkMethod& method : work_methods())
-      table.rows.push_back({method.name});
+    for (const char* const name : work_methods)
+      table.rows.push_back({name});
     for (const SceneCurves& each : all) {
       for (std::size_t q = 0; q < each.scene->quantities.size(); ++q) {
         table.columns.push_back(scene_and_quantity(each, q));

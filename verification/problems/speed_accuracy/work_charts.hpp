@@ -11,7 +11,7 @@
 /// an accuracy costs.
 namespace talus::verification::problems {
 
-/// A scene and the curves of all methods on it, in the order of work_methods().
+/// A scene and the curves of all methods on it, in the order of work_methods.
 struct SceneCurves {
   const WorkScene* scene{};
   std::vector<WorkCurve> curves;

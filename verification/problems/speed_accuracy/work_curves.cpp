@@ -50,21 +50,21 @@ bool spread(const WorkScene& scene) { return scene.runs > 1 && scene.scenes.size
 /// The run's part of the way to the next point.
 double part(const WorkScene& scene, int run) { return spread(scene) ? static_cast<double>(run) / scene.runs : 0.0; }
 
-CurvePoint by_length(const WorkScene& scene, const WorkMethod& method, double steps, Findings& findings) {
+CurvePoint by_length(const WorkScene& scene, const std::string& method, double steps, Findings& findings) {
   PointSum sum{scene.quantities.size(), scene.runs};
   for (int run = 0; run < scene.runs; ++run) {
     const long own = std::lround(steps * std::exp2(part(scene, run)));
-    sum.add(scene.measure(make_integrator(method.name), own, run, findings),
+    sum.add(scene.measure(make_integrator(method), own, run, findings),
             scene.duration / static_cast<double>(scene.spans * own));
   }
   return sum.whole();
 }
 
-CurvePoint by_tolerance(const WorkScene& scene, const WorkMethod& method, double tolerance, Findings& findings) {
+CurvePoint by_tolerance(const WorkScene& scene, const std::string& method, double tolerance, Findings& findings) {
   PointSum sum{scene.quantities.size(), scene.runs};
   for (int run = 0; run < scene.runs; ++run) {
     const double own = tolerance * std::pow(scene.tolerance_ratio, part(scene, run));
-    sum.add(scene.measure(make_integrator(method.name, own), 1, run, findings), own);
+    sum.add(scene.measure(make_integrator(method, own), 1, run, findings), own);
   }
   return sum.whole();
 }
@@ -78,34 +78,17 @@ bool at_floor(const WorkScene& scene, const CurvePoint& point) {
 
 }  // namespace
 
-const std::vector<WorkMethod>& work_methods() {
-  static const std::vector<WorkMethod> methods{{"central_difference", StepChoice::by_length},
-                                               {"velocity_verlet", StepChoice::by_length},
-                                               {"euler_cromer", StepChoice::by_length},
-                                               {"euler", StepChoice::by_length},
-                                               {"taylor", StepChoice::by_length},
-                                               {"rk4", StepChoice::by_length},
-                                               {"blanes_moan4", StepChoice::by_length},
-                                               {"odeint_abm8", StepChoice::by_length},
-                                               {"odeint_dopri5", StepChoice::by_tolerance},
-                                               {"odeint_fehlberg78", StepChoice::by_tolerance},
-                                               {"odeint_bulirsch_stoer", StepChoice::by_tolerance},
-                                               {"stormer_cowell", StepChoice::by_tolerance},
-                                               {"exact", StepChoice::none}};
-  return methods;
-}
-
-WorkCurve work_curve(const WorkScene& scene, const WorkMethod& method, Findings& findings) {
-  WorkCurve curve{method.name, {}};
-  if (needs_closed_form(method.name) && obstacle_to_closed_form(scene.scenes.front().model)) return curve;
+WorkCurve work_curve(const WorkScene& scene, const std::string& method, Findings& findings) {
+  WorkCurve curve{method, {}};
+  const bool closed_form = needs_closed_form(method), by_steps = !has_step_control(method);
+  if (closed_form && obstacle_to_closed_form(scene.scenes.front().model)) return curve;
   double steps = 1.0, tolerance = coarsest_tolerance;
   double cost = 0.0;
   while (cost <= scene.budget && tolerance * (spread(scene) ? scene.tolerance_ratio : 1.0) >= finest_tolerance) {
-    const bool by_steps = method.steps != StepChoice::by_tolerance;
     curve.points.push_back(by_steps ? by_length(scene, method, steps, findings)
                                     : by_tolerance(scene, method, tolerance, findings));
     const CurvePoint& last = curve.points.back();
-    if (method.steps == StepChoice::none || at_floor(scene, last)) break;
+    if (closed_form || at_floor(scene, last)) break;
     steps *= 2.0;
     if (!by_steps) tolerance *= scene.tolerance_ratio;
     cost = (by_steps ? 2.0 : 1.0) * last.evaluations * scene.runs;

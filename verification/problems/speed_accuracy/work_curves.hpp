@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -9,21 +10,22 @@
 /// Error against force evaluations of one method on one scene, and what an accuracy costs by it.
 namespace talus::verification::problems {
 
-/// How a method's steps are told.
-enum class StepChoice {
-  by_length,     ///< halved from point to point
-  by_tolerance,  ///< multiplied by the scene's ratio from point to point
-  none,          ///< one point: the method has neither
-};
-
-struct WorkMethod {
-  const char* name;
-  StepChoice steps;
-};
-
-/// The methods that are compared: one line for each. A method that needs motion in closed form has no
-/// curve on a scene that has none.
-[[nodiscard]] const std::vector<WorkMethod>& work_methods();
+/// Names of the methods that are compared, of the solver's list. A method that takes a tolerance has one, which the
+/// scene's ratio multiplies from point to point; the steps of others are halved. A method in closed form has one point,
+/// and no curve on a scene that has no closed form.
+inline constexpr std::array work_methods{"central_difference",
+                                         "velocity_verlet",
+                                         "euler_cromer",
+                                         "euler",
+                                         "taylor",
+                                         "rk4",
+                                         "blanes_moan4",
+                                         "odeint_abm8",
+                                         "odeint_dopri5",
+                                         "odeint_fehlberg78",
+                                         "odeint_bulirsch_stoer",
+                                         "stormer_cowell",
+                                         "exact"};
 
 /// One point of a curve.
 struct CurvePoint {
@@ -40,7 +42,7 @@ struct WorkCurve {
 
 /// Runs of a point that are no phases of their own have steps, or tolerances, spread evenly up to the next point's.
 /// Goes on until a point would cost more than the scene's budget, or errors have come to its floor.
-[[nodiscard]] WorkCurve work_curve(const WorkScene& scene, const WorkMethod& method, Findings& findings);
+[[nodiscard]] WorkCurve work_curve(const WorkScene& scene, const std::string& method, Findings& findings);
 
 /// Evaluations at which a curve passes `error` for good: by a straight line in logarithms between the last point above
 /// it and the next; those of the first point if all are below; infinite if the last is above.

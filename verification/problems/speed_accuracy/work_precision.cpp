@@ -36,14 +36,13 @@ constexpr double most_evaluations = 1e5;
 struct Timed {
   const WorkCurve* curve{};
   const CurvePoint* point{};
-  StepChoice steps{};
   int runs{1};
   std::vector<double> seconds{};  // of one run
 };
 
 /// One run; its first coordinate is returned so that nothing of it can be left out.
 double run(const WorkScene& scene, const Dynamics& dynamics, const Timed& timed) {
-  const bool by_tolerance = timed.steps == StepChoice::by_tolerance;
+  const bool by_tolerance = has_step_control(timed.curve->method);
   const double span = scene.duration / static_cast<double>(scene.spans);
   const double steps = by_tolerance ? 1.0 : std::max(1.0, std::round(span / timed.point->setting));
   RigidBodySystem system{dynamics, false};
@@ -62,10 +61,9 @@ double measured_seconds(const WorkScene& scene, const Dynamics& dynamics, const 
 
 std::vector<Timed> to_be_timed(const SceneCurves& curves) {
   std::vector<Timed> found;
-  for (std::size_t m = 0; m < curves.curves.size(); ++m) {
-    for (const CurvePoint& point : curves.curves[m].points) {
-      if (point.failed == 0 && point.evaluations <= most_evaluations)
-        found.push_back({&curves.curves[m], &point, work_methods()[m].steps});
+  for (const WorkCurve& curve : curves.curves) {
+    for (const CurvePoint& point : curve.points) {
+      if (point.failed == 0 && point.evaluations <= most_evaluations) found.push_back({&curve, &point});
     }
   }
   return found;
@@ -144,10 +142,8 @@ std::vector<Figure> timing_figures(const DataFile& data, const std::string& mach
 }
 
 /// What a fault makes of a method.
-WorkMethod given(const WorkMethod& method, const Setup& setup) {
-  if (setup.has("late_events") && method.name == std::string{"stormer_cowell"})
-    return {"odeint_dopri5", StepChoice::by_tolerance};
-  return method;
+std::string given(const std::string& method, const Setup& setup) {
+  return setup.has("late_events") && method == "stormer_cowell" ? "odeint_dopri5" : method;
 }
 
 /// The methods of the checks that faults turn red.
@@ -157,11 +153,11 @@ bool decides_faults(std::string_view method) {
 
 SceneCurves curves_of(const WorkScene& scene, const Setup& setup, Findings& findings) {
   SceneCurves all{&scene, {}};
-  for (const WorkMethod& method : work_methods()) {
-    if (setup.coarse && !decides_faults(method.name)) continue;
+  for (const std::string method : work_methods) {
+    if (setup.coarse && !decides_faults(method)) continue;
     all.curves.push_back(work_curve(scene, given(method, setup), findings));
-    all.curves.back().method = method.name;
-    if (setup.has("stages_not_counted") && method.name == std::string{"rk4"}) {
+    all.curves.back().method = method;
+    if (setup.has("stages_not_counted") && method == "rk4") {
       for (CurvePoint& point : all.curves.back().points)
         point.evaluations /= 4.0;
     }

@@ -7,11 +7,22 @@
 
 #include "solver/integrate/advance.hpp"
 #include "solver/integrate/concepts.hpp"
+#include "solver/integrate/linear_limit.hpp"
 
 namespace talus {
 
-/// The classical Runge-Kutta method of order 4 (Kutta 1901) with four force evaluations a step. Modes settle at every
-/// stage, so that across a change of mode it is a method of order 2 at best.
+/// The classical Runge-Kutta method of order 4 (Kutta 1901) with four force evaluations a step:
+///
+///     0  |
+///    1/2 | 1/2
+///    1/2 |  0   1/2
+///     1  |  0    0    1
+///    ----+-------------------
+///        | 1/6  1/3  1/3  1/6
+///
+/// Stage s is the state at the step's start moved by node_s h with the rates of stage s - 1; the step takes all four
+/// rates with their weights. Modes are brought up to date at every stage, so that across a change of mode it is a
+/// method of order 2 at best.
 template <class StateType>
 class RungeKutta4Of {
  public:
@@ -20,14 +31,22 @@ class RungeKutta4Of {
 
   static constexpr std::string_view name = "rk4";
   static constexpr int order = 4;
+  static constexpr StepControl step_control = StepControl::fixed;
+  static constexpr int evaluations = 4;
+  static constexpr int additions = 4;
+
+  /// Where |R(z)| first passes 1 (2.828 at xi = 0).
+  static double linear_limit(double damping_ratio) { return first_growth(fourth_order_growth, damping_ratio); }
 
   template <Evaluable<StateType> System>
+  requires VectorState<StateType>
   void start(System& system, StateType& state, Scalar) {
     rates_.fill(Rates{state});
     system.settle(state);
   }
 
   template <Evaluable<StateType> System>
+  requires VectorState<StateType>
   void step(System& system, StateType& state, Scalar h) {
     const Scalar one{1};
     const std::array<Scalar, 4> node{Scalar{0}, one / 2, one / 2, one};
