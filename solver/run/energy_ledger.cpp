@@ -9,11 +9,15 @@ namespace talus {
 double Accounts::dissipated() const { return std::accumulate(lost.begin(), lost.end(), 0.0); }
 
 EnergyLedger::EnergyLedger(const Dynamics& dynamics, const State& start)
-    : dynamics_{&dynamics}, start_work_{start.work}, start_impulse_{start.impulse} {
-  const Snapshot first{dynamics, start};
-  start_energies_ = first.energies();
-  start_momenta_ = first.momenta();
+    : own_{std::make_unique<Snapshot>(dynamics, start)}, start_work_{start.work}, start_impulse_{start.impulse} {
+  start_energies_ = own_->energies();
+  start_momenta_ = own_->momenta();
   energy_scale_ = start_energies_.kinetic;
+}
+
+Accounts EnergyLedger::accounts(const State& state) {
+  own_->set(state);
+  return accounts(*own_);
 }
 
 Accounts EnergyLedger::accounts(const Snapshot& snapshot) {

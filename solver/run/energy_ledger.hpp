@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "solver/base/memory.hpp"
 #include "solver/run/snapshot.hpp"
 
@@ -29,7 +31,7 @@ class EnergyLedger {
 
   [[nodiscard]] Accounts accounts(const Snapshot& snapshot);
   /// The same of a state alone, which is evaluated for it.
-  [[nodiscard]] Accounts accounts(const State& state) { return accounts(Snapshot{*dynamics_, state}); }
+  [[nodiscard]] Accounts accounts(const State& state);
 
   /// Energies of the first state.
   const Energies& start() const { return start_energies_; }
@@ -44,7 +46,7 @@ class EnergyLedger {
   void remember(Memory& memory);
 
  private:
-  const Dynamics* dynamics_;
+  std::unique_ptr<Snapshot> own_;  ///< of the last state that came alone
   std::array<double, mechanism_count> start_work_{};
   Impulse<double> start_impulse_{};
   Energies start_energies_;

@@ -32,7 +32,7 @@ Ran ran(const Scene& scene, const Integrator& method, double end, int outputs, F
         const Watcher& watch = {}, bool ledger = false) {
   const double interval = end / outputs;
   const RunEnd run = run_scene(scene, method, {interval, end, interval, ledger}, findings, watch);
-  return {run.state, run.evaluations, located_events(run.method).value_or(0), run.finished};
+  return {run.state, run.evaluations, talus::located_events(run.method).value_or(0), run.finished};
 }
 
 /// The exact propagator, or what a fault puts in its place.
