@@ -59,9 +59,9 @@ void print_json(const ImpactCalibration& found) {
   const nlohmann::ordered_json json{{"damping", found.law.damping},
                                     {"damping_ratio", found.damping_ratio},
                                     {"effective_mass", found.effective_mass},
-                                    {"contact_time", contact_time(found.law, found.effective_mass)},
+                                    {"contact_time", found.law.contact_time(found.effective_mass)},
                                     {"speed", found.speed},
-                                    {"largest_overlap", largest_overlap(found.law, found.effective_mass, found.speed)},
+                                    {"largest_overlap", found.law.largest_overlap(found.effective_mass, found.speed)},
                                     {"step", found.step.step},
                                     {"restitution", found.step.restitution},
                                     {"restitution_error", found.step.largest_error},
@@ -79,9 +79,9 @@ void print_text(const ImpactCalibration& found, const CalibrateOptions& options)
   line("effective mass", found.effective_mass, dimension::mass);
   line("damping c", found.law.damping, dimension::damping);
   line("damping ratio xi", found.damping_ratio, dimension::number);
-  line("contact time", contact_time(found.law, found.effective_mass), dimension::time);
+  line("contact time", found.law.contact_time(found.effective_mass), dimension::time);
   line("speed of approach", found.speed, dimension::velocity);
-  line("largest overlap at that speed", largest_overlap(found.law, found.effective_mass, found.speed),
+  line("largest overlap at that speed", found.law.largest_overlap(found.effective_mass, found.speed),
        dimension::length);
   line("step", found.step.step, dimension::time);
   line("restitution simulated with it", found.step.restitution, dimension::number);
@@ -130,7 +130,7 @@ double damping_ratio_of(const Scene& scene, ContactId contact) {
 EndRule end_rule_of(const ContactLaw& contact_law) {
   return std::visit(
       []<class L>(const L& law) {
-        if constexpr (requires { law.end_rule; }) return law.end_rule;
+        if constexpr (HasEndRule<L>) return law.end_rule;
         return EndRule{};
       },
       contact_law);

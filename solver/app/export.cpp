@@ -5,12 +5,12 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <variant>
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/cell/lammps.hpp"
 #include "solver/io/cell/read_cell.hpp"
-#include "solver/laws/restitution.hpp"
 
 namespace talus::app {
 namespace {
@@ -23,18 +23,20 @@ struct ExportOptions {
   bool dashpot{false};
 };
 
-/// What LAMMPS knows of the cell's law. Errors: InputError for springs that latch, unless dashpots may stand for them.
+/// The cell's law as LAMMPS has it. Errors: InputError for a law that LAMMPS does not have, unless --dashpot replaces
+/// it.
 LinearSpringDashpot linear_law(const ShearCell& cell, const ExportOptions& options) {
   if (const auto* linear = std::get_if<LinearSpringDashpot>(&cell.law)) return *linear;
   const double kept = cell.restitution();
-  if (kept < 1.0 && !options.dashpot) {
+  const bool is_linear = std::visit([]<class L>(const L&) { return HasLinearPart<L>; }, cell.law);
+  if ((kept < 1.0 || !is_linear) && !options.dashpot) {
     throw InputError{
-        fmt::format("{}: found springs that latch (a restitution of {:.4g}), which LAMMPS does not have; "
-                    "--dashpot gives springs of the stiffness K1 with a dashpot of the same restitution",
-                    options.scene, kept)};
+        fmt::format("{}: found law = {} (a restitution of {:.4g}), which LAMMPS does not have; --dashpot gives springs "
+                    "of its stiffness while it is pressed with a dashpot of the same restitution",
+                    options.scene, std::visit([](const auto& law) { return law.name; }, cell.law), kept)};
   }
   LinearSpringDashpot law{cell.stiffness(), 0.0, EndRule::clamped};
-  if (kept < 1.0) law.damping = damping(damping_ratio(kept, law.end_rule), law.stiffness, 0.5 * cell.mass);
+  if (kept < 1.0) law.set_restitution(kept, 0.5 * cell.mass);
   return law;
 }
 

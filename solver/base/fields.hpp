@@ -57,6 +57,22 @@ struct Field {
   std::string_view meaning;  ///< one line: meaning, sign, frame
 };
 
+/// The name of a field of T, as written in a scene; empty for a member that is none.
+template <class T>
+[[nodiscard]] constexpr std::string_view field_name(double T::*member) {
+  for (const auto& field : T::fields())
+    if (field.member == member) return field.name;
+  return {};
+}
+
+/// Two fields of T of which one is at least the other.
+template <class T>
+struct FieldOrder {
+  double T::*larger;
+  double T::*smaller;
+  std::string_view why;  ///< in words, as the end of a message
+};
+
 /// A vector parameter of T; the components may be any finite numbers.
 template <class T>
 struct VectorField {

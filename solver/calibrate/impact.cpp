@@ -8,9 +8,11 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "solver/base/error.hpp"
 #include "solver/dynamics/springs.hpp"
+#include "solver/laws/restitution.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/stability/watch.hpp"
@@ -114,15 +116,33 @@ Followed follow_impact(const Scene& scene, ContactId contact) {
   return {watch.impact(), {}};
 }
 
+/// An impact in closed form, as a law knows it. Errors: InputError for a law that does not.
+struct KnownImpact {
+  double contact_time{};  ///< [T]
+  double restitution{};
+  double largest_overlap{};  ///< [L]
+};
+KnownImpact known_impact(const ContactLaw& law, double effective_mass, double speed) {
+  return std::visit(
+      [&]<class L>(const L& of) -> KnownImpact {
+        if constexpr (KnowsImpacts<L>)
+          return {of.contact_time(effective_mass), of.restitution(effective_mass),
+                  of.largest_overlap(effective_mass, speed)};
+        throw InputError{fmt::format("the law '{}' knows no impact in closed form", L::name)};
+      },
+      law);
+}
+
 /// A particle of the effective mass on its way to a fixed plane. Errors: InputError if the contact never ends.
-Scene impact_scene(const LinearSpringDashpot& law, double effective_mass, double speed, double step, double phase,
+Scene impact_scene(const ContactLaw& law, double effective_mass, double speed, double step, double phase,
                    const Integrator& integrator) {
-  const double ending = contact_time(law, effective_mass);
+  const KnownImpact known = known_impact(law, effective_mass, speed);
+  const double ending = known.contact_time;
   if (!std::isfinite(ending)) {
     throw InputError{"a contact damped beyond critical (damping ratio >= 1) never parts under the attractive end rule"};
   }
   // So large that no overlap comes near the circle's size.
-  const double radius = 1e3 * largest_overlap(law, effective_mass, speed);
+  const double radius = 1e3 * known.largest_overlap;
   ModelBuilder builder;
   const BodyId ball = builder.add({.name = "ball",
                                    .mobility = Mobility::particle,
@@ -156,9 +176,9 @@ Scene with_damping(Scene scene, ContactId contact, double damping) {
   Contact& changed = scene.model.contacts[index(contact)];
   std::visit(
       [&]<class L>(L& law) {
-        if constexpr (requires { law.damping; }) {
+        if constexpr (HasDamping<L>) {
           law.damping = damping;
-          if constexpr (requires { law.damping_ratio; }) law.damping_ratio = 0.0;
+          if constexpr (HasDampingRatio<L>) law.damping_ratio = 0.0;
         } else {
           throw InputError{fmt::format("contact '{}': the law '{}' has no damping", changed.name, L::name)};
         }
@@ -173,17 +193,16 @@ Impact simulate_impact(const Scene& scene, ContactId contact) {
   throw InputError{fmt::format("contact '{}': {}", scene.model.contacts[index(contact)].name, followed.why_not)};
 }
 
-Impact simulate_impact(const LinearSpringDashpot& law, double effective_mass, double speed, double step, double phase,
+Impact simulate_impact(const ContactLaw& law, double effective_mass, double speed, double step, double phase,
                        const Integrator& integrator) {
   return simulate_impact(impact_scene(law, effective_mass, speed, step, phase, integrator), ContactId{0});
 }
 
-ImpactStep advise_impact_step(const LinearSpringDashpot& law, double effective_mass, double bound,
+ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, double bound,
                               const Integrator& integrator) {
   if (!(bound > 0.0)) throw InputError{fmt::format("error bound is {}; it must be > 0", bound)};
-  const double time = contact_time(law, effective_mass);
-  const double xi = law.damping / (2.0 * std::sqrt(law.stiffness * effective_mass));
-  const double exact = restitution(xi, law.end_rule);
+  const KnownImpact known = known_impact(law, effective_mass, 1.0);
+  const double time = known.contact_time, exact = known.restitution;
   for (int n = 3; n <= 18; ++n) {
     ImpactStep found{time / (std::ldexp(1.0, n) + 0.381966), 0.0, 0.0};
     for (int i = 0; i < pair_count; ++i) {

@@ -2,7 +2,6 @@
 
 #include <functional>
 
-#include "solver/laws/restitution.hpp"
 #include "solver/scenes/scene.hpp"
 
 namespace talus {
@@ -20,8 +19,9 @@ struct Impact {
 };
 
 /// Simulates a particle of the effective mass that meets a fixed plane at the given speed, by the solver itself.
-/// `phase` in [0, 1] says where between two steps the surfaces meet. Errors: InputError if the contact does not end.
-[[nodiscard]] Impact simulate_impact(const LinearSpringDashpot& law, double effective_mass, double speed, double step,
+/// `phase` in [0, 1] says where between two steps the surfaces meet. Errors: InputError if the contact does not end, or
+/// for a law that does not know its impacts in closed form (laws/law.hpp).
+[[nodiscard]] Impact simulate_impact(const ContactLaw& law, double effective_mass, double speed, double step,
                                      double phase, const Integrator& integrator);
 
 /// A step at which the simulated restitution is as good as asked for.
@@ -33,8 +33,8 @@ struct ImpactStep {
 
 /// Finds a step, of the form contact time/(2^n + 0.38), that keeps the error of e below `bound` at whatever phases the
 /// surfaces meet and part: the largest error of 64 pairs of phases is at most .8 of the bound.
-/// Errors: InputError if bound is not > 0, or too small to be reached with 2^18 steps in a contact.
-[[nodiscard]] ImpactStep advise_impact_step(const LinearSpringDashpot& law, double effective_mass, double bound,
+/// Errors: InputError if bound is not > 0, or too small to be reached with 2^18 steps in a contact; for a law as above.
+[[nodiscard]] ImpactStep advise_impact_step(const ContactLaw& law, double effective_mass, double bound,
                                             const Integrator& integrator);
 
 /// Restitution of the first impact of one contact of a scene, simulated by the scene's own method and step: speed of

@@ -134,19 +134,20 @@ long CellRun::free_steps() const {
   if (acted_ || steps_ % sample_every_ != 0) return 0;
   const NeighbourList& list =
       std::visit([](const auto& system) -> const NeighbourList& { return system.list(); }, system_);
+  const double within = cell_.diameter + std::visit([](const auto& law) { return reach(law); }, cell_.law);
   double time = std::numeric_limits<double>::infinity(), fastest = 0.0;
   for (std::size_t i = 0; i < discs_.size(); ++i)
     fastest = std::max(fastest, norm(Vec2{discs_.vx[i], discs_.vy[i]}));
   list.for_each_pair(discs_, [&](std::size_t i, std::size_t j, std::size_t, Vec2 d, const auto& shift) {
     const Vec2 v{discs_.vx[j] - discs_.vx[i] + shift.vx, discs_.vy[j] - discs_.vy[i]};
-    const double radii = cell_.diameter, gap = norm(d) - radii, nearing = -dot(d, v);
+    const double gap = norm(d) - within, nearing = -dot(d, v);
     if (!(gap > 0.0)) {
       time = 0.0;
     } else if (j >= first_block_disc(cell_)) {
       const double speed = norm(v);
       time = std::min(time, 2.0 * gap / (speed + std::sqrt(speed * speed + 2.0 * cell_.gravity * gap)));
     } else if (nearing > 0.0) {
-      const double room = dot(d, d) - radii * radii, root = nearing * nearing - dot(v, v) * room;
+      const double room = dot(d, d) - within * within, root = nearing * nearing - dot(v, v) * room;
       if (root >= 0.0) time = std::min(time, room / (nearing + std::sqrt(root)));
     }
   });

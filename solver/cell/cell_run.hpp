@@ -49,13 +49,15 @@ class CellRun {
  public:
   template <class L, class F>
   using ByVirtualDiscs = DiscSystem<L, F, VirtualDiscs>;
+  template <class List>
+  struct SystemsOf;
+  template <class... L>
+  struct SystemsOf<LawList<L...>> {
+    using Variant = std::variant<FastDiscSystem<L>..., FastDiscSystem<L, CoulombFriction>...,
+                                 ByVirtualDiscs<L, Frictionless>..., ByVirtualDiscs<L, CoulombFriction>...>;
+  };
   /// With the cell's law and friction.
-  using System =
-      std::variant<FastDiscSystem<LatchingSpring>, FastDiscSystem<LinearSpringDashpot>,
-                   FastDiscSystem<LatchingSpring, CoulombFriction>,
-                   FastDiscSystem<LinearSpringDashpot, CoulombFriction>, ByVirtualDiscs<LatchingSpring, Frictionless>,
-                   ByVirtualDiscs<LinearSpringDashpot, Frictionless>, ByVirtualDiscs<LatchingSpring, CoulombFriction>,
-                   ByVirtualDiscs<LinearSpringDashpot, CoulombFriction>>;
+  using System = SystemsOf<DiscLaws>::Variant;
 
   /// Blocks of time in a run by which errors are told, and those at its start that no mean counts.
   static constexpr std::size_t blocks = 100, start_up = 25;

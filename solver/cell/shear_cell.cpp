@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -12,56 +14,61 @@
 #include "solver/granular/list_skin.hpp"
 #include "solver/granular/neighbour_list.hpp"
 #include "solver/granular/random_draw.hpp"
-#include "solver/laws/restitution.hpp"
 
 namespace talus {
 namespace {
-
-double contact_time_of(const LatchingSpring& law, double mass) {
-  const double loading = std::sqrt(2.0 * law.stiffness / mass), back = std::sqrt(2.0 * law.unloading_stiffness / mass);
-  return 0.5 * std::numbers::pi * (1.0 / loading + 1.0 / back);
-}
-double contact_time_of(const LinearSpringDashpot& law, double mass) { return contact_time(law, 0.5 * mass); }
-
-double damping_ratio_of(const LinearSpringDashpot& law, double mass) {
-  return law.damping / (2.0 * std::sqrt(0.5 * law.stiffness * mass));
-}
-double restitution_of(const LatchingSpring& law, double) { return std::sqrt(law.stiffness / law.unloading_stiffness); }
-double restitution_of(const LinearSpringDashpot& law, double mass) {
-  return restitution(damping_ratio_of(law, mass), law.end_rule);
-}
 
 using Objections = std::vector<CellObjection>;
 
 void object(Objections& found, std::string_view field, double value, std::string_view allowed) {
   found.push_back({std::string{field}, fmt::format("found {}; it must be {}", value, allowed)});
 }
-void add_objections(Objections& found, const LatchingSpring& law, double) {
-  if (law.unloading_stiffness < law.stiffness) {
-    object(found, "unloading_stiffness", law.unloading_stiffness,
-           fmt::format("at least the stiffness while loading, {}: a contact gives back no more than it took",
-                       law.stiffness));
-  }
+
+/// Stiffness of a contact that is pressed [F/L].
+template <Law L>
+double loading_stiffness(const L& law) {
+  if constexpr (HasLinearPart<L>) return law.linear_part(std::array<double, L::memory_size>{}, 1).stiffness;
+  return law.tangent().stiffness;
 }
-void add_objections(Objections& found, const LinearSpringDashpot& law, double mass) {
-  if (law.end_rule == EndRule::attractive && damping_ratio_of(law, mass) >= 1.0) {
-    object(found, "damping", law.damping,
-           fmt::format("< {}: with the attractive end rule discs that are damped more never part",
-                       2.0 * std::sqrt(0.5 * law.stiffness * mass)));
+
+/// Objections to the law's parameters, for impacts of this effective mass [M].
+template <Law L>
+void add_objections(Objections& found, const L& law, double effective_mass) {
+  for (const auto& field : L::fields()) {
+    if (!contains(field.range, law.*field.member)) object(found, field.name, law.*field.member, words(field.range));
+  }
+  const bool is_in_range = found.empty();
+  if constexpr (HasOrders<L>) {
+    for (const auto& order : L::orders()) {
+      if (law.*order.larger >= law.*order.smaller) continue;
+      object(found, field_name(order.larger), law.*order.larger,
+             fmt::format("at least the {}, {}: {}", field_name(order.smaller), law.*order.smaller, order.why));
+    }
+  }
+  if constexpr (HasDamping<L>) {
+    const double endless = std::numeric_limits<double>::infinity();
+    if (is_in_range && effective_mass > 0.0 && law.contact_time(effective_mass) == endless) {
+      const double critical = 2.0 * std::sqrt(loading_stiffness(law) * effective_mass);
+      object(found, "damping", law.damping,
+             fmt::format("< {}: with its end rule discs that are damped more never part", critical));
+    }
   }
 }
 
 }  // namespace
 
 double ShearCell::stiffness() const {
-  return std::visit([](const auto& of) { return of.stiffness; }, law);
+  return std::visit([](const auto& of) { return loading_stiffness(of); }, law);
+}
+double ShearCell::largest_stiffness() const {
+  return std::visit([](const auto& of) { return of.tangent().stiffness; }, law);
 }
 double ShearCell::loading_frequency() const { return std::sqrt(2.0 * stiffness() / mass); }
 double ShearCell::contact_time() const {
-  return std::visit([&](const auto& of) { return contact_time_of(of, mass); }, law);
+  return std::visit([&](const auto& of) { return of.contact_time(0.5 * mass); }, law);
 }
 double ShearCell::restitution() const {
-  return std::visit([&](const auto& of) { return restitution_of(of, mass); }, law);
+  return std::visit([&](const auto& of) { return of.restitution(0.5 * mass); }, law);
 }
 const LatchingSpring* ShearCell::law_of_1989() const {
   const auto* latching = std::get_if<LatchingSpring>(&law);
@@ -77,13 +84,7 @@ std::vector<CellObjection> objections(const ShearCell& cell) {
   const auto demand_range = [&](Range range, std::string_view field, double value) {
     demand(contains(range, value), field, value, words(range));
   };
-  std::visit(
-      [&](const auto& law) {
-        for (const auto& field : law.fields())
-          demand_range(field.range, field.name, law.*field.member);
-        add_objections(found, law, cell.mass);
-      },
-      cell.law);
+  std::visit([&](const auto& law) { add_objections(found, law, 0.5 * cell.mass); }, cell.law);
   if (cell.friction) {
     demand_range(Range::non_negative, "friction", cell.friction->coefficient);
     demand_range(Range::positive, "shear_stiffness", cell.friction->stiffness);

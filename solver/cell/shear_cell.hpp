@@ -10,7 +10,7 @@
 #include "solver/granular/discs.hpp"
 #include "solver/granular/periodic_box.hpp"
 #include "solver/laws/coulomb_friction.hpp"
-#include "solver/laws/settled.hpp"
+#include "solver/laws/law_list.hpp"
 
 namespace talus {
 
@@ -37,15 +37,15 @@ struct ShearCell {
   std::size_t free_discs() const { return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns); }
   /// Overburden by the thesis's definition, MTOP G/(TWID D^2) [F/L^2] (Lacy 1989, "Data Input and Parameters").
   double overburden() const { return block_mass * gravity / (wall_discs * diameter * diameter); }
-  /// Of a contact that is pressed: K1, or k_n [F/L].
+  /// Stiffness of a contact that is pressed: K1, or k_n [F/L].
   double stiffness() const;
+  /// Stiffness of its stiffest branch: K2 of a slow impact, or k_n [F/L].
+  double largest_stiffness() const;
   /// Of two discs that touch, while they load [rad/T]: w1 = sqrt(2 K1/m).
   double loading_frequency() const;
-  /// How long two of its discs touch [T]: of a latching spring (pi/2) (1/w1 + 1/w2), w2 = sqrt(2 K2/m) (Walton & Braun
-  /// 1986), of a spring and dashpot as restitution.hpp says.
+  /// How long a slow impact of two of its discs lasts [T], by the law.
   double contact_time() const;
-  /// Share of the speed that a head-on impact of two of its discs keeps: sqrt(K1/K2), of slow ones if K2 grows, or by
-  /// the dashpot.
+  /// Ratio of speeds after and before a slow head-on impact of two of its discs, by the law.
   double restitution() const;
   /// Its law, if it is that of 1989: a latching spring that does not grow stiffer, without friction; else null.
   const LatchingSpring* law_of_1989() const;

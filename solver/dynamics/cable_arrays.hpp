@@ -8,7 +8,7 @@
 
 #include "solver/dynamics/lanes.hpp"
 #include "solver/dynamics/law_modes.hpp"
-#include "solver/laws/law_list.hpp"
+#include "solver/laws/law.hpp"
 #include "solver/model/layout.hpp"
 
 /// The arrays of the cables, one for each law, and how they are gone through.
@@ -62,12 +62,6 @@ void for_each_of(const Array& array, const CableRun& run, Visit&& visit) {
   for (std::size_t i = 0, count = run.count, cable = run.cable; i < count; ++i)
     visit(laws[i], slots[i], cable + i);
 }
-
-/// Whether it may have straight lines, and the one number at most that these go by.
-template <class L>
-concept HasLines = L::memory_size <= 1 && requires(const L law, std::span<const double> memory) {
-  law.linear_piece(memory, Mode{});
-};
 
 /// Works out the straight lines of a run.
 template <class L>

@@ -129,7 +129,7 @@ void CableForces::update(const State& state, Workspace& work) const {
   work.waking.quiet = work.waking.rows_only;
   for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, CableRun& run) {
     if (!run.row) return lay_paths(run, work);
-    if constexpr (HasLines<L>) keep_lines(array, run, state, work.lines);
+    if constexpr (HasLinearPiece<L>) keep_lines(array, run, state, work.lines);
     run.quiet = lay_row(run, constants_, work.lines, work.poses, work.joints, work.paths, work.pulls);
     work.waking.quiet = work.waking.quiet && run.quiet;
   });
@@ -147,7 +147,7 @@ bool CableForces::pull_rows(const State& state, Workspace& work) const {
   clear(work.wrenches, waking.reached);
   // All are awake, and so they are looked at in fewer pieces than they are pulled in.
   for_each_array(laws_, [&]<class L>(const CableArray<L>& array, std::size_t) {
-    if constexpr (HasLines<L>) {
+    if constexpr (HasLinearPiece<L>) {
       for (const CableRun& run : array.runs)
         keep_lines(array, run, state, work.lines);
     }
@@ -262,7 +262,7 @@ void CableForces::list_woken(const State& state, const Workspace& work, double s
 bool CableForces::follows(const State& state) const {
   bool found = false;
   for_each_cable(laws_, [&]<class L>(const L&, Slot slot, std::size_t) {
-    if constexpr (requires { L::tracking; }) found = found || state.mode[slot.mode] == L::tracking;
+    found = found || memory_follows<L>(state.mode[slot.mode]);
   });
   return found;
 }

@@ -48,6 +48,7 @@ double smaller_size(const Candidate& pair) {
 }
 
 bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B, double margin) {
+  margin += pair.reach;
   if (pair.bounds_b.plane) return above(pair.bounds_a, A, B, margin);
   if (pair.bounds_a.plane) return above(pair.bounds_b, B, A, margin);
   if (pair.bounds_b.round) return beyond(pair.bounds_b, B, pair.bounds_a, A, margin);
@@ -91,10 +92,13 @@ void ContactSearch::prepare(std::size_t bodies) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> place(bodies, none);
   std::vector<std::size_t> sweepable;
-  const auto swept = [&](BodyId body, const Bounds& bounds) {
-    if (place[index(body)] != none) return;
-    place[index(body)] = swept_.size();
-    swept_.push_back({body, bounds});
+  const auto swept = [&](BodyId body, const Bounds& bounds, double reach) {
+    if (place[index(body)] == none) {
+      place[index(body)] = swept_.size();
+      swept_.push_back({body, bounds});
+    }
+    double& largest = swept_[place[index(body)]].reach;
+    largest = std::max(largest, 0.5 * reach);
   };
   leeways_ = {Row{bodies}, Row{bodies, std::numeric_limits<double>::infinity()}, bodies, 0};
   const auto bind = [this](BodyId body, const Bounds& bounds) {
@@ -112,7 +116,7 @@ void ContactSearch::prepare(std::size_t bodies) {
       single_.push_back(p);
       continue;
     }
-    swept(pair.a, pair.bounds_a), swept(pair.b, pair.bounds_b);
+    swept(pair.a, pair.bounds_a, pair.reach), swept(pair.b, pair.bounds_b, pair.reach);
     sweepable.push_back(p);
   }
   if (swept_.size() > most_swept) {
@@ -161,8 +165,8 @@ void ContactSearch::list_close(const Poses& poses, Sweep& sweep) const {
   for (const std::size_t p : single_)
     look(p);
   for (std::size_t i = 0; i < swept_.size(); ++i) {
-    const auto& [body, bounds] = swept_[i];
-    sweep.stretches[i] = stretch(bounds, poses[index(body)], leeways_.way[index(body)]);
+    const auto& [body, bounds, reach] = swept_[i];
+    sweep.stretches[i] = stretch(bounds, poses[index(body)], leeways_.way[index(body)] + reach);
   }
   sort(sweep.order, sweep.stretches);
   for (std::size_t i = 0; i < sweep.order.size(); ++i) {

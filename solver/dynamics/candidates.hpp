@@ -44,13 +44,14 @@ struct Candidate {
   Bounds bounds_b;
   std::size_t first{};  ///< first mode slot of the contact
   std::size_t last{};   ///< one past its last
+  double reach{};       ///< how far apart the surfaces may be where the law acts [L]
 };
 
 /// Half the least width of the smaller of the two [L].
 [[nodiscard]] double smaller_size(const Candidate& pair);
 
-/// Whether a side of one of the boxes separates the two shapes by more than a margin [L] >= 0 (a half-plane: whether
-/// the other's box lies above it). Never says so of bodies that touch.
+/// Whether a side of one of the boxes separates the two shapes by more than the law's reach and a margin [L] >= 0 (a
+/// half-plane: whether the other's box lies above it). Never true of bodies in contact.
 [[nodiscard]] bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B, double margin = 0.0);
 
 /// No point of one of the two bodies nears the other faster than this [L/T].
@@ -71,12 +72,12 @@ struct Candidate {
   return 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b));
 }
 
-/// Whether two bodies, neither of them ground, that close by such a way [L] >= 0 neither touch nor pass each other
-/// unseen, by circles around them: soon said, and of most pairs it can be.
+/// Whether two bodies, neither of them ground, that close by such a way [L] >= 0 neither act on nor pass each other
+/// unseen, by circles around them: a cheap test that holds for most pairs.
 [[nodiscard]] inline bool stay_apart(const Candidate& pair, const Poses& poses, double way) {
   const std::size_t a = index(pair.a), b = index(pair.b);
   const double x = poses.x[b] - poses.x[a], y = poses.y[b] - poses.y[a];
-  const double reach = furthest(pair.bounds_a) + furthest(pair.bounds_b) + way;
+  const double reach = furthest(pair.bounds_a) + furthest(pair.bounds_b) + pair.reach + way;
   return way <= seen_way(pair) && x * x + y * y > reach * reach;
 }
 
@@ -116,6 +117,7 @@ class ContactSearch {
   struct Swept {
     BodyId body{};
     Bounds bounds;
+    double reach{};  ///< half of the largest reach of its contacts [L]
   };
   void list_close(const Poses& poses, Sweep& sweep) const;
 

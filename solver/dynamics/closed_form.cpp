@@ -12,11 +12,7 @@ namespace talus {
 namespace {
 
 bool has_linear_parts(const ContactLaw& law) {
-  return std::visit(
-      []<class L>(const L& of) {
-        return requires(std::span<const double> memory, Mode mode) { of.linear_part(memory, mode); };
-      },
-      law);
+  return std::visit([]<class L>(const L&) { return HasLinearPart<L>; }, law);
 }
 
 std::string_view name(const ContactLaw& law) {

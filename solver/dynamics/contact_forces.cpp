@@ -1,7 +1,6 @@
 #include "solver/dynamics/contact_forces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -10,6 +9,7 @@
 
 #include "solver/dynamics/gap_update.hpp"
 #include "solver/dynamics/law_modes.hpp"
+#include "solver/dynamics/starting_impacts.hpp"
 
 namespace talus {
 namespace {
@@ -58,7 +58,7 @@ Slot friction_slot(const ContactGroup& group, std::size_t instance) {
 template <class L>
 double friction_dashpot(const ContactGroup& group, const L& law, std::span<const double> memory) {
   double time = 0.0;
-  if constexpr (requires { law.retardation_time(memory); }) time = law.retardation_time(memory);
+  if constexpr (HasRetardationTime<L>) time = law.retardation_time(memory);
   return group.friction->dashpot(time);
 }
 
@@ -114,7 +114,7 @@ double viscous_stretch(const Workspace& work, const Slider& slider) {
 void start_spring(State& state, const Workspace& work, const Slider& slider) {
   const double rate = work.rates[slider.instance];
   if (!(rate > 0.0)) return;
-  const double slip = slip_rate(work, slider) * work.gaps[slider.instance].depth / rate;
+  const double slip = slip_rate(work, slider) * std::max(work.gaps[slider.instance].depth, 0.0) / rate;
   state.z[slider.slot.memory] = slider.law.begin(slip, slider.normal);
 }
 
@@ -157,7 +157,8 @@ ContactForces::ContactForces(const Model& model, const Layout& layout) : mobilit
     const Slot slot = layout.contact_slots[c];
     const std::size_t instances = layout.contact_instances[c];
     search_.add({contact.a, contact.b, bounds(model.bodies[index(contact.a)].shape),
-                 bounds(model.bodies[index(contact.b)].shape), slot.mode, slot.mode + instances});
+                 bounds(model.bodies[index(contact.b)].shape), slot.mode, slot.mode + instances,
+                 std::visit([](const auto& law) { return reach(law); }, contact.law)});
     std::visit(
         [&]<class L>(const L& law) {
           auto& arrays = std::get<ContactArrays<L>>(laws_);
@@ -255,8 +256,8 @@ void ContactForces::begin(State& state, const Workspace& work) const {
 [[gnu::flatten]] void ContactForces::settle(State& state, const Workspace& work, const State* before) const {
   if (starts_by_mass_) start_contacts(state, work);
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup& group) {
-    // The gap declares onset: what does not act and does not touch stays so.
-    if (state.mode[slot.mode] == 0 && work.gaps[slot.mode].depth < 0.0) return;
+    // The gap declares onset: a contact that does not act stays so out of the law's reach.
+    if (state.mode[slot.mode] == 0 && work.gaps[slot.mode].depth < -reach(law)) return;
     settle_mode(law, slot, kinematics(work, slot.mode), state, group.copies);
   });
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
@@ -291,7 +292,7 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
     const auto gaps = work.gaps.begin();
     const bool touches =
         std::any_of(gaps + static_cast<std::ptrdiff_t>(pair.first), gaps + static_cast<std::ptrdiff_t>(pair.last),
-                    [](const Gap& gap) { return gap.depth >= 0.0; });
+                    [&pair](const Gap& gap) { return gap.depth >= -pair.reach; });
     if (!touches) continue;
     for (const BodyId body : {pair.a, pair.b}) {
       if (!work.waking.awake[index(body)]) woken.push_back(body);
@@ -325,100 +326,6 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
   });
 }
 
-namespace {
-
-/// A contact whose dashpot follows from the effective mass, as its impact begins.
-struct Impact {
-  const ContactGroup* group{};
-  std::size_t instance{};
-  double closing{};  ///< u [L/T]
-  double mass{};     ///< p/u [M]
-  bool coupled{};    ///< solved for with the others
-};
-
-/// The impacts that begin at one time; of more each is taken by itself.
-constexpr std::size_t most_impacts = 12;
-
-struct Impacts {
-  std::array<Impact, most_impacts> each{};
-  std::size_t count{};
-};
-
-/// Rate at which one impact's bodies part for a unit impulse at another [1/M]: over the bodies that both have, of which
-/// the impulse acts on A against the normal and on B along it.
-double coupling(const PointMobility& mobility, const Workspace& work, const Impact& one, const Impact& other) {
-  const Gap &here = work.gaps[one.instance], &there = work.gaps[other.instance];
-  double sum = 0.0;
-  for (const auto& [body, sign] : {std::pair{one.group->a, 1.0}, {one.group->b, -1.0}}) {
-    for (const auto& [same, same_sign, share] :
-         {std::tuple{other.group->a, 1.0, other.group->share_a}, {other.group->b, -1.0, other.group->share_b}}) {
-      if (body != same) continue;
-      sum += sign * same_sign * share *
-             mobility.between(body, work.poses[index(body)], {here.p_WC, here.n_AB}, {there.p_WC, there.n_AB});
-    }
-  }
-  return sum;
-}
-
-/// Impulses that stop the closing speeds of the coupled impacts together: A p = u. False if A is singular.
-bool stopping_impulses(const PointMobility& mobility, const Workspace& work, const Impacts& impacts,
-                       std::array<double, most_impacts>& p) {
-  std::array<std::size_t, most_impacts> of{};
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < impacts.count; ++i)
-    if (impacts.each[i].coupled) of[n++] = i;
-  std::array<std::array<double, most_impacts + 1>, most_impacts> a{};
-  double largest = 0.0;  // on the diagonal
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j)
-      a[i][j] = coupling(mobility, work, impacts.each[of[i]], impacts.each[of[j]]);
-    a[i][n] = impacts.each[of[i]].closing;
-    largest = std::max(largest, a[i][i]);
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < n; ++i)
-      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-    std::swap(a[k], a[pivot]);
-    if (!(std::abs(a[k][k]) > 1e-12 * largest)) return false;
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const double factor = a[i][k] / a[k][k];
-      for (std::size_t j = k; j <= n; ++j)
-        a[i][j] -= factor * a[k][j];
-    }
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    double sum = a[i][n];
-    for (std::size_t j = i + 1; j < n; ++j)
-      sum -= a[i][j] * p[of[j]];
-    p[of[i]] = sum / a[i][i];
-  }
-  return true;
-}
-
-/// The effective masses of impacts that begin together.
-void find_masses(const PointMobility& mobility, const Workspace& work, Impacts& impacts) {
-  for (std::size_t i = 0; i < impacts.count; ++i) {
-    Impact& impact = impacts.each[i];
-    const double own = coupling(mobility, work, impact, impact);
-    impact.mass = own > 0.0 ? 1.0 / own : 0.0;
-    impact.coupled = own > 0.0 && impact.closing > 0.0;
-  }
-  // An impact that the others stop needs no impulse among them: it has the mass of a single impact.
-  for (bool all = false; !all;) {
-    std::array<double, most_impacts> p{};
-    if (!stopping_impulses(mobility, work, impacts, p)) return;
-    all = true;
-    for (std::size_t i = 0; i < impacts.count; ++i) {
-      if (impacts.each[i].coupled && !(p[i] > 0.0)) impacts.each[i].coupled = all = false;
-    }
-    for (std::size_t i = 0; all && i < impacts.count; ++i)
-      if (impacts.each[i].coupled) impacts.each[i].mass = p[i] / impacts.each[i].closing;
-  }
-}
-
-}  // namespace
-
 /// Starts the memory of laws that depend on the effective mass, of the instances that begin to touch: m = p/u, with p
 /// the impulse that stops the closing speed u there. Those that begin together (both ends of a side that lands flat, a
 /// rock between two columns) stop each other's, too: A p = u, with A the mobilities between them. A side that lands
@@ -426,7 +333,7 @@ void find_masses(const PointMobility& mobility, const Workspace& work, Impacts& 
 /// half the speed of the second, so that the smallest tilt makes no other restitution.
 void ContactForces::start_contacts(State& state, const Workspace& work) const {
   if (!work.any_near) return;
-  Impacts impacts;
+  StartingImpacts impacts;
   std::size_t begun = 0;
   const auto for_each_impact = [&](auto&& visit) {
     for_each_array(laws_, [&](const auto& array) {
@@ -437,7 +344,7 @@ void ContactForces::start_contacts(State& state, const Workspace& work) const {
           double begins = 0.0;  // closing speed of one that begins
           for (std::size_t i = group.first; i < group.last; ++i) {
             const std::size_t instance = array.slots[i].mode;
-            if (state.mode[instance] == 0 && work.gaps[instance].depth >= 0.0)
+            if (state.mode[instance] == 0 && work.gaps[instance].depth >= -reach(array.laws[i]))
               begins = std::max(begins, std::max(work.rates[instance], std::numeric_limits<double>::min()));
           }
           if (begins == 0.0) continue;
@@ -445,7 +352,7 @@ void ContactForces::start_contacts(State& state, const Workspace& work) const {
             const std::size_t instance = array.slots[i].mode;
             if (memory_count(array.laws[i]) == 0) continue;
             const bool first = state.mode[instance] == 0;
-            if (first ? work.gaps[instance].depth >= 0.0 : work.rates[instance] > 0.5 * begins)
+            if (first ? work.gaps[instance].depth >= -reach(array.laws[i]) : work.rates[instance] > 0.5 * begins)
               visit(array.laws[i], array.slots[i], group);
           }
         }
@@ -453,22 +360,16 @@ void ContactForces::start_contacts(State& state, const Workspace& work) const {
     });
   };
   for_each_impact([&](const auto&, Slot slot, const ContactGroup& group) {
-    if (begun < most_impacts) impacts.each[begun] = {&group, slot.mode, work.rates[slot.mode]};
+    if (begun < impacts.each.size()) impacts.each[begun] = {&group, slot.mode, work.rates[slot.mode]};
     ++begun;
   });
   if (begun == 0) return;
-  const bool together = begun <= most_impacts;
+  const bool together = begun <= impacts.each.size();
   if (together) impacts.count = begun, find_masses(mobility_, work, impacts);
   std::size_t next = 0;
   for_each_impact([&](const auto& law, Slot slot, const ContactGroup& group) {
-    double mass = 0.0;
-    if (together) {
-      mass = impacts.each[next++].mass;
-    } else {
-      const Impact alone{&group, slot.mode};
-      const double own = coupling(mobility_, work, alone, alone);
-      mass = own > 0.0 ? 1.0 / own : 0.0;
-    }
+    const double mass =
+        together ? impacts.each[next++].mass : single_mass(mobility_, work, {.group = &group, .instance = slot.mode});
     law.start_contact(memory(law, state, slot), mass);
   });
 }
@@ -479,10 +380,8 @@ bool ContactForces::follows(const State& state) const {
     using L = typename std::decay_t<decltype(array.laws)>::value_type;
     for (const ContactGroup& group : array.groups) {
       const std::size_t count = group.last - group.first;
-      if constexpr (requires { L::tracking; }) {
-        for (std::size_t i = group.first; i < group.last; ++i)
-          found = found || state.mode[array.slots[i].mode] == L::tracking;
-      }
+      for (std::size_t i = group.first; Tracks<L> && i < group.last; ++i)
+        found = found || memory_follows<L>(state.mode[array.slots[i].mode]);
       if (!group.friction) continue;
       const auto first = state.mode.begin() + static_cast<std::ptrdiff_t>(group.first_friction.mode);
       found = found || std::any_of(first, first + static_cast<std::ptrdiff_t>(count),
@@ -530,7 +429,7 @@ std::vector<ContactForces::LinearContact> ContactForces::linear_contacts(const S
                                                                          const Workspace& work) const {
   std::vector<LinearContact> found;
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup& group) {
-    if constexpr (requires(std::span<const double> m, Mode mode) { law.linear_part(m, mode); }) {
+    if constexpr (HasLinearPart<L>) {
       const Tangent slopes = law.linear_part(memory(law, state, slot), state.mode[slot.mode]);
       if (slopes.stiffness == 0.0 && slopes.damping == 0.0) return;
       found.push_back({group.a, group.b, work.gaps[slot.mode].n_AB, slopes, group.share_a, group.share_b});

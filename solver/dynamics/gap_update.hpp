@@ -12,7 +12,7 @@
 
 namespace talus {
 
-/// Works out the gaps of one array's groups that are within reach. Of a ball outside its target that does not act
+/// Computes the gaps of one array's groups that are within reach. Of a ball out of its law's reach that does not act
 /// (`state` given) only the depth: nothing else is asked of it.
 template <class Array>
 class GapUpdate {
@@ -65,10 +65,10 @@ class GapUpdate {
     }
     work_.rates[instance] = depth_rate(work_.gaps[instance], A, B);
   }
-  /// Whether a ball of that depth is outside and does not act; then that is its gap's.
+  /// Whether a ball of that depth is out of the law's reach and does not act; then that is its gap's.
   bool is_idle(std::size_t i, double depth) const {
     const std::size_t instance = array_.slots[i].mode;
-    if (!(depth < 0.0 && state_ && state_->mode[instance] == 0)) return false;
+    if (!(depth < -reach(array_.laws[i]) && state_ && state_->mode[instance] == 0)) return false;
     work_.gaps[instance].depth = depth;
     return true;
   }

@@ -76,9 +76,8 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
     lengths.push_back(constants_.rest_length[c]);
     compliances.push_back(1.0 / tangents_[c].stiffness);
     visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
-      if constexpr (requires { law.natural_elongation(memory(law, state, slot)); })
-        lengths.back() += law.natural_elongation(memory(law, state, slot));
-      if constexpr (requires { L::broken; }) carries = carries && state.mode[slot.mode] != L::broken;
+      lengths.back() += natural_elongation(law, memory(law, state, slot));
+      carries = carries && !is_broken<L>(state.mode[slot.mode]);
     });
     natural += lengths.back();
     compliance += compliances.back();
@@ -140,9 +139,8 @@ bool CableForces::chain_parted(const State& state, const Workspace& work) const 
   for (const Chain& chain : work.rigging.chains) {
     if (!chain.carries) continue;
     for (const std::size_t c : chain.cables) {
-      visit_cable(laws_, places_[c], [&]<class L>(const L&, Slot slot) {
-        if constexpr (requires { L::broken; }) parted = parted || state.mode[slot.mode] == L::broken;
-      });
+      visit_cable(laws_, places_[c],
+                  [&]<class L>(const L&, Slot slot) { parted = parted || is_broken<L>(state.mode[slot.mode]); });
     }
   }
   return parted;

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "solver/dynamics/workspace.hpp"
-#include "solver/laws/law_list.hpp"
+#include "solver/laws/law.hpp"
 #include "solver/laws/settling.hpp"
 #include "solver/model/layout.hpp"
 #include "solver/state/state.hpp"
@@ -25,7 +25,7 @@ std::span<double> memory(const L& law, State& state, Slot slot) {
 /// Slopes of a law's force in a mode [F/L and F T/L]: as the law says where it is linear, else by central differences.
 template <Law L>
 Tangent local_slopes(const L& law, Kinematics x, std::span<const double> memory, Mode mode) {
-  if constexpr (requires { law.linear_part(memory, mode); }) {
+  if constexpr (HasLinearPart<L>) {
     return law.linear_part(memory, mode);
   } else {
     const auto difference = [&](double by, double at_rate) {

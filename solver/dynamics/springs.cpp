@@ -17,21 +17,16 @@ void add_gradient(const Dynamics& dynamics, const Workspace& work, BodyId body, 
 }
 
 /// The law of a contact while it acts with this effective mass [M].
-Tangent tangent(const ContactLaw& law, double effective_mass) {
-  return std::visit(
-      [effective_mass]<class L>(const L& of) {
-        if constexpr (StartsByMass<L>) return of.tangent(effective_mass);
-        return of.tangent();
-      },
-      law);
+Tangent tangent_of(const ContactLaw& law, double effective_mass) {
+  return std::visit([effective_mass](const auto& of) { return tangent(of, effective_mass); }, law);
 }
 
 /// c/k of a contact law of this effective mass [T]; 0 of laws that have none.
 double retardation_time(const ContactLaw& law, double effective_mass) {
   return std::visit(
       [effective_mass]<class L>(const L& of) {
-        if constexpr (StartsByMass<L>) {
-          const Tangent slopes = of.tangent(effective_mass);
+        if constexpr (HasRetardationTime<L>) {
+          const Tangent slopes = tangent(of, effective_mass);
           return slopes.damping / slopes.stiffness;
         }
         return 0.0;
@@ -61,7 +56,7 @@ std::vector<Spring> springs(const Dynamics& dynamics, const State& state) {
       add_gradient(dynamics, work, contacts.pairs()[i].a, gap.p_WC, gap.n_AB, spring.gradient);
       add_gradient(dynamics, work, contacts.pairs()[i].b, gap.p_WC, -gap.n_AB, spring.gradient);
       const double mass = effective_mass(spring.gradient, dynamics.inertias());
-      const Tangent slopes = tangent(dynamics.model().contacts[c].law, std::isfinite(mass) ? mass : 0.0);
+      const Tangent slopes = tangent_of(dynamics.model().contacts[c].law, std::isfinite(mass) ? mass : 0.0);
       spring.stiffness = slopes.stiffness, spring.damping = slopes.damping;
       found.push_back(std::move(spring));
     }

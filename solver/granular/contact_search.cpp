@@ -70,7 +70,7 @@ std::span<const std::uint32_t> find_touching(const DiscSweep& sweep, std::size_t
   SweptContacts& contacts = *sweep.contacts;
   contacts.make_room(contacts.now.count + sweep_block + pack_size);
   std::uint32_t* const touching = contacts.now.pair.data() + contacts.now.count;
-  const std::size_t count = find_near(sweep, 0.0, from, to, touching);
+  const std::size_t count = find_near(sweep, sweep.reach, from, to, touching);
   contacts.now.count += count;
   if (count == 0) return {};
   std::fill_n(touching + count, pack_size, touching[count - 1]);

@@ -6,9 +6,6 @@
 
 #include "solver/base/pack.hpp"
 #include "solver/granular/sweep_input.hpp"
-#include "solver/laws/coulomb_friction.hpp"
-#include "solver/laws/latching_spring.hpp"
-#include "solver/laws/linear_spring_dashpot.hpp"
 
 /// Stages of a sweep, block by block of pairs. Each is a function of its own, so that what it works on stays in
 /// registers: all in one took a tenth longer where a third of the discs touch.
@@ -33,16 +30,6 @@ void end_sweep(const DiscSweep& sweep);
 /// The contact of a pair with this number in the whole list has ended: if what it remembers matters, it is told.
 void part(const DiscSweep& sweep, std::size_t listed, double largest, double stretch);
 
-/// What these do to each other, without doing it: the last ones that were found.
-void push(const LinearSpringDashpot&, const Frictionless&, const DiscSweep&, std::span<const std::uint32_t> touching,
-          Pushes out);
-void push(const LinearSpringDashpot&, const CoulombFriction&, const DiscSweep&, std::span<const std::uint32_t> touching,
-          Pushes out);
-void push(const LatchingSpring&, const Frictionless&, const DiscSweep&, std::span<const std::uint32_t> touching,
-          Pushes out);
-void push(const LatchingSpring&, const CoulombFriction&, const DiscSweep&, std::span<const std::uint32_t> touching,
-          Pushes out);
-
 /// Of the pairs that go out of a sweep's discs the next one whose first disc has not got its impulse, and where the
 /// place of that begins; behind all places if there is none.
 struct NextOutgoing {
@@ -58,8 +45,7 @@ struct NextOutgoing {
 };
 /// Gives both discs of each of these pairs its impulse; before, the first discs of pairs that go out and stand before
 /// it in the order of all.
-void give(const Frictionless&, const DiscSweep&, std::span<const std::uint32_t> touching, Pushes, NextOutgoing&);
-void give(const CoulombFriction&, const DiscSweep&, std::span<const std::uint32_t> touching, Pushes, NextOutgoing&);
+void give(const DiscSweep& sweep, std::span<const std::uint32_t> touching, Pushes pushes, NextOutgoing& next);
 /// Gives the first discs of pairs that go out their impulses, up to those of this place.
 void give_outgoing(const DiscSweep& sweep, std::size_t to_place, NextOutgoing& next);
 

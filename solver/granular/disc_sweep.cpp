@@ -2,80 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <concepts>
 
 #include "solver/granular/disc_lanes.hpp"
 #include "solver/granular/disc_stages.hpp"
 
 namespace talus {
 namespace stages {
-namespace {
-
-/// Pairs with the lanes behind the last.
-std::size_t whole_packs(const DiscSweep& w) { return (w.pairs->count + pack_size - 1) / pack_size * pack_size; }
-
-/// Moves the discs from <= i < to but for those that move later.
-void move_others(const DiscSweep& w, std::size_t from, std::size_t to, Sizes& fastest) {
-  for (const WallDiscs& later : w.later) {
-    if (later.end <= from || later.begin >= to) continue;
-    if (from < later.begin) move(w, from, later.begin, fastest);
-    from = std::min(later.end, to);
-  }
-  move(w, from, to, fastest);
-}
-
-template <class L, class F>
-double sweep_pairs(const L& law, const F& friction, const DiscSweep& w) {
-  constexpr std::size_t room = sweep_block + pack_size;
-  std::array<double, 5 * room> numbers;
-  const Pushes pushes{&numbers[0], &numbers[2 * room], &numbers[3 * room], &numbers[4 * room]};
-  const bool moves = !std::same_as<F, CoulombFriction> && w.drift != 0.0;
-  Sizes fastest{};
-  std::size_t moved = w.begin;
-  if (w.kicks) {
-    w.contacts->begin();
-    NextOutgoing next{w};
-    const std::size_t pairs = whole_packs(w);
-    for (std::size_t from = 0; from < pairs; from += sweep_block) {
-      const std::size_t to = std::min(from + sweep_block, pairs);
-      const std::span<const std::uint32_t> touching = find_touching(w, from, to);
-      push(law, friction, w, touching, pushes);
-      give(friction, w, touching, pushes, next);
-      if (!moves || to == pairs) continue;
-      const std::size_t first = std::min<std::size_t>(w.pairs->first[to] / 2, w.end);
-      const std::size_t done = moved + (first - std::min(first, moved)) / places_per_pack * places_per_pack;
-      give_outgoing(w, 2 * done, next);
-      move_others(w, moved, done, fastest);
-      moved = done;
-    }
-    give_outgoing(w, 2 * w.end, next);
-    end_sweep(w);
-  }
-  if (moves) move_others(w, moved, w.end, fastest);
-  return largest(fastest);
-}
-
-template <class L, class F>
-void find_pair_pushes(const L& law, const F& friction, const DiscSweep& w, DiscPushes& out) {
-  const std::size_t pairs = whole_packs(w);
-  out.force.resize(2 * (pairs + pack_size));
-  for (auto* numbers : {&out.friction, &out.arm_a, &out.arm_b})
-    numbers->resize(pairs + pack_size);
-  out.first.resize(pairs), out.second.resize(pairs);
-  out.count = 0;
-  w.contacts->begin();
-  for (std::size_t from = 0; from < pairs; from += sweep_block) {
-    const std::span<const std::uint32_t> touching = find_touching(w, from, std::min(from + sweep_block, pairs));
-    push(law, friction, w, touching, pushes_of(out).from(out.count));
-    for (const std::uint32_t pair : touching) {
-      out.first[out.count] = w.pairs->first[pair], out.second[out.count] = w.pairs->second[pair];
-      ++out.count;
-    }
-  }
-  end_sweep(w);
-}
-
-}  // namespace
 
 TALUS_CLONES void move(const DiscSweep& w, std::size_t from, std::size_t to, Sizes& fastest) {
   const NeighbourList::Flow flow = w.flow;
@@ -114,32 +46,40 @@ TALUS_CLONES void move(const DiscSweep& w, std::size_t from, std::size_t to, Siz
 
 }  // namespace stages
 
-void find_pushes(const LinearSpringDashpot& law, const Frictionless& friction, const DiscSweep& sweep,
-                 DiscPushes& pushes) {
-  stages::find_pair_pushes(law, friction, sweep, pushes);
-}
-double sweep_discs(const LinearSpringDashpot& law, const Frictionless& friction, const DiscSweep& sweep) {
-  return stages::sweep_pairs(law, friction, sweep);
-}
-void find_pushes(const LinearSpringDashpot& law, const CoulombFriction& friction, const DiscSweep& sweep,
-                 DiscPushes& pushes) {
-  stages::find_pair_pushes(law, friction, sweep, pushes);
-}
-double sweep_discs(const LinearSpringDashpot& law, const CoulombFriction& friction, const DiscSweep& sweep) {
-  return stages::sweep_pairs(law, friction, sweep);
-}
-void find_pushes(const LatchingSpring& law, const Frictionless& friction, const DiscSweep& sweep, DiscPushes& pushes) {
-  stages::find_pair_pushes(law, friction, sweep, pushes);
-}
-double sweep_discs(const LatchingSpring& law, const Frictionless& friction, const DiscSweep& sweep) {
-  return stages::sweep_pairs(law, friction, sweep);
-}
-void find_pushes(const LatchingSpring& law, const CoulombFriction& friction, const DiscSweep& sweep,
-                 DiscPushes& pushes) {
-  stages::find_pair_pushes(law, friction, sweep, pushes);
-}
-double sweep_discs(const LatchingSpring& law, const CoulombFriction& friction, const DiscSweep& sweep) {
-  return stages::sweep_pairs(law, friction, sweep);
+TALUS_CLONES void stretch_contacts(const DiscSweep& w) {
+  SweptContacts& contacts = *w.contacts;
+  const double later = 0.5 * w.drift;
+  for (std::size_t t = 0; t < contacts.now.count; t += pack_size) {
+    const std::size_t last = std::min(contacts.now.count - t, pack_size) - 1;
+    std::array<std::uint32_t, pack_size> pairs, a, b;
+    std::array<double, pack_size> sliding;  // of the image of the second
+    Pack radii = Pack{} + w.equal_radii, x, y, v_x, v_y, distance, arm_a = 0.5 * radii, arm_b = arm_a, spin_a, spin_b;
+    for (std::size_t l = 0; l < pack_size; ++l) {
+      pairs[l] = contacts.now.pair[t + std::min(l, last)];
+      const std::size_t second = w.pairs->second[pairs[l]], place = second / 2;
+      a[l] = w.pairs->first[pairs[l]], b[l] = static_cast<std::uint32_t>(stages::own_place(w, second));
+      sliding[l] = place < w.discs ? 0.0 : w.shifts[w.ghost_image[place - w.discs]].vx;
+    }
+    differences(x, y, w.places, w.pairs->first.data(), w.pairs->second.data(), pairs.data());
+    collect(v_x, [&](std::size_t l) { return w.velocities[b[l]] + sliding[l] - w.velocities[a[l]]; });
+    collect(v_y, [&](std::size_t l) { return w.velocities[b[l] + 1] - w.velocities[a[l] + 1]; });
+    collect(spin_a, [&](std::size_t l) { return w.spins[a[l] / 2]; });
+    collect(spin_b, [&](std::size_t l) { return w.spins[b[l] / 2]; });
+    if (w.unlike_radius != 0) {
+      collect(arm_a, [&](std::size_t l) { return w.radius[a[l] / 2]; });
+      collect(arm_b, [&](std::size_t l) { return w.radius[b[l] / 2]; });
+      radii = arm_a + arm_b;
+    }
+    x += later * v_x, y += later * v_y;
+    distance = x * x + y * y;
+    square_root(distance);
+    const Pack n_x = x / distance, n_y = y / distance, overlap = radii - distance;
+    arm_a -= 0.5 * overlap, arm_b -= 0.5 * overlap;
+    Pack slip = w.drift * (v_x * -n_y + v_y * n_x - spin_a * arm_a - spin_b * arm_b), normal, stretch;
+    load(normal, &contacts.now.normal[t]), load(stretch, &contacts.now.stretch[t]);
+    keep_where(slip, normal > Pack{});
+    store(stretch + slip, &contacts.now.stretch[t]);
+  }
 }
 
 double move_discs(const DiscSweep& sweep) {

@@ -4,9 +4,6 @@
 #include <cstdint>
 
 #include "solver/granular/sweep_input.hpp"
-#include "solver/laws/coulomb_friction.hpp"
-#include "solver/laws/latching_spring.hpp"
-#include "solver/laws/linear_spring_dashpot.hpp"
 
 namespace talus {
 
@@ -14,18 +11,15 @@ namespace talus {
 /// for at once; beyond those found, `found` is written to up to a pack further.
 std::size_t find_near(const DiscSweep& sweep, double nearer, std::size_t from, std::size_t to, std::uint32_t* found);
 
-/// What the pairs do to each other, without doing it.
-void find_pushes(const LinearSpringDashpot&, const Frictionless&, const DiscSweep&, DiscPushes&);
-void find_pushes(const LinearSpringDashpot&, const CoulombFriction&, const DiscSweep&, DiscPushes&);
-void find_pushes(const LatchingSpring&, const Frictionless&, const DiscSweep&, DiscPushes&);
-void find_pushes(const LatchingSpring&, const CoulombFriction&, const DiscSweep&, DiscPushes&);
+/// What the pairs do to each other by a law and friction, without doing it. Instantiated for all of DiscLaws
+/// (law_sweep.hpp).
+template <class L, class F>
+void find_pushes(const L& law, const F& friction, const DiscSweep& sweep, DiscPushes& pushes);
 
 /// Kicks the discs, if it is to, and drifts those that do not turn; the largest square of the own speeds of those that
-/// have moved.
-double sweep_discs(const LinearSpringDashpot&, const Frictionless&, const DiscSweep&);
-double sweep_discs(const LinearSpringDashpot&, const CoulombFriction&, const DiscSweep&);
-double sweep_discs(const LatchingSpring&, const Frictionless&, const DiscSweep&);
-double sweep_discs(const LatchingSpring&, const CoulombFriction&, const DiscSweep&);
+/// have moved. Instantiated for all of DiscLaws.
+template <class L, class F>
+double sweep_discs(const L& law, const F& friction, const DiscSweep& sweep);
 
 /// Gives second discs that are of this sweep what others' first discs do to them.
 void receive(const DiscSweep& sweep, const DiscPushes& pushes);

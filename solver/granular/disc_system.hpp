@@ -16,7 +16,7 @@
 #include "solver/granular/discs.hpp"
 #include "solver/granular/neighbour_list.hpp"
 #include "solver/laws/coulomb_friction.hpp"
-#include "solver/laws/law_list.hpp"
+#include "solver/laws/law.hpp"
 #include "solver/laws/settling.hpp"
 
 namespace talus {
@@ -37,11 +37,11 @@ class DiscSystem {
  public:
   static constexpr bool turns = std::same_as<F, CoulombFriction>;
   /// Whether what a contact has lost is known by its memory, to which steps add no error.
-  static constexpr bool loses_by_memory = requires(const L law) { law.lost(0.0); };
+  static constexpr bool loses_by_memory = HasHysteresisLoss<L>;
 
-  /// skin [L] > 0: how far beyond contact the neighbour list reaches.
+  /// skin [L] > 0: how far beyond the law's reach the neighbour list goes.
   DiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin, const F& friction = {})
-      : shapes_{std::move(shapes)}, law_{law}, friction_{friction}, list_{box, skin} {
+      : shapes_{std::move(shapes)}, law_{law}, friction_{friction}, list_{box, skin, reach(law)} {
     wall_forces_.resize(shapes_.walls.size() + 1);
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       const std::size_t wall = shapes_.wall[i];
@@ -119,12 +119,12 @@ class DiscSystem {
       out.vy[i] = wall_acceleration(shapes_.wall[i]);
   }
 
-  /// Calls visit(contact) for each pair whose law acted at the last evaluation and that still overlaps, as the discs
-  /// stand now.
+  /// Calls visit(contact) for each pair whose law acted at the last evaluation and that is still within its reach, as
+  /// the discs stand now.
   template <class Visit>
   void for_each_contact(const Discs& discs, Visit&& visit) const {
     for_each_acting(discs, acts(), 0.0, [&](std::size_t a, std::size_t b, std::size_t pair, const Touch& touch) {
-      if (!(touch.x.extent > 0.0)) return;
+      if (!(touch.x.extent > -reach(law_))) return;
       std::array<double, L::memory_size + 1> memory{};
       std::copy_n(contacts_.memory.data() + pair * L::memory_size, L::memory_size, memory.begin());
       const std::span<double> remembered{memory.data(), L::memory_size};
@@ -230,6 +230,12 @@ class DiscSystem {
     }
   };
 
+  /// An overlap that is just out of the law's reach [L].
+  double out_of_reach() const {
+    if constexpr (ActsAtDistance<L>) return std::nextafter(-reach(law_), -std::numeric_limits<double>::infinity());
+    return -std::numeric_limits<double>::min();
+  }
+
   /// 1/(inertia of a solid disc) over 1/mass [1/L^2].
   double per_mass(std::size_t disc) const { return 2.0 / (shapes_.radius[disc] * shapes_.radius[disc]); }
 
@@ -296,16 +302,17 @@ class DiscSystem {
         const Vec2 d{(discs.x[j] + shift.x) - x, (discs.y[j] + shift.y) - y};
         const double square = dot(d, d), radii = radius + shapes_.radius[j];
         Mode& mode = contacts_.mode[pair];
-        if (square >= radii * radii && !contacts_.act(pair)) continue;
+        const double within = radii + reach(law_);
+        if (square >= within * within && !contacts_.act(pair)) continue;
         Touch touch{d, {(v.x[j] + shift.vx) - v.x[i], v.y[j] - v.y[i]}, std::sqrt(square), radii};
-        // Discs that meet in a point are apart: a contact begins and ends with its overlap.
-        if (touch.x.extent == 0.0) touch.x.extent = -std::numeric_limits<double>::min();
+        // Discs that are just within reach are out of it: a contact begins and ends with its overlap.
+        if (touch.x.extent == -reach(law_)) touch.x.extent = out_of_reach();
         const auto memory = std::span{contacts_.memory}.subspan(pair * L::memory_size, L::memory_size);
         double largest = 0.0;
         if constexpr (loses_by_memory) largest = memory[0];
         talus::settle(law_, memory, touch.x, mode, [&](double energy) { released += energy; });
         if constexpr (loses_by_memory) {
-          if (memory[0] > largest) lost += law_.lost(memory[0]) - law_.lost(largest);
+          if (memory[0] > largest) lost += law_.hysteresis_loss(memory[0]) - law_.hysteresis_loss(largest);
         }
         const LawForce force = mode == 0 ? LawForce{} : law_(touch.x, memory, mode);
         Push push{.force = force.total() * touch.n};
@@ -330,7 +337,7 @@ class DiscSystem {
     push.arm_a = arm(of.a, touch), push.arm_b = arm(of.b, touch);
     if (mode == CoulombFriction::open && normal > 0.0 && touch.x.extent_rate > 0.0) {
       const double slip = slip_rate(touch, push.arm_a, v.spin[of.a], push.arm_b, v.spin[of.b]);
-      stretch = friction_.begin(slip * touch.x.extent / touch.x.extent_rate, normal);
+      stretch = friction_.begin(slip * std::max(touch.x.extent, 0.0) / touch.x.extent_rate, normal);
     }
     const auto settled = friction_.settle(stretch, normal);
     mode = settled.mode, stretch = settled.stretch;

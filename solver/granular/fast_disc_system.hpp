@@ -1,22 +1,18 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <span>
-#include <vector>
+#include <utility>
 
-#include "solver/base/huge_pages.hpp"
-#include "solver/base/team.hpp"
 #include "solver/base/vec.hpp"
 #include "solver/granular/disc_contact.hpp"
 #include "solver/granular/disc_sweep.hpp"
-#include "solver/granular/discs.hpp"
-#include "solver/granular/neighbour_list.hpp"
-#include "solver/granular/swept_pairs.hpp"
-#include "solver/laws/settled.hpp"
+#include "solver/granular/fast_disc_engine.hpp"
+#include "solver/laws/contact_kernel.hpp"
+#include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/settling.hpp"
 
 namespace talus {
@@ -24,270 +20,80 @@ namespace talus {
 /// Many discs, several times as fast as DiscSystem, its plain twin, and with the same bits: places, velocities,
 /// accelerations, forces on walls and what contacts remember; of work too, where it is asked to keep it, but for what a
 /// law that remembers loses: memories tell that (lost()).
+/// (FastDiscEngine says how.)
 ///
-/// How it comes to the same bits. A velocity is a sum of impulses, and rounds as their order says; in both the order is
-/// that of the pairs, by the number of the first disc, then of the second. All else is worked out for each pair, or
-/// each disc, alone, by the same expressions; whether that is done one by one or eight side by side, by which thread,
-/// and how many of the pairs that do not touch are looked at, rounds nothing.
-///
-/// What makes it fast.
-/// 1. One sweep a step. The first of a pair has the smaller number. So once the pairs of first discs < i are done,
-///    nobody asks for the place of a disc < i any more, and nobody pushes it: it can move on while it is still in the
-///    cache. There are no arrays of forces: impulses go to the velocities of the pairs that touch, a tenth of all.
-///    (Friction stretches its springs with the velocities after the kick at the places before the drift, so that discs
-///    that turn move in a pass of their own.)
-/// 2. Three lists. The neighbour list reaches far and lasts long. Of it the near list takes the pairs whose surfaces
-///    are less than s apart; it holds until sum w = s, where no pair comes nearer by more than w = 2 v_max h in a step,
-///    with velocities from the mean flow that neighbours share (NeighbourList::approach). Looking at a near pair costs
-///    1 each step, at a listed pair c each time that the near list is made, every s/w steps. With T pairs that touch,
-///    rho s near ones beside them and P listed ones that is least for
-///        d/ds (T + rho s + c P w/s) = 0,   s = sqrt(c P w/rho).
-///    Where that would save little, as in jammed states, all listed pairs are near, and no near list is made. Of the
-///    near pairs each step takes those that touch, of which alone the law is asked.
-/// 3. Lanes. Whether pairs are near, touch, and how they push is worked out eight pairs at a time; the two coordinates
-///    of a disc lie side by side and are fetched at once. Pairs across a border have a ghost as second disc: one more
-///    place, that of the disc's image.
-/// 4. Memory of contacts that touch only, as a list in the order of their pairs: a sweep that finds the touching pairs
-///    in that order goes along it. A pair that is not in it touches anew.
-/// 5. Discs whose neighbours have neighbouring numbers: order_by_rows() and reordered() of disc_order.hpp give them.
-///
-/// Threads. Each has a stripe of discs with numbers that follow each other, and the pairs whose first disc is one of
-/// them. Of those the few whose second disc belongs to a later stripe come first: what they do is found while no disc
-/// moves. Then each thread gives its discs what comes in from earlier stripes, whose first discs have smaller numbers
-/// than all of its own; then it sweeps its own pairs, and gives the first discs of the pairs that go out their
-/// impulses where these stand in the order. So each velocity is the same sum as with one thread. Lists are made by all
-/// threads, too.
+/// Its sweeps are those of disc_sweep.hpp: for laws that are not in DiscLaws they must be instantiated (law_sweep.hpp).
 ///
 /// Errors: InputError without a thread; of all that lists pairs that of NeighbourList::build.
-template <SettledLaw L, class F = Frictionless>
-class FastDiscSystem {
+template <Law L, class F = Frictionless>
+requires HasContactKernel<L>
+class FastDiscSystem : public FastDiscEngine {
  public:
   static constexpr bool remembers = L::memory_size == 1, turns = std::same_as<F, CoulombFriction>;
 
-  /// skin [L] > 0: how far beyond contact the neighbour list reaches. threads >= 1: of advance(); worth it from some
-  /// thousand discs on, numbered by rows.
+  /// skin [L] > 0: how far beyond the law's reach the neighbour list goes. threads >= 1: of advance(); worth it from
+  /// some thousand discs on, numbered by rows.
   FastDiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin, const F& friction = {},
-                 std::size_t threads = 1);
+                 std::size_t threads = 1)
+      : FastDiscEngine{{.remembers = remembers,
+                        .turns = turns,
+                        .needs_rate = contact_kernel(law).needs_rate(),
+                        .reach = reach(law),
+                        .dissipation = L::dissipation,
+                        .release = L::release},
+                       std::move(shapes),
+                       box,
+                       skin,
+                       threads},
+        law_{law},
+        friction_{friction} {}
 
-  const DiscShapes& shapes() const { return shapes_; }
   const L& law() const { return law_; }
   const F& friction() const { return friction_; }
-  const NeighbourList& list() const { return list_; }
-  long builds() const { return builds_; }
-  /// Times that the near list was made.
-  long prunings() const { return prunings_; }
-  long evaluations() const { return evaluations_; }
-  /// Sum of the contact forces on a wall at the last evaluation [F].
-  Vec2 wall_force(std::size_t wall) const { return wall_forces_[wall]; }
 
-  /// Before begin(): Discs::work gets what dashpots and friction keep, as the twin's does. It takes up to half as long
-  /// again where most pairs touch.
-  void keep_work() {
-    kinds_.power = !remembers && law_.needs_rate();
-    kinds_.normal = turns || kinds_.power;
-    kinds_.slid = turns;
-  }
-
-  /// Before the first step: contacts that are there have no past.
-  void begin(Discs& discs);
-  /// Gives all discs the impulses of their forces over h, which is not 0.
-  void kick(Discs& discs, double h);
-  /// Moves all discs with their velocities, and stretches the springs of friction with the slip.
-  void drift(Discs& discs, double h);
-  /// The discs alone, moved so.
-  Discs drifted(const Discs& discs, double h) const { return talus::drifted(discs, list_.box().sliding(), h); }
-  /// Brings up to date what contacts remember, and sums the accelerations and the powers.
-  void evaluate(Discs& discs, DiscRates& out);
-  void settle(Discs& discs);
-  /// So many times kick() and drift(): the steps of EulerCromer and CentralDifference. Takes the time with it. Calls
-  /// after() behind each; place() tells it where a disc is, wall_force() what pushed walls.
-  template <class After>
-  void advance(Discs& discs, double h, long steps, After&& after);
-  void advance(Discs& discs, double h, long steps) {
-    advance(discs, h, steps, [] {});
-  }
-  /// During advance() [L].
-  Vec2 place(std::size_t disc) const { return {places_[2 * disc], places_[2 * disc + 1]}; }
-
-  /// Calls visit(contact) for each pair that touched at the last evaluation and still overlaps, in order, as the discs
-  /// stand now.
+  /// Calls visit(contact) for each pair that was within the law's reach at the last evaluation and still is, in order,
+  /// as the discs stand now.
   template <class Visit>
-  void for_each_contact(const Discs& discs, Visit&& visit) const;
-  /// What contacts of a law that remembers have lost so far [F L]; of others nothing. (Its sum rounds other than the
-  /// twin's work.)
-  double lost() const;
-
-  /// Names all that a run of these discs carries from step to step besides their state. `discs` are there already.
-  void remember(Memory& memory, const Discs& discs);
+  void for_each_contact(const Discs& discs, Visit&& visit) const {
+    for_each_touching_pair(
+        discs, [&](std::size_t a, std::size_t b, const NeighbourList::Shift& shift, const ContactMemory& then) {
+          const Vec2 d{(discs.x[b] + shift.x) - discs.x[a], (discs.y[b] + shift.y) - discs.y[a]};
+          const Vec2 v{(discs.vx[b] + shift.vx) - discs.vx[a], discs.vy[b] - discs.vy[a]};
+          const double distance = norm(d);
+          const Vec2 n{d.x / distance, d.y / distance};
+          const Kinematics x{shapes().radius[a] + shapes().radius[b] - distance, -dot(v, n)};
+          if (!(x.extent > -reach(law_))) return;
+          std::array<double, 1> memory{then.largest};
+          const std::span<double> remembered{memory.data(), L::memory_size};
+          Mode mode = 1;  // of what touches; settling finds whether another has followed
+          talus::settle(law_, remembered, x, mode, [](double) {});
+          DiscContact contact{.a = a, .b = b, .depth = x.extent, .n_ab = n, .distance = distance};
+          contact.force = mode == 0 ? 0.0 : law_(x, remembered, mode).total();
+          contact.stored = law_.stored_energy(x, remembered, mode);
+          if constexpr (turns) {
+            contact.friction = friction_(then.stretch, contact.force);
+            contact.stored += friction_.stored_energy(then.stretch);
+          }
+          visit(contact);
+        });
+  }
 
  private:
-  /// Near pairs and their contacts.
-  struct Swept {
-    SweptPairs near;
-    SweptContacts contacts;
-  };
-  /// Discs of one thread and the pairs whose first they are.
-  struct Stripe {
-    std::size_t begin{}, end{};
-    std::size_t first_ghost{}, end_of_ghosts{};
-    Swept own, outgoing;                         ///< with both discs of the stripe, or only the first
-    DiscPushes pushes;                           ///< of the outgoing ones
-    std::vector<PartedPair> parted;              ///< since what contacts kept was booked
-    std::vector<std::vector<Vec2>> wall_pushes;  ///< of each wall, the first of none: of its contacts [F]
-    double fastest{};                            ///< square of own speed [L^2/T^2]
-  };
-  /// A contact between two lists.
-  struct Kept {
-    std::uint32_t first{}, second{};
-    ContactMemory memory;
-  };
-
-  template <class Work>
-  void each(Work&& work);
-  void sweep(double kick, double drift);
-  void begin_kick();
-  double sweep_pairs(double kick, double drift);
-  void copy_before(Stripe& stripe);
-  void find_outgoing(Stripe& stripe);
-  void kick_walls(double kick);
-  double drift_walls(double drift);
-  void book();
-  DiscSweep work(Stripe& stripe, bool kicks, double drift);
-  void end_drift(Discs& discs, double h);
-  void load(const Discs& discs);
-  void store(Discs& discs);
-  void place_ghosts(Stripe& stripe, double* numbers, double NeighbourList::Shift::*along);
-  void rebuild(Discs& discs);
-  std::vector<Kept> kept_contacts() const;
-  void take_contacts(const std::vector<Kept>& kept);
-  void list_stripes();
-  void list_places();
-  void number_as_listed();
-  void prune();
-  void prune(Stripe& stripe);
-  bool choose_reach();
-  const SweptPairs& pairs(const Swept& swept) const { return all_near_ ? pairs_ : swept.near; }
-  /// Those by whose numbers the contacts of the last sweep go.
-  const SweptPairs& numbered(const Swept& swept) const { return swept.contacts.now.as_listed ? pairs_ : pairs(swept); }
-  /// Calls visit(contacts, which of them, number of the pair in the whole list) in the order of pairs.
-  template <class Visit>
-  void for_each_touching(Visit&& visit) const;
-  /// The disc that is, or whose image is, at the place that begins there.
-  std::uint32_t disc(std::uint32_t at) const {
-    return at < velocities_.size() ? at / 2 : ghost_disc_[(at - velocities_.size()) / 2];
+  void find_pushes(const DiscSweep& sweep, DiscPushes& pushes) const override {
+    talus::find_pushes(law_, friction_, sweep, pushes);
   }
-  bool sees_rates() const { return turns || law_.needs_rate(); }
+  double sweep_discs(const DiscSweep& sweep) const override { return talus::sweep_discs(law_, friction_, sweep); }
+  double hysteresis_loss([[maybe_unused]] double largest) const override {
+    if constexpr (remembers) return law_.hysteresis_loss(largest);
+    return 0.0;
+  }
+  double friction_energy([[maybe_unused]] double stretch) const override {
+    if constexpr (turns) return friction_.stored_energy(stretch);
+    return 0.0;
+  }
 
-  static constexpr double round_off = 1e-9;  ///< share of a reach that sums of ways may be off by
-
-  DiscShapes shapes_;
   L law_;
   F friction_;
-  NeighbourList list_;
-  double skin_;
-  double equal_radii_{};  ///< sum of two radii if all are equal, else 0 [L]
-  bool equal_masses_{};
-  std::size_t first_wall_{};               ///< no disc before this one is a wall's
-  std::vector<double> per_mass_;           ///< of discs that turn: 1/(inertia of a solid disc) over 1/mass [1/L^2]
-  double kicked_{};                        ///< how long the last kick was [T]
-  std::vector<double> impulse_per_force_;  ///< of it, twice for each disc, or for all that are equal [T/M]
-  std::vector<WallDiscs> moved_;           ///< of walls with a mass
-
-  /// Of discs; they are gone through in each step.
-  using Numbers = std::vector<double, HugePages<double>>;
-  Numbers places_;                 ///< x, y of the discs, of their ghosts and of nowhere [L]
-  Numbers velocities_, spins_;     ///< of the discs [L/T, 1/T]
-  Numbers rates_, spin_rates_;     ///< of evaluate() [L/T^2, 1/T^2]
-  Numbers before_, spins_before_;  ///< if rates are seen: velocities of all places before the kick; spins
-  std::vector<std::uint32_t> ghost_disc_;
-  std::vector<std::uint8_t> ghost_image_;
-  std::array<NeighbourList::Shift, NeighbourList::images> shifts_{};
-  double slid_{};  ///< Discs::slid
-  SweptContacts::Kinds kinds_{.largest = remembers, .stretch = turns, .normal = turns, .power = false, .slid = false};
-  std::array<double, mechanism_count> work_{};  ///< Discs::work
-  double power_{};                              ///< of dashpots at the last evaluation [F L/T]
-
-  SweptPairs pairs_;             ///< all listed
-  std::vector<Stripe> stripes_;  ///< one for each thread
-  Team* team_{};                 ///< during advance(), of several threads
-  bool all_near_{};              ///< the near list is all pairs
-  double reach_{};               ///< s, of the near list beyond contact [L]
-  double used_{};                ///< of s [L]
-  double way_{};                 ///< of the last step: no pair came nearer by more [L]
-
-  double lost_{};  ///< by contacts that have ended [F L]
-  std::vector<PartedPair> parted_;
-  std::vector<Vec2> wall_forces_;  ///< the first of no wall
-  long builds_{}, prunings_{}, evaluations_{};
 };
-
-template <SettledLaw L, class F>
-template <class After>
-void FastDiscSystem<L, F>::advance(Discs& discs, double h, long steps, After&& after) {
-  load(discs);
-  std::optional<Team> team;
-  if (stripes_.size() > 1) team_ = &team.emplace(stripes_.size());
-  const struct Leave {
-    Team*& team;
-    ~Leave() { team = nullptr; }
-  } leave{team_};
-  for (long n = 0; n < steps; ++n) {
-    sweep(h, h);
-    end_drift(discs, h);
-    discs.t += h;
-    after();
-  }
-  store(discs);
-}
-
-template <SettledLaw L, class F>
-template <class Visit>
-void FastDiscSystem<L, F>::for_each_contact(const Discs& discs, Visit&& visit) const {
-  std::array<NeighbourList::Shift, NeighbourList::images> shifts;
-  list_.shifts(discs.slid, shifts);
-  for_each_touching([&](const SweptContacts& contacts, std::size_t t, std::size_t pair) {
-    const std::size_t a = disc(pairs_.first[pair]), b = disc(pairs_.second[pair]);
-    const NeighbourList::Shift& shift = shifts[list_.image(pair)];
-    const Vec2 d{(discs.x[b] + shift.x) - discs.x[a], (discs.y[b] + shift.y) - discs.y[a]};
-    const Vec2 v{(discs.vx[b] + shift.vx) - discs.vx[a], discs.vy[b] - discs.vy[a]};
-    const double distance = norm(d);
-    const Vec2 n{d.x / distance, d.y / distance};
-    const Kinematics x{shapes_.radius[a] + shapes_.radius[b] - distance, -dot(v, n)};
-    if (!(x.extent > 0.0)) return;
-    const ContactMemory then = contacts.memory(contacts.now, t);
-    std::array<double, 1> memory{then.largest};
-    const std::span<double> remembered{memory.data(), L::memory_size};
-    Mode mode = 1;  // of what touches; settling finds whether another has followed
-    talus::settle(law_, remembered, x, mode, [](double) {});
-    DiscContact contact{.a = a, .b = b, .depth = x.extent, .n_ab = n, .distance = distance};
-    contact.force = mode == 0 ? 0.0 : law_(x, remembered, mode).total();
-    contact.stored = law_.stored_energy(x, remembered, mode);
-    if constexpr (turns) {
-      contact.friction = friction_(then.stretch, contact.force);
-      contact.stored += friction_.stored_energy(then.stretch);
-    }
-    visit(contact);
-  });
-}
-
-template <SettledLaw L, class F>
-template <class Visit>
-void FastDiscSystem<L, F>::for_each_touching(Visit&& visit) const {
-  for (const Stripe& stripe : stripes_) {
-    const SweptContacts &own = stripe.own.contacts, &outgoing = stripe.outgoing.contacts;
-    const SweptPairs &of_own = numbered(stripe.own), &of_outgoing = numbered(stripe.outgoing);
-    std::size_t out = 0;
-    const auto visit_outgoing = [&](std::size_t before) {
-      for (; out < outgoing.now.count && of_outgoing.number_in_list(outgoing.now.pair[out]) < before; ++out)
-        visit(outgoing, out, of_outgoing.number_in_list(outgoing.now.pair[out]));
-    };
-    for (std::size_t t = 0; t < own.now.count; ++t) {
-      const std::size_t pair = of_own.number_in_list(own.now.pair[t]);
-      visit_outgoing(pair);
-      visit(own, t, pair);
-    }
-    visit_outgoing(list_.size());
-  }
-}
 
 }  // namespace talus

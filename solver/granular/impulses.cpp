@@ -93,13 +93,12 @@ void give_in(const DiscSweep& w, const DiscPushes& pushes) {
 
 }  // namespace
 
-TALUS_CLONES void give(const Frictionless&, const DiscSweep& sweep, std::span<const std::uint32_t> touching,
-                       Pushes pushes, NextOutgoing& next) {
-  give_all<false>(sweep, touching, pushes, next);
-}
-TALUS_CLONES void give(const CoulombFriction&, const DiscSweep& sweep, std::span<const std::uint32_t> touching,
-                       Pushes pushes, NextOutgoing& next) {
-  give_all<true>(sweep, touching, pushes, next);
+TALUS_CLONES void give(const DiscSweep& sweep, std::span<const std::uint32_t> touching, Pushes pushes,
+                       NextOutgoing& next) {
+  if (sweep.spins != nullptr)
+    give_all<true>(sweep, touching, pushes, next);
+  else
+    give_all<false>(sweep, touching, pushes, next);
 }
 
 void give_outgoing(const DiscSweep& sweep, std::size_t to_place, NextOutgoing& next) {

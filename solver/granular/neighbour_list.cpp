@@ -210,7 +210,7 @@ double NeighbourList::furthest(const Discs& discs) const {
 }
 
 void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, Team* team) {
-  reach_ = 2.0 * *std::max_element(shapes.radius.begin(), shapes.radius.end()) + skin_;
+  reach_ = 2.0 * *std::max_element(shapes.radius.begin(), shapes.radius.end()) + margin_;
   check_periods();
   const Cells cells{shapes, discs, box_, offset_, reach_, team};
   first_.resize(shapes.size() + 1);
@@ -237,7 +237,7 @@ void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, Tea
       for (const std::span<const Standing> standing : around) {
         for (const Standing& other : standing) {
           const double dx = other.x - discs.x[i], dy = other.y - discs.y[i];
-          const double within = shapes.radius[i] + other.radius + skin_;
+          const double within = shapes.radius[i] + other.radius + margin_;
           row[count] = other.number;
           count += static_cast<std::size_t>(dx * dx + dy * dy < within * within) &
                    static_cast<std::size_t>(other.number > own);

@@ -18,14 +18,15 @@ namespace talus {
 /// in; what crosses the border to a box that slides takes its speed. Along what does not repeat nothing moves.
 void wrap(const PeriodicBox& box, Discs& discs);
 
-/// Pairs of discs whose surfaces are nearer than the skin, each with the image of its second disc that is the near one:
-/// valid until their surfaces may have come together from further away. (Verlet 1967; by cells, Hockney & Eastwood
-/// 1981.) Pairs stand in the order of their first disc, then of their second, whatever order the cells are in, so that
-/// sums over them do not depend on when the list was made.
+/// Pairs of discs whose surfaces are nearer than a law's reach and the skin, each with the image of its second disc
+/// that is the near one: valid until surfaces from further away may have come within the reach. (Verlet 1967; by cells,
+/// Hockney & Eastwood 1981.) Pairs stand in the order of their first disc, then of their second, whatever order the
+/// cells are in, so that sums over them do not depend on when the list was made.
 class NeighbourList {
  public:
-  /// skin [L] >= 0
-  NeighbourList(PeriodicBox box, double skin) : box_{box}, skin_{skin} {}
+  /// skin [L] >= 0; law_reach [L] >= 0: how far apart surfaces may be where they act on each other.
+  NeighbourList(PeriodicBox box, double skin, double law_reach = 0.0)
+      : box_{box}, skin_{skin}, margin_{law_reach + skin} {}
 
   const PeriodicBox& box() const { return box_; }
   /// No two centres that are listed were further apart when it was built [L].
@@ -117,6 +118,7 @@ class NeighbourList {
 
   PeriodicBox box_;
   double skin_;
+  double margin_;  ///< between the surfaces of listed pairs: law_reach + skin [L]
   double reach_{};
   double used_{};
   double slid_{};    ///< Discs::slid when it was built [L]

@@ -29,6 +29,7 @@ struct WallDiscs {
 struct DiscSweep {
   bool kicks{};    ///< whether velocities change, by impulse_per_force
   double drift{};  ///< how long places change [T]; 0: not at all
+  double reach{};  ///< how far apart surfaces may be where they touch, as the law understands it [L]
   NeighbourList::Flow flow{};
   double* places{};                         ///< x, y of discs, ghosts, and of one that is nowhere [L]
   double *velocities{}, *spins{};           ///< of discs [L/T, 1/T]; no spins if they do not turn

@@ -65,9 +65,10 @@ struct SweptContacts {
   };
 
   Kinds kinds;
-  Found now, before;                    ///< by the last sweep, or this one; by the one before
-  std::vector<double> power, released;  ///< what the law keeps, of laws without memory (settled.hpp) [F L/T, F L]
-  std::vector<double> slid;             ///< what friction dissipates [F L]
+  Found now, before;  ///< by the last sweep, or this one; by the one before
+  std::vector<double> power,
+      released;              ///< what the law keeps, of laws without memory (contact_kernel.hpp) [F L/T, F L]
+  std::vector<double> slid;  ///< what friction dissipates [F L]
 
   std::size_t passed{};  ///< of those before, during a sweep
   /// Of the block that is swept: which each was before; before.count, where stands what a contact begins with, if none.

@@ -288,14 +288,14 @@ void add_contact_laws(std::vector<Group>& groups) {
                 .head = fmt::format("[[contact]], law = \"{}\"", L::name),
                 .base = "contact"};
     add_fields(group, law);
-    if constexpr (requires { law.end_rule; }) group.fields.push_back(end_rule_field());
-    if constexpr (requires { law.damping_ratio; }) {
+    if constexpr (HasEndRule<L>) group.fields.push_back(end_rule_field());
+    if constexpr (SetsEveryRestitution<L>) {
       group.fields.push_back(restitution_field());
       group.fields.push_back(choice("restitution_rule",
                                     "mass that the dashpot follows from: the effective mass at each impact, or the "
                                     "two particle masses (Eq. 21 of 1993)",
                                     RestitutionRule::effective_mass));
-      set_either(group, "damping", "restitution");
+      set_either(group, L::restitution_field.name, "restitution");
       set_with(group, "restitution_rule", "restitution");
     }
     groups.push_back(std::move(group));
@@ -328,7 +328,7 @@ void add_cables(std::vector<Group>& groups) {
                 .head = fmt::format("[[cable]], law = \"{}\"", L::name),
                 .base = "cable"};
     add_fields(group, law);
-    if constexpr (requires { law.table; }) {
+    if constexpr (HasYieldTable<L>) {
       group.fields.push_back(pairs("table", "yield force over the plastic stretch, beyond (0, yield)",
                                    dimension::length, dimension::force));
       set_with(group, "table", "yield");
@@ -587,8 +587,8 @@ void add_cell(std::vector<Group>& groups) {
         .id = fmt::format("cell {}", L::name), .head = fmt::format("[cell], law = \"{}\"", L::name), .base = "cell"};
     add_fields(of_law, law);
     of_law.fields.push_back(restitution_field());
-    set_either(of_law, std::is_same_v<L, LatchingSpring> ? "unloading_stiffness" : "damping", "restitution");
-    if constexpr (requires { law.end_rule; }) of_law.fields.push_back(end_rule_field());
+    set_either(of_law, L::restitution_field.name, "restitution");
+    if constexpr (HasEndRule<L>) of_law.fields.push_back(end_rule_field());
     groups.push_back(std::move(of_law));
   });
 }

@@ -14,21 +14,14 @@
 
 namespace talus {
 
-/// A point of a yield force that grows with the plastic stretch.
-struct YieldPoint {
-  double stretch{};  ///< [L]
-  double force{};    ///< [F]
-  friend constexpr bool operator==(const YieldPoint&, const YieldPoint&) = default;
-};
-
 /// A cable that pulls elastically, yields at a tension that it holds while it is drawn out, and may break
 /// (Mustoe & Huttelmaier 1993, section 2.4: linear elastic or perfectly elastic-plastic; hardening is not in the
 /// report). With e the elongation, p the plastic stretch, which is its memory, and Y(p) the yield force:
 ///
-///   slack     T = 0                          until e > p
-///   taut      T = k (e - p)                  until e < p, or T reaches Y(p) or the strength
-///   yielding  T = Y(p) = k (e - p)           until the cable shortens, p reaches the rupture stretch, or T the
-///   strength broken    T = 0                          for good
+///   slack     T = 0                   until e > p
+///   taut      T = k (e - p)           until e < p, or T reaches Y(p) or the strength
+///   yielding  T = Y(p) = k (e - p)    until the cable shortens, p reaches the rupture stretch, or T the strength
+///   broken    T = 0                   for good
 struct ElasticPlastic {
   static constexpr std::string_view name = "elastic_plastic";
   static constexpr std::array<std::string_view, 4> modes{"slack", "taut", "yielding", "broken"};
@@ -36,7 +29,11 @@ struct ElasticPlastic {
   static constexpr Mechanism dissipation = Mechanism::cable_yield;
   static constexpr Mechanism release = Mechanism::cable_break;
   enum : Mode { slack, taut, yielding, broken };
-  static constexpr Mode tracking = yielding;  ///< in which track() moves the memory
+
+  static constexpr bool acts(Mode mode) { return mode == taut || mode == yielding; }
+  static constexpr bool memory_follows(Mode mode) { return mode == yielding; }
+  static constexpr bool yields(Mode mode) { return mode == yielding; }
+  static constexpr bool is_broken(Mode mode) { return mode == broken; }
 
   double stiffness{};          ///< k [F/L] > 0
   double yield{unlimited};     ///< yield force [F] > 0

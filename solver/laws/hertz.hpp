@@ -40,6 +40,7 @@ struct Hertz {
               "dashpot coefficient at an overlap equal to the radius"}}};
   }
 
+  static constexpr bool acts(Mode mode) { return UnilateralSpring::acts(mode); }
   LawForce operator()(Kinematics x, std::span<const double>, Mode mode) const { return spring(x)(x, mode); }
   double stored_energy(Kinematics x, std::span<const double>, Mode mode) const {
     return of_secant * spring(x).stored_energy(x, mode);

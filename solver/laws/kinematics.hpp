@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <string_view>
 
 #include "solver/state/mode.hpp"
 
@@ -38,6 +39,19 @@ struct LinearPiece {
   double natural{};                                       ///< extent without force [L]
   double low{std::numeric_limits<double>::infinity()};    ///< [L]
   double high{-std::numeric_limits<double>::infinity()};  ///< [L]
+};
+
+/// The parameter of a contact law that sets the restitution of its impacts.
+struct RestitutionField {
+  std::string_view name;     ///< among the law's fields()
+  std::string_view meaning;  ///< how the restitution follows from it, in words
+};
+
+/// A point of a yield force that grows with the plastic stretch.
+struct YieldPoint {
+  double stretch{};  ///< [L]
+  double force{};    ///< [F]
+  friend constexpr bool operator==(const YieldPoint&, const YieldPoint&) = default;
 };
 
 /// What follows when a mode ends.

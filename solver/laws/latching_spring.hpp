@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <span>
 #include <string_view>
 
@@ -28,7 +30,7 @@ struct LatchingSpring {
   static constexpr Mechanism dissipation = Mechanism::contact_damping;
   static constexpr Mechanism release = Mechanism::contact_release;
   enum : Mode { open, loading, unloading, slack };
-  static constexpr Mode tracking = loading;  ///< in which track() moves the memory
+  static constexpr RestitutionField restitution_field{"unloading_stiffness", "e = sqrt(K1/K2)"};
 
   double stiffness{};            ///< K1 [F/L] > 0
   double unloading_stiffness{};  ///< K2 of a contact that was hardly pressed [F/L] >= K1
@@ -43,33 +45,40 @@ struct LatchingSpring {
               "growth of K2 for each unit of the largest force"}}};
   }
 
+  static constexpr std::array<FieldOrder<LatchingSpring>, 1> orders() {
+    return {{{&LatchingSpring::unloading_stiffness, &LatchingSpring::stiffness,
+              "a contact gives back no more than it took"}}};
+  }
+
+  static constexpr bool acts(Mode mode) { return mode == loading || mode == unloading; }
   constexpr LawForce operator()(Kinematics x, std::span<const double> memory, Mode mode) const {
     if (mode == unloading) return {unloading_force(x.extent, memory[0]), 0.0};
     if (mode != loading) return {};
     // What could be had back, (K1 d)^2/(2 K2), grows by this force; the rest of K1 d is lost.
-    const double force = stiffness * x.extent, back = way_back(x.extent);
+    const double force = stiffness * x.extent, back = unloading_stiffness_at(x.extent);
     const double lost = force - force * (stiffness / back) * (1.0 - 0.5 * growth * force / back);
     return {force - lost, lost};  // one of the differences is exact: both parts together are the force to the last bit
   }
 
-  /// While the bodies overlap, loading, unloading and slack are one expression of the largest overlap (settled.hpp).
+  /// Kernel (contact_kernel.hpp): while the bodies overlap, loading, unloading and slack are one expression of the
+  /// largest overlap.
   static constexpr bool needs_rate() { return false; }
   template <class Number>
-  [[gnu::always_inline]] constexpr void settled(const Number& overlap, const Number&, Number& largest,
-                                                Number& force) const {
+  [[gnu::always_inline]] constexpr void force(const Number& overlap, const Number&, Number& largest,
+                                              Number& out) const {
     largest = overlap > largest ? overlap : largest;
-    force = stiffness * largest - (unloading_stiffness + growth * stiffness * largest) * (largest - overlap);
-    force = force > Number{} ? force : Number{};
+    out = stiffness * largest - (unloading_stiffness + growth * stiffness * largest) * (largest - overlap);
+    out = out > Number{} ? out : Number{};
   }
 
   /// What a contact pressed so far for the first time can no longer give back [F L]: its work, less what it stores.
-  constexpr double lost(double largest) const {
-    return 0.5 * stiffness * largest * largest - energy(stiffness * largest, way_back(largest));
+  constexpr double hysteresis_loss(double largest) const {
+    return 0.5 * stiffness * largest * largest - energy(stiffness * largest, unloading_stiffness_at(largest));
   }
 
   constexpr double stored_energy(Kinematics x, std::span<const double> memory, Mode mode) const {
-    if (mode == loading) return energy(stiffness * x.extent, way_back(x.extent));
-    if (mode == unloading) return energy(unloading_force(x.extent, memory[0]), way_back(memory[0]));
+    if (mode == loading) return energy(stiffness * x.extent, unloading_stiffness_at(x.extent));
+    if (mode == unloading) return energy(unloading_force(x.extent, memory[0]), unloading_stiffness_at(memory[0]));
     return 0.0;
   }
 
@@ -96,6 +105,7 @@ struct LatchingSpring {
   }
 
   /// While the contact loads its largest overlap follows the overlap.
+  static constexpr bool memory_follows(Mode mode) { return mode == loading; }
   constexpr void track(Kinematics x, std::span<double> memory, Mode mode) const {
     if (mode == loading) memory[0] = std::max(memory[0], x.extent);
   }
@@ -103,16 +113,30 @@ struct LatchingSpring {
   /// The stiffest piece of a contact hardly pressed; with growth, one that was pressed is stiffer.
   constexpr Tangent tangent() const { return {unloading_stiffness, 0.0}; }
   constexpr Tangent linear_part(std::span<const double> memory, Mode mode) const {
-    return {mode == loading ? stiffness : mode == unloading ? way_back(memory[0]) : 0.0, 0.0};
+    return {mode == loading ? stiffness : mode == unloading ? unloading_stiffness_at(memory[0]) : 0.0, 0.0};
   }
+
+  /// Of a slow impact, before K2 grows (Walton & Braun 1986): a quarter period with K1 and one with K2.
+  double contact_time(double effective_mass) const {
+    const double loading_frequency = std::sqrt(stiffness / effective_mass);
+    const double unloading_frequency = std::sqrt(unloading_stiffness / effective_mass);
+    return 0.5 * std::numbers::pi * (1.0 / loading_frequency + 1.0 / unloading_frequency);
+  }
+  double restitution(double) const { return std::sqrt(stiffness / unloading_stiffness); }
+  double largest_overlap(double effective_mass, double speed) const {
+    return speed / std::sqrt(stiffness / effective_mass);
+  }
+  void set_restitution(double e, double) { unloading_stiffness = stiffness / (e * e); }
 
   friend constexpr bool operator==(const LatchingSpring&, const LatchingSpring&) = default;
 
  private:
   /// K2 after this largest overlap.
-  constexpr double way_back(double largest) const { return unloading_stiffness + growth * stiffness * largest; }
+  constexpr double unloading_stiffness_at(double largest) const {
+    return unloading_stiffness + growth * stiffness * largest;
+  }
   constexpr double unloading_force(double overlap, double largest) const {
-    return stiffness * largest - way_back(largest) * (largest - overlap);
+    return stiffness * largest - unloading_stiffness_at(largest) * (largest - overlap);
   }
   static constexpr double energy(double force, double back) { return 0.5 * force * force / back; }
 };

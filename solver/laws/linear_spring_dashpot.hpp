@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "solver/laws/restitution.hpp"
 #include "solver/laws/unilateral_spring.hpp"
 #include "solver/state/state.hpp"
 
@@ -22,6 +23,7 @@ struct LinearSpringDashpot {
   static constexpr std::size_t memory_size = 0;  ///< without a damping ratio; see memory_count()
   static constexpr Mechanism dissipation = Mechanism::contact_damping;
   static constexpr Mechanism release = Mechanism::contact_release;
+  static constexpr RestitutionField restitution_field{"damping", "of two discs, by the dashpot"};
 
   double stiffness{};  ///< k_n [F/L] > 0
   double damping{};    ///< c [F T/L] >= 0; not used if damping_ratio > 0
@@ -35,6 +37,7 @@ struct LinearSpringDashpot {
               "dashpot coefficient c: force for each unit of closing speed"}}};
   }
 
+  static constexpr bool acts(Mode mode) { return UnilateralSpring::acts(mode); }
   /// Doubles of memory: the dashpot coefficient of the present contact, if it follows from a damping ratio.
   constexpr std::size_t memory_count() const { return damping_ratio > 0.0 ? 1 : 0; }
   /// Sets the memory of a contact that begins, by the effective mass [M] along its normal; only with a damping ratio.
@@ -65,26 +68,21 @@ struct LinearSpringDashpot {
   }
   /// Retardation time c/k of the spring and dashpot [T].
   constexpr double retardation_time(std::span<const double> memory) const { return dashpot(memory) / stiffness; }
+  constexpr bool is_clamped() const { return end_rule == EndRule::clamped; }
 
-  /// While the bodies overlap nothing is remembered (settled.hpp); without a damping ratio.
-  constexpr bool needs_rate() const { return damping != 0.0; }
-  template <class Number>
-  [[gnu::always_inline]] constexpr void settled(const Number& overlap, const Number& rate, Number&,
-                                                Number& force) const {
-    force = stiffness * overlap + damping * rate;
-    if (end_rule == EndRule::clamped) force = force > Number{} ? force : Number{};
+  double contact_time(double effective_mass) const {
+    return talus::contact_time(tangent(effective_mass), end_rule, effective_mass);
   }
-
-  template <class Number>
-  [[gnu::always_inline]] constexpr void kept(const Number& overlap, const Number& rate, const Number& before,
-                                             const Number& force, Number& power, Number& released) const {
-    power = damping * rate * rate, released = Number{};
-    if (end_rule == EndRule::attractive) return;
-    const Number none{}, energy = 0.5 * stiffness * overlap * overlap;
-    const Number let_go = before == none ? none : energy, taken_back = before == none ? -energy : none;
-    power = force > none ? power : none;
-    released = force > none ? taken_back : let_go;
+  double restitution(double effective_mass) const {
+    return talus::restitution(damping_ratio_of(tangent(effective_mass), effective_mass), end_rule);
   }
+  double largest_overlap(double effective_mass, double speed) const {
+    return talus::largest_overlap(tangent(effective_mass), effective_mass, speed);
+  }
+  void set_restitution(double e, double effective_mass) {
+    damping = talus::damping(talus::damping_ratio(e, end_rule), stiffness, effective_mass);
+  }
+  void set_every_restitution(double e) { damping_ratio = talus::damping_ratio(e, end_rule); }
 
   friend constexpr bool operator==(const LinearSpringDashpot&, const LinearSpringDashpot&) = default;
 

@@ -35,10 +35,6 @@ double angle_ratio(double xi) {
   return u > 0.0 ? std::acos(xi) / std::sqrt(u * (1.0 + xi)) : std::acosh(xi) / std::sqrt(-u * (1.0 + xi));
 }
 
-double damping_ratio_of(const LinearSpringDashpot& law, double effective_mass) {
-  return law.damping / (2.0 * std::sqrt(law.stiffness * effective_mass));
-}
-
 }  // namespace
 
 double effective_mass(const ContactSide& a, const ContactSide& b) {
@@ -77,17 +73,21 @@ double damping(double damping_ratio, double stiffness, double effective_mass) {
   return 2.0 * damping_ratio * std::sqrt(stiffness * effective_mass);
 }
 
-double contact_time(const LinearSpringDashpot& law, double effective_mass) {
-  const double xi = damping_ratio_of(law, effective_mass);
-  const double w0 = std::sqrt(law.stiffness / effective_mass);
-  if (law.end_rule == EndRule::clamped) return 2.0 * angle_ratio(xi) / w0;
+double damping_ratio_of(const Tangent& spring, double effective_mass) {
+  return spring.damping / (2.0 * std::sqrt(spring.stiffness * effective_mass));
+}
+
+double contact_time(const Tangent& spring, EndRule rule, double effective_mass) {
+  const double xi = damping_ratio_of(spring, effective_mass);
+  const double w0 = std::sqrt(spring.stiffness / effective_mass);
+  if (rule == EndRule::clamped) return 2.0 * angle_ratio(xi) / w0;
   return xi < 1.0 ? std::numbers::pi / (w0 * std::sqrt((1.0 - xi) * (1.0 + xi)))
                   : std::numeric_limits<double>::infinity();
 }
 
-double largest_overlap(const LinearSpringDashpot& law, double effective_mass, double speed) {
-  const double xi = damping_ratio_of(law, effective_mass);
-  return speed / std::sqrt(law.stiffness / effective_mass) * std::exp(-xi * angle_ratio(xi));
+double largest_overlap(const Tangent& spring, double effective_mass, double speed) {
+  const double xi = damping_ratio_of(spring, effective_mass);
+  return speed / std::sqrt(spring.stiffness / effective_mass) * std::exp(-xi * angle_ratio(xi));
 }
 
 }  // namespace talus

@@ -2,7 +2,8 @@
 
 #include <optional>
 
-#include "solver/laws/linear_spring_dashpot.hpp"
+#include "solver/laws/kinematics.hpp"
+#include "solver/laws/unilateral_spring.hpp"
 
 namespace talus {
 
@@ -37,12 +38,17 @@ struct ContactSide {
 /// Dashpot coefficient c = 2 xi sqrt(k m_eff) [F T/L].
 [[nodiscard]] double damping(double damping_ratio, double stiffness, double effective_mass);
 
-/// Time from touch to the end of the contact [T]: pi/(w0 sqrt(1 - xi^2)) (attractive; infinite for xi >= 1) or
-/// 2 acos(xi)/(w0 sqrt(1 - xi^2)) (clamped, and its continuation).
-[[nodiscard]] double contact_time(const LinearSpringDashpot& law, double effective_mass);
+/// Damping ratio xi = c/(2 sqrt(k m_eff)) of a linear spring and dashpot.
+[[nodiscard]] double damping_ratio_of(const Tangent& spring, double effective_mass);
+
+/// Time from touch to the end of the contact of a linear spring and dashpot [T], with w0 = sqrt(k/m_eff):
+///
+///   attractive   pi/(w0 sqrt(1 - xi^2));  infinite for xi >= 1
+///   clamped      2 acos(xi)/(w0 sqrt(1 - xi^2)), and its continuation beyond xi = 1
+[[nodiscard]] double contact_time(const Tangent& spring, EndRule rule, double effective_mass);
 
 /// Largest overlap of an impact at the given speed of approach [L]: (v/w0) exp(-xi acos(xi)/sqrt(1 - xi^2)), both
 /// rules.
-[[nodiscard]] double largest_overlap(const LinearSpringDashpot& law, double effective_mass, double speed);
+[[nodiscard]] double largest_overlap(const Tangent& spring, double effective_mass, double speed);
 
 }  // namespace talus

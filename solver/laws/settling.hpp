@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "solver/laws/law_list.hpp"
+#include "solver/laws/law.hpp"
 
 namespace talus {
 
@@ -12,7 +12,7 @@ namespace talus {
 /// through more than all of its modes at one instant. Calls release(energy) for what each change lets go [F L].
 template <Law L, class Release>
 void settle(const L& law, std::span<double> memory, Kinematics x, Mode& mode, Release&& release) {
-  if constexpr (requires { law.track(x, memory, mode); }) law.track(x, memory, mode);
+  if constexpr (Tracks<L>) law.track(x, memory, mode);
   if (law.guard(x, memory, mode) > 0.0) return;
   for (std::size_t pass = 0; pass < L::modes.size(); ++pass) {
     const Reset next = law.reset(x, memory, mode);

@@ -28,6 +28,7 @@ struct TensionOnly {
               "dashpot coefficient c: tension for each unit of lengthening speed"}}};
   }
 
+  static constexpr bool acts(Mode mode) { return UnilateralSpring::acts(mode); }
   constexpr LawForce operator()(Kinematics x, std::span<const double>, Mode mode) const { return spring()(x, mode); }
   constexpr double stored_energy(Kinematics x, std::span<const double>, Mode mode) const {
     return spring().stored_energy(x, mode);

@@ -40,6 +40,8 @@ struct UnilateralSpring {
   double damping{};    ///< c [F T/L] >= 0
   EndRule end_rule{EndRule::clamped};
 
+  static constexpr bool acts(Mode mode) { return mode == acting; }
+
   constexpr LawForce operator()(Kinematics x, Mode mode) const {
     if (mode != acting) return {};
     return {stiffness * x.extent, damping * x.extent_rate};

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 #include "solver/base/error.hpp"
+#include "solver/model/reach.hpp"
 
 namespace talus {
 namespace {
@@ -32,7 +34,20 @@ void check_vector(std::string_view kind, std::string_view name, std::string_view
   check_number(kind, name, field, Range::any, value.y);
 }
 
-void check_table(std::string_view cable, const ElasticPlastic& law) {
+template <class L>
+void check_orders(std::string_view kind, std::string_view name, const L& law) {
+  if constexpr (HasOrders<L>) {
+    for (const auto& order : L::orders()) {
+      if (law.*order.larger >= law.*order.smaller) continue;
+      throw InputError{fmt::format("{} '{}': {} is {}; it must be >= {}, which is {}", kind, name,
+                                   field_name(order.larger), law.*order.larger, field_name(order.smaller),
+                                   law.*order.smaller)};
+    }
+  }
+}
+
+template <HasYieldTable L>
+void check_table(std::string_view cable, const L& law) {
   YieldPoint before{0.0, law.yield};
   for (const YieldPoint& point : law.table) {
     if (!(point.stretch > before.stretch && point.force >= before.force && std::isfinite(point.force))) {
@@ -43,12 +58,6 @@ void check_table(std::string_view cable, const ElasticPlastic& law) {
     }
     before = point;
   }
-}
-
-void check_latch(std::string_view contact, const LatchingSpring& law) {
-  if (law.unloading_stiffness >= law.stiffness) return;
-  throw InputError{fmt::format("contact '{}': unloading_stiffness is {}; it must be >= stiffness, which is {}", contact,
-                               law.unloading_stiffness, law.stiffness)};
 }
 
 std::string_view shape_name(const Shape& shape) {
@@ -87,14 +96,26 @@ bool has_gap(const Shape& a, const Shape& b, ContactMethod method) {
                       (is_plane(a) && is_angular(b)));
 }
 
+/// Errors: InputError where a law that acts at a distance does not get one from the geometry.
+void check_reach(const Contact& contact, std::string_view law, const Shape& a, const Shape& b) {
+  const std::string objection = objection_to_reach(contact.method, contact.node_depth, a, b);
+  if (!objection.empty()) throw InputError{fmt::format("contact '{}': law {}: {}", contact.name, law, objection)};
+}
+
 /// Whether two cables in series have the same tension when each takes a share of the stretch by its compliance.
 bool one_tension(const CableLaw& a, const CableLaw& b) {
   const auto tangent = [](const CableLaw& law) { return std::visit([](const auto& l) { return l.tangent(); }, law); };
   const double one = tangent(a).damping * tangent(b).stiffness, other = tangent(b).damping * tangent(a).stiffness;
-  const auto* law_a = std::get_if<ElasticPlastic>(&a);
-  const auto* law_b = std::get_if<ElasticPlastic>(&b);
+  const auto largest_yield = [](const CableLaw& law) {
+    return std::visit(
+        []<class L>(const L& l) {
+          if constexpr (Yields<L>) return l.largest_yield();
+          return std::numeric_limits<double>::infinity();
+        },
+        law);
+  };
   // Drawn out by different amounts both still come to the same force in the end.
-  const bool yield_alike = !law_a || !law_b || law_a->largest_yield() == law_b->largest_yield();
+  const bool yield_alike = largest_yield(a) == largest_yield(b);
   return a.index() == b.index() && yield_alike && std::abs(one - other) <= 1e-12 * std::abs(one + other);
 }
 
@@ -158,8 +179,13 @@ CableId ModelBuilder::add(Cable cable) {
     check_number("cable", cable.name, "end", Range::any, end.p.z);
   }
   check_number("cable", cable.name, "rest_length", Range::non_negative, cable.rest_length);
-  std::visit([&](const auto& law) { check_fields("cable", cable.name, law); }, cable.law);
-  if (const auto* law = std::get_if<ElasticPlastic>(&cable.law)) check_table(cable.name, *law);
+  std::visit(
+      [&]<class L>(const L& law) {
+        check_fields("cable", cable.name, law);
+        check_orders("cable", cable.name, law);
+        if constexpr (HasYieldTable<L>) check_table(cable.name, law);
+      },
+      cable.law);
   const auto moves = [this](const CableEnd& end) {
     return end.body && model_.bodies[index(*end.body)].mobility != Mobility::fixed;
   };
@@ -199,10 +225,15 @@ ContactId ModelBuilder::add(Contact contact) {
     throw InputError{fmt::format("contact '{}': nodes is {}, {}; each must be from 3 to 100000", contact.name,
                                  contact.nodes[0], contact.nodes[1])};
   }
-  std::visit([&](const auto& law) { check_fields("contact", contact.name, law); }, contact.law);
-  if (const auto* law = std::get_if<LatchingSpring>(&contact.law)) check_latch(contact.name, *law);
-  if (const auto* law = std::get_if<LinearSpringDashpot>(&contact.law))
-    check_number("contact", contact.name, "damping_ratio", Range::non_negative, law->damping_ratio);
+  std::visit(
+      [&]<class L>(const L& law) {
+        check_fields("contact", contact.name, law);
+        check_orders("contact", contact.name, law);
+        if constexpr (HasDampingRatio<L>)
+          check_number("contact", contact.name, "damping_ratio", Range::non_negative, law.damping_ratio);
+        if (reach(law) > 0.0) check_reach(contact, L::name, a.shape, b.shape);
+      },
+      contact.law);
   if (contact.friction) {
     check_number("contact", contact.name, "friction", Range::non_negative, contact.friction->coefficient);
     check_number("contact", contact.name, "shear_stiffness", Range::positive, contact.friction->stiffness);

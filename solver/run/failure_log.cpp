@@ -6,8 +6,16 @@
 #include <variant>
 
 #include "solver/base/error.hpp"
+#include "solver/dynamics/law_modes.hpp"
 
 namespace talus {
+
+/// Drawn out within a step, a cable may be taut again at its end.
+bool FailureLog::drawn_out(const Watch& watch, const State& state) {
+  if (!watch.yielding) return false;
+  return std::visit([&](const auto& law) { return natural_elongation(law, memory(law, state, watch.slot)) > 0.0; },
+                    *watch.yielding);
+}
 
 FailureLog::FailureLog(const Dynamics& dynamics) {
   const Model& model = dynamics.model();
@@ -16,22 +24,24 @@ FailureLog::FailureLog(const Dynamics& dynamics) {
     const std::string part = fmt::format("cable '{}'", model.cables[c].name);
     std::visit(
         [&]<class L>(const L&) {
-          for (std::size_t mode = 0; mode < L::modes.size(); ++mode) {
-            const std::string_view what = L::modes[mode] == "yielding" ? "yields" : "breaks";
-            if (L::modes[mode] != "yielding" && L::modes[mode] != "broken") continue;
-            watches_.push_back({.slot = layout.cable_slots[c].mode, .mode = static_cast<Mode>(mode)});
-            awaited_.push_back({0.0, part, what});
-            if constexpr (std::is_same_v<L, ElasticPlastic>) {
-              // Drawn out within a step it may be taut again at its end.
-              if (what == "yields") watches_.back().stretch = layout.cable_slots[c].memory;
+          const Slot slot = layout.cable_slots[c];
+          for (Mode mode = 0; mode < L::modes.size(); ++mode) {
+            if constexpr (Yields<L>) {
+              if (L::yields(mode)) {
+                watches_.push_back({.slot = slot, .mode = mode, .yielding = &model.cables[c].law});
+                awaited_.push_back({0.0, part, "yields"});
+              }
             }
+            if (!is_broken<L>(mode)) continue;
+            watches_.push_back({.slot = slot, .mode = mode});
+            awaited_.push_back({0.0, part, "breaks"});
           }
         },
         model.cables[c].law);
   }
   for (std::size_t h = 0; h < model.hangers.size(); ++h) {
     const std::string part = fmt::format("hanger '{}'", model.hangers[h].name);
-    watches_.push_back({.slot = layout.first_hanger + h, .mode = Mode{1}});
+    watches_.push_back({.slot = {.mode = layout.first_hanger + h}, .mode = Mode{1}});
     awaited_.push_back({0.0, part, "breaks"});
   }
 }
@@ -39,8 +49,7 @@ FailureLog::FailureLog(const Dynamics& dynamics) {
 void FailureLog::operator()(const State& state, const StepInfo&) {
   for (std::size_t i = 0; i < watches_.size(); ++i) {
     Watch& watch = watches_[i];
-    const bool drawn = watch.stretch != none && state.z[watch.stretch] > 0.0;
-    if (watch.seen || (state.mode[watch.slot] != watch.mode && !drawn)) continue;
+    if (watch.seen || (state.mode[watch.slot.mode] != watch.mode && !drawn_out(watch, state))) continue;
     watch.seen = true;
     failures_.push_back(awaited_[i]);
     failures_.back().time = state.t;

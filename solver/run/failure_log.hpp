@@ -32,14 +32,15 @@ class FailureLog {
   const std::vector<Failure>& failures() const { return failures_; }
 
  private:
-  static constexpr std::size_t none = ~std::size_t{0};
   /// One mode of one part that is waited for.
   struct Watch {
-    std::size_t slot{};
-    std::size_t stretch{none};  ///< memory that is > 0 once the cable has yielded
+    Slot slot{};
     Mode mode{};
     bool seen{};
+    const CableLaw* yielding{};  ///< of a cable that may yield: its natural elongation then grows from 0
   };
+  static bool drawn_out(const Watch& watch, const State& state);
+
   std::vector<Watch> watches_;
   std::vector<Failure> awaited_;  ///< of each
   std::vector<Failure> failures_;

@@ -271,9 +271,8 @@ bool FenceWatch::anything_broken(const State& state) const {
   if (std::find(broken.begin(), broken.end(), true) != broken.end()) return true;
   const Model& model = dynamics_->model();
   for (std::size_t c = 0; c < model.cables.size(); ++c) {
-    if (std::holds_alternative<ElasticPlastic>(model.cables[c].law) &&
-        state.mode[dynamics_->layout().cable_slots[c].mode] == ElasticPlastic::broken)
-      return true;
+    const Mode mode = state.mode[dynamics_->layout().cable_slots[c].mode];
+    if (std::visit([mode]<class L>(const L&) { return is_broken<L>(mode); }, model.cables[c].law)) return true;
   }
   return false;
 }

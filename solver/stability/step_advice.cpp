@@ -4,14 +4,12 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "solver/base/error.hpp"
 #include "solver/integrate/integrator_list.hpp"
-#include "solver/laws/restitution.hpp"
 
 namespace talus {
 namespace {
@@ -41,28 +39,25 @@ std::vector<SpringLabel> spring_labels(const Dynamics& dynamics) {
   return labels;
 }
 
-/// Time that an impact by this spring takes; for a cable, and for a law without a closed form, half the period of its
-/// stiffest piece. A spring across which nothing can move (a cable that runs straight over its bodies' path) has no
-/// frequency and takes for ever.
+/// Duration of an impact by this spring [T]; for a cable, and for a law with more than one stiffness, half the period
+/// of its stiffest branch. A spring across which nothing can move (a cable that runs straight over its bodies' path)
+/// has no frequency: infinite.
 double duration(const SpringLabel& label, const Spring& spring) {
   if (!std::isfinite(spring.effective_mass)) return std::numeric_limits<double>::infinity();
-  const auto* dashpot = label.law ? std::get_if<LinearSpringDashpot>(label.law) : nullptr;
-  if (dashpot) {
-    return contact_time({.stiffness = spring.stiffness, .damping = spring.damping, .end_rule = dashpot->end_rule},
-                        spring.effective_mass);
-  }
-  return std::numbers::pi * std::sqrt(spring.effective_mass / spring.stiffness);
+  const double half_period = std::numbers::pi * std::sqrt(spring.effective_mass / spring.stiffness);
+  if (!label.law) return half_period;
+  return std::visit(
+      [&]<class L>(const L& law) {
+        if constexpr (OneSided<L> && KnowsImpacts<L>) return law.contact_time(spring.effective_mass);
+        return half_period;
+      },
+      *label.law);
 }
 
-/// Whether a law exerts something in a mode.
+/// Whether a law exerts a force in a mode.
 template <class Law>
 bool exerts(const Law& law, Mode mode) {
-  return std::visit(
-      [mode]<class L>(const L&) {
-        constexpr std::array<std::string_view, 4> idle{"open", "released", "slack", "broken"};
-        return std::find(idle.begin(), idle.end(), L::modes[mode]) == idle.end();
-      },
-      law);
+  return std::visit([mode]<class L>(const L&) { return L::acts(mode); }, law);
 }
 
 /// Whether a spring acts in a state; springs stand in the order of the modes. `contact`: the law of one.

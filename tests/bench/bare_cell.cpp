@@ -152,7 +152,7 @@ TALUS_CLONES std::size_t BareCell::push() {
     distance = x * x + y * y;
     square_root(distance);
     const Pack overlap = diameter - distance;
-    law.settled(overlap, overlap, largest, force);
+    law.force(overlap, overlap, largest, force);
     const Sizes overlaps = overlap > Pack{};
     keep_where(largest, overlaps);
     talus::store(largest, largest_of + k);

@@ -20,12 +20,13 @@ void append(std::vector<Requirement>& all, const std::string& group, const std::
     all.push_back({group + "." + name, group, text});
 }
 
-/// The regimes of a law: its modes. That a contact is open is no regime, that a cable is slack is one.
+/// The regimes of a law: its modes from `first` on. That a contact is open, mode 0, is no regime; that a cable is slack
+/// is one.
 template <class Law>
-void append_regimes(std::vector<Requirement>& all, const std::string& name, const std::string& what) {
-  for (const auto mode : Law::modes) {
-    if (mode != "open") append(all, "regime", {name + "." + std::string{mode}}, "mode of a " + what);
-  }
+void append_regimes(std::vector<Requirement>& all, std::size_t first, const std::string& name,
+                    const std::string& what) {
+  for (std::size_t mode = first; mode < Law::modes.size(); ++mode)
+    append(all, "regime", {name + "." + std::string{Law::modes[mode]}}, "mode of a " + what);
 }
 
 /// The pairs of outlines that can touch: ground does not touch ground, and what has no outline touches nothing.
@@ -64,9 +65,9 @@ std::vector<Requirement> requirements_of_solver() {
   append_integrators(all);
   append(all, "shape", shape_names(), "outline of a body");
   append_pairs(all);
-  ContactLaws::for_each([&](auto law) { append_regimes<decltype(law)>(all, std::string{law.name}, "contact law"); });
-  append_regimes<CoulombFriction>(all, "friction", "friction law");
-  CableLaws::for_each([&](auto law) { append_regimes<decltype(law)>(all, std::string{law.name}, "cable law"); });
+  ContactLaws::for_each([&](auto law) { append_regimes<decltype(law)>(all, 1, std::string{law.name}, "contact law"); });
+  append_regimes<CoulombFriction>(all, 1, "friction", "friction law");
+  CableLaws::for_each([&](auto law) { append_regimes<decltype(law)>(all, 0, std::string{law.name}, "cable law"); });
   return all;
 }
 

@@ -15,7 +15,6 @@
 #include "solver/io/file/shown_title.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "solver/io/scene/scene_parts.hpp"
-#include "solver/laws/restitution.hpp"
 
 namespace talus {
 namespace {
@@ -196,27 +195,18 @@ double read_restitution(SceneTable& table) {
   return table.has("restitution") ? table.number("restitution", Range::positive_fraction) : 1.0;
 }
 
-/// The law's fields; `restitution`, of two discs of the cell, may stand for the one that loses energy.
-void read_law(SceneTable& table, double, LatchingSpring& law) {
-  constexpr auto fields = LatchingSpring::fields();
-  table.read_field(law, fields[0]);
-  if (has_first(table, "unloading_stiffness", "restitution")) {
-    table.read_field(law, fields[1]);
-  } else {
-    const double kept = read_restitution(table);
-    law.unloading_stiffness = law.stiffness / (kept * kept);
+/// The law's fields; `restitution`, of two discs of this mass [M], may stand for the one that loses energy.
+template <class L>
+void read_law(SceneTable& table, double mass, L& law) {
+  if constexpr (HasEndRule<L>) law.end_rule = table.choice_or("end_rule", law.end_rule);
+  std::optional<double> restitution;
+  for (const auto& field : L::fields()) {
+    if (field.name == L::restitution_field.name && !has_first(table, field.name, "restitution"))
+      restitution = read_restitution(table);
+    else
+      table.read_field(law, field);
   }
-  table.read_field(law, fields[2]);
-}
-void read_law(SceneTable& table, double mass, LinearSpringDashpot& law) {
-  constexpr auto fields = LinearSpringDashpot::fields();
-  law.end_rule = table.choice_or("end_rule", law.end_rule);
-  table.read_field(law, fields[0]);
-  if (has_first(table, "damping", "restitution")) {
-    table.read_field(law, fields[1]);
-  } else {
-    law.damping = damping(damping_ratio(read_restitution(table), law.end_rule), law.stiffness, 0.5 * mass);
-  }
+  if (restitution) law.set_restitution(*restitution, 0.5 * mass);
 }
 
 /// Reports an objection; where it found what the file has in other units, that stands before it.
@@ -239,7 +229,7 @@ const Field<ShearCell>& mass_field() {
 template <class L>
 std::vector<std::string> cell_keys() {
   std::vector<std::string> keys = field_names<L>();
-  if constexpr (requires(L law) { law.end_rule; }) keys.emplace_back("end_rule");
+  if constexpr (HasEndRule<L>) keys.emplace_back("end_rule");
   keys.insert(keys.end(), {"restitution", "friction", "shear_stiffness", "overburden", "seed"});
   for (const auto& field : ShearCell::fields())
     keys.emplace_back(field.name);
@@ -256,8 +246,8 @@ void read_cell_table(SceneTable& table, ShearCell& cell) {
       table.allow(cell_keys<decltype(wanted)>());
       table.read_field(cell, mass_field());
       read_law(table, cell.mass, wanted);
-      cell.friction = read_friction(table, wanted.stiffness);
       cell.law = wanted;
+      cell.friction = read_friction(table, cell.stiffness());
     });
   });
   for (const auto& field : ShearCell::fields()) {

@@ -41,11 +41,11 @@ Json parameters(const CellScene& scene) {
   Json json = Json::object();
   const ShearCell& cell = scene.cell;
   std::visit(
-      [&](const auto& law) {
+      [&]<class L>(const L& law) {
         json["law"] = std::string{law.name};
         for (const auto& field : law.fields())
           json[std::string{field.name}] = law.*field.member;
-        if constexpr (requires { law.end_rule; })
+        if constexpr (HasEndRule<L>)
           json["end_rule"] = std::string{Names<EndRule>::list[static_cast<std::size_t>(law.end_rule)]};
       },
       cell.law);
@@ -100,12 +100,12 @@ std::vector<CellNumber> cell_groups(const CellScene& scene, CellRun& run) {
   const double mean_depth = run.mean(Q::depth).value, now = depth(cell, run.discs());
   const bool known = mean_depth > 0.0;
   const double pressure = cell.overburden(), rate = std::abs(cell.block_speed) / (known ? mean_depth : now);
-  const auto group = [](const char* name, double value, const char* meaning) {
-    return CellNumber{name, dimension::number, {value, 0.0}, 0.0, meaning};
+  const auto group = [](const char* name, double value, std::string_view meaning) {
+    return CellNumber{name, dimension::number, {value, 0.0}, 0.0, std::string{meaning}};
   };
-  const bool latches = std::holds_alternative<LatchingSpring>(cell.law);
-  std::vector<CellNumber> groups{
-      group("restitution", cell.restitution(), latches ? "e = sqrt(K1/K2)" : "of two discs, by the dashpot")};
+  const std::string_view restitution =
+      std::visit([]<class L>(const L&) { return L::restitution_field.meaning; }, cell.law);
+  std::vector<CellNumber> groups{group("restitution", cell.restitution(), restitution)};
   if (cell.law_of_1989() != nullptr) {
     const double stepped = stepped_restitution(make_disc_method(scene.plan.integrator), cell.restitution(),
                                                cell.loading_frequency() * scene.plan.step);

@@ -26,10 +26,8 @@ std::vector<PartState> cable_states(const Dynamics& dynamics, const State& state
     const Slot slot = dynamics.layout().cable_slots[c];
     std::visit(
         [&]<class L>(const L& law) {
-          PartState left{dynamics.model().cables[c].name, L::modes[state.mode[slot.mode]], 0.0};
-          if constexpr (requires { law.natural_elongation(memory(law, state, slot)); })
-            left.stretch = law.natural_elongation(memory(law, state, slot));
-          states.push_back(std::move(left));
+          states.push_back({dynamics.model().cables[c].name, L::modes[state.mode[slot.mode]],
+                            natural_elongation(law, memory(law, state, slot))});
         },
         dynamics.model().cables[c].law);
   }

@@ -23,10 +23,10 @@ SceneCable read_cable(SceneTable table, const BodyNames& bodies) {
     visit_named<CableLaw>(law, [&](auto wanted) {
       std::vector<std::string> keys = field_names<decltype(wanted)>();
       keys.insert(keys.end(), {"from", "to", "rest_length", "slack"});
-      if constexpr (requires { wanted.table; }) keys.emplace_back("table");
+      if constexpr (HasYieldTable<decltype(wanted)>) keys.emplace_back("table");
       table.allow(keys);
       table.read_fields(wanted);
-      if constexpr (requires { wanted.table; }) {
+      if constexpr (HasYieldTable<decltype(wanted)>) {
         if (table.has("table")) {
           for (const auto& [stretch, force] : table.pairs("table", dimension::length, dimension::force))
             wanted.table.push_back({stretch, force});

@@ -1,21 +1,11 @@
 #include <fmt/format.h>
 
-#include <type_traits>
+#include <variant>
 
 #include "solver/io/scene/scene_parts.hpp"
-#include "solver/laws/restitution.hpp"
 
 namespace talus {
 namespace {
-
-template <class L>
-concept HasEndRule = requires(L law) {
-  law.end_rule;
-};
-
-/// Whether a law's damping can be found from a wanted restitution.
-template <class L>
-concept Restituting = std::is_same_v<L, LinearSpringDashpot>;
 
 template <class L>
 void read_law(SceneTable& table, SceneContact& read) {
@@ -23,24 +13,26 @@ void read_law(SceneTable& table, SceneContact& read) {
   std::vector<std::string> keys = field_names<L>();
   keys.insert(keys.end(), {"between", "method", "nodes", "node_depth", "friction", "shear_stiffness", "shear_damping"});
   if constexpr (HasEndRule<L>) keys.push_back("end_rule");
-  if constexpr (Restituting<L>) keys.insert(keys.end(), {"restitution", "restitution_rule"});
+  if constexpr (SetsEveryRestitution<L>) keys.insert(keys.end(), {"restitution", "restitution_rule"});
   table.allow(keys);
   table.read_fields(law);
   if constexpr (HasEndRule<L>) law.end_rule = table.choice_or("end_rule", law.end_rule);
-  if constexpr (Restituting<L>) {
+  if constexpr (SetsEveryRestitution<L>) {
+    const std::string_view field = L::restitution_field.name;
     const auto rule = table.choice_or("restitution_rule", RestitutionRule::effective_mass);
-    if (table.has("restitution") == table.has("damping")) {
-      table.complain("damping", "give either this or restitution, one of the two");
+    if (table.has("restitution") == table.has(field)) {
+      table.complain(field, "give either this or restitution, one of the two");
     }
     if (table.has("restitution")) {
       const double e = table.number("restitution", Range::positive_fraction);
       if (rule == RestitutionRule::eq_21) {
         read.restitution = e;
       } else {
-        law.damping_ratio = damping_ratio(e, law.end_rule);
+        law.set_every_restitution(e);
       }
     } else {
-      table.refuse("restitution_rule", "the damping is given; leave this out or give restitution instead");
+      table.refuse("restitution_rule",
+                   fmt::format("the {} is given; leave this out or give restitution instead", field));
     }
   }
   read.contact.law = law;
@@ -53,12 +45,12 @@ std::array<int, 2> read_nodes(SceneTable& table) {
   return {counts.front(), counts.back()};
 }
 
-/// The dashpot of friction that sticks. Without `shear_damping` a linear spring and dashpot has the same retardation
-/// time c/k along the surfaces as along the normal, as a viscoelastic solid has; other laws have none.
+/// The dashpot of friction that sticks. Without `shear_damping` a law with a retardation time c/k has the same along
+/// the surfaces as along the normal, as a viscoelastic solid has; other laws have none.
 void read_shear_damping(SceneTable& table, Contact& contact) {
   if (!contact.friction) return table.refuse("shear_damping", "without friction it has no use; leave it out");
   contact.friction->follows_normal =
-      !table.has("shear_damping") && std::holds_alternative<LinearSpringDashpot>(contact.law);
+      !table.has("shear_damping") && std::visit([]<class L>(const L&) { return HasRetardationTime<L>; }, contact.law);
   contact.friction->damping = table.quantity_or("shear_damping", dimension::damping, 0.0, Range::non_negative);
 }
 

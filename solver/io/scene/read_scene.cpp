@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <variant>
 
 #include "solver/io/file/shown_title.hpp"
 #include "solver/io/scene/read_fence.hpp"
@@ -112,9 +114,19 @@ Contact between(const SceneContact& read, const Model& bodies) {
   Contact contact = read.contact;
   check_resultant(contact, bodies);
   if (!read.restitution) return contact;
-  auto& law = std::get<LinearSpringDashpot>(contact.law);
-  law.damping =
-      damping(damping_ratio(*read.restitution, EndRule::attractive), law.stiffness, particle_mass(bodies, contact));
+  // Eq. 21 is that of the attractive end rule.
+  const double mass = particle_mass(bodies, contact);
+  std::visit(
+      [&]<class L>(L& law) {
+        if constexpr (SetsRestitution<L> && HasEndRule<L>) {
+          const EndRule rule = std::exchange(law.end_rule, EndRule::attractive);
+          law.set_restitution(*read.restitution, mass);
+          law.end_rule = rule;
+        } else if constexpr (SetsRestitution<L>) {
+          law.set_restitution(*read.restitution, mass);
+        }
+      },
+      contact.law);
   return contact;
 }
 

@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE(a_cell_is_exported_for_lammps_with_dashpots_if_they_may_sta
   BOOST_TEST(other.code == 2);
   BOOST_TEST(holds(other.err, "RESTRT: found 1; the cell is written as it is filled: it must be 0"));
   BOOST_TEST(!fs::exists(folder.path / "other"));
-  BOOST_TEST(holds(refused.err, "springs that latch (a restitution of 0.7), which LAMMPS does not have"));
+  BOOST_TEST(holds(refused.err, "law = latching_spring (a restitution of 0.7), which LAMMPS does not have"));
   BOOST_TEST(!fs::exists(out));
   BOOST_TEST(talus_ran({"export", "lammps", scene("cell/ice.toml"), "--out", out, "--dashpot"}).code == 0);
   BOOST_TEST(holds(talus::read_text(fs::path{out} / "discs.data"), "102 atoms"));

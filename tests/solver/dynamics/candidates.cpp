@@ -56,7 +56,8 @@ struct Strewn {
   std::vector<Shape> shapes;
   ContactSearch search;
 
-  explicit Strewn(unsigned seed) : random{seed} {
+  /// reach [L]: of a third of the pairs; of another twice that.
+  explicit Strewn(unsigned seed, double reach = 0.0) : random{seed} {
     std::uniform_real_distribution<double> place{-6.0, 6.0}, turn{0.0, 6.3}, size{0.2, 1.0};
     for (std::size_t i = 0; i < bodies; ++i) {
       angles.push_back(turn(random));
@@ -68,8 +69,12 @@ struct Strewn {
     }
     shapes.back() = HalfPlane{};
     for (std::size_t a = 0; a < bodies; ++a) {
-      for (std::size_t b = a + 1; b < bodies; ++b)
-        search.add({static_cast<BodyId>(a), static_cast<BodyId>(b), bounds(shapes[a]), bounds(shapes[b]), 0, 0});
+      for (std::size_t b = a + 1; b < bodies; ++b) {
+        // The gap of two rectangles that are apart is no distance.
+        const bool boxes = std::holds_alternative<Rectangle>(shapes[a]) && std::holds_alternative<Rectangle>(shapes[b]);
+        search.add({static_cast<BodyId>(a), static_cast<BodyId>(b), bounds(shapes[a]), bounds(shapes[b]), 0, 0,
+                    boxes ? 0.0 : reach * static_cast<double>(b % 3)});
+      }
     }
     search.prepare(bodies);
   }
@@ -107,14 +112,14 @@ struct Strewn {
   }
 };
 
-/// Demands that what is found is within reach, and what is not does not touch; how many pairs are found.
+/// Demands that what is found is within reach, and what is not is out of the law's reach; how many pairs are found.
 long check_found(const Strewn& scene, const std::vector<char>& found) {
   for (std::size_t p = 0; p < found.size(); ++p) {
     const Candidate& pair = scene.search.pairs()[p];
     if (found[p])
       BOOST_TEST(!out_of_reach(pair, scene.poses[index(pair.a)], scene.poses[index(pair.b)]));
     else
-      BOOST_TEST(scene.depth(pair) < 0.0);
+      BOOST_TEST(scene.depth(pair) < -pair.reach);
   }
   return std::count(found.begin(), found.end(), 1);
 }
@@ -156,6 +161,30 @@ BOOST_AUTO_TEST_CASE(what_touches_is_found_however_the_bodies_move) {
       scene.wander(move % 20 == 19 ? 0.5 : 0.003);
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(pairs_are_found_from_the_reach_of_their_law_on) {
+  long nearer = 0, found_at_a_distance = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Strewn acting{seed, 0.4}, touching{seed};
+    Sweep scratch, other_scratch;
+    for (int move = 0; move < 30; ++move) {
+      std::vector<char> found(acting.search.pairs().size(), 0), others = found;
+      acting.search.find(acting.poses, found, scratch), touching.search.find(touching.poses, others, other_scratch);
+      check_found(acting, found);
+      for (std::size_t p = 0; p < found.size(); ++p) {
+        const Candidate& pair = acting.search.pairs()[p];
+        const double depth = acting.depth(pair);
+        nearer += found[p] && !others[p];
+        found_at_a_distance += found[p] && depth < 0.0 && depth > -pair.reach;
+        BOOST_TEST((found[p] || !others[p]));
+        if (!endless(pair.bounds_b)) BOOST_TEST(!(depth > -pair.reach && stay_apart(pair, acting.poses, 0.0)));
+      }
+      acting.wander(move % 10 == 9 ? 0.5 : 0.003), touching.wander(move % 10 == 9 ? 0.5 : 0.003);
+    }
+  }
+  BOOST_TEST(nearer > 1000);
+  BOOST_TEST(found_at_a_distance > 1000);
 }
 
 BOOST_AUTO_TEST_CASE(a_list_stands_until_a_body_has_moved_by_its_skin) {

@@ -8,6 +8,8 @@
 
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
+#include "solver/laws/law_list.hpp"
+#include "tests/solver/laws/law_examples.hpp"
 
 using namespace talus;
 
@@ -185,6 +187,20 @@ void for_each_law_and_friction(Visit&& visit) {
   with(LatchingSpring{4e3, 8e3, 0.0}), with(LatchingSpring{4e3, 5e3, 2e-3});
 }
 
+/// The examples of each law of discs, as stiff as the others.
+template <class Visit>
+void for_each_disc_law(Visit&& visit) {
+  DiscLaws::for_each([&]<class L>(const L&) {
+    for (L law : examples<L>()) {
+      for (const auto& field : L::fields()) {
+        const bool has_force = field.dimension.mass != 0;
+        if (has_force) law.*field.member *= 500.0;
+      }
+      visit(law, Frictionless{}), visit(law, CoulombFriction{0.5, 2e3});
+    }
+  });
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(whatever_both_are_asked_they_answer_the_same) {
@@ -209,6 +225,20 @@ BOOST_AUTO_TEST_CASE(whatever_both_are_asked_they_answer_the_same) {
     BOOST_TEST(prunings > 500);
   });
   BOOST_TEST(saved > 5'000);
+}
+
+BOOST_AUTO_TEST_CASE(all_laws_of_discs_answer_the_same) {
+  for_each_disc_law([&](const auto& law, const auto& friction) {
+    for (std::uint32_t seed = 20; seed < 24; ++seed) {
+      Draw draw{seed};
+      const Scene scene = drawn(draw);
+      Twins twins{scene, law, friction, draw};
+      for (int n = 0; n < 60; ++n)
+        twins.go_on();
+      BOOST_TEST(twins.same());
+      BOOST_TEST(twins.same_walls());
+    }
+  });
 }
 
 BOOST_AUTO_TEST_CASE(a_drift_may_come_before_all_else) {

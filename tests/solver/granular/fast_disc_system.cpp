@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(fast_and_plain_give_the_same_bits) {
         BOOST_TEST(memory);
         BOOST_TEST(hits > 100);
         if constexpr (!fast.remembers) {
-          BOOST_TEST((kept(Mechanism::contact_damping) > 0.0) == law.needs_rate());
+          BOOST_TEST((kept(Mechanism::contact_damping) > 0.0) == contact_kernel(law).needs_rate());
           BOOST_TEST((kept(Mechanism::contact_release) > 0.0) == (law == dashpot));
         }
         BOOST_TEST((kept(Mechanism::friction) > 0.0) == fast.turns);

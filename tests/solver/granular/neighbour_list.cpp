@@ -88,6 +88,19 @@ BOOST_AUTO_TEST_CASE(all_pairs_within_the_skin_and_no_others_are_listed_in_order
   }
 }
 
+BOOST_AUTO_TEST_CASE(pairs_within_the_reach_of_a_law_and_the_skin_are_listed) {
+  for (const PeriodicBox& box : boxes) {
+    const Packing p = scattered(60, std::min(box.width, 30.0), std::min(box.height, 25.0), 3);
+    NeighbourList list{box, 0.1, 0.2}, wide{box, 0.3};
+    list.build(p.shapes, p.discs), wide.build(p.shapes, p.discs);
+    BOOST_REQUIRE(list.size() == wide.size());
+    BOOST_TEST(list.reach() == wide.reach(), boost::test_tools::tolerance(1e-15));
+    for (std::size_t pair = 0; pair < list.size(); ++pair)
+      BOOST_TEST(list.second(pair) == wide.second(pair));
+    BOOST_TEST(list.left() == 0.1);  // the skin alone is used up by motion
+  }
+}
+
 BOOST_AUTO_TEST_CASE(discs_that_have_gone_astray_leave_the_list_of_the_others_as_it_is) {
   for (const PeriodicBox& box : boxes) {
     Packing p = scattered(60, std::min(box.width, 30.0), std::min(box.height, 25.0), 3);

@@ -90,10 +90,9 @@ BOOST_AUTO_TEST_CASE(records_are_list_directed) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_told_with_its_place) {
-  BOOST_TEST(
-      message(with(control, "3.4e4", "1.6e4")) ==
-      "CNTRL.DAT:2: K1 K2 D M G MTOP: K2: found 16000; it must be at least the stiffness while loading, 17000: a "
-      "contact gives back no more than it took");
+  BOOST_TEST(message(with(control, "3.4e4", "1.6e4")) ==
+             "CNTRL.DAT:2: K1 K2 D M G MTOP: K2: found 16000; it must be at least the stiffness, 17000: a "
+             "contact gives back no more than it took");
   BOOST_TEST(
       message(with(control, "8 10 11", "8 12 11")) ==
       "CNTRL.DAT:3: NHT NWID TWID VXT: NWID: found 12; it must be at most the discs of a wall, 11: more do not fit "

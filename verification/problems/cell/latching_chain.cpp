@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/laws/latching_spring.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/disc_row.hpp"
 #include "verification/reference/latching_chain.hpp"

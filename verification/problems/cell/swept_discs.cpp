@@ -11,6 +11,8 @@
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/packing.hpp"
+#include "solver/laws/latching_spring.hpp"
+#include "solver/laws/linear_spring_dashpot.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/all_pairs.hpp"
 

@@ -43,7 +43,7 @@ double slope_of(const std::vector<double>& time, const std::vector<double>& temp
   return (count * ty - t * y) / (count * tt - t * t);
 }
 
-template <SettledLaw L>
+template <HasContactKernel L>
 Cooling cool(const L& law, std::size_t discs, double contact_time, std::uint64_t seed, Findings& findings,
              const Setup& setup) {
   const reference::GasOfDiscs gas{.solid_fraction = 0.1, .restitution = restitution};

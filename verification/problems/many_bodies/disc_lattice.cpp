@@ -7,6 +7,7 @@
 
 #include "solver/granular/disc_method.hpp"
 #include "solver/granular/disc_system.hpp"
+#include "solver/laws/linear_spring_dashpot.hpp"
 #include "verification/check/case.hpp"
 
 namespace talus::verification::problems::disc_lattice {

@@ -37,7 +37,7 @@ struct FollowPlan {
 };
 
 /// Runs free discs by the leapfrog and shows them to see(SeenDiscs) now and then.
-template <SettledLaw L, class See>
+template <HasContactKernel L, class See>
 void follow(const Packing& start, const L& law, const FollowPlan& plan, See&& see) {
   FastDiscSystem system{start.shapes, start.box, law, plan.skin};
   Discs discs = start.discs;

@@ -146,8 +146,8 @@ void check_solver_formulas(Findings& findings) {
       direct = std::max(direct, relative(talus::restitution(xi, rule), reference::restitution(xi, same(rule))));
       const LinearSpringDashpot law = dashpot_of(xi, 3e5, 0.7, rule);
       const auto events = reference::impact_events({law.stiffness, law.damping, 0.7, 2.5}, same(rule));
-      time = std::max(time, relative(talus::contact_time(law, 0.7), events.contact_time));
-      depth = std::max(depth, relative(talus::largest_overlap(law, 0.7, 2.5), events.largest_depth));
+      time = std::max(time, relative(law.contact_time(0.7), events.contact_time));
+      depth = std::max(depth, relative(law.largest_overlap(0.7, 2.5), events.largest_depth));
     }
   }
   const double eps = 0x1p-52;

@@ -204,8 +204,8 @@ Scene held_fence(const scenes::FenceScene& made, double time) {
   Scene scene = made.scene;
   for (Contact& contact : scene.model.contacts) {
     std::visit(
-        [](auto& law) {
-          if constexpr (requires { law.damping; }) law.damping = 0.0;
+        []<class L>(L& law) {
+          if constexpr (HasDamping<L>) law.damping = 0.0;
         },
         contact.law);
   }

@@ -1,5 +1,5 @@
-#define BOOST_TEST_MODULE settled
-#include "solver/laws/settled.hpp"
+#define BOOST_TEST_MODULE contact_kernel
+#include "solver/laws/contact_kernel.hpp"
 
 #include <array>
 #include <boost/test/unit_test.hpp>
@@ -8,14 +8,22 @@
 #include <vector>
 
 #include "solver/base/pack.hpp"
+#include "solver/laws/law_list.hpp"
 #include "solver/laws/settling.hpp"
+#include "tests/solver/laws/cohesive.hpp"
+#include "tests/solver/laws/law_examples.hpp"
 
 using namespace talus;
 
 namespace {
 
+/// All laws of discs, some of them with the numbers of cells, and one of no list that acts at a distance.
 template <class Visit>
-void for_each_settled_law(Visit&& visit) {
+void for_each_law(Visit&& visit) {
+  DiscLaws::for_each([&]<class L>(const L&) {
+    for (const L& law : examples<L>())
+      visit(law);
+  });
   visit(LinearSpringDashpot{4e3, 0.0, EndRule::clamped});
   visit(LinearSpringDashpot{4e3, 3.0, EndRule::clamped});
   visit(LinearSpringDashpot{4e3, 3.0, EndRule::attractive});
@@ -24,6 +32,7 @@ void for_each_settled_law(Visit&& visit) {
     visit(LatchingSpring{4e3, 4e3, growth});
     visit(LatchingSpring{0.7, 17.3, growth});
   }
+  visit(Cohesive{4e3, 0.05, 0.0}), visit(Cohesive{4e3, 0.05, 3.0});
 }
 
 /// A way of two bodies through touches and partings, with steps that turn at any overlap.
@@ -41,10 +50,11 @@ std::vector<Kinematics> way(unsigned seed) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(settled_forces_are_those_of_settled_modes_to_the_last_bit) {
-  for_each_settled_law([](const auto& law) {
+BOOST_AUTO_TEST_CASE(kernels_give_the_bits_of_the_modes) {
+  for_each_law([](const auto& law) {
     using L = std::decay_t<decltype(law)>;
-    static_assert(SettledLaw<L>);
+    const auto kernel = contact_kernel(law);
+    static_assert(ContactKernel<std::decay_t<decltype(kernel)>>);
     long acting = 0;
     bool same = true, same_kept = true;
     for (const unsigned seed : {1U, 2U, 3U}) {
@@ -52,18 +62,18 @@ BOOST_AUTO_TEST_CASE(settled_forces_are_those_of_settled_modes_to_the_last_bit) 
       std::array<double, 1> memory{};
       double largest = 0.0, before = -1.0, let_go = 0.0;
       for (const Kinematics& x : way(seed)) {
-        if (x.extent == 0.0) continue;
+        if (x.extent == -reach(law)) continue;
         const std::span<double> remembered{memory.data(), L::memory_size};
         double released = 0.0;
         settle(law, remembered, x, mode, [&](double energy) { released += energy; });
         const LawForce parts = mode == 0 ? LawForce{} : law(x, remembered, mode);
         const double expected = parts.total();
         double force = 0.0;
-        if (x.extent > 0.0) {
-          law.settled(x.extent, x.extent_rate, largest, force);
+        if (x.extent > -reach(law)) {
+          kernel.force(x.extent, x.extent_rate, largest, force);
           if constexpr (L::memory_size == 0) {
             double power = 0.0, energy = 0.0;
-            law.kept(x.extent, x.extent_rate, before, force, power, energy);
+            kernel.dissipated_power(x.extent, x.extent_rate, before, force, power, energy);
             same_kept = same_kept && power == parts.dissipative * x.extent_rate && energy == released;
             let_go += std::abs(energy);
             before = std::max(force, 0.0);
@@ -74,8 +84,8 @@ BOOST_AUTO_TEST_CASE(settled_forces_are_those_of_settled_modes_to_the_last_bit) 
         same = same && force == expected && largest == memory[0];
         acting += expected > 0.0 ? 1 : 0;
       }
-      if constexpr (requires { law.end_rule; })
-        BOOST_TEST((let_go > 0.0) == (law.needs_rate() && law.end_rule == EndRule::clamped));
+      if constexpr (HasEndRule<L>)
+        BOOST_TEST((let_go > 0.0) == (kernel.needs_rate() && law.end_rule == EndRule::clamped));
     }
     BOOST_TEST(same);
     BOOST_TEST(same_kept);
@@ -84,7 +94,8 @@ BOOST_AUTO_TEST_CASE(settled_forces_are_those_of_settled_modes_to_the_last_bit) 
 }
 
 BOOST_AUTO_TEST_CASE(packs_are_worked_out_as_their_lanes_would_be_alone) {
-  for_each_settled_law([](const auto& law) {
+  for_each_law([](const auto& law) {
+    const auto kernel = contact_kernel(law);
     std::mt19937 random{7};
     std::uniform_real_distribution<double> unit{0.0, 1.0};
     bool same = true;
@@ -93,10 +104,10 @@ BOOST_AUTO_TEST_CASE(packs_are_worked_out_as_their_lanes_would_be_alone) {
       for (std::size_t l = 0; l < pack_size; ++l)
         overlap[l] = 0.1 * unit(random), rate[l] = 40.0 * unit(random) - 20.0, largest[l] = 0.12 * unit(random);
       Pack after = largest;
-      law.settled(overlap, rate, after, force);
+      kernel.force(overlap, rate, after, force);
       for (std::size_t l = 0; l < pack_size; ++l) {
         double one = largest[l], alone = 0.0;
-        law.settled(double{overlap[l]}, double{rate[l]}, one, alone);
+        kernel.force(double{overlap[l]}, double{rate[l]}, one, alone);
         same = same && one == after[l] && alone == force[l];
       }
     }
@@ -105,7 +116,21 @@ BOOST_AUTO_TEST_CASE(packs_are_worked_out_as_their_lanes_would_be_alone) {
 }
 
 BOOST_AUTO_TEST_CASE(rates_have_a_part_where_a_dashpot_is) {
-  BOOST_TEST(!(LinearSpringDashpot{4e3, 0.0}).needs_rate());
-  BOOST_TEST((LinearSpringDashpot{4e3, 3.0}).needs_rate());
-  BOOST_TEST(!LatchingSpring::needs_rate());
+  for_each_law([]<class L>(const L& law) {
+    double with = 0.0, without = 0.0, largest = 0.0, other = 0.0;
+    const auto kernel = contact_kernel(law);
+    kernel.force(0.1, 0.2, largest, with), kernel.force(0.1, 0.0, other, without);
+    BOOST_TEST(kernel.needs_rate() == (with != without));
+  });
+}
+
+BOOST_AUTO_TEST_CASE(kernels_are_derived_where_a_law_is_one_sided) {
+  static_assert(OneSided<LinearSpringDashpot> && !IsKernel<LinearSpringDashpot>);
+  static_assert(IsKernel<LatchingSpring> && !OneSided<LatchingSpring>);
+  static_assert(!HasContactKernel<Hertz>);
+  const OneSidedKernel kernel = contact_kernel(LinearSpringDashpot{4e3, 3.0, EndRule::attractive});
+  BOOST_TEST(kernel.stiffness == 4e3);
+  BOOST_TEST(kernel.damping == 3.0);
+  BOOST_TEST(!kernel.clamped);
+  BOOST_TEST(contact_kernel(LinearSpringDashpot{4e3}).clamped);
 }

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <tuple>
+
+#include "solver/granular/contact_lanes.hpp"
+#include "solver/granular/disc_lanes.hpp"
+#include "solver/granular/disc_stages.hpp"
+#include "solver/granular/disc_sweep.hpp"
+#include "solver/laws/law_list.hpp"
+
+/// Sweeps by a law and friction: the definitions of find_pushes() and sweep_discs(), and how they are instantiated.
+namespace talus {
+namespace stages {
+
+/// Pairs with the lanes behind the last.
+inline std::size_t whole_packs(const DiscSweep& w) { return (w.pairs->count + pack_size - 1) / pack_size * pack_size; }
+
+/// Moves the discs from <= i < to but for those that move later.
+inline void move_others(const DiscSweep& w, std::size_t from, std::size_t to, Sizes& fastest) {
+  for (const WallDiscs& later : w.later) {
+    if (later.end <= from || later.begin >= to) continue;
+    if (from < later.begin) move(w, from, later.begin, fastest);
+    from = std::min(later.end, to);
+  }
+  move(w, from, to, fastest);
+}
+
+}  // namespace stages
+
+template <class L, class F>
+double sweep_discs(const L& law, const F& friction, const DiscSweep& w) {
+  constexpr std::size_t room = sweep_block + pack_size;
+  std::array<double, 5 * room> numbers;
+  const stages::Pushes pushes{&numbers[0], &numbers[2 * room], &numbers[3 * room], &numbers[4 * room]};
+  const bool moves = !std::same_as<F, CoulombFriction> && w.drift != 0.0;
+  Sizes fastest{};
+  std::size_t moved = w.begin;
+  if (w.kicks) {
+    w.contacts->begin();
+    stages::NextOutgoing next{w};
+    const std::size_t pairs = stages::whole_packs(w);
+    for (std::size_t from = 0; from < pairs; from += sweep_block) {
+      const std::size_t to = std::min(from + sweep_block, pairs);
+      const std::span<const std::uint32_t> touching = stages::find_touching(w, from, to);
+      stages::push(law, friction, w, touching, pushes);
+      stages::give(w, touching, pushes, next);
+      if (!moves || to == pairs) continue;
+      const std::size_t first = std::min<std::size_t>(w.pairs->first[to] / 2, w.end);
+      const std::size_t done = moved + (first - std::min(first, moved)) / places_per_pack * places_per_pack;
+      stages::give_outgoing(w, 2 * done, next);
+      stages::move_others(w, moved, done, fastest);
+      moved = done;
+    }
+    stages::give_outgoing(w, 2 * w.end, next);
+    stages::end_sweep(w);
+  }
+  if (moves) stages::move_others(w, moved, w.end, fastest);
+  return largest(fastest);
+}
+
+template <class L, class F>
+void find_pushes(const L& law, const F& friction, const DiscSweep& w, DiscPushes& out) {
+  const std::size_t pairs = stages::whole_packs(w);
+  out.force.resize(2 * (pairs + pack_size));
+  for (auto* numbers : {&out.friction, &out.arm_a, &out.arm_b})
+    numbers->resize(pairs + pack_size);
+  out.first.resize(pairs), out.second.resize(pairs);
+  out.count = 0;
+  w.contacts->begin();
+  for (std::size_t from = 0; from < pairs; from += sweep_block) {
+    const std::span<const std::uint32_t> touching = stages::find_touching(w, from, std::min(from + sweep_block, pairs));
+    stages::push(law, friction, w, touching, stages::pushes_of(out).from(out.count));
+    for (const std::uint32_t pair : touching) {
+      out.first[out.count] = w.pairs->first[pair], out.second[out.count] = w.pairs->second[pair];
+      ++out.count;
+    }
+  }
+  stages::end_sweep(w);
+}
+
+/// Instantiates the sweeps of a list of laws, without friction and with: `template struct talus::LawSweeps<List>;`
+template <class List>
+struct LawSweeps;
+template <class... L>
+struct LawSweeps<LawList<L...>> {
+  template <class F>
+  static constexpr std::tuple all{&find_pushes<L, F>..., &sweep_discs<L, F>...};
+  [[gnu::used]] static constexpr std::tuple smooth{all<Frictionless>}, rough{all<CoulombFriction>};
+};
+
+}  // namespace talus

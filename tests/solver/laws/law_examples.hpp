@@ -1,0 +1,37 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "solver/laws/law.hpp"
+
+namespace talus {
+
+/// The law with its parameters set to different values, in their orders, with and without damping and whatever else may
+/// be 0, and with each end rule where it has one.
+template <Law L>
+std::vector<L> examples() {
+  std::vector<L> made;
+  for (const EndRule rule : {EndRule::attractive, EndRule::clamped}) {
+    for (const double other : {0.0, 0.75}) {
+      L law;
+      double positive = 5.0;
+      for (const auto& field : L::fields()) {
+        if (law.*field.member != 0.0) continue;  // a limit that is not reached
+        const bool is_positive = field.range == Range::positive;
+        law.*field.member = is_positive ? positive : other;
+        if (is_positive) positive *= 4.0;
+      }
+      if constexpr (HasOrders<L>) {
+        for (const auto& order : L::orders())
+          law.*order.larger = std::max(law.*order.larger, law.*order.smaller);
+      }
+      if constexpr (HasYieldTable<L>) law.yield = 3.0;
+      if constexpr (HasEndRule<L>) law.end_rule = rule;
+      made.push_back(law);
+    }
+  }
+  return made;
+}
+
+}  // namespace talus
