@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <ctime>
-#include <functional>
 
 #include "reports/error.hpp"
-#include "reports/parallel.hpp"
 #include "reports/process.hpp"
 #include "reports/progress.hpp"
+#include "solver/threads/parallel_for.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
@@ -41,19 +40,15 @@ bool counts_frames(const std::string& said) {
 std::string draw(const std::vector<Drawing>& drawings, const std::filesystem::path& folder, unsigned jobs) {
   std::vector<std::string> warnings(drawings.size());
   Progress progress("drawing", drawings.size());
-  std::vector<std::function<void()>> tasks;
-  for (std::size_t i = 0; i < drawings.size(); ++i) {
-    tasks.emplace_back([&, i] {
-      const std::filesystem::path script = folder / fmt::format("drawing-{}.gp", i);
-      records::write_whole(script, drawings[i].script);
-      const Command gnuplot{"gnuplot", {script.string()}, folder, {{"LC_ALL", "C.UTF-8"}, {"GNUTERM", "svg"}}};
-      const std::string said = run_or_throw(gnuplot, drawings[i].name).messages;
-      if (!said.empty() && !counts_frames(said))
-        warnings[i] = fmt::format("gnuplot on {}: {}{}", drawings[i].name, said, said.back() == '\n' ? "" : "\n");
-      progress.add();
-    });
-  }
-  in_parallel(tasks, jobs);
+  parallel_for(drawings.size(), jobs, [&](std::size_t i) {
+    const std::filesystem::path script = folder / fmt::format("drawing-{}.gp", i);
+    records::write_whole(script, drawings[i].script);
+    const Command gnuplot{"gnuplot", {script.string()}, folder, {{"LC_ALL", "C.UTF-8"}, {"GNUTERM", "svg"}}};
+    const std::string said = run_or_throw(gnuplot, drawings[i].name).messages;
+    if (!said.empty() && !counts_frames(said))
+      warnings[i] = fmt::format("gnuplot on {}: {}{}", drawings[i].name, said, said.back() == '\n' ? "" : "\n");
+    progress.add();
+  });
   return fmt::format("{}", fmt::join(warnings, ""));
 }
 

@@ -11,14 +11,19 @@
 #include "reports/gnuplot_script.hpp"
 #include "reports/page_script.hpp"
 #include "reports/pages.hpp"
-#include "reports/parallel.hpp"
 #include "reports/process.hpp"
 #include "reports/progress.hpp"
+#include "solver/threads/parallel_for.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
 namespace fs = std::filesystem;
 namespace {
+
+/// Calls the tasks side by side, on up to `jobs` threads. Errors: what the first in the list that threw has thrown.
+void in_parallel(const std::vector<std::function<void()>>& tasks, unsigned jobs) {
+  parallel_for(tasks.size(), jobs, [&](std::size_t i) { tasks[i](); });
+}
 
 bool broke_off(const Record& record) { return !finished(record.status); }
 

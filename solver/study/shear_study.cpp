@@ -6,13 +6,11 @@
 #include <atomic>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <exception>
-#include <mutex>
 #include <optional>
-#include <thread>
 
 #include "solver/base/error.hpp"
 #include "solver/cell/cell_run.hpp"
+#include "solver/threads/parallel_for.hpp"
 
 namespace talus {
 namespace {
@@ -212,32 +210,15 @@ std::vector<StudyMean> shear_study(const std::vector<StudyPoint>& points, const 
     const CellPlan cell_plan = plan_of(study_cell(*point, 1), plan.time);
     all_steps += cell_plan.end / cell_plan.step * static_cast<double>(seeds);
   }
-  std::atomic<std::size_t> next{0}, done{0};
+  std::atomic<std::size_t> done{0};
   std::atomic<long> steps{0};
-  std::mutex one_at_a_time;
-  std::exception_ptr thrown;  // by any of the threads
-  const auto work = [&] {
-    try {
-      for (std::size_t k = next++; k < runs.size(); k = next++) {
-        runs[k] = run_of(*cells[k / seeds], k % seeds + 1, plan.time, [&](long more) {
-          const long taken = steps += more;
-          if (plan.progress) plan.progress({done, runs.size(), std::min(static_cast<double>(taken) / all_steps, 1.0)});
-        });
-        ++done;
-      }
-    } catch (...) {
-      const std::lock_guard lock{one_at_a_time};
-      if (!thrown) thrown = std::current_exception();
-      next = runs.size();
-    }
-  };
-  std::vector<std::thread> threads;
-  for (unsigned t = 1; t < plan.threads; ++t)
-    threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads)
-    thread.join();
-  if (thrown) std::rethrow_exception(thrown);
+  parallel_for(runs.size(), plan.threads, [&](std::size_t k) {
+    runs[k] = run_of(*cells[k / seeds], k % seeds + 1, plan.time, [&](long more) {
+      const long taken = steps += more;
+      if (plan.progress) plan.progress({done, runs.size(), std::min(static_cast<double>(taken) / all_steps, 1.0)});
+    });
+    ++done;
+  });
   std::vector<StudyMean> study;
   for (std::size_t p = 0; p < points.size(); ++p) {
     StudyMean point{.point = points[p], .seeds = 0, .runs = {}};

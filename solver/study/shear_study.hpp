@@ -81,8 +81,8 @@ struct StudyPlan {
 /// stiffness at 15 kPa and 5000 d/s. `coarse` has fewer of each.
 [[nodiscard]] std::vector<StudyPoint> shear_study_points(bool coarse);
 
-/// Runs all; the same numbers for any number of threads. Errors: InputError for what no cell can be run with; what one
-/// of the threads threw.
+/// Runs all; the same numbers for any number of threads. Errors: InputError for what no cell can be run with; what the
+/// first run that threw has thrown.
 [[nodiscard]] std::vector<StudyMean> shear_study(const std::vector<StudyPoint>& points, const StudyPlan& plan);
 
 /// What a study says of a prediction: a difference is one that chance makes once in a hundred times at most.

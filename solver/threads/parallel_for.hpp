@@ -1,0 +1,20 @@
+/// The one loop over independent tasks on several threads. A tree apart in scripts/layers.txt, so that reports, which
+/// know nothing of the solver, use it too.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace talus {
+
+/// Calls work(i) once for each i < count, in this order, on up to `threads` threads (0 counts as 1), of which the
+/// calling one is one, and returns when all calls have ended. Whoever is free takes the next i: tasks may last
+/// differently long.
+/// Errors: what work(i) throws, that of the smallest i for any number of threads; no call begins after one has thrown.
+/// std::system_error if a thread cannot be started, after those that were have ended.
+///
+/// Threads are started by each call, some 20 us each. For stages of a step there is Team (solver/base/team.hpp), whose
+/// threads stay.
+void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work);
+
+}  // namespace talus
