@@ -20,7 +20,8 @@ extern "C" char** environ;
 namespace talus::reports {
 namespace {
 
-/// A pipe whose ends close by themselves; closed on exec unless the child is given them.
+/// A pipe whose ends close by themselves. They are closed on exec from the start: a child that another thread starts
+/// meanwhile must not hold them, or reading would wait for its end.
 struct Pipe {
   std::array<int, 2> ends{-1, -1};
   Pipe() {
@@ -102,10 +103,12 @@ pid_t start(const Command& command, Pipe& out, Pipe& err) {
   const int failure = posix_spawnp(&child, command.program.c_str(), &actions, nullptr, pointers(words).data(),
                                    pointers(entries).data());
   posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0) {
-    throw cannot_start(command.program, failure);
+  if (failure == 0) return child;
+  if (!command.folder.empty() && !std::filesystem::is_directory(command.folder)) {
+    throw OutputError(fmt::format("{}: cannot be started in {}: {}", command.program, command.folder.string(),
+                                  std::strerror(failure)));
   }
-  return child;
+  throw cannot_start(command.program, failure);
 }
 
 }  // namespace

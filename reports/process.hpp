@@ -1,4 +1,4 @@
-/// Starting another program without a shell, and waiting for it.
+/// Starting another program without a shell, and waiting for it; from any thread.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,8 @@ struct Finished {
   std::string messages{};  ///< standard error
 };
 
-/// Runs the program to its end. Throws OutputError when it cannot be started (not found, no permission).
+/// Runs the program to its end. Throws OutputError when it cannot be started (not found, no permission, no
+/// such folder).
 [[nodiscard]] Finished run(const Command& command);
 
 /// Throws OutputError, as run() would, unless a program of that name is in PATH.

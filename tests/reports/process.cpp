@@ -2,8 +2,11 @@
 #include "reports/process.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <string>
+#include <vector>
 
 #include "reports/error.hpp"
+#include "solver/threads/parallel_for.hpp"
 
 using namespace talus::reports;
 
@@ -23,12 +26,44 @@ BOOST_AUTO_TEST_CASE(much_output_does_not_block) {
              300000U);
 }
 
+BOOST_AUTO_TEST_CASE(a_signal_is_told_from_an_exit_code) {
+  BOOST_TEST(run({"sh", {"-c", "echo begun; kill -9 $$"}, {}, {}}).status == 128 + 9);
+  BOOST_TEST(run({"sh", {"-c", "kill -15 $$"}, {}, {}}).status == 128 + 15);
+  BOOST_TEST(run({"sh", {"-c", "exit 9"}, {}, {}}).status == 9);
+}
+
+BOOST_AUTO_TEST_CASE(standard_input_is_empty) { BOOST_TEST(run({"wc", {"-c"}, {}, {}}).output == "0\n"); }
+
+// A child that held the pipes of another would keep run() waiting for its own end.
+BOOST_AUTO_TEST_CASE(children_of_other_threads_hold_no_pipe) {
+  const Command list{"ls", {"/proc/self/fd"}, {}, {}};
+  const std::string alone = run(list).output;
+  BOOST_TEST_REQUIRE(alone.rfind("0\n1\n", 0) == 0U);
+  std::vector<std::string> seen(200);
+  talus::parallel_for(seen.size(), 4, [&](std::size_t i) { seen[i] = run(list).output; });
+  for (const std::string& descriptors : seen)
+    BOOST_TEST(descriptors == alone);
+}
+
 BOOST_AUTO_TEST_CASE(a_missing_or_failing_tool_is_named) {
-  const auto tells = [](const std::string& part) {
-    return [part](const OutputError& wrong) { return std::string(wrong.what()).find(part) != std::string::npos; };
+  const auto words = [](const Command& command) -> std::string {
+    try {
+      run_or_throw(command, "page 3");
+    } catch (const OutputError& error) {
+      return error.what();
+    }
+    return "nothing";
   };
-  BOOST_CHECK_EXCEPTION(static_cast<void>(run({"no-such-tool", {}, {}, {}})), OutputError,
-                        tells("no-such-tool: cannot be started"));
-  BOOST_CHECK_EXCEPTION(run_or_throw({"sh", {"-c", "echo why >&2; exit 1"}, {}, {}}, "page 3"), OutputError,
-                        tells("sh failed on page 3 (exit code 1):\nwhy"));
+  const std::string missing =
+      ": cannot be started: No such file or directory (is it installed? scripts/setup installs "
+      "what reports and pictures need)";
+  BOOST_TEST(words({"no-such-tool", {}, {}, {}}) == "no-such-tool" + missing);
+  BOOST_TEST(words({"/no/such-tool", {}, {}, {}}) == "/no/such-tool" + missing);
+  BOOST_TEST(words({"/etc/passwd", {}, {}, {}}) == "/etc/passwd: cannot be started: Permission denied");
+  BOOST_TEST(words({"true", {}, "/no/folder", {}}) ==
+             "true: cannot be started in /no/folder: No such file or directory");
+  BOOST_TEST(words({"true", {}, "/etc/passwd", {}}) == "true: cannot be started in /etc/passwd: Not a directory");
+  BOOST_TEST(words({"sh", {"-c", "echo why >&2; exit 1"}, {}, {}}) == "sh failed on page 3 (exit code 1):\nwhy");
+  BOOST_TEST(words({"sh", {"-c", "kill -9 $$"}, {}, {}}) == "sh failed on page 3 (exit code 137):\n");
+  BOOST_TEST(words({"true", {}, {}, {}}) == "nothing");
 }
