@@ -1,6 +1,7 @@
 /// The shear cell by the built program: what it leaves, what is refused, and runs that are killed and taken on.
 #define BOOST_TEST_MODULE cell
 #include <signal.h>
+#include <sys/wait.h>
 
 #include <boost/test/unit_test.hpp>
 #include <chrono>
@@ -21,26 +22,12 @@ using Json = nlohmann::json;
 const std::string control = "0 1\n1.7e4 34693.877551020405 1e-3 7.2e-7 9.81 0.00897\n8 10 11 5.0\n6e-7 1e-3 1e-2\n";
 
 /// Starts the program and sends it a signal once a file is there; its exit status as waitpid gives it.
-int stopped(std::vector<std::string> arguments, const fs::path& once, int signal) {
-  const pid_t child = ::fork();
-  BOOST_REQUIRE(child >= 0);
-  if (child == 0) {
-    for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO})
-      ::dup2(::open("/dev/null", O_WRONLY), descriptor);
-    std::string program = TALUS_EXECUTABLE;
-    std::vector<char*> words{program.data()};
-    for (std::string& argument : arguments)
-      words.push_back(argument.data());
-    words.push_back(nullptr);
-    ::execv(program.c_str(), words.data());
-    ::_exit(127);
-  }
+int stopped(const std::vector<std::string>& arguments, const fs::path& once, int signal) {
+  StartedProgram program{TALUS_EXECUTABLE, arguments};
   while (!fs::exists(once))
     std::this_thread::sleep_for(std::chrono::milliseconds{1});
-  ::kill(child, signal);
-  int status = 0;
-  BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
-  return status;
+  program.send(signal);
+  return program.wait();
 }
 
 }  // namespace

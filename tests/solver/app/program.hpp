@@ -1,13 +1,9 @@
 #pragma once
 
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <boost/test/unit_test.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,33 +21,38 @@ struct Ended {
   std::string err;
 };
 
-/// Runs a program with its output in files; `stdout_to` in place of one of them.
-inline Ended ran(const std::string& program, std::vector<std::string> arguments, const std::string& stdout_to = "",
-                 const char* path = nullptr) {
-  const Folder folder;
-  const std::string out = stdout_to.empty() ? (folder.path / "out").string() : stdout_to;
-  const std::string err = (folder.path / "err").string();
-  const pid_t child = ::fork();
-  BOOST_REQUIRE(child >= 0);
-  if (child == 0) {
-    ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
-    ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
-    if (path != nullptr) ::setenv("PATH", path, 1);
-    std::vector<char*> words{const_cast<char*>(program.c_str())};
-    for (std::string& argument : arguments)
-      words.push_back(argument.data());
-    words.push_back(nullptr);
-    ::execv(program.c_str(), words.data());
-    ::_exit(127);
-  }
-  int status = 0;
-  BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
-  BOOST_REQUIRE(WIFEXITED(status));
-  return {WEXITSTATUS(status), stdout_to.empty() ? talus::read_text(out) : "", talus::read_text(err)};
-}
+/// Where a program writes: behind the end of these files, which may be one.
+struct Streams {
+  fs::path out{"/dev/null"};
+  fs::path err{"/dev/null"};
+};
 
-inline Ended talus_ran(std::vector<std::string> arguments, const std::string& stdout_to = "") {
-  return ran(TALUS_EXECUTABLE, std::move(arguments), stdout_to);
+/// A program that has been started. Killed if the test does not wait for its end.
+class StartedProgram {
+ public:
+  /// `environment` is added to that of the test, or replaces entries of it. Errors: boost::process::process_error if it
+  /// cannot be started, std::system_error if a file cannot be opened.
+  StartedProgram(const std::string& program, const std::vector<std::string>& arguments, const Streams& streams = {},
+                 const std::map<std::string, std::string>& environment = {});
+  ~StartedProgram();
+  StartedProgram(const StartedProgram&) = delete;
+  StartedProgram& operator=(const StartedProgram&) = delete;
+
+  void send(int signal) const;
+  int wait();       ///< its status as waitpid gives it
+  int exit_code();  ///< waits; the test fails if a signal ended it
+
+ private:
+  struct Child;
+  std::unique_ptr<Child> child_;
+};
+
+/// Runs a program with its output in files; `stdout_to` in place of one of them, `path` in place of PATH.
+Ended ran(const std::string& program, const std::vector<std::string>& arguments, const std::string& stdout_to = "",
+          const char* path = nullptr);
+
+inline Ended talus_ran(const std::vector<std::string>& arguments, const std::string& stdout_to = "") {
+  return ran(TALUS_EXECUTABLE, arguments, stdout_to);
 }
 
 inline std::string scene(const char* name) { return (fs::path{TALUS_CASES} / name).string(); }

@@ -1,6 +1,8 @@
 /// Runs that are stopped and taken on by the built program, their files compared byte for byte with those of a run
 /// that never stopped; and what is refused.
 #define BOOST_TEST_MODULE resume
+#include <sys/wait.h>
+
 #include <boost/test/unit_test.hpp>
 #include <chrono>
 #include <csignal>
@@ -230,24 +232,15 @@ BOOST_AUTO_TEST_CASE(a_signal_leaves_the_run_to_be_taken_on) {
   const Folder folder;
   const std::string out = (folder.path / "out").string(), straight = (folder.path / "straight").string();
   for (const int signal : {SIGINT, SIGTERM}) {
-    const pid_t child = ::fork();
-    BOOST_REQUIRE(child >= 0);
     const std::string two = scene("two_cable.toml");
-    if (child == 0) {
-      const int nowhere = ::open((folder.path / "err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-      ::dup2(nowhere, STDOUT_FILENO);
-      ::dup2(nowhere, STDERR_FILENO);
-      ::execl(TALUS_EXECUTABLE, "talus", "run", two.c_str(), "--end", "2000 s", "--out", out.c_str(), nullptr);
-      ::_exit(127);
-    }
+    fs::remove(folder.path / "err");
+    StartedProgram program{
+        TALUS_EXECUTABLE, {"run", two, "--end", "2000 s", "--out", out}, {.err = folder.path / "err"}};
     while (!fs::exists(out))
       std::this_thread::sleep_for(std::chrono::milliseconds{10});
     std::this_thread::sleep_for(std::chrono::milliseconds{200});
-    BOOST_REQUIRE(::kill(child, signal) == 0);
-    int status = 0;
-    BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
-    BOOST_REQUIRE(WIFEXITED(status));
-    BOOST_TEST(WEXITSTATUS(status) == 128 + signal);
+    program.send(signal);
+    BOOST_TEST(program.exit_code() == 128 + signal);
     const std::string words = talus::read_text(folder.path / "err");
     BOOST_TEST(holds(words, signal == SIGINT ? "talus: SIGINT came; the run was left at t = "
                                              : "talus: SIGTERM came; the run was left at t = "));
@@ -269,22 +262,12 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_killed_loses_a_second) {
     const Folder folder;
     const std::string out = (folder.path / "out").string(), straight = (folder.path / "straight").string();
     const std::string path = scene(file);
-    const pid_t child = ::fork();
-    BOOST_REQUIRE(child >= 0);
-    if (child == 0) {
-      const int nowhere = ::open((folder.path / "err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-      ::dup2(nowhere, STDOUT_FILENO);
-      ::dup2(nowhere, STDERR_FILENO);
-      ::execl(TALUS_EXECUTABLE, "talus", "run", path.c_str(), "--end", end, "--out", out.c_str(), nullptr);
-      ::_exit(127);
-    }
+    StartedProgram program{TALUS_EXECUTABLE, {"run", path, "--end", end, "--out", out}};
     while (!fs::exists(out + "/checkpoint.json"))
       std::this_thread::sleep_for(std::chrono::milliseconds{10});
     std::this_thread::sleep_for(std::chrono::milliseconds{300});
-    BOOST_REQUIRE(::kill(child, SIGKILL) == 0);
-    int status = 0;
-    BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
-    BOOST_REQUIRE(WIFSIGNALED(status));
+    program.send(SIGKILL);
+    BOOST_REQUIRE(WIFSIGNALED(program.wait()));
     const auto kept = nlohmann::json::parse(talus::read_text(out + "/checkpoint.json"));
     const double later = (kept.at("steps").get<double>() + 1000.5) * kept.at("step").get<double>();
     const std::string until = std::to_string(later) + " s";

@@ -1,7 +1,7 @@
 /// What the program writes to a terminal, and to one file that takes both of its streams.
 #define BOOST_TEST_MODULE streams
 #include <pty.h>
-#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -14,41 +14,13 @@
 
 namespace {
 
-/// The program by itself, with its arguments; stdout and stderr are what `connect` makes of them.
-template <class Connect>
-pid_t started(std::vector<std::string> arguments, Connect&& connect) {
-  const pid_t child = ::fork();
-  BOOST_REQUIRE(child >= 0);
-  if (child != 0) return child;
-  connect();
-  std::string program = TALUS_EXECUTABLE;
-  std::vector<char*> words{program.data()};
-  for (std::string& argument : arguments)
-    words.push_back(argument.data());
-  words.push_back(nullptr);
-  ::execv(program.c_str(), words.data());
-  ::_exit(127);
-}
-
-int code_of(pid_t child) {
-  int status = 0;
-  BOOST_REQUIRE(::waitpid(child, &status, 0) == child);
-  BOOST_REQUIRE(WIFEXITED(status));
-  return WEXITSTATUS(status);
-}
-
 /// All that the program writes to a terminal as its stderr; stdout goes nowhere. One variable of the environment has
 /// the value given.
-std::string shown_on_terminal(std::vector<std::string> arguments, const std::string& variable = "NO_COLOR",
+std::string shown_on_terminal(const std::vector<std::string>& arguments, const std::string& variable = "NO_COLOR",
                               const std::string& value = "1") {
   int ours = 0, terminal = 0;
   BOOST_REQUIRE(::openpty(&ours, &terminal, nullptr, nullptr, nullptr) == 0);
-  const pid_t child = started(std::move(arguments), [&] {
-    ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
-    ::dup2(terminal, STDERR_FILENO);
-    ::close(ours);
-    ::setenv(variable.c_str(), value.c_str(), 1);
-  });
+  StartedProgram program{TALUS_EXECUTABLE, arguments, {.err = ::ttyname(terminal)}, {{variable, value}}};
   ::close(terminal);
   std::string shown;
   char text[4096];
@@ -56,7 +28,7 @@ std::string shown_on_terminal(std::vector<std::string> arguments, const std::str
   for (ssize_t count = ::read(ours, text, sizeof text); count > 0; count = ::read(ours, text, sizeof text))
     shown.append(text, static_cast<std::size_t>(count));
   ::close(ours);
-  BOOST_TEST(code_of(child) == 0, shown);
+  BOOST_TEST(program.exit_code() == 0, shown);
   return shown;
 }
 
@@ -112,12 +84,7 @@ BOOST_AUTO_TEST_CASE(lines_are_whole_where_both_streams_go_to_one_file) {
     const Ended apart = talus_ran(command);
     const std::string log = (folder.path / "log").string();
     fs::remove(log);
-    const int code = code_of(started(command, [&] {
-      const int file = ::open(log.c_str(), O_WRONLY | O_CREAT, 0600);
-      ::dup2(file, STDOUT_FILENO);
-      ::dup2(file, STDERR_FILENO);
-    }));
-    BOOST_TEST(code == apart.code);
+    BOOST_TEST(StartedProgram(TALUS_EXECUTABLE, command, {log, log}).exit_code() == apart.code);
     const auto together = sorted_lines(talus::read_text(log)), expected = sorted_lines(apart.out + apart.err);
     BOOST_TEST(together == expected, boost::test_tools::per_element());
     if (command.front() == "run") BOOST_TEST((apart.out.size() > 4096U && !apart.err.empty()));
