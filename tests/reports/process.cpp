@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_CASE(much_output_does_not_block) {
              300000U);
 }
 
-BOOST_AUTO_TEST_CASE(a_signal_is_told_from_an_exit_code) {
+BOOST_AUTO_TEST_CASE(signals_differ_from_exit_codes) {
   BOOST_TEST(run({"sh", {"-c", "echo begun; kill -9 $$"}, {}, {}}).status == 128 + 9);
   BOOST_TEST(run({"sh", {"-c", "kill -15 $$"}, {}, {}}).status == 128 + 15);
   BOOST_TEST(run({"sh", {"-c", "exit 9"}, {}, {}}).status == 9);

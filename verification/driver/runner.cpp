@@ -67,7 +67,8 @@ struct Child {
   ::_exit(status);
 }
 
-/// Starts a case; nothing if the system refuses another process (`errno` says why).
+/// Starts a case; nothing if the system refuses another process (`errno` says why). A fork and no other
+/// program: the child calls a case of this process, which may be a test's own.
 std::optional<Child> start(const Case& verification_case, std::size_t index, const RunPlan& plan) {
   const fs::path folder = plan.out / verification_case.id;
   fs::remove_all(folder);

@@ -41,9 +41,9 @@ StartedProgram::StartedProgram(const std::string& program, const std::vector<std
   bp::environment variables = boost::this_process::environment();
   for (const auto& [name, value] : environment)
     variables[name] = value;
-  child_ = std::make_unique<Child>(Child{bp::child{program, bp::args(arguments), variables,
-                                                   bp::posix::fd.bind(STDOUT_FILENO, out.descriptor),
-                                                   bp::posix::fd.bind(STDERR_FILENO, err.descriptor)}});
+  child_ = std::make_unique<Child>(
+      Child{bp::child{program, bp::args(arguments), variables, bp::posix::fd.bind(STDOUT_FILENO, out.descriptor),
+                      bp::posix::fd.bind(STDERR_FILENO, err.descriptor)}});
 }
 
 // The destructor of a child that was not waited for kills it.
