@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(a_contact_pushes_whichever_way_round_its_pair_is_named) {
     builder.add(Contact{.name = "c", .a = swapped ? high : low, .b = swapped ? low : high, .law = law});
     const Model model = builder.build();
     const Dynamics dynamics{model};
-    const Evaluation now = evaluate(dynamics, rest_state(model));
+    Evaluation now = evaluate(dynamics, rest_state(model));
     LawForces forces;
     dynamics.forces(now.state, now.work, forces);
     BOOST_TEST(forces.contacts[0] == 90.0, boost::test_tools::tolerance(1e-12));
