@@ -121,7 +121,6 @@ void CableForces::place_anchors(Workspace& work) const {
 }
 
 void CableForces::update(const State& state, Workspace& work) const {
-  work.waking.loaded = false;
   for (const JointRun& run : work.waking.joints) {
     if (run.on_body && !run.in_row) place_joints(run, constants_.body_x, constants_.body_y, work.poses, work.joints);
   }
@@ -143,7 +142,7 @@ void CableForces::update(const State& state, Workspace& work) const {
 
 bool CableForces::pull_rows(const State& state, Workspace& work) const {
   Waking& waking = work.waking;
-  if (!work.rates_only || !waking.rows_only || waking.any_asleep || !holders_.empty()) return false;
+  if (!waking.rows_only || waking.any_asleep || !holders_.empty()) return false;
   clear(work.wrenches, waking.reached);
   // All are awake, and so they are looked at in fewer pieces than they are pulled in.
   for_each_array(laws_, [&]<class L>(const CableArray<L>& array, std::size_t) {
@@ -157,8 +156,7 @@ bool CableForces::pull_rows(const State& state, Workspace& work) const {
     quiet = pull_row(run, constants_, work.lines, work.poses, work.joints, work.wrenches) && quiet;
     run.quiet = true;
   });
-  waking.quiet = waking.loaded = quiet;
-  return quiet;
+  return waking.quiet = quiet;
 }
 
 void CableForces::lay_paths(const CableRun& run, Workspace& work) const {
@@ -180,7 +178,7 @@ void CableForces::settle(State& state, const Workspace& work) const {
 }
 
 void CableForces::load(const State& state, Workspace& work, Rates* out) const {
-  if (work.waking.loaded) {
+  if (work.pulled) {
     TALUS_ASSERT(!out);  // accounts need the joints, which were left as they were
     return;
   }
@@ -268,6 +266,7 @@ bool CableForces::follows(const State& state) const {
 }
 
 bool CableForces::none_ends(const Workspace& work, double ahead) const {
+  TALUS_ASSERT(work.has_geometry());
   if (!holders_.empty()) return false;
   return size() == 0 ||
          (work.waking.quiet && stay_straight(0, size(), constants_.rest_length, work.lines, work.paths, ahead));
@@ -313,7 +312,8 @@ double CableForces::stored_energy(const State& state, const Workspace& work) con
 }
 
 void CableForces::tensions(const State& state, const Workspace& work, std::span<double> out) const {
-  if (work.waking.quiet && work.waking.whole && !work.waking.loaded) {
+  TALUS_ASSERT(work.has_geometry());
+  if (work.waking.quiet && work.waking.whole) {
     // Of a slack cable the line gives -0.
     for (std::size_t c = 0; c < size(); ++c)
       out[c] = work.paths.tension[c] + 0.0;

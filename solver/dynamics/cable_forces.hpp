@@ -46,8 +46,8 @@ class CableForces {
   /// Lists the joints and cables to work out: all, or those of which an end is on a body that is awake or held, and
   /// those that go on through broken hangers.
   void list_awake(Waking& waking, const Rigging& rigging) const;
-  /// Whether nothing is asked for but what pulls on bodies, and that is found, without any path and whatever the
-  /// velocities, as their wrenches.
+  /// For rates alone, after the poses: writes what the cables pull on bodies to their wrenches, without any path and
+  /// whatever the velocities. False if that takes paths.
   bool pull_rows(const State& state, Workspace& work) const;
   /// Joints, paths and what follows from them.
   void update(const State& state, Workspace& work) const;

@@ -44,6 +44,14 @@ template <bool told, class Joints>
   }
 }
 
+/// The tension of a cable of a fence [F]: k (e - p), on the straight line of its mode, which its law's linear_piece()
+/// gives: UnilateralSpring, of TensionOnly too, where it acts; ElasticPlastic where it loads or unloads. A slack cable
+/// has k = 0. (What leaves its line takes CableForces::sum_pulls(), which calls the law itself.)
+[[gnu::always_inline]] inline void line_tension(Pack& tension, const Pack& stiffness, const Pack& extent,
+                                                const Pack& natural) {
+  tension = stiffness * (extent - natural);
+}
+
 /// Each lane's next; of the last, the first of the pack after.
 [[gnu::always_inline]] inline void ahead(Pack& next, const Pack& pack, const Pack& after) {
   next = __builtin_shufflevector(pack, after, 1, 2, 3, 4, 5, 6, 7, 8);
@@ -88,7 +96,8 @@ template <bool told, class Joints>
     load(low, lines.low.at(cable)), load(high, lines.high.at(cable));
     length.get(lengths), pull_x.get(pulls_x), pull_y.get(pulls_y);
     const Pack extent = lengths - rest;
-    const Pack tension = stiffness * (extent - natural);
+    Pack tension;
+    line_tension(tension, stiffness, extent, natural);
     Lanes extents, lows, highs;
     extents.set(extent), lows.set(low), highs.set(high);
     Sizes off;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "solver/base/error.hpp"
 #include "solver/dynamics/gap_update.hpp"
 #include "solver/dynamics/law_modes.hpp"
 #include "solver/dynamics/starting_impacts.hpp"
@@ -62,13 +63,13 @@ double friction_dashpot(const ContactGroup& group, const L& law, std::span<const
   return group.friction->dashpot(time);
 }
 
-/// One instance of friction, and the normal force at it.
+/// One instance of friction.
 struct Slider {
   const ContactGroup& group;
   const CoulombFriction& law;
   Slot slot;
   std::size_t instance{};  ///< of the contact, in Workspace::gaps
-  double normal{};         ///< [F]
+  bool is_pressed{};       ///< its normal law acts
   double dashpot{};        ///< c_s [F T/L]
 };
 
@@ -86,12 +87,17 @@ void for_each_slider(const Laws& laws, bool rough, const State& state, const Wor
         const Mode mode = state.mode[normal.mode];
         if (mode == 0 && state.mode[slot.mode] == CoulombFriction::open) continue;
         const L& law = array.laws[i];
-        const auto remembered = memory(law, state, normal);
-        const double force = mode == 0 ? 0.0 : law(kinematics(work, normal.mode), remembered, mode).total();
-        visit(Slider{group, *group.friction, slot, normal.mode, force, friction_dashpot(group, law, remembered)});
+        const double dashpot = friction_dashpot(group, law, memory(law, state, normal));
+        visit(Slider{group, *group.friction, slot, normal.mode, mode != 0, dashpot});
       }
     }
   });
+}
+
+/// The normal force at it [F], of the evaluation's push().
+double normal_force(const Workspace& work, const Slider& slider) {
+  TALUS_ASSERT(work.evaluated >= Evaluated::forces);
+  return slider.is_pressed ? work.normal_forces[slider.instance].total() : 0.0;
 }
 
 /// Across a gap, counter-clockwise from its normal: the direction in which slip of B past A is positive.
@@ -115,7 +121,7 @@ void start_spring(State& state, const Workspace& work, const Slider& slider) {
   const double rate = work.rates[slider.instance];
   if (!(rate > 0.0)) return;
   const double slip = slip_rate(work, slider) * std::max(work.gaps[slider.instance].depth, 0.0) / rate;
-  state.z[slider.slot.memory] = slider.law.begin(slip, slider.normal);
+  state.z[slider.slot.memory] = slider.law.begin(slip, normal_force(work, slider));
 }
 
 /// Adds a force [F] on B, and its opposite on A, at the contact point.
@@ -252,18 +258,30 @@ void ContactForces::begin(State& state, const Workspace& work) const {
   });
 }
 
+void ContactForces::push(const State& state, Workspace& work) const {
+  if (work.evaluated >= Evaluated::forces) return;
+  for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup&) {
+    const Mode mode = state.mode[slot.mode];
+    if (mode != 0) work.normal_forces[slot.mode] = law(kinematics(work, slot.mode), memory(law, state, slot), mode);
+  });
+  work.evaluated = Evaluated::forces;
+}
+
 // All laws' visits in line: a call for each array would cost more than most arrays do.
-[[gnu::flatten]] void ContactForces::settle(State& state, const Workspace& work, const State* before) const {
+[[gnu::flatten]] void ContactForces::settle(State& state, Workspace& work, const State* before) const {
   if (starts_by_mass_) start_contacts(state, work);
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup& group) {
     // The gap declares onset: a contact that does not act stays so out of the law's reach.
     if (state.mode[slot.mode] == 0 && work.gaps[slot.mode].depth < -reach(law)) return;
     settle_mode(law, slot, kinematics(work, slot.mode), state, group.copies);
   });
+  if (!rough_) return;
+  push(state, work);
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
-    if (state.mode[slider.slot.mode] == CoulombFriction::open && slider.normal > 0.0) start_spring(state, work, slider);
+    if (state.mode[slider.slot.mode] == CoulombFriction::open && normal_force(work, slider) > 0.0)
+      start_spring(state, work, slider);
     double& stretch = state.z[slider.slot.memory];
-    auto settled = slider.law.settle(stretch, slider.normal, viscous_stretch(work, slider));
+    auto settled = slider.law.settle(stretch, normal_force(work, slider), viscous_stretch(work, slider));
     // A dashpot that pulled back let the spring go beyond the limit: it takes the slider along as it is let go.
     if (slider.dashpot > 0.0 && state.mode[slider.slot.mode] == CoulombFriction::sticking &&
         CoulombFriction::slips(settled.mode))
@@ -279,7 +297,8 @@ void ContactForces::begin(State& state, const Workspace& work) const {
   });
 }
 
-void ContactForces::memory_rates(const State& state, const Workspace& work, Rates& out) const {
+void ContactForces::memory_rates(const State& state, Workspace& work, Rates& out) const {
+  push(state, work);
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     if (state.mode[slider.slot.mode] != CoulombFriction::open) out.z[slider.slot.memory] = slip_rate(work, slider);
   });
@@ -301,21 +320,24 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
 }
 
 [[gnu::flatten]] void ContactForces::add(const State& state, Workspace& work, Rates* out, bool slip_power) const {
+  const bool known = work.evaluated >= Evaluated::forces;
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup& group) {
     const Mode mode = state.mode[slot.mode];
     if (mode == 0) return;
-    const Kinematics x = kinematics(work, slot.mode);
-    const LawForce force = law(x, memory(law, state, slot), mode);
+    LawForce& force = work.normal_forces[slot.mode];
+    if (!known) force = law(kinematics(work, slot.mode), memory(law, state, slot), mode);
     const Gap& gap = work.gaps[slot.mode];
     add_pair(work, group, gap, force.total() * gap.n_AB);
-    if (out) out->work[static_cast<std::size_t>(L::dissipation)] += group.copies * force.dissipative * x.extent_rate;
+    if (out)
+      out->work[static_cast<std::size_t>(L::dissipation)] += group.copies * force.dissipative * work.rates[slot.mode];
   });
+  work.evaluated = std::max(work.evaluated, Evaluated::forces);
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     const Gap& gap = work.gaps[slider.instance];
     const double stretch = state.z[slider.slot.memory];
     const bool sticks = state.mode[slider.slot.mode] == CoulombFriction::sticking;
     const double viscous = sticks ? viscous_stretch(work, slider) : 0.0;
-    const double force = slider.law(stretch, slider.normal, viscous);
+    const double force = slider.law(stretch, normal_force(work, slider), viscous);
     add_pair(work, slider.group, gap, -force * tangent(gap));
     const bool slips = slip_power && CoulombFriction::slips(state.mode[slider.slot.mode]);
     if (out && (viscous != 0.0 || slips)) {
@@ -414,13 +436,14 @@ ContactForces::Overlap ContactForces::deepest_overlap(const Workspace& work) con
   return found;
 }
 
-void ContactForces::guards(const State& state, const Workspace& work, std::span<double> out) const {
+void ContactForces::guards(const State& state, Workspace& work, std::span<double> out) const {
+  if (rough_) push(state, work);
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup&) {
     out[slot.mode] = law.guard(kinematics(work, slot.mode), memory(law, state, slot), state.mode[slot.mode]);
   });
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
     const Slot slot = slider.slot;
-    out[slot.mode] = slider.law.guard(state.z[slot.memory], slip_rate(work, slider), slider.normal,
+    out[slot.mode] = slider.law.guard(state.z[slot.memory], slip_rate(work, slider), normal_force(work, slider),
                                       state.mode[slot.mode], viscous_stretch(work, slider));
   });
 }
@@ -477,10 +500,11 @@ double ContactForces::stored_energy(const State& state, const Workspace& work) c
   return sum;
 }
 
-void ContactForces::forces(const State& state, const Workspace& work, std::span<double> out) const {
+void ContactForces::forces(const State& state, Workspace& work, std::span<double> out) const {
+  push(state, work);
   std::fill_n(out.begin(), size(), 0.0);
-  for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup&) {
-    out[slot.mode] = law(kinematics(work, slot.mode), memory(law, state, slot), state.mode[slot.mode]).total();
+  for_each_near(laws_, work, [&](const auto&, Slot slot, const ContactGroup&) {
+    if (state.mode[slot.mode] != 0) out[slot.mode] = work.normal_forces[slot.mode].total();
   });
 }
 

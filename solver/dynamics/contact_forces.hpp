@@ -48,8 +48,10 @@ class ContactForces {
   bool has(std::size_t mode) const { return mode < pair_of_.size() && pair_of_[mode] < candidates(); }
   /// Before the first settle() of a run: friction within reach sticks, so that what pushes keeps the stretch it has.
   void begin(State& state, const Workspace& work) const;
+  /// Evaluates the normal forces of what acts, unless they are known: once for friction, wrenches and reports.
+  void push(const State& state, Workspace& work) const;
   /// `before`: see Dynamics::settle().
-  void settle(State& state, const Workspace& work, const State* before) const;
+  void settle(State& state, Workspace& work, const State* before) const;
   /// Lists the sleeping bodies that another touches.
   void list_woken(const Workspace& work, std::vector<BodyId>& woken) const;
   /// Adds the forces to the wrenches of both bodies; with out, the dissipated power as well, with `slip_power` also
@@ -71,7 +73,7 @@ class ContactForces {
   };
   Overlap deepest_overlap(const Workspace& work) const;
   /// Of the instances within reach.
-  void guards(const State& state, const Workspace& work, std::span<double> out) const;
+  void guards(const State& state, Workspace& work, std::span<double> out) const;
   /// A contact that acts, where its normal does not turn and its law is linear: between the motions of the two bodies
   /// along the normal.
   struct LinearContact {
@@ -105,10 +107,10 @@ class ContactForces {
   void for_each_acting(const State& state, const Workspace& work,
                        const std::function<void(const ActingContact&)>& visit) const;
   /// Rates of the memory that follows the motion: the slip rate where two bodies touch and friction acts.
-  void memory_rates(const State& state, const Workspace& work, Rates& out) const;
+  void memory_rates(const State& state, Workspace& work, Rates& out) const;
   double stored_energy(const State& state, const Workspace& work) const;
   /// Normal force of each instance [F], > 0 pushing apart.
-  void forces(const State& state, const Workspace& work, std::span<double> out) const;
+  void forces(const State& state, Workspace& work, std::span<double> out) const;
   /// Of each instance.
   const std::vector<InstancePair>& pairs() const { return pairs_; }
 

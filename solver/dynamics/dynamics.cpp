@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "solver/base/error.hpp"
+
 namespace talus {
 namespace {
 
@@ -60,6 +62,7 @@ Workspace Dynamics::workspace() const {
   work.joints = JointPoints(cables_.joints().size());
   work.gaps.resize(contacts_.size());
   work.rates.resize(contacts_.size());
+  work.normal_forces.resize(contacts_.size());
   work.near.resize(contacts_.candidates());
   work.paths = Paths(cables_.size());
   work.lines = CableLines(cables_.size());
@@ -83,7 +86,6 @@ void Dynamics::list_awake(const State& state, Workspace& work, bool whole) const
     waking.awake[index(layout_.sleepers[i])] = static_cast<char>(waking.modes[i]);
   waking.any_asleep = std::find(waking.modes.begin(), waking.modes.end(), Mode{0}) != waking.modes.end();
   waking.whole = whole;
-  waking.summed = false;
   bodies_.list_awake(waking);
   cables_.list_awake(waking, work.rigging);
   const auto last = std::find(waking.awake.rbegin(), waking.awake.rend(), char{1});
@@ -109,18 +111,27 @@ void Dynamics::follow_modes(const State& state, Workspace& work) const {
     const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
     const bool changed =
         rerigged || !std::equal(work.waking.modes.begin(), work.waking.modes.end(), modes, state.mode.end());
-    if (changed || (work.waking.whole && work.waking.summed)) list_awake(state, work, changed);
+    const bool was_whole = work.waking.whole && work.evaluated == Evaluated::loads;
+    if (changed || was_whole) list_awake(state, work, changed);
   }
 }
 
-void Dynamics::update(const State& state, Workspace& work) const {
+void Dynamics::update(const State& state, Workspace& work, Need need) const {
   follow_modes(state, work);
   bodies_.place(state, work);
+  work.pulled = need == Need::rates && cables_.pull_rows(state, work);
+  const bool near = contacts_.find(state, work);
   // Velocities are a twenty-fifth of a small fence's step: only if something follows from them.
-  const bool pulled = cables_.pull_rows(state, work), near = contacts_.find(state, work);
-  if (!pulled || near) bodies_.place_velocities(state, work);
-  if (!pulled) cables_.update(state, work);
+  if (!work.pulled || near) bodies_.place_velocities(state, work);
+  if (!work.pulled) cables_.update(state, work);
   if (near) contacts_.update(state, work);
+  work.evaluated = Evaluated::geometry;
+}
+
+void Dynamics::evaluate(State& state, Workspace& work, Rates& out, bool ledger) const {
+  update(state, work, ledger ? Need::everything : Need::rates);
+  settle(state, work);
+  rates(state, work, out, ledger);
 }
 
 void Dynamics::update_everywhere(const State& state, Workspace& work) const {
@@ -132,6 +143,8 @@ void Dynamics::update_everywhere(const State& state, Workspace& work) const {
   bodies_.update(state, work);
   cables_.update(state, work);
   if (contacts_.find(state, work)) contacts_.update(state, work);
+  work.pulled = false;
+  work.evaluated = Evaluated::geometry;
 }
 
 void Dynamics::update_all(const State& state, Workspace& work) const {
@@ -140,6 +153,8 @@ void Dynamics::update_all(const State& state, Workspace& work) const {
   bodies_.update(state, work);
   cables_.update(state, work);
   contacts_.update_all(work);
+  work.pulled = false;
+  work.evaluated = Evaluated::geometry;
 }
 
 void Dynamics::begin(State& state, Workspace& work) const {
@@ -148,6 +163,8 @@ void Dynamics::begin(State& state, Workspace& work) const {
 }
 
 bool Dynamics::settle(State& state, Workspace& work, const State* before) const {
+  TALUS_ASSERT(work.evaluated != Evaluated::nothing);
+  work.evaluated = Evaluated::geometry;  // forces are in the modes of before
   // Calls of what has nothing to do would be a thirtieth of a small fence's step.
   if (work.any_near) contacts_.settle(state, work, before);
   if (!work.waking.quiet) cables_.settle(state, work);
@@ -209,13 +226,14 @@ void Dynamics::relax(State& state, Workspace& work, Energy before, Mechanism los
   state.work[static_cast<std::size_t>(loss)] += (before.stored - after.stored) - (after.lost - before.lost);
 }
 
-void Dynamics::memory_rates(const State& state, const Workspace& work, Rates& out) const {
+void Dynamics::memory_rates(const State& state, Workspace& work, Rates& out) const {
   if (!follows_motion_) return;  // and nothing else writes to them
   std::fill(out.z.begin(), out.z.end(), 0.0);
   contacts_.memory_rates(state, work, out);
 }
 
 void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledger, bool slip_power) const {
+  TALUS_ASSERT(work.evaluated != Evaluated::nothing);
   if (ledger || out.accounts) {
     out.work.fill(0.0);
     out.impulse.fill(0.0);
@@ -225,12 +243,13 @@ void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledge
   Rates* const accounts = ledger ? &out : nullptr;
   // Cables first: a half model's doubled pull and a full model's two pulls are then the same sum to the last bit.
   cables_.load(state, work, accounts);
-  work.waking.summed = true;
   if (work.any_near) contacts_.add(state, work, accounts, slip_power);
+  work.evaluated = Evaluated::loads;
   bodies_.rates(work, out, ledger);
 }
 
-bool Dynamics::guards(const State& state, const Workspace& work, std::span<double> out, double ahead) const {
+bool Dynamics::guards(const State& state, Workspace& work, std::span<double> out, double ahead) const {
+  TALUS_ASSERT(work.has_geometry());
   std::fill(out.begin(), out.end(), std::numeric_limits<double>::infinity());
   contacts_.guards(state, work, out);
   return cables_.guards(state, work, ahead, out) || work.any_near;
@@ -240,14 +259,18 @@ void Dynamics::guards_of(const State& state, std::span<const std::size_t> modes,
                          std::span<double> out) const {
   follow_modes(state, work);
   bodies_.update(state, work);
+  work.evaluated = Evaluated::geometry;
   for (const std::size_t mode : modes)
     out[mode] = std::numeric_limits<double>::infinity();
   if (contacts_.update_of(state, modes, work)) contacts_.guards(state, work, out);
   const bool of_cables =
       std::any_of(modes.begin(), modes.end(), [this](std::size_t mode) { return !contacts_.has(mode); });
-  if (!of_cables) return;
-  cables_.update(state, work);
-  cables_.guards(state, work, std::numeric_limits<double>::infinity(), out);
+  if (of_cables) {
+    work.pulled = false;
+    cables_.update(state, work);
+    cables_.guards(state, work, std::numeric_limits<double>::infinity(), out);
+  }
+  work.evaluated = Evaluated::nothing;
 }
 
 bool Dynamics::follows(const State& state) const { return contacts_.follows(state) || cables_.follows(state); }
@@ -269,15 +292,20 @@ void Dynamics::wake_all(State& state) const {
 }
 
 Energies Dynamics::energies(const State& state, const Workspace& work) const {
+  TALUS_ASSERT(work.has_geometry());
   Energies sum = bodies_.energies(state, work);
   sum.contacts = contacts_.stored_energy(state, work);
   sum.cables = cables_.stored_energy(state, work);
   return sum;
 }
 
-Momenta Dynamics::momenta(const Workspace& work) const { return bodies_.momenta(work); }
+Momenta Dynamics::momenta(const Workspace& work) const {
+  TALUS_ASSERT(work.has_geometry());
+  return bodies_.momenta(work);
+}
 
-void Dynamics::forces(const State& state, const Workspace& work, LawForces& out) const {
+void Dynamics::forces(const State& state, Workspace& work, LawForces& out) const {
+  TALUS_ASSERT(work.has_geometry());
   out.instances.resize(contacts_.size());
   out.contacts.assign(model_.contacts.size(), 0.0);
   out.tensions.resize(cables_.size());
@@ -290,12 +318,14 @@ void Dynamics::forces(const State& state, const Workspace& work, LawForces& out)
 }
 
 double Dynamics::contact_depth(const Workspace& work, ContactId contact) const {
+  TALUS_ASSERT(work.evaluated != Evaluated::nothing);
   const auto first = work.gaps.begin() + static_cast<std::ptrdiff_t>(layout_.contact_slots[index(contact)].mode);
   const auto last = first + static_cast<std::ptrdiff_t>(layout_.contact_instances[index(contact)]);
   return std::max_element(first, last, [](const Gap& a, const Gap& b) { return a.depth < b.depth; })->depth;
 }
 
 double Dynamics::elongation(const Workspace& work, CableId cable) const {
+  TALUS_ASSERT(work.has_geometry());
   return cables_.elongation(work, index(cable));
 }
 

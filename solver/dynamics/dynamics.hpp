@@ -25,6 +25,24 @@ struct LawForces {
 
 /// The rules that turn a Model and a State into rates of change: pure functions of both. Compiles the model once into
 /// flat arrays, one for each kind of body, geometry and law, so that an evaluation dispatches once an array.
+///
+/// One evaluation, evaluate(), and where each part of it stands:
+///
+///   state q, v, z, modes
+///     |  1 hangers and sleepers    the rigging, and what is awake            follow_modes()
+///     |  2 bodies                  poses, velocities                         BodyForces::place()
+///     |  3 cables                  joints, paths, pulls of rows              CableForces::update(), or pull_rows()
+///     |  4 contacts                pairs within reach, gaps                  ContactForces::find(), update()
+///   geometry                                                                 (update() is 1 to 4)
+///     |  5 modes                   contacts, cables, hangers, sleepers       settle(): may begin again at 1
+///     |  6 normal forces           once, for friction and wrenches           ContactForces::push()
+///   forces
+///     |  7 wrenches                cables first, then contacts               CableForces::load(), ContactForces::add()
+///   loads
+///     |  8 rates                   accelerations, slip, powers, impulses     BodyForces::rates()
+///   rates of q, v, z               (rates() is 6 to 8)
+///
+/// How far a workspace is stands in Workspace::evaluated.
 class Dynamics {
  public:
   explicit Dynamics(const Model& model);
@@ -42,7 +60,9 @@ class Dynamics {
 
   /// Poses, paths and gaps of the state: what every function below reads. Gaps are worked out only of bodies within
   /// reach of each other.
-  void update(const State& state, Workspace& work) const;
+  void update(const State& state, Workspace& work, Need need = Need::everything) const;
+  /// The whole evaluation: update(), settle() and rates().
+  void evaluate(State& state, Workspace& work, Rates& out, bool ledger) const;
   /// The same for who reports the state: sleeping bodies with their cables, too.
   void update_everywhere(const State& state, Workspace& work) const;
   /// After update() or update_everywhere(): of the gaps out of reach the depths alone.
@@ -57,7 +77,7 @@ class Dynamics {
   /// Whether some memory follows the motion, as that of friction does.
   bool follows_motion() const { return follows_motion_; }
   /// Rates of that memory alone, to out.z, which was made from a state.
-  void memory_rates(const State& state, const Workspace& work, Rates& out) const;
+  void memory_rates(const State& state, Workspace& work, Rates& out) const;
   /// Brings the modes of a state with no motion behind it up to date: as settle(), but for friction where bodies
   /// overlap, whose springs have the stretch that the state says, and have not slipped since some touch before it.
   void begin(State& state, Workspace& work) const;
@@ -76,7 +96,7 @@ class Dynamics {
   /// Guards of all law instances and hangers in the state's modes, by mode slot; positive while the mode lasts, and
   /// infinite where nothing can end it from here, or, for rows of cables on straight lines, at their rates nothing does
   /// in the time ahead [T]. Whether any may be finite.
-  bool guards(const State& state, const Workspace& work, std::span<double> out,
+  bool guards(const State& state, Workspace& work, std::span<double> out,
               double ahead = std::numeric_limits<double>::infinity()) const;
   /// Those of a few modes; the numbers of others may change, too. Works out what they need alone: nothing more
   /// may be asked after it without another update().
@@ -102,7 +122,7 @@ class Dynamics {
   [[nodiscard]] Energies energies(const State& state, const Workspace& work) const;
   [[nodiscard]] Momenta momenta(const Workspace& work) const;
   /// Forces of all contacts and cables in the state's modes.
-  void forces(const State& state, const Workspace& work, LawForces& out) const;
+  void forces(const State& state, Workspace& work, LawForces& out) const;
   /// Largest overlap of a contact [L]; negative while its bodies are apart. Needs update_all().
   [[nodiscard]] double contact_depth(const Workspace& work, ContactId contact) const;
   /// Elongation of a cable [L]; negative while slack.

@@ -72,12 +72,7 @@ void RigidBodySystem::derivative(const State& state, Rates& out) {
 
 void RigidBodySystem::evaluate(State& state, Rates& out) {
   count();
-  // Nobody looks at this workspace until the next update.
-  work_.rates_only = !ledger_;
-  dynamics_->update(state, work_);
-  dynamics_->settle(state, work_);
-  dynamics_->rates(state, work_, out, ledger_);
-  work_.rates_only = false;
+  dynamics_->evaluate(state, work_, out, ledger_);
 }
 
 }  // namespace talus

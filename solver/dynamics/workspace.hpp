@@ -5,6 +5,7 @@
 #include "solver/dynamics/candidates.hpp"
 #include "solver/dynamics/lanes.hpp"
 #include "solver/geometry/gap.hpp"
+#include "solver/laws/kinematics.hpp"
 #include "solver/state/mode.hpp"
 
 namespace talus {
@@ -12,8 +13,8 @@ namespace talus {
 /// What of a scene an evaluation works out: all but sleeping bodies and the cables between them.
 struct Waking {
   std::vector<Mode> modes;  ///< sleep modes of the state that the lists stand for
-  bool whole{true};         ///< all paths and poses are worked out, because the modes have just changed
-  bool summed{false};       ///< and the pulls at all joints have been summed from them: the next may leave out sleepers
+  bool whole{true};         ///< all paths and poses are worked out, because the modes have just changed; the evaluation
+                            ///< after the next that goes as far as the loads may leave out sleepers
   std::vector<char> awake;  ///< one for each body
   bool any_asleep{};        ///< whether one of them is not
   std::size_t moving{};     ///< coordinates before the last sleepers, behind whom none is awake
@@ -22,8 +23,7 @@ struct Waking {
   std::vector<JointRun> joints;               ///< joints to work out
   std::vector<std::vector<CableRun>> cables;  ///< for each law, cables to work out
   bool rows_only{};                           ///< all these cables are in rows, in the order of their joints
-  bool quiet{};   ///< as last laid, all of them stay on their straight lines: Workspace::pulls are what they pull
-  bool loaded{};  ///< as last laid, these pulls are the wrenches already, and nothing else of joints and paths is known
+  bool quiet{};  ///< as last laid, all of them stay on their straight lines: Workspace::pulls are what they pull
   std::vector<std::size_t> borders;  ///< of these, the ones with a sleeping body at one end only
 };
 
@@ -49,20 +49,33 @@ struct Rigging {
   std::vector<Chain> chains;
 };
 
+/// How far a workspace is of a state: each stage has what those before it have. (Modes are of the state: settle() brings
+/// them up to the geometry.)
+enum class Evaluated : unsigned char {
+  nothing,   ///< of no state
+  geometry,  ///< poses, velocities, joints, paths and gaps
+  forces,    ///< the normal forces of the contacts within reach, in the state's modes
+  loads,     ///< the wrenches of the bodies
+};
+
+/// What is needed of an evaluation. Of rates alone: joints and paths of rows of cables may be left as they were, and, as
+/// long as no pair is near, the velocities of free bodies.
+enum class Need { everything, rates };
+
 /// Scratch of one force evaluation, kept by the caller so that Dynamics stays pure and a step of a scene with neither
 /// broken hangers nor many bodies allocates nothing.
 struct Workspace {
-  /// Asks for rates alone, without accounts: joints and paths of rows of cables may be left as they were, and, as long
-  /// as no pair is near, the velocities of free bodies.
-  bool rates_only{};
-  Poses poses;                ///< one for each body
-  Wrenches wrenches;          ///< one for each body
-  Wrenches pulls;             ///< of rows of cables alone
-  JointPoints joints;         ///< one for each joint
-  Paths paths;                ///< one for each cable
-  CableLines lines;           ///< one for each cable
-  std::vector<Gap> gaps;      ///< one for each law instance of the contacts that is near
-  std::vector<double> rates;  ///< their depth rates [L/T]
+  Evaluated evaluated{Evaluated::nothing};
+  bool pulled{};                        ///< for rates alone: what the cables pull is in the wrenches already; see Need
+  Poses poses;                          ///< one for each body
+  Wrenches wrenches;                    ///< one for each body
+  Wrenches pulls;                       ///< of rows of cables alone
+  JointPoints joints;                   ///< one for each joint
+  Paths paths;                          ///< one for each cable
+  CableLines lines;                     ///< one for each cable
+  std::vector<Gap> gaps;                ///< one for each law instance of the contacts that is near
+  std::vector<double> rates;            ///< their depth rates [L/T]
+  std::vector<LawForce> normal_forces;  ///< of those that act [F]
   Waking waking;
   Rigging rigging;
   Sweep sweep;  ///< of the contact search
@@ -71,6 +84,9 @@ struct Workspace {
   static constexpr char known = 2;   ///< they have been
   std::vector<char> near;            ///< one for each pair; 0: it has none, out of reach
   bool any_near{};                   ///< some pair has any
+
+  /// Whether the whole geometry is known.
+  bool has_geometry() const { return evaluated >= Evaluated::geometry && !pulled; }
 };
 
 }  // namespace talus

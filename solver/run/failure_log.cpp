@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <variant>
 
 #include "solver/base/error.hpp"
@@ -46,7 +47,17 @@ FailureLog::FailureLog(const Dynamics& dynamics) {
   }
 }
 
+bool FailureLog::has_changed(const State& state) {
+  const auto same = [](const auto& kept, const auto& now) {
+    return kept.size() == now.size() && std::memcmp(kept.data(), now.data(), now.size() * sizeof(now[0])) == 0;
+  };
+  if (!state.mode.empty() && same(modes_, state.mode) && (state.z.empty() || same(memory_, state.z))) return false;
+  modes_ = state.mode, memory_ = state.z;
+  return true;
+}
+
 void FailureLog::operator()(const State& state, const StepInfo&) {
+  if (!has_changed(state)) return;
   for (std::size_t i = 0; i < watches_.size(); ++i) {
     Watch& watch = watches_[i];
     if (watch.seen || (state.mode[watch.slot.mode] != watch.mode && !drawn_out(watch, state))) continue;

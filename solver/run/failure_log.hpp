@@ -41,7 +41,12 @@ class FailureLog {
   };
   static bool drawn_out(const Watch& watch, const State& state);
 
+  /// Whether modes or memories are other than at the last step; they hardly ever are, and all else follows from them.
+  bool has_changed(const State& state);
+
   std::vector<Watch> watches_;
+  std::vector<Mode> modes_;       ///< at the last step seen
+  std::vector<double> memory_;    ///< then
   std::vector<Failure> awaited_;  ///< of each
   std::vector<Failure> failures_;
 };

@@ -11,7 +11,7 @@ Snapshot::Snapshot(const Dynamics& dynamics, const State& state) : Snapshot{dyna
 
 void Snapshot::set(const State& state) {
   state_ = state;
-  placed_ = false;
+  work_.evaluated = Evaluated::nothing;
   stages_ = static_cast<unsigned>(Stage::state);
 }
 
@@ -25,13 +25,13 @@ void Snapshot::evaluate_state() const {
   synchronise_(state_);
   dynamics_->update_everywhere(state_, work_);
   // What breaks or wakes is evaluated again at once, but without what sleeps beside it.
-  placed_ = !dynamics_->settle(state_, work_);
+  if (dynamics_->settle(state_, work_)) work_.evaluated = Evaluated::nothing;
   done(Stage::state);
 }
 
 void Snapshot::evaluate_geometry() const {
   const State& now = state();
-  if (!placed_) dynamics_->update_everywhere(now, work_);
+  if (work_.evaluated == Evaluated::nothing) dynamics_->update_everywhere(now, work_);
   done(Stage::geometry);
 }
 

@@ -93,7 +93,6 @@ class Snapshot {
   const Dynamics* dynamics_;
   std::function<void(State&)> synchronise_;
   mutable unsigned stages_{};
-  mutable bool placed_{};  ///< work_ is of the state
   mutable State state_;
   mutable Workspace work_;
   mutable LawForces forces_;

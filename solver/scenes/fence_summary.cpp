@@ -18,8 +18,11 @@ namespace {
 Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
 void add(ForceRecord& record, Vec3 force, Vec3& last, double time, double h) {
-  const double size = norm(force);
-  if (size > record.peak) record.peak = size, record.peak_time = time, record.at_peak = force;
+  // A root only of what may be larger: two sizes whose squares differ may be one.
+  if (dot(force, force) > dot(record.at_peak, record.at_peak)) {
+    const double size = norm(force);
+    if (size > record.peak) record.peak = size, record.peak_time = time, record.at_peak = force;
+  }
   record.impulse = record.impulse + 0.5 * h * (last + force);
   last = force;
 }

@@ -69,13 +69,13 @@ State moving(const Model& model) {
   return state;
 }
 
-struct Evaluated {
+struct Evaluation {
   State state;
   Workspace work;
   Rates rates;
 };
 
-Evaluated evaluate(const Dynamics& dynamics, State state) {
+Evaluation evaluate(const Dynamics& dynamics, State state) {
   Workspace work = dynamics.workspace();
   dynamics.update(state, work);
   dynamics.settle(state, work);
@@ -104,7 +104,7 @@ State moved(State state, const Rates& rates, double t) {
 BOOST_AUTO_TEST_CASE(every_contact_of_the_crowd_acts) {
   const Model model = crowded();
   const Dynamics dynamics{model};
-  const Evaluated now = evaluate(dynamics, moving(model));
+  const Evaluation now = evaluate(dynamics, moving(model));
   const Layout& layout = dynamics.layout();
   std::size_t touching = 0;
   for (std::size_t c = 0; c < model.contacts.size(); ++c) {
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(every_contact_of_the_crowd_acts) {
 BOOST_AUTO_TEST_CASE(calling_twice_gives_the_same_bits_and_changes_nothing) {
   const Model model = crowded();
   const Dynamics dynamics{model};
-  Evaluated now = evaluate(dynamics, moving(model));
+  Evaluation now = evaluate(dynamics, moving(model));
   const State before = now.state;
   Rates again{before};
   dynamics.rates(now.state, now.work, again);
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(energy_falls_by_the_dissipated_power) {
   for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
     const Model model = crowded(method);
     const Dynamics dynamics{model};
-    const Evaluated now = evaluate(dynamics, moving(model));
+    const Evaluation now = evaluate(dynamics, moving(model));
     // Five-point difference: exact to fourth order in h, for the stiff contacts make the third derivative large (1e6).
     const double h = 1e-5;
     const auto at = [&](double t) { return energy(dynamics, moved(now.state, now.rates, t)); };
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(energy_falls_by_the_dissipated_power) {
 BOOST_AUTO_TEST_CASE(momentum_changes_by_the_impulse_from_outside) {
   const Model model = crowded();
   const Dynamics dynamics{model};
-  const Evaluated now = evaluate(dynamics, moving(model));
+  const Evaluation now = evaluate(dynamics, moving(model));
   const double h = 1e-5;
   const auto momenta = [&](double t) {
     Workspace work = dynamics.workspace();
@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(a_contact_pushes_whichever_way_round_its_pair_is_named) {
     builder.add(Contact{.name = "c", .a = swapped ? high : low, .b = swapped ? low : high, .law = law});
     const Model model = builder.build();
     const Dynamics dynamics{model};
-    const Evaluated now = evaluate(dynamics, rest_state(model));
+    Evaluation now = evaluate(dynamics, rest_state(model));
     LawForces forces;
     dynamics.forces(now.state, now.work, forces);
     BOOST_TEST(forces.contacts[0] == 90.0, boost::test_tools::tolerance(1e-12));
@@ -287,7 +287,7 @@ BOOST_AUTO_TEST_CASE(a_contact_pushes_whichever_way_round_its_pair_is_named) {
 BOOST_AUTO_TEST_CASE(guards_tell_which_modes_last) {
   const Model model = crowded();
   const Dynamics dynamics{model};
-  const Evaluated now = evaluate(dynamics, moving(model));
+  Evaluation now = evaluate(dynamics, moving(model));
   std::vector<double> guards(now.state.mode.size());
   dynamics.guards(now.state, now.work, guards);
   for (const double guard : guards)

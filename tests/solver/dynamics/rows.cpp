@@ -114,9 +114,8 @@ BOOST_AUTO_TEST_CASE(rows_of_any_length_pull_as_their_cables_do_one_by_one) {
 
         Workspace bare = dynamics.workspace();
         Rates alone{state};
-        bare.rates_only = true;
-        dynamics.update(state, bare);
-        BOOST_TEST(bare.waking.loaded == work.waking.quiet);
+        dynamics.update(state, bare, Need::rates);
+        BOOST_TEST(bare.pulled == work.waking.quiet);
         dynamics.rates(state, bare, alone, false);
         BOOST_TEST(alone.v == rates.v);
 

@@ -238,6 +238,8 @@ void expect_long_steps(Findings& findings, const Setup& setup, const ShearCell& 
   };
   draw(plan.steps_in_contact, right);
   for (const Long& by : longs) {
+    // Sixteen of the twenty cells with long steps, and a fifth of the quick tier's time.
+    if (by.seeds > 1 && setup.tier != Tier::full) continue;
     FlowPlan steps = plan;
     steps.steps_in_contact = setup.has("shorter_steps") ? 20.0 : by.steps;
     std::vector<Flow> cells;
@@ -334,7 +336,7 @@ Case definition() {
                           "stress ratio of the cell whose contacts are cleared",
                           "energy unaccounted for when contacts forget d0 every .1 ms",
                           "energy unaccounted for, velocity Verlet, 6 steps in a contact",
-                          "energy unaccounted for, velocity Verlet, 2 steps in a contact, least of eight",
+                          "energy unaccounted for, velocity Verlet, 2.9 steps in a contact",
                           "stress ratio, velocity Verlet, 2.9 steps in a contact",
                           "limits are passed, Euler with 10 steps in a contact",
                           "limits are passed, Taylor with 5 steps in a contact"},
@@ -350,7 +352,7 @@ Case definition() {
                      {"elastic_discs", "discs of the cells with long steps lose nothing",
                       "stress ratio, velocity Verlet, 2.9 steps in a contact"},
                      {"shorter_steps", "20 steps in a contact for each number of them",
-                      "energy unaccounted for, velocity Verlet, 2 steps in a contact, least of eight"},
+                      "energy unaccounted for, velocity Verlet, 2.9 steps in a contact"},
                      {"first_order_finer", "Euler's and Taylor's steps twelve times as short as they are to be",
                       "limits are passed, Taylor with 5 steps in a contact"},
                      {"first_order_coarser", "Euler's and Taylor's steps twelve times as long as they are to be",
