@@ -39,12 +39,12 @@ void StepParts::look(const State& state, const StepInfo& info) {
   const Clock::time_point start = Clock::now();
   State copy = state;
   Rates* const accounts = ledger_ ? &rates_ : nullptr;
-  evaluation_ += time([&] {
-    dynamics_->update(copy, work_);
-    dynamics_->settle(copy, work_);
-    dynamics_->rates(copy, work_, rates_, ledger_);
-  });
+  evaluation_ += time([&] { dynamics_->evaluate(copy, work_, rates_, ledger_); });
+  // What count() asks for needs all paths; the parts are then timed one by one from the geometry.
+  dynamics_->update(copy, work_);
+  dynamics_->rates(copy, work_, rates_, ledger_);
   count(copy);
+  work_.evaluated = Evaluated::geometry;
   contacts_ += time([&] {
     if (dynamics_->contacts().find(copy, work_)) dynamics_->contacts().update(copy, work_);
     dynamics_->contacts().settle(copy, work_, nullptr);

@@ -259,6 +259,7 @@ void ContactForces::begin(State& state, const Workspace& work) const {
 }
 
 void ContactForces::push(const State& state, Workspace& work) const {
+  TALUS_ASSERT(work.evaluated != Evaluated::nothing);
   if (work.evaluated >= Evaluated::forces) return;
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup&) {
     const Mode mode = state.mode[slot.mode];

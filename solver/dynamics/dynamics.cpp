@@ -233,7 +233,7 @@ void Dynamics::memory_rates(const State& state, Workspace& work, Rates& out) con
 }
 
 void Dynamics::rates(const State& state, Workspace& work, Rates& out, bool ledger, bool slip_power) const {
-  TALUS_ASSERT(work.evaluated != Evaluated::nothing);
+  TALUS_ASSERT(work.evaluated != Evaluated::nothing && !(work.pulled && work.evaluated == Evaluated::loads));
   if (ledger || out.accounts) {
     out.work.fill(0.0);
     out.impulse.fill(0.0);

@@ -26,23 +26,28 @@ struct LawForces {
 /// The rules that turn a Model and a State into rates of change: pure functions of both. Compiles the model once into
 /// flat arrays, one for each kind of body, geometry and law, so that an evaluation dispatches once an array.
 ///
-/// One evaluation, evaluate(), and where each part of it stands:
+/// One evaluation, evaluate(), and where each part of it is:
 ///
 ///   state q, v, z, modes
-///     |  1 hangers and sleepers    the rigging, and what is awake            follow_modes()
-///     |  2 bodies                  poses, velocities                         BodyForces::place()
-///     |  3 cables                  joints, paths, pulls of rows              CableForces::update(), or pull_rows()
-///     |  4 contacts                pairs within reach, gaps                  ContactForces::find(), update()
-///   geometry                                                                 (update() is 1 to 4)
-///     |  5 modes                   contacts, cables, hangers, sleepers       settle(): may begin again at 1
-///     |  6 normal forces           once, for friction and wrenches           ContactForces::push()
+///     |  1 hangers, sleepers   the rigging, and what is awake             follow_modes()
+///     |  2 bodies              poses                                      BodyForces::place()
+///     |  3 cables, rates only  pulls of rows, without joints and paths    CableForces::pull_rows()
+///     |  4 contacts            pairs within reach                         ContactForces::find()
+///     |  5 bodies              velocities                                 BodyForces::place_velocities()
+///     |  6 cables              joints, paths, pulls of rows               CableForces::update(), unless 3 was enough
+///     |  7 contacts            gaps                                       ContactForces::update()
+///   geometry                                                              1 to 7 are update()
+///     |  8 modes               contacts, cables, hangers, sleepers        settle(); what breaks or wakes begins at 1 again
+///     |  9 normal forces       once: for friction in 8, or else in 11     ContactForces::push()
 ///   forces
-///     |  7 wrenches                cables first, then contacts               CableForces::load(), ContactForces::add()
+///     | 10 memory              slip rates                                 memory_rates()
+///     | 11 wrenches, powers    cables first, then contacts                CableForces::load(), ContactForces::add()
 ///   loads
-///     |  8 rates                   accelerations, slip, powers, impulses     BodyForces::rates()
-///   rates of q, v, z               (rates() is 6 to 8)
+///     | 12 accelerations       and powers and impulses of fields          BodyForces::rates()
+///   rates of q, v, z                                                      9 to 12 are rates()
 ///
-/// How far a workspace is stands in Workspace::evaluated.
+/// Workspace::evaluated says which of these stages a workspace has reached. Functions of a workspace take the state of
+/// its evaluation, with the same modes and memory.
 class Dynamics {
  public:
   explicit Dynamics(const Model& model);
@@ -123,7 +128,8 @@ class Dynamics {
   [[nodiscard]] Momenta momenta(const Workspace& work) const;
   /// Forces of all contacts and cables in the state's modes.
   void forces(const State& state, Workspace& work, LawForces& out) const;
-  /// Largest overlap of a contact [L]; negative while its bodies are apart. Needs update_all().
+  /// Largest overlap of a contact [L]; negative while its bodies are apart. Of bodies out of reach it needs
+  /// update_depths() or update_all().
   [[nodiscard]] double contact_depth(const Workspace& work, ContactId contact) const;
   /// Elongation of a cable [L]; negative while slack.
   [[nodiscard]] double elongation(const Workspace& work, CableId cable) const;

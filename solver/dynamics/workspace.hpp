@@ -49,8 +49,8 @@ struct Rigging {
   std::vector<Chain> chains;
 };
 
-/// How far a workspace is of a state: each stage has what those before it have. (Modes are of the state: settle() brings
-/// them up to the geometry.)
+/// The stage that the evaluation of a state has reached; each has what those before it have. (Modes are of the state:
+/// settle() brings them up to the geometry.)
 enum class Evaluated : unsigned char {
   nothing,   ///< of no state
   geometry,  ///< poses, velocities, joints, paths and gaps
@@ -85,7 +85,7 @@ struct Workspace {
   std::vector<char> near;            ///< one for each pair; 0: it has none, out of reach
   bool any_near{};                   ///< some pair has any
 
-  /// Whether the whole geometry is known.
+  /// Whether the geometry of what is awake is known, with joints, paths and velocities.
   bool has_geometry() const { return evaluated >= Evaluated::geometry && !pulled; }
 };
 

@@ -9,13 +9,15 @@ namespace talus {
 double Accounts::dissipated() const { return std::accumulate(lost.begin(), lost.end(), 0.0); }
 
 EnergyLedger::EnergyLedger(const Dynamics& dynamics, const State& start)
-    : own_{std::make_unique<Snapshot>(dynamics, start)}, start_work_{start.work}, start_impulse_{start.impulse} {
-  start_energies_ = own_->energies();
-  start_momenta_ = own_->momenta();
+    : dynamics_{&dynamics}, start_work_{start.work}, start_impulse_{start.impulse} {
+  const Snapshot first{dynamics, start};
+  start_energies_ = first.energies();
+  start_momenta_ = first.momenta();
   energy_scale_ = start_energies_.kinetic;
 }
 
 Accounts EnergyLedger::accounts(const State& state) {
+  if (!own_) own_ = std::make_unique<Snapshot>(*dynamics_);
   own_->set(state);
   return accounts(*own_);
 }

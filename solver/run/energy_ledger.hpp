@@ -46,7 +46,8 @@ class EnergyLedger {
   void remember(Memory& memory);
 
  private:
-  std::unique_ptr<Snapshot> own_;  ///< of the last state that came alone
+  const Dynamics* dynamics_;
+  std::unique_ptr<Snapshot> own_;  ///< for states without a snapshot; made for the first
   std::array<double, mechanism_count> start_work_{};
   Impulse<double> start_impulse_{};
   Energies start_energies_;

@@ -51,7 +51,10 @@ bool FailureLog::has_changed(const State& state) {
   const auto same = [](const auto& kept, const auto& now) {
     return kept.size() == now.size() && std::memcmp(kept.data(), now.data(), now.size() * sizeof(now[0])) == 0;
   };
-  if (!state.mode.empty() && same(modes_, state.mode) && (state.z.empty() || same(memory_, state.z))) return false;
+  const auto may_yield = [](const Watch& watch) { return watch.yielding && !watch.seen; };
+  const bool same_modes = !state.mode.empty() && same(modes_, state.mode);
+  if (same_modes && std::none_of(watches_.begin(), watches_.end(), may_yield)) return false;
+  if (same_modes && !state.z.empty() && same(memory_, state.z)) return false;
   modes_ = state.mode, memory_ = state.z;
   return true;
 }

@@ -41,7 +41,8 @@ class FailureLog {
   };
   static bool drawn_out(const Watch& watch, const State& state);
 
-  /// Whether modes or memories are other than at the last step; they hardly ever are, and all else follows from them.
+  /// Whether something may have failed since the last step: a mode has changed or, as long as a cable may yield, a
+  /// memory.
   bool has_changed(const State& state);
 
   std::vector<Watch> watches_;

@@ -105,6 +105,7 @@ void FenceMaker::kick_half_a_step() {
   std::fill_n(apart.mode.begin(), dynamics.contacts().size(), Mode{0});
   Rates with{state}, without{state};
   dynamics.rates(touching, work, with, false);
+  dynamics.update(apart, work);
   dynamics.rates(apart, work, without, false);
   for (std::size_t i = 0; i < state.v.size(); ++i)
     state.v[i] += 0.5 * made_.scene.plan.step * (with.v[i] - without.v[i]);
