@@ -7,7 +7,6 @@
 
 #include "solver/app/start_warnings.hpp"
 #include "solver/base/error.hpp"
-#include "solver/io/file/atomic_file.hpp"
 #include "solver/scenes/fence_plausibility.hpp"
 #include "solver/state/state_memory.hpp"
 
@@ -184,18 +183,6 @@ RunRecord SceneRun::record(Outcome outcome) const {
   record.watched = watch_lines(watch_, *scene_);
   record.notes = outputs_.left_out();
   return record;
-}
-
-void SceneRun::write(const RunRecord& record) const {
-  outputs_.write({record, seen_, fence_ ? &*fence_ : nullptr});
-  // All at once: one by one they would take longer than the run.
-  sync_folder(folder_);
-}
-
-std::vector<std::string> SceneRun::file_names() const {
-  std::vector<std::string> names = outputs_.files();
-  names.insert(names.begin(), "summary.json");
-  return names;
 }
 
 }  // namespace talus::app

@@ -15,7 +15,7 @@
 
 namespace talus::app {
 
-/// A scene's run with all that it leaves in a folder, which can be stopped between two steps and taken on by another.
+/// A scene's run with all that it leaves in a folder, which can be interrupted between two steps and resumed by another.
 class SceneRun {
  public:
   /// `folder` empty: nothing is written. `scene` is its file, whose name others take; `frames` and `sheet`: see
@@ -42,9 +42,9 @@ class SceneRun {
   /// The run as it is reported.
   [[nodiscard]] RunRecord record(Outcome outcome) const;
   /// Writes all files but summary.json. Errors: IoError.
-  void write(const RunRecord& record) const;
-  /// Names of the files, for the summary.
-  std::vector<std::string> file_names() const;
+  void write(const RunRecord& record) const { outputs_.write({record, seen_, fence_ ? &*fence_ : nullptr}); }
+  /// Names of the files that write() leaves.
+  std::vector<std::string> file_names() const { return outputs_.files(); }
 
  private:
   State begun(State state);
@@ -57,7 +57,7 @@ class SceneRun {
   RigidBodySystem system_;
   Standing standing_;
   Snapshot seen_;               ///< of the last step
-  std::string integrator_why_;  ///< the scene's, or that of the run that is taken on
+  std::string integrator_why_;  ///< the scene's, or that of the resumed run
   Recorder recorder_;
   FailureLog failures_;
   Watch watch_;

@@ -242,7 +242,8 @@ std::string cell_profile_csv(const CellScene& scene, const CellRun& run) {
   return std::move(csv).text();
 }
 
-std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOutcome& outcome) {
+std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOutcome& outcome,
+                              const std::string& resume) {
   const CellRun::Ledger ledger = run.ledger();
   Json json{{"schema", 1},
             {"title", scene.title},
@@ -270,6 +271,7 @@ std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOu
                     {"wall_discs", 2 * run.cell().wall_discs},
                     {"steps", run.steps()},
                     {"jumped", run.jumped()}};
+  if (!resume.empty()) json["resume"] = resume;
   return json.dump(1) + "\n";
 }
 

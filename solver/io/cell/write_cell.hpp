@@ -43,8 +43,10 @@ struct CellOutcome {
   std::vector<std::string> warnings;
 };
 
-/// summary.json: title, units, outcome, parameters, groups, results, ledger, counts.
-[[nodiscard]] std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOutcome& outcome);
+/// summary.json: title, units, outcome, parameters, groups, results, ledger, counts. With `resume`, the command that
+/// resumes the run, that too.
+[[nodiscard]] std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOutcome& outcome,
+                                            const std::string& resume = {});
 
 /// One state for ParaView: VTK XML poly data with a point for each disc (`id`, `radius`, `velocity`, `wall`, with
 /// friction `spin`) and a line between the centres of each pair that pushes (`force` [F], `multiple` 1 if one of its

@@ -8,12 +8,12 @@
 
 namespace talus {
 
-/// A run that stands between two steps, as a file. With the scene's file it is all that is needed to take the run on.
+/// A run that stands between two steps, as a file. With the scene's file it is all that is needed to resume the run.
 ///
 /// The file is JSON, one member a line, in this order:
 ///   schema                            version of this description: 2
 ///   talus                             version of the program; another may not give the same bits and is refused
-///   scene_file, scene_fnv1a           where the scene is, and its hash: of a changed scene the run is not taken on
+///   scene_file, scene_fnv1a           where the scene is, and its hash: of a changed scene the run is not resumed
 ///   integrator, tolerance, step, end  what the run was asked for, options of the command line included; times in the
 ///                                     scene's units
 ///   steps                             steps done

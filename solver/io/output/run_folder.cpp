@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "solver/base/error.hpp"
@@ -76,10 +77,19 @@ RunFolder read_run_folder(const std::filesystem::path& folder) {
 
 namespace {
 
-/// Files of every run, and those of a cell but for RESTART.DAT, which another cell may go on from.
-constexpr std::array<std::string_view, 11> single{"history.csv", "final_state.json", "summary.json", "plot.json",
+/// Files of every run, sheet and cell.
+constexpr std::array<std::string_view, 12> single{"history.csv", "final_state.json", "summary.json", "plot.json",
                                                   "sheet.json",  "sheet.pdf",        "sheet.html",   "checkpoint.json",
-                                                  "profile.csv", "cell.pvd",         "PIC.DAT"};
+                                                  "profile.csv", "cell.pvd",         "PIC.DAT",      "RESTART.DAT"};
+bool names_file(std::string_view file) { return std::find(single.begin(), single.end(), file) != single.end(); }
+
+bool names_state(std::string_view file) {
+  constexpr std::string_view before = "cell_", after = ".vtp";
+  if (!file.starts_with(before) || !file.ends_with(after) || file.size() < before.size() + 6 + after.size())
+    return false;
+  const std::string_view number = file.substr(before.size(), file.size() - before.size() - after.size());
+  return number.find_first_not_of("0123456789") == std::string_view::npos;
+}
 
 bool ends_with_any(std::string_view name, std::initializer_list<std::string_view> ends) {
   return std::any_of(ends.begin(), ends.end(), [&](std::string_view end) { return name.ends_with(end); });
@@ -96,19 +106,35 @@ std::string stem_of(const std::filesystem::path& folder) {
 
 }  // namespace
 
+std::string cell_state_name(std::size_t place) { return fmt::format("{}/cell_{:06}.vtp", cell_states_folder, place); }
+
+void remove_unfinished(const std::filesystem::path& folder) {
+  std::error_code none;
+  std::filesystem::remove(folder / "summary.json", none);
+  remove_remains(folder, names_file);
+  remove_remains(folder / cell_states_folder, names_state);
+}
+
 void remove_run(const std::filesystem::path& folder) {
   const std::string stem = stem_of(folder);
+  std::error_code none;
+  // First what would vouch for the rest.
+  std::filesystem::remove(folder / "checkpoint.json", none);
+  remove_unfinished(folder);
+  // A folder is removed if nothing else is in it.
+  const auto remove_from = [&](const std::filesystem::path& inner, const std::function<bool(std::string_view)>& of) {
+    remove_files(inner, of);
+    std::filesystem::remove(inner, none);
+  };
+  remove_from(folder / cell_states_folder, names_state);
   if (!stem.empty()) {
-    remove_files(folder / "plots", [](std::string_view name) {
+    remove_from(folder / "plots", [](std::string_view name) {
       return ends_with_any(name, {".svg", ".pdf", ".ps", ".eps", ".png", ".gif", ".html"});
     });
-    remove_files(folder / (stem + "_geometry"), [](std::string_view name) { return name.ends_with(".vtp"); });
-    std::error_code none;
-    std::filesystem::remove(folder / "plots", none);  // if nothing else is in them
-    std::filesystem::remove(folder / (stem + "_geometry"), none);
+    remove_from(folder / (stem + "_geometry"), [](std::string_view name) { return name.ends_with(".vtp"); });
   }
   remove_files(folder, [&](std::string_view name) {
-    if (std::find(single.begin(), single.end(), name) != single.end()) return true;
+    if (names_file(name)) return name != "RESTART.DAT";
     return !stem.empty() && name.starts_with(stem) &&
            (name.substr(stem.size()) == ".pvd" || name.substr(stem.size()) == ".OUT" ||
             name.substr(stem.size()) == ".history.csv" || name.substr(stem.size()) == ".history.json");

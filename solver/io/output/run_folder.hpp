@@ -51,8 +51,17 @@ struct RunFolder {
 /// `talus cell` writes.
 [[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& folder);
 
-/// Removes what an earlier run of a scene left in a folder: its records, sheet, histories, listing, geometry and the
-/// pictures made of it. Files of other names stay, and what cannot be removed.
+/// Removes what an earlier run of a scene or cell left in a folder: its records, sheet, histories, listing, geometry,
+/// the pictures made of it, and unfinished files; but RESTART.DAT, from which another cell may start. Files of other
+/// names stay, and files that cannot be removed.
 void remove_run(const std::filesystem::path& folder);
+
+/// For a run that is resumed in its folder: removes summary.json, which would say that all files are there, and the
+/// temporary files of a program that was killed.
+void remove_unfinished(const std::filesystem::path& folder);
+
+/// The folder of a cell's states and a state in it, by its place in the series: "cell_states/cell_000003.vtp".
+inline constexpr std::string_view cell_states_folder = "cell_states";
+[[nodiscard]] std::string cell_state_name(std::size_t place);
 
 }  // namespace talus

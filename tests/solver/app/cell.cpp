@@ -1,4 +1,4 @@
-/// The shear cell by the built program: what it leaves, what is refused, and runs that are killed and taken on.
+/// The shear cell by the built program: what it leaves, what is refused, and runs that are killed and resumed.
 #define BOOST_TEST_MODULE cell
 #include <signal.h>
 #include <sys/wait.h>
@@ -12,7 +12,6 @@
 #include <sstream>
 #include <thread>
 
-#include "solver/io/file/folder_lock.hpp"
 #include "tests/solver/app/program.hpp"
 
 namespace {
@@ -65,7 +64,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_was_killed_goes_on_to_the_same_files) {
   for (const std::string integrator : {"velocity_verlet", "euler_cromer", "central_difference"}) {
     const std::string whole = folder.path / (integrator + "_whole"), killed = folder.path / (integrator + "_killed");
     BOOST_TEST(talus_ran({"cell", file, "--out", whole, "--integrator", integrator}).code == 0);
-    // No time to write anything; what was half written goes when the run is taken on.
+    // No time to write anything; what was half written goes when the run is resumed.
     const int status = stopped({"cell", file, "--out", killed, "--integrator", integrator},
                                fs::path{killed} / "cell_states/cell_000003.vtp", SIGKILL);
     BOOST_TEST(WIFSIGNALED(status));
@@ -101,28 +100,7 @@ BOOST_AUTO_TEST_CASE(a_rough_cell_leaves_spins_and_goes_on_to_the_same_files) {
   BOOST_TEST(holds(left.at("cell_states/cell_000009.vtp"), "Name=\"spin\""));
 }
 
-BOOST_AUTO_TEST_CASE(a_run_that_was_stopped_says_so_and_goes_on) {
-  const Folder folder;
-  const std::string file = folder.file("CNTRL.DAT", control);
-  const std::string whole = folder.path / "whole", left = folder.path / "left";
-  BOOST_TEST(talus_ran({"cell", file, "--out", whole, "--seed", "5"}).code == 0);
-  const int status = stopped({"cell", file, "--out", left, "--seed", "5"}, fs::path{left} / "checkpoint.json", SIGTERM);
-  BOOST_TEST(WIFEXITED(status));
-  BOOST_TEST(WEXITSTATUS(status) == 128 + SIGTERM);
-  BOOST_TEST(Json::parse(talus::read_text(fs::path{left} / "summary.json"))["outcome"]["kind"] == "stopped");
-  BOOST_TEST(talus_ran({"cell", "--resume", left}).code == 0);
-  same_files(left, whole);
-  // The command line is the run's; its file must be what it was.
-  BOOST_TEST(talus_ran({"cell", "--resume", left, "--seed", "6"}).code == 2);
-  const Ended again = talus_ran({"cell", "--resume", left});
-  BOOST_TEST(again.code == 0);
-  BOOST_TEST(again.out == left + ": the run is finished; there is nothing to resume\n");
-  BOOST_TEST(again.err == "");
-  BOOST_TEST(talus_ran({"cell", "--resume", left, "--json"}).out == talus::read_text(fs::path{left} / "summary.json"));
-  same_files(left, whole);
-}
-
-BOOST_AUTO_TEST_CASE(a_run_whose_last_files_cannot_be_written_can_be_taken_on) {
+BOOST_AUTO_TEST_CASE(a_run_whose_last_files_cannot_be_written_can_be_resumed) {
   const Folder folder;
   const std::string file = folder.file("CNTRL.DAT", control);
   const std::string whole = folder.path / "whole";
@@ -193,46 +171,13 @@ BOOST_AUTO_TEST_CASE(what_no_mean_tells_is_null) {
   BOOST_TEST(holds(element.err, "history 'depth' is of the whole, and of no element"), element.err);
 }
 
-BOOST_AUTO_TEST_CASE(cells_and_scenes_of_bodies_are_told_apart) {
-  const Folder folder;
-  const std::string file = scene("cell/CNTRL.DAT"), out = folder.path / "out";
-  const Ended ran = talus_ran({"run", file});
+BOOST_AUTO_TEST_CASE(cells_are_run_by_talus_cell) {
+  const Ended ran = talus_ran({"run", scene("cell/CNTRL.DAT")});
   BOOST_TEST(ran.code == 2);
   BOOST_TEST(holds(ran.err, "CNTRL.DAT: a shear cell is run by `talus cell`"), ran.err);
-  stopped({"cell", folder.file("CNTRL.DAT", control), "--out", out}, fs::path{out} / "checkpoint.json", SIGKILL);
-  const Ended resumed = talus_ran({"run", "--resume", out});
-  BOOST_TEST(resumed.code == 2);
-  BOOST_TEST(holds(resumed.err, "it is of a shear cell; `talus cell --resume` takes it on"), resumed.err);
   const Ended listed = talus_ran({"list", "fields"});
   for (const char* const name : {"overburden", "wall_discs", "growth", "end_rule", "images", "every", "jump"})
     BOOST_TEST(holds(listed.out, name), name);
-}
-
-BOOST_AUTO_TEST_CASE(two_runs_do_not_share_a_folder) {
-  const Folder folder;
-  const std::string file = folder.file("CNTRL.DAT", control), out = folder.path / "out";
-  fs::create_directories(out);
-  {
-    const talus::FolderLock lock{out};
-    for (const auto& order : {std::vector<std::string>{"cell", file}, {"run", scene("two_cable.toml")}}) {
-      std::vector<std::string> words = order;
-      words.insert(words.end(), {"--out", out});
-      const Ended ended = talus_ran(words);
-      BOOST_TEST(ended.code == 4, ended.err);
-      BOOST_TEST(holds(ended.err, out + ": another run is writing into it"));
-    }
-  }
-  BOOST_TEST(talus_ran({"cell", file, "--out", out}).code == 0);
-}
-
-BOOST_AUTO_TEST_CASE(a_changed_file_is_not_taken_on) {
-  const Folder folder;
-  const std::string file = folder.file("CNTRL.DAT", control), left = folder.path / "left";
-  stopped({"cell", file, "--out", left}, fs::path{left} / "checkpoint.json", SIGKILL);
-  folder.file("CNTRL.DAT", control + "\n");
-  const Ended ended = talus_ran({"cell", "--resume", left});
-  BOOST_TEST(ended.code == 2);
-  BOOST_TEST(holds(ended.err, "was changed since the run was left"));
 }
 
 BOOST_AUTO_TEST_CASE(a_restart_of_1989_warns_of_what_it_forgot) {
@@ -247,7 +192,7 @@ BOOST_AUTO_TEST_CASE(a_restart_of_1989_warns_of_what_it_forgot) {
   BOOST_TEST(holds(ended.err, "contacts begin anew"));
   const Json summary = Json::parse(ended.out);
   BOOST_TEST(summary["warnings"].size() == 1U);
-  // Left and taken on it ends in the same files, its warning, time and cycles with them.
+  // Interrupted and resumed it ends in the same files, its warning, time and cycles with them.
   const std::string whole = folder.path / "whole", left = folder.path / "left";
   BOOST_TEST(talus_ran({"cell", file, "--out", whole}).code == 0);
   stopped({"cell", file, "--out", left}, fs::path{left} / "cell_states/cell_000003.vtp", SIGTERM);
@@ -291,7 +236,7 @@ BOOST_AUTO_TEST_CASE(runs_that_fail_say_why) {
   const Ended ended = talus_ran({"cell", file, "--out", out});
   BOOST_TEST(ended.code == 3);
   // It failed before its first LOOP: what is named is there, and the beginning of its history.
-  BOOST_TEST(holds(ended.out, "files: " + out + ": history.csv, profile.csv, plot.json, summary.json\n"));
+  BOOST_TEST(holds(ended.out, "files: " + out + ": summary.json, history.csv, profile.csv, plot.json\n"));
   BOOST_TEST(!fs::exists(fs::path{out} / "RESTART.DAT"));
   BOOST_TEST(talus_ran({"plot", out}).code == 0);
   BOOST_TEST(holds(ended.err, "talus: "));

@@ -1,25 +1,18 @@
-#include "solver/app/run_order.hpp"
+#include "solver/app/scene_request.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/file/quantity_text.hpp"
-#include "solver/io/file/toml_document.hpp"
-#include "solver/io/file/utf8.hpp"
-#include "solver/io/output/checkpoint.hpp"
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/stability/step_advice.hpp"
 
 namespace talus::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Another end. A history that is as long as by default stays so, and so do the files of a fence.
 void change_end(SceneFile& file, double end) {
@@ -42,30 +35,11 @@ void change_end(SceneFile& file, double end) {
   plan.interval = static_cast<double>(fence.history_every) * plan.step;
 }
 
-/// A new run, with what the command line changes of its scene.
-RunOrder new_order(const RunOptions& options) {
-  if (options.scene.empty()) throw InputError{"SCENE is required, or --resume DIR\nhelp: talus run --help"};
-  if (!options.until.empty() && options.folder.empty()) {
-    throw InputError{"--until: it goes with --out, the folder in which the run is left to be taken on"};
-  }
-  const fs::path file{options.scene};
-  if (const std::string whole = fs::absolute(file).string(); !options.folder.empty() && !is_utf8(whole))
-    throw InputError{
-        fmt::format("{}: the folder of the scene is not UTF-8; a run to be taken on names it", as_utf8(whole))};
-  RunOrder order{.scene = file,
-                 .text = read_text(file),
-                 .file = read_scene_file(file),
-                 .folder = options.folder,
-                 .from = {},
-                 .name = file,
-                 .sheet = options.sheet,
-                 .memory = {}};
-  if (options.sheet && (!order.file.fence || options.folder.empty())) {
-    throw InputError{"--sheet: it goes with a fence (a deck or a scene with [fence]) and with --out"};
-  }
-  Scene& scene = order.file.scene;
+/// Changes the scene of a new run as the options say.
+void apply(const SceneOptions& options, SceneFile& file) {
+  Scene& scene = file.scene;
   const UnitSystem& units = scene.model.units;
-  if (!options.end.empty()) change_end(order.file, option_quantity("--end", options.end, dimension::time, units));
+  if (!options.end.empty()) change_end(file, option_quantity("--end", options.end, dimension::time, units));
   bool needs_step = false;
   if (!options.integrator.empty() || options.tolerance != 0.0) {
     const std::string_view method = options.integrator.empty() ? name(scene.integrator) : options.integrator;
@@ -87,7 +61,6 @@ RunOrder new_order(const RunOptions& options) {
   } else if (!options.step.empty()) {
     scene.plan.step = option_quantity("--step", options.step, dimension::time, units);
   }
-  return order;
 }
 
 /// Whether the run of a checkpoint writes a sheet.
@@ -98,54 +71,40 @@ bool holds_sheet(const MemoryItems& memory) {
   return numbers && *numbers == std::vector{1.0};
 }
 
-/// A run that stands, as its checkpoint says.
-RunOrder resumed_order(const RunOptions& options) {
-  const fs::path file = fs::path{options.resume} / checkpoint_name;
-  Checkpoint checkpoint = read_checkpoint(file, TALUS_VERSION);
-  if (checkpoint.memory.contains("choices.integrator"))
-    throw InputError{file.string() + ": it is of a shear cell; `talus cell --resume` takes it on"};
-  const bool sheet = holds_sheet(checkpoint.memory);
-  for (const auto& [name, given] : {std::pair{"--end", !options.end.empty()},
-                                    {"--step", !options.step.empty()},
-                                    {"--integrator", !options.integrator.empty()},
-                                    {"--tolerance", options.tolerance != 0.0},
-                                    {"--frames", options.frames != 0},
-                                    {"--sheet", options.sheet && !sheet}}) {
-    if (given) throw InputError{fmt::format("{}: a run that is taken on (--resume) keeps what it began with", name)};
-  }
-  const fs::path scene = options.scene.empty() ? fs::path{checkpoint.scene_file} : fs::path{options.scene};
-  RunOrder order{.scene = scene,
-                 .text = read_text(scene),
-                 .file = {},
-                 .folder = options.folder.empty() ? options.resume : options.folder,
-                 .from = options.resume,
-                 .name = checkpoint.scene_file,
-                 .sheet = sheet,
-                 .steps = checkpoint.steps,
-                 .memory = std::move(checkpoint.memory)};
-  if (fnv1a(order.text) != checkpoint.scene_fnv1a) {
-    throw InputError{
-        fmt::format("{}: scene_fnv1a: found {}, but {} has {}; it must be the scene as it was when the run "
-                    "was stopped",
-                    file.string(), checkpoint.scene_fnv1a, scene.string(), fnv1a(order.text))};
-  }
-  order.file = read_scene_file(scene);
-  order.file.scene.integrator = make_integrator(checkpoint.integrator, checkpoint.tolerance);
-  order.file.scene.plan.step = checkpoint.step;
-  order.file.scene.plan.end = checkpoint.end;
-  return order;
-}
-
 }  // namespace
 
-RunOrder run_order(const RunOptions& options) {
-  RunOrder order = options.resume.empty() ? new_order(options) : resumed_order(options);
-  check_step_count(order.file.scene.plan);
-  return order;
+GivenOptions SceneOptions::kept() const {
+  return {{"--end", !end.empty()},
+          {"--step", !step.empty()},
+          {"--integrator", !integrator.empty()},
+          {"--tolerance", tolerance != 0.0},
+          {"--frames", frames != 0}};
 }
 
-long last_step(const RunOptions& options, const RunOrder& order) {
-  const Scene& scene = order.file.scene;
+SceneRequest scene_request(const SceneOptions& options) {
+  if (options.resume.empty() && !options.until.empty() && options.folder.empty())
+    throw InputError{"--until: it requires --out, the folder in which the run is saved"};
+  SceneRequest request{.run = run_request("run", options, options.kept()), .file = {}, .sheet = options.sheet};
+  request.file = read_scene_file(request.run.scene);
+  Scene& scene = request.file.scene;
+  if (!request.run.resumes()) {
+    if (options.sheet && (!request.file.fence || options.folder.empty()))
+      throw InputError{"--sheet: it goes with a fence (a deck or a scene with [fence]) and with --out"};
+    apply(options, request.file);
+  } else {
+    const Checkpoint& saved = request.run.saved;
+    request.sheet = holds_sheet(saved.memory);
+    if (options.sheet && !request.sheet) throw kept_option("--sheet");
+    scene.integrator = make_integrator(saved.integrator, saved.tolerance);
+    scene.plan.step = saved.step;
+    scene.plan.end = saved.end;
+  }
+  check_step_count(scene.plan);
+  return request;
+}
+
+long last_step(const SceneOptions& options, const SceneRequest& request) {
+  const Scene& scene = request.file.scene;
   const RunPlan& plan = scene.plan;
   const double start = scene.initial.t;
   const auto steps_to = [&](double time) {
@@ -156,13 +115,13 @@ long last_step(const RunOptions& options, const RunOrder& order) {
   const UnitSystem& units = scene.model.units;
   const std::string unit = symbol(units, dimension::time);
   const double time = option_quantity("--until", options.until, dimension::time, units);
-  const double stands = start + static_cast<double>(order.steps) * plan.step;
+  const double stands = start + static_cast<double>(request.run.saved.steps) * plan.step;
   // Not by steps: a time far beyond the end may be more of them than can be counted.
   if (time > plan.end && (time > 2.0 * plan.end || steps_to(time) > all)) {
     throw InputError{fmt::format("--until: found \"{}\"; it must be at most {:.10g} {}, where the run ends",
                                  options.until, plan.end, unit)};
   }
-  if (time <= stands || steps_to(time) <= order.steps) {
+  if (time <= stands || steps_to(time) <= request.run.saved.steps) {
     throw InputError{fmt::format("--until: found \"{}\"; it must be beyond {:.10g} {}, where the run stands",
                                  options.until, stands, unit)};
   }

@@ -1,0 +1,237 @@
+#include "solver/app/life_cycle.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "solver/app/command.hpp"
+#include "solver/app/interruption.hpp"
+#include "solver/io/file/atomic_file.hpp"
+#include "solver/io/file/folder_lock.hpp"
+#include "solver/io/file/toml_document.hpp"
+#include "solver/io/file/utf8.hpp"
+#include "solver/io/output/run_folder.hpp"
+
+namespace talus::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Completes the request from the checkpoint of the interrupted run.
+void resume(RunRequest& request, const RunOptions& options, const GivenOptions& kept) {
+  const fs::path file = request.from / checkpoint_name;
+  request.saved = read_checkpoint(file, TALUS_VERSION);
+  const std::string_view command = request.saved.memory.contains("choices.integrator") ? "cell" : "run";
+  if (command != request.command)
+    throw InputError{fmt::format("{}: found a run of `talus {}`; resume it by `talus {} --resume {}`", file.string(),
+                                 command, command, options.resume)};
+  for (const auto& [name, given] : kept)
+    if (given) throw kept_option(name);
+  if (options.folder.empty()) request.folder = request.from;
+  if (options.scene.empty()) request.scene = request.saved.scene_file;
+  request.text = read_text(request.scene);
+  if (const std::string hash = fnv1a(request.text); hash != request.saved.scene_fnv1a)
+    throw InputError{
+        fmt::format("{}: scene_fnv1a: found {}, but {} has {}; the scene must be as it was when the run was "
+                    "interrupted",
+                    file.string(), request.saved.scene_fnv1a, request.scene.string(), hash)};
+}
+
+/// Saves the run in its folder, from which it can be resumed.
+void write_checkpoint(const RunRequest& request, ResumableRun& run) {
+  Memory memory;
+  run.remember(memory);
+  Checkpoint checkpoint;
+  run.describe(checkpoint);
+  checkpoint.scene_file = fs::absolute(request.scene).string();
+  checkpoint.scene_fnv1a = fnv1a(request.text);
+  checkpoint.memory = memory.items();
+  sync_folder(request.folder);  // the states that it counts on
+  write_whole(request.folder / checkpoint_name, checkpoint_text(checkpoint, TALUS_VERSION));
+}
+
+/// Makes the folder, keeps it for this run, and removes what would vouch for a mixture of two runs.
+std::unique_ptr<FolderLock> prepare_folder(const RunRequest& request) {
+  if (request.folder.empty()) return {};
+  make_folder(request.folder);
+  auto lock = std::make_unique<FolderLock>(request.folder);
+  const bool same = request.resumes() && fs::equivalent(request.from, request.folder);
+  same ? remove_unfinished(request.folder) : remove_run(request.folder);
+  return lock;
+}
+
+/// The run at its start, or where it was interrupted.
+std::unique_ptr<ResumableRun> start_or_resume(const RunRequest& request,
+                                              const std::function<std::unique_ptr<ResumableRun>()>& make) {
+  std::unique_ptr<ResumableRun> run = make();
+  if (!request.resumes()) {
+    if (!request.folder.empty() && run->needs_checkpoint_at_start()) write_checkpoint(request, *run);
+    return run;
+  }
+  restore(request, [&](Memory& memory) {
+    run->remember(memory);
+    if (const auto names = memory.left_over(); !names.empty())
+      throw InputError{fmt::format("found {}; a run of this scene has no such part", names.front())};
+  });
+  run->bring_files(request.from);
+  return run;
+}
+
+/// Advances the run to its end or until it is interrupted; with a folder it is saved there every second, so that a
+/// crash loses no more.
+Outcome advance(const RunRequest& request, ResumableRun& run, const std::optional<Interruption>& interruption) {
+  using Clock = std::chrono::steady_clock;
+  Progress progress;
+  if (request.folder.empty()) return run.advance({}, progress);
+  for (;;) {
+    const Clock::time_point due = Clock::now() + std::chrono::seconds{1};
+    bool saves = false;
+    long steps = 0;
+    const auto pause = [&] {
+      if (interruption->signal() != 0) return true;
+      saves = ++steps % 64 == 0 && Clock::now() >= due;
+      return saves;
+    };
+    Outcome outcome = run.advance(pause, progress);
+    if (!saves || outcome.kind != Outcome::Kind::stopped) return outcome;
+    write_checkpoint(request, run);
+  }
+}
+
+/// Writes all files of the run, and its checkpoint if it can be resumed.
+void write_files(const RunRequest& request, ResumableRun& run, bool resumable) {
+  if (resumable) write_checkpoint(request, run);
+  run.write();
+  // All at once: one by one they would take longer than the run.
+  sync_folder(request.folder);
+  write_whole(request.folder / "summary.json", run.summary_json({}));  // last: it says that all is there
+  // Until then an earlier checkpoint is needed.
+  std::error_code none;
+  if (!resumable) fs::remove(request.folder / checkpoint_name, none);
+}
+
+void print_result(const RunRequest& request, ResumableRun& run, bool resumable) {
+  const std::string folder = request.folder.string();
+  const std::string resume = resumable ? fmt::format("talus {} --resume {}", request.command, folder) : "";
+  fmt::print("{}", request.json ? run.summary_json(resume) : run.summary_text());
+  if (request.json) return;
+  if (folder.empty()) return fmt::print("files: none; --out DIR writes {}\n", run.files_of_out());
+  std::vector<std::string> files = run.file_names();
+  files.insert(files.begin(), "summary.json");
+  if (resumable) files.emplace_back(checkpoint_name);
+  fmt::print("files: {}: {}\n", folder, fmt::join(files, ", "));
+  if (resumable) fmt::print("resume: {}\n", resume);
+}
+
+/// Prints the warnings from the `first` on; returns their count.
+std::size_t print_warnings(const ResumableRun& run, std::size_t first) {
+  const std::vector<std::string> warnings = run.warnings();
+  for (std::size_t i = first; i < warnings.size(); ++i)
+    print_failure("warning: " + warnings[i]);
+  return warnings.size();
+}
+
+}  // namespace
+
+std::optional<int> report_ended_run(const RunOptions& options, const GivenOptions& others) {
+  const fs::path folder = options.resume;
+  std::error_code none;
+  if (folder.empty() || fs::exists(folder / checkpoint_name, none)) return {};
+  std::string summary, kind, failure;
+  try {
+    summary = read_text(folder / "summary.json");
+    const auto outcome = nlohmann::json::parse(summary).at("outcome");
+    outcome.at("kind").get_to(kind);
+    if (kind == "diverged") outcome.at("words").get_to(failure);
+  } catch (const IoError&) {
+    return {};  // no run ended here; the missing checkpoint is reported where it is read
+  } catch (const nlohmann::json::exception&) {
+    return {};  // the same for a file of another program
+  }
+  if (kind != "diverged" && kind != "finished") return {};
+  for (const auto& [name, given] : others)
+    if (given)
+      throw InputError{
+          fmt::format("{}: the run in {} has ended; only an interrupted run can be resumed", name, options.resume)};
+  if (options.json) fmt::print("{}", summary);
+  if (kind == "diverged") {
+    print_failure(fmt::format("{}: the run diverged and cannot be resumed: {}", options.resume, failure));
+    return diverged;
+  }
+  if (!options.json) fmt::print("{}: the run is finished; there is nothing to resume\n", options.resume);
+  return ok;
+}
+
+RunRequest run_request(std::string_view command, const RunOptions& options, const GivenOptions& kept) {
+  RunRequest request{.command = std::string{command},
+                     .scene = options.scene,
+                     .text = {},
+                     .folder = options.folder,
+                     .from = options.resume,
+                     .saved = {},
+                     .json = options.json};
+  if (request.resumes()) {
+    resume(request, options, kept);
+    return request;
+  }
+  if (options.scene.empty())
+    throw InputError{fmt::format("SCENE is required, or --resume DIR\nhelp: talus {} --help", command)};
+  if (const std::string whole = fs::absolute(request.scene).string(); !options.folder.empty() && !is_utf8(whole))
+    throw InputError{fmt::format("{}: the folder of the scene is not UTF-8; the checkpoint names it", as_utf8(whole))};
+  request.text = read_text(request.scene);
+  return request;
+}
+
+InputError kept_option(std::string_view option) {
+  return InputError{fmt::format("{}: a resumed run (--resume) keeps the options of its start", option)};
+}
+
+void restore(const RunRequest& request, const std::function<void(Memory&)>& visit) {
+  try {
+    Memory memory{request.saved.memory};
+    visit(memory);
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("{}: memory: {}", (request.from / checkpoint_name).string(), error.what())};
+  }
+}
+
+int live(const RunRequest& request, const std::function<std::unique_ptr<ResumableRun>()>& make) {
+  const std::unique_ptr<FolderLock> lock = prepare_folder(request);
+  const std::unique_ptr<ResumableRun> run = start_or_resume(request, make);
+  std::size_t printed = print_warnings(*run, 0);
+
+  // A run without a folder cannot be saved: a signal then ends the program as usual.
+  std::optional<Interruption> interruption;
+  if (lock) interruption.emplace();
+  const auto signal = [&] { return interruption ? interruption->signal() : 0; };
+  const ResumableRun::Condition interrupted = [&] { return signal() != 0; };
+  Outcome outcome = advance(request, *run, interruption);
+  const bool resumable = run->finish(outcome, interrupted);
+  if (lock) {
+    write_files(request, *run, resumable);
+    run->draw();
+  }
+  print_result(request, *run, resumable);
+  printed = print_warnings(*run, printed);
+  if (!outcome) {
+    print_failure(outcome.words);
+    return diverged;
+  }
+  if (signal() == 0) return ok;
+  const std::string_view name = signal() == SIGINT ? "SIGINT" : "SIGTERM";
+  if (outcome.kind == Outcome::Kind::finished) {
+    // In time for the repeat of a fence's run, whose summary then reports it.
+    print_failure(fmt::format("{} came when the run had finished", name));
+  } else {
+    print_failure(fmt::format(
+        "{}: the run was interrupted at t = {:.10g} and saved in {}; resume it by talus {} "
+        "--resume {}",
+        name, outcome.time, (request.folder / checkpoint_name).string(), request.command, request.folder.string()));
+  }
+  return 128 + signal();
+}
+
+}  // namespace talus::app
