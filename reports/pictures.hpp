@@ -32,7 +32,7 @@ struct Player {
   std::string data;  ///< What it plays, as JSON.
 };
 
-/// All that is drawn at a time. A figure outside of pages is a picture of its own, named as the figure is.
+/// All that is drawn at a time. A figure outside of pages is one picture, with the name of the figure.
 struct Pictures {
   std::vector<Figure> figures{};
   std::vector<Page> pages{};

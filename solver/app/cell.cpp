@@ -87,7 +87,8 @@ CellRequest cell_request(const CellOptions& options) {
   request.restart = read_cell_restart(file, request.scene.cell);
   request.warnings.push_back(fmt::format(
       "{}: it holds neither the block, which was set down on the discs without speed, nor what contacts remember: {} "
-      "contacts begin anew. The run goes on from it, not as it would have gone on (talus cell --resume does)",
+      "contacts start without memory. The run continues from it, but not as an uninterrupted run would (talus cell "
+      "--resume does)",
       file.string(), request.restart->forgotten));
   return request;
 }

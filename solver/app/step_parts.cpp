@@ -40,10 +40,13 @@ void StepParts::look(const State& state, const StepInfo& info) {
   State copy = state;
   Rates* const accounts = ledger_ ? &rates_ : nullptr;
   evaluation_ += time([&] { dynamics_->evaluate(copy, work_, rates_, ledger_); });
-  // What count() asks for needs all paths; the parts are then timed one by one from the geometry.
-  dynamics_->update(copy, work_);
-  dynamics_->rates(copy, work_, rates_, ledger_);
+  // count() needs all paths, which rates alone leave out.
+  if (work_.pulled) {
+    dynamics_->update(copy, work_);
+    dynamics_->rates(copy, work_, rates_, ledger_);
+  }
   count(copy);
+  // The parts are timed one by one, law calls included.
   work_.evaluated = Evaluated::geometry;
   contacts_ += time([&] {
     if (dynamics_->contacts().find(copy, work_)) dynamics_->contacts().update(copy, work_);

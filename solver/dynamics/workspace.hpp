@@ -13,8 +13,8 @@ namespace talus {
 /// What of a scene an evaluation works out: all but sleeping bodies and the cables between them.
 struct Waking {
   std::vector<Mode> modes;  ///< sleep modes of the state that the lists stand for
-  bool whole{true};         ///< all paths and poses are worked out, because the modes have just changed; the evaluation
-                            ///< after the next that goes as far as the loads may leave out sleepers
+  bool whole{true};         ///< all paths and poses are evaluated, because the modes have just changed; once such an
+                            ///< evaluation has reached its loads, the next may leave out sleepers
   std::vector<char> awake;  ///< one for each body
   bool any_asleep{};        ///< whether one of them is not
   std::size_t moving{};     ///< coordinates before the last sleepers, behind whom none is awake

@@ -190,7 +190,7 @@ void FastDiscEngine::book() {
     stripe.parted.clear();
   }
   const SweptContacts::Kinds kinds = stripes_.front().own.contacts.kinds;
-  if (parted_.empty() && !kinds.told()) return;
+  if (parted_.empty() && !kinds.reported()) return;
   std::sort(parted_.begin(), parted_.end(), [](const auto& a, const auto& b) { return a.pair < b.pair; });
   double& released = work_[static_cast<std::size_t>(traits_.release)];
   double& slid = work_[static_cast<std::size_t>(Mechanism::friction)];
@@ -201,7 +201,7 @@ void FastDiscEngine::book() {
       if (kinds.slid) slid += friction_energy(parted->stretch);
     }
   };
-  if (kinds.told()) {
+  if (kinds.reported()) {
     for_each_touching([&](const SweptContacts& of, std::size_t t, std::size_t pair) {
       if (kinds.slid) book_parted(pair), slid += of.slid[t];
       if (kinds.power) power_ += of.power[t], released += of.released[t];

@@ -47,13 +47,13 @@ inline constexpr std::size_t sweep_block = 512;
 
 /// The contacts among some swept pairs, in the order of the pairs, and what they remember.
 struct SweptContacts {
-  /// What is remembered, and what is told of each evaluation.
+  /// What is remembered, and what is reported of each evaluation.
   struct Kinds {
     bool largest{}, stretch{}, normal{};
     bool power{}, slid{};
 
     bool remembered() const { return largest || stretch || normal; }
-    bool told() const { return power || slid; }
+    bool reported() const { return power || slid; }
     friend bool operator==(const Kinds&, const Kinds&) = default;
   };
   /// Those that a sweep found; numbers of a kind only if it is remembered. Room is for a pack more.

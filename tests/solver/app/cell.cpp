@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(a_restart_of_1989_warns_of_what_it_forgot) {
   const Ended ended = talus_ran({"cell", file, "--json"});
   BOOST_TEST_REQUIRE(ended.code == 0, ended.err);
   BOOST_TEST(holds(ended.err, "holds neither the block"));
-  BOOST_TEST(holds(ended.err, "contacts begin anew"));
+  BOOST_TEST(holds(ended.err, "contacts start without memory"));
   const Json summary = Json::parse(ended.out);
   BOOST_TEST(summary["warnings"].size() == 1U);
   // Interrupted and resumed it ends in the same files, its warning, time and cycles with them.
