@@ -3,6 +3,7 @@
 #include <concepts>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "verification/check/check.hpp"
@@ -18,6 +19,13 @@ namespace talus::verification {
 /// throw: a name used twice is std::logic_error; missing words or a malformed figure std::invalid_argument.
 class Findings {
  public:
+  /// Thrown by the check that completes the needed ones: the rest of the run decides nothing.
+  struct Decided {};
+
+  Findings() = default;
+  /// Only the checks named `needed` matter, at least one: `Decided` is thrown once all of them are made.
+  explicit Findings(std::vector<std::string> needed) : needed_{std::move(needed)} {}
+
   /// Compares `measured` with `reference` within `tolerance`.
   bool expect(std::string name, double measured, double reference, const Tolerance& tolerance, std::string unit = "1");
 
@@ -55,6 +63,7 @@ class Findings {
  private:
   bool add(Check check);
 
+  std::vector<std::string> needed_;  ///< Not made so far.
   std::vector<Check> checks_;
   std::vector<Figure> figures_;
   std::vector<Table> tables_;
