@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/state/state.hpp"

@@ -11,7 +11,10 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/work_charts.hpp"
 #include "verification/study/leapfrog_impact_error.hpp"
