@@ -40,8 +40,8 @@ struct PowerPair {
 };
 
 #ifdef __SSE2__
-/// SLEEF's routine without fused operations for two numbers: the bits of its plain-C routine (test
-/// `geometry_superquadric`), two powers in 0.6 and one in 0.6 of the time that plain C takes for one.
+/// SLEEF's routine without fused operations for two numbers: the bits of its plain-C routine. Two powers take
+/// 0.3 to 0.4 of the time of plain C, and one takes 0.6 of it.
 PowerPair fractional_power_pair(double first, double second, double exponent) {
   const __m128d both = Sleef_cinz_powd2_u10sse2(_mm_set_pd(second, first), _mm_set1_pd(exponent));
   return {_mm_cvtsd_f64(both), _mm_cvtsd_f64(_mm_unpackhi_pd(both, both))};
