@@ -1,0 +1,26 @@
+#pragma once
+
+/// A mass between a linear spring and a dashpot, exactly, below critical damping.
+///
+/// y = displacement from rest [L], a = xi w0 [1/T], w = w0 sqrt(1 - xi^2) [1/T]:
+///   y = exp(-a t) [y0 cos(w t) + (v0 + a y0)/w sin(w t)]
+/// A dashpot c dissipates c times the integral of v^2, which is integrated in closed form, not taken from the energy.
+namespace talus::verification::reference {
+
+struct DampedOscillator {
+  double frequency{};      ///< w0 = sqrt(k/m) [rad/T] > 0
+  double damping_ratio{};  ///< xi = c/(2 m w0) in [0, 1)
+  double displacement{};   ///< y0 [L]
+  double velocity{};       ///< v0 [L/T]
+};
+
+struct OscillatorState {
+  double displacement{};      ///< y [L]
+  double velocity{};          ///< v [L/T]
+  double squared_velocity{};  ///< integral of v^2 from 0 to t [L^2/T]
+};
+
+/// The state at a time t >= 0 [T]. Errors: std::invalid_argument for parameters out of range.
+[[nodiscard]] OscillatorState state_at(const DampedOscillator& oscillator, double t);
+
+}  // namespace talus::verification::reference

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Runs of the built program `talus`, as a user starts it, and what it leaves. Nothing of the solver is called here:
+/// files are read by the record library.
+namespace talus::verification::problems {
+
+/// A folder of temporary files, removed with all that it holds when this ends.
+class TemporaryFolder {
+ public:
+  /// Errors: std::filesystem::filesystem_error.
+  TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder();
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Writes a file into it; an older one of that name is replaced. Errors: std::runtime_error.
+  void write(const std::string& name, const std::string& text) const;
+  /// The text of a file in it. Errors: std::runtime_error if it cannot be read.
+  [[nodiscard]] std::string read(const std::string& name) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// How the program ended.
+struct ProgramEnd {
+  int exit_code{};       ///< 128 + signal if a signal ended it
+  std::string output{};  ///< standard output
+  std::string messages{};  ///< standard error
+};
+
+/// Runs `talus` with these arguments in a folder. Errors: what reports::run() throws if it cannot be started.
+[[nodiscard]] ProgramEnd run_talus(const TemporaryFolder& folder, const std::vector<std::string>& arguments);
+
+/// The same for a run that must succeed. Errors: std::runtime_error with the arguments and the messages if its exit
+/// code is not 0.
+[[nodiscard]] std::string talus_output(const TemporaryFolder& folder, const std::vector<std::string>& arguments);
+
+}  // namespace talus::verification::problems
