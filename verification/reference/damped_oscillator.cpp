@@ -18,10 +18,10 @@ OscillatorState state_at(const DampedOscillator& oscillator, double t) {
   const double steady = a > 0.0 ? -std::expm1(-2.0 * a * t) / (2.0 * a) : t;
   const double of_cosine = (square * (w * twice_sine - a * twice_cosine) + a) / (2.0 * w0 * w0);
   const double of_sine = (w - square * (a * twice_sine + w * twice_cosine)) / (2.0 * w0 * w0);
-  return {.displacement = decay * (y0 * cosine + (v0 + a * y0) / w * sine),
-          .velocity = decay * (v0 * cosine + s * sine),
-          .squared_velocity =
-              0.5 * (v0 * v0 + s * s) * steady + 0.5 * (v0 * v0 - s * s) * of_cosine + v0 * s * of_sine};
+  return {
+      .displacement = decay * (y0 * cosine + (v0 + a * y0) / w * sine),
+      .velocity = decay * (v0 * cosine + s * sine),
+      .squared_velocity = 0.5 * (v0 * v0 + s * s) * steady + 0.5 * (v0 * v0 - s * s) * of_cosine + v0 * s * of_sine};
 }
 
 }  // namespace talus::verification::reference

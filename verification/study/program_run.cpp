@@ -34,12 +34,14 @@ void TemporaryFolder::write(const std::string& name, const std::string& text) co
 std::string TemporaryFolder::read(const std::string& name) const {
   std::ifstream file{path_ / name, std::ios::binary};
   std::ostringstream text;
-  if (!(file && text << file.rdbuf())) throw std::runtime_error{fmt::format("{}: cannot be read", (path_ / name).string())};
+  if (!(file && text << file.rdbuf()))
+    throw std::runtime_error{fmt::format("{}: cannot be read", (path_ / name).string())};
   return text.str();
 }
 
 ProgramEnd run_talus(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
-  const reports::Finished end = reports::run({.program = TALUS_PROGRAM, .arguments = arguments, .folder = folder.path(), .environment = {}});
+  const reports::Finished end =
+      reports::run({.program = TALUS_PROGRAM, .arguments = arguments, .folder = folder.path(), .environment = {}});
   return {.exit_code = end.status, .output = end.output, .messages = end.messages};
 }
 

@@ -29,8 +29,8 @@ class TemporaryFolder {
 
 /// How the program ended.
 struct ProgramEnd {
-  int exit_code{};       ///< 128 + signal if a signal ended it
-  std::string output{};  ///< standard output
+  int exit_code{};         ///< 128 + signal if a signal ended it
+  std::string output{};    ///< standard output
   std::string messages{};  ///< standard error
 };
 

@@ -34,8 +34,8 @@ constexpr reference::ConstantForce thrown_y{1.0, 4.0, thrown_force_y / thrown_ma
 constexpr reference::ConstantForce thrown_angle{0.25, 5.0, moment / thrown_inertia};
 constexpr double pressed_mass = 3.0, pressed_x = -4.0, pressed_y = 0.486, radius = 0.5, bed_stiffness = 3000.0,
                  bed_damping = 9.6;
-constexpr double hung_mass = 1.5, hung_x = 6.0, hung_y = -1.0, hung_speed = -0.25, rope_x = 6.25, rope_top = 3.0, rope_length = 3.7,
-                 rope_stiffness = 96.0, rope_damping = 1.2;
+constexpr double hung_mass = 1.5, hung_x = 6.0, hung_y = -1.0, hung_speed = -0.25, rope_x = 6.25, rope_top = 3.0,
+                 rope_length = 3.7, rope_stiffness = 96.0, rope_damping = 1.2;
 
 std::string scene_text(const Setup& setup) {
   const double fallen = setup.has("more_gravity") ? (1.0 + 1e-10) * gravity : gravity;
@@ -123,43 +123,42 @@ struct Quantity {
 
 /// All columns of the history, in order.
 const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> list{
-      {"time", "s", 1.3},
-      {"thrown.x", "m", 4.0},
-      {"thrown.y", "m", 4.0},
-      {"thrown.vx", "m/s", 3.0},
-      {"thrown.vy", "m/s", 7.5},
-      {"thrown.angle", "rad", 7.0},
-      {"thrown.spin", "rad/s", 5.5},
-      {"pressed.x", "m", 4.0},
-      {"pressed.y", "m", 0.5},
-      {"pressed.vx", "m/s", 1.0},
-      {"pressed.vy", "m/s", 0.13},
-      {"hung.x", "m", 6.0},
-      {"hung.y", "m", 1.2},
-      {"hung.vx", "m/s", 1.0},
-      {"hung.vy", "m/s", 1.2},
-      {"bed.depth", "m", 0.5},
-      {"bed.force", "N", 1500.0},  // k times what the overlap is the difference of
-      {"rope.elongation", "m", 4.0},
-      {"rope.tension", "N", 400.0},
-      {"energy.kinetic", "N m", 70.0},
-      {"energy.gravity", "N m", 80.0},
-      {"energy.applied", "N m", 7.0},
-      {"energy.contacts", "N m", 21.0},
-      {"energy.cables", "N m", 115.0},
-      {"lost.contact_damping", "N m", 1.0},
-      {"lost.contact_release", "N m", 1.0},
-      {"lost.cable_damping", "N m", 4.3},
-      {"lost.cable_release", "N m", 1.0},
-      {"lost.cable_yield", "N m", 1.0},
-      {"lost.cable_break", "N m", 1.0},
-      {"lost.hanger_break", "N m", 1.0},
-      {"lost.friction", "N m", 1.0},
-      {"closure.energy", "N m", 200.0},
-      {"closure.momentum_x", "N s", 10.0},
-      {"closure.momentum_y", "N s", 60.0},
-      {"closure.angular_momentum", "N m s", 300.0}};
+  static const std::vector<Quantity> list{{"time", "s", 1.3},
+                                          {"thrown.x", "m", 4.0},
+                                          {"thrown.y", "m", 4.0},
+                                          {"thrown.vx", "m/s", 3.0},
+                                          {"thrown.vy", "m/s", 7.5},
+                                          {"thrown.angle", "rad", 7.0},
+                                          {"thrown.spin", "rad/s", 5.5},
+                                          {"pressed.x", "m", 4.0},
+                                          {"pressed.y", "m", 0.5},
+                                          {"pressed.vx", "m/s", 1.0},
+                                          {"pressed.vy", "m/s", 0.13},
+                                          {"hung.x", "m", 6.0},
+                                          {"hung.y", "m", 1.2},
+                                          {"hung.vx", "m/s", 1.0},
+                                          {"hung.vy", "m/s", 1.2},
+                                          {"bed.depth", "m", 0.5},
+                                          {"bed.force", "N", 1500.0},  // k times what the overlap is the difference of
+                                          {"rope.elongation", "m", 4.0},
+                                          {"rope.tension", "N", 400.0},
+                                          {"energy.kinetic", "N m", 70.0},
+                                          {"energy.gravity", "N m", 80.0},
+                                          {"energy.applied", "N m", 7.0},
+                                          {"energy.contacts", "N m", 21.0},
+                                          {"energy.cables", "N m", 115.0},
+                                          {"lost.contact_damping", "N m", 1.0},
+                                          {"lost.contact_release", "N m", 1.0},
+                                          {"lost.cable_damping", "N m", 4.3},
+                                          {"lost.cable_release", "N m", 1.0},
+                                          {"lost.cable_yield", "N m", 1.0},
+                                          {"lost.cable_break", "N m", 1.0},
+                                          {"lost.hanger_break", "N m", 1.0},
+                                          {"lost.friction", "N m", 1.0},
+                                          {"closure.energy", "N m", 200.0},
+                                          {"closure.momentum_x", "N s", 10.0},
+                                          {"closure.momentum_y", "N s", 60.0},
+                                          {"closure.angular_momentum", "N m s", 300.0}};
   return list;
 }
 
@@ -179,8 +178,9 @@ std::vector<double> exact_row(double t) {
       hung = state_at(oscillator(rope_stiffness, rope_damping, hung_mass, hung_y - rope_rest, hung_speed), t);
   const double overlap = radius - (bed_rest + pressed.displacement);
   const double elongation = rope_top - (rope_rest + hung.displacement) - rope_length;
-  const double kinetic = 0.5 * (thrown_mass * (vx * vx + vy * vy) + thrown_inertia * spin * spin +
-                                pressed_mass * pressed.velocity * pressed.velocity + hung_mass * hung.velocity * hung.velocity);
+  const double kinetic =
+      0.5 * (thrown_mass * (vx * vx + vy * vy) + thrown_inertia * spin * spin +
+             pressed_mass * pressed.velocity * pressed.velocity + hung_mass * hung.velocity * hung.velocity);
   const double weight = gravity * (thrown_mass * y + pressed_mass * (bed_rest + pressed.displacement) +
                                    hung_mass * (rope_rest + hung.displacement));
   const double applied = -(thrown_force_x * (x - thrown_x.place) + thrown_force_y * (y - thrown_y.place) +
@@ -268,8 +268,8 @@ void check_extremes(const Node& summary, Findings& findings) {
   const std::vector<Node> extremes = summary.at("extremes").list();
   for (std::size_t i = 1; i < quantities().size(); ++i) {
     const auto& quantity = quantities()[i];
-    const auto found = std::ranges::find_if(
-        extremes, [&](const Node& node) { return node.at("name").text() == quantity.name; });
+    const auto found =
+        std::ranges::find_if(extremes, [&](const Node& node) { return node.at("name").text() == quantity.name; });
     if (found == extremes.end() || found->at("unit").text() != quantity.unit) continue;
     ++named;
     const auto column = [i](const std::vector<double>& row) { return row[i]; };
@@ -386,8 +386,7 @@ void check_resumed(const TemporaryFolder& folder, Findings& findings, const Setu
 void run(Findings& findings, const Setup& setup) {
   const TemporaryFolder folder;
   folder.write("scene.toml", scene_text(setup));
-  const std::string printed = talus_output(
-      folder, {"run", "scene.toml", "--out", "out", "--frames", frames, "--json"});
+  const std::string printed = talus_output(folder, {"run", "scene.toml", "--out", "out", "--frames", frames, "--json"});
   const Json summary_json = records::read_json(folder.path() / "out/summary.json");
   const Json state_json = records::read_json(folder.path() / "out/final_state.json");
   const Node summary{summary_json, "summary.json"};
@@ -420,23 +419,23 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "run_files",
-          .title = "The files of a run",
-          .requirements = {{"G1", {"history.csv", "summary.json", "final_state.json", "geometry", "interruption"}}},
-          .main_checks = {"history.csv: motion and forces, largest error", "summary.json: extremes, largest error"},
-          .source = "Textbook mechanics",
-          .faults = {{"more_gravity", "gravity larger by 1e-10 of itself",
-                      "history.csv: motion and forces, largest error"},
-                     {"softer_bed", "the contact softer by 1e-10 of itself",
-                      "history.csv: energies and balances, largest error"},
-                     {"longer_rope", "the cable longer by 1e-10 m", "geometry: tension of the rope, largest error"},
-                     {"one_step_less", "the run ends one step earlier", "summary.json: extremes, largest error"},
-                     {"other_interval", "a row every five steps", "history.csv: rows"},
-                     {"frames_one_late", "states of the geometry compared with those one step later",
-                      "geometry: distance of the outline from its circle, largest error"},
-                     {"resumed_from_the_start", "a run of one step less in place of the resumed one",
-                      "files that differ after an interruption"}},
-          .run = run};
+  return {
+      .id = "run_files",
+      .title = "The files of a run",
+      .requirements = {{"G1", {"history.csv", "summary.json", "final_state.json", "geometry", "interruption"}}},
+      .main_checks = {"history.csv: motion and forces, largest error", "summary.json: extremes, largest error"},
+      .source = "Textbook mechanics",
+      .faults = {{"more_gravity", "gravity larger by 1e-10 of itself", "history.csv: motion and forces, largest error"},
+                 {"softer_bed", "the contact softer by 1e-10 of itself",
+                  "history.csv: energies and balances, largest error"},
+                 {"longer_rope", "the cable longer by 1e-10 m", "geometry: tension of the rope, largest error"},
+                 {"one_step_less", "the run ends one step earlier", "summary.json: extremes, largest error"},
+                 {"other_interval", "a row every five steps", "history.csv: rows"},
+                 {"frames_one_late", "states of the geometry compared with those one step later",
+                  "geometry: distance of the outline from its circle, largest error"},
+                 {"resumed_from_the_start", "a run of one step less in place of the resumed one",
+                  "files that differ after an interruption"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::run_files

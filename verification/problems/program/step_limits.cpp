@@ -1,0 +1,288 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/reference/amplification.hpp"
+#include "verification/reference/pressed_discs.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/program_run.hpp"
+
+namespace talus::verification::problems::step_limits {
+namespace {
+
+using reference::Scheme;
+
+/// Speed of the disturbance [m/s]: overlaps change by 1e-6 of themselves.
+constexpr double speed = 1e-6;
+constexpr int steps = 400;
+
+struct Mode {
+  double frequency{};      ///< [rad/s]
+  double damping_ratio{};  ///< [-]
+};
+
+/// A scene at rest, but for the disturbance, with the modes in which it vibrates.
+struct Vibrating {
+  std::string name;
+  std::string bodies;  ///< the scene without its [run]
+  std::vector<Mode> modes;
+};
+
+std::string disc(const std::string& name, double mass, double x, double y, double vx, double vy,
+                 const std::string& more = "") {
+  return fmt::format(R"([[body]]
+name = "{}"
+mobility = "particle"
+mass = "{} kg"
+shape = {{ kind = "circle", radius = "0.5 m" }}
+position = ["{} m", "{} m"]
+velocity = ["{} m/s", "{} m/s"]
+{}
+)",
+                     name, mass, x, y, vx, vy, more);
+}
+
+const std::string ground = R"([[body]]
+name = "ground"
+mobility = "fixed"
+shape = { kind = "half_plane" }
+position = ["0 m", "0 m"]
+)";
+
+std::string contact(const std::string& one, const std::string& other, const std::string& law) {
+  return fmt::format("[[contact]]\nname = \"{0}-{1}\"\nbetween = [\"{0}\", \"{1}\"]\n{2}\n", one, other, law);
+}
+
+/// Three discs on each other: w_j = 2 sqrt(k/m) sin((2j - 1) pi/14), xi_j = c w_j/(2k).
+Vibrating column(const Setup& setup) {
+  constexpr double mass = 2.0, gravity = 10.0, stiffness = 3000.0, damping = 8.0;
+  const std::vector<double> overlaps = reference::column_overlaps(3, mass, gravity, stiffness);
+  const std::string law =
+      fmt::format("law = \"linear_spring_dashpot\"\nstiffness = \"{} N/m\"\ndamping = \"{} N s/m\"", stiffness, damping);
+  Vibrating scene{"column of three discs", fmt::format("gravity = [\"0 m/s^2\", \"{} m/s^2\"]\n", -gravity) + ground, {}};
+  std::string below = "ground";
+  double y = -0.5;
+  for (int i = 0; i < 3; ++i) {
+    const std::string name = fmt::format("disc{}", i + 1);
+    y += 1.0 - overlaps[static_cast<std::size_t>(i)];
+    scene.bodies += disc(name, mass, 0.0, y, 0.0, i == 1 ? -speed : speed);
+    scene.bodies += contact(below, name, law);
+    below = name;
+    const double frequency = 2.0 * std::sqrt(stiffness / mass) * std::sin((2 * i + 1) * std::numbers::pi / 14.0);
+    if (setup.has("slowest_mode_alone") && i > 0) continue;
+    scene.modes.push_back({frequency, damping * frequency / (2.0 * stiffness)});
+  }
+  return scene;
+}
+
+/// A disc at rest on F = 4/3 E sqrt(R) d^(3/2): the tangent stiffness is 2 E sqrt(R d), 3/2 of the secant. It rests at
+/// the overlap for which the program evaluates the stiffness, a tenth of R, up to which the theory holds.
+Vibrating hertz(const Setup& setup) {
+  constexpr double mass = 2.0, modulus = 2e4, radius = 0.5, overlap = 0.1 * radius;
+  const double gravity = 4.0 / 3.0 * modulus * std::sqrt(radius) * std::pow(overlap, 1.5) / mass;
+  const double tangent = 2.0 * modulus * std::sqrt(radius * overlap);
+  const double stiffness = setup.has("secant_stiffness") ? tangent / 1.5 : tangent;
+  return {"Hertzian contact",
+          fmt::format("gravity = [\"0 m/s^2\", \"{} m/s^2\"]\n", -gravity) + ground +
+              disc("disc", mass, 0.0, radius - overlap, 0.0, speed) +
+              contact("disc", "ground",
+                      fmt::format("law = \"hertz\"\nmodulus = \"{} N/m^2\"\nradius = \"{} m\"", modulus, radius)),
+          {{std::sqrt(stiffness / mass), 0.0}}};
+}
+
+/// Two discs of different mass pressed together by forces: the effective mass is m M/(m + M).
+Vibrating pair(const Setup& setup) {
+  constexpr double light = 1.0, heavy = 3.0, force = 6.0, stiffness = 600.0, damping = 5.0;
+  const double effective = setup.has("light_mass_alone") ? light : light * heavy / (light + heavy);
+  const double distance = 1.0 - force / stiffness;
+  const double frequency = std::sqrt(stiffness / effective);
+  return {"pair pressed by forces",
+          disc("light", light, 0.0, 0.0, speed, 0.0, fmt::format("force = [\"{} N\", \"0 N\"]", force)) +
+              disc("heavy", heavy, distance, 0.0, 0.0, 0.0, fmt::format("force = [\"{} N\", \"0 N\"]", -force)) +
+              contact("light", "heavy",
+                      fmt::format("law = \"linear_spring_dashpot\"\nstiffness = \"{} N/m\"\ndamping = \"{} N s/m\"",
+                                  stiffness, damping)),
+          {{frequency, damping / (2.0 * effective * frequency)}}};
+}
+
+/// A disc that sticks: the spring along the contact is four times as stiff as that across it.
+Vibrating sticking(const Setup& setup) {
+  constexpr double mass = 2.0, gravity = 10.0, stiffness = 1000.0;
+  const double along = setup.has("no_friction_spring") ? stiffness : 4.0 * stiffness;
+  return {"sticking friction",
+          fmt::format("gravity = [\"0 m/s^2\", \"{} m/s^2\"]\n", -gravity) + ground +
+              disc("disc", mass, 0.0, 0.5 - mass * gravity / stiffness, speed, 0.0) +
+              contact("disc", "ground",
+                      fmt::format("law = \"linear_spring_dashpot\"\nstiffness = \"{} N/m\"\ndamping = \"0 N s/m\"\n"
+                                  "friction = 0.5\nshear_stiffness = \"{} N/m\"",
+                                  stiffness, 4.0 * stiffness)),
+          {{std::sqrt(along / mass), 0.0}}};
+}
+
+/// A body that hangs in a cable and slides up and down.
+Vibrating hung(const Setup&) {
+  constexpr double mass = 1.5, gravity = 10.0, stiffness = 96.0, damping = 1.2;
+  const double frequency = std::sqrt(stiffness / mass);
+  return {"body in a cable",
+          fmt::format(R"(gravity = ["0 m/s^2", "{} m/s^2"]
+[[body]]
+name = "hung"
+mobility = "sliding_y"
+mass = "{} kg"
+position = ["0 m", "{} m"]
+velocity = ["0 m/s", "{} m/s"]
+
+[[cable]]
+name = "rope"
+law = "tension_only"
+from = {{ body = "hung", point = ["0 m", "0 m"] }}
+to = {{ point = ["0 m", "2 m"] }}
+stiffness = "{} N/m"
+damping = "{} N s/m"
+rest_length = "2 m"
+)",
+                      -gravity, mass, -mass * gravity / stiffness, speed, stiffness, damping),
+          {{frequency, damping / (2.0 * mass * frequency)}}};
+}
+
+struct Method {
+  std::string name;
+  Scheme scheme;
+  bool grows_fast{};  ///< by more than 100 in 400 steps, 1 % beyond the limit
+};
+
+/// Longest stable step of a method: the least over the modes of the first eta at which its motion grows, over w.
+double limit(const Method& method, const std::vector<Mode>& modes) {
+  double least = std::numeric_limits<double>::infinity();
+  // Euler's limits are near zero, and the first unstable band of blanes_moan4 is narrow.
+  for (const Mode& mode : modes) {
+    const std::vector<double> found = reference::limits(method.scheme, mode.damping_ratio, 8.0, 8000);
+    if (found.empty()) throw std::logic_error(fmt::format("{} has no limit at xi = {}", method.name, mode.damping_ratio));
+    least = std::min(least, found.front() / mode.frequency);
+  }
+  return least;
+}
+
+std::string scene_text(const Vibrating& scene, const Method& method, double step, bool watched) {
+  const double end = steps * step;
+  return fmt::format(
+      "title = \"{}\"\nunits = \"SI\"\n{}\n[run]\nintegrator = \"{}\"\nstep = \"{} s\"\nend = \"{} s\"\n"
+      "interval = \"{} s\"\n{}\n",
+      scene.name, scene.bodies, method.name, step, end, step, watched ? "" : "watch = \"off\"");
+}
+
+/// The largest speed of any body in the last twenty steps, over that of the disturbance, up to 1e9; 1e9 if the run diverged.
+double growth(const TemporaryFolder& folder, const std::string& text) {
+  constexpr double most = 1e9;
+  folder.write("free.toml", text);
+  if (run_talus(folder, {"run", "free.toml", "--out", "free", "--frames", "1"}).exit_code != 0)
+    return most;
+  const records::Csv history = records::read_csv(folder.path() / "free/history.csv");
+  double largest = 0.0;
+  for (std::size_t i = 0; i < history.header().size(); ++i) {
+    const std::string& column = history.header()[i];
+    if (column.find(".vx ") == std::string::npos && column.find(".vy ") == std::string::npos) continue;
+    for (std::size_t row = history.rows() - 20; row < history.rows(); ++row)
+      largest = std::max(largest, std::abs(history.number(row, i)));
+  }
+  return std::min(most, largest / speed);
+}
+
+/// The step that `check` prints as the limit, and its verdict on the scene's step.
+struct Verdict {
+  double limit{};
+  bool too_long{};
+};
+Verdict verdict(const TemporaryFolder& folder, const std::string& text) {
+  folder.write("scene.toml", text);
+  const std::string printed = talus_output(folder, {"check", "scene.toml"});
+  const std::string words = "a step of ";
+  const std::size_t at = printed.find(words);
+  if (at == std::string::npos) return {std::numeric_limits<double>::quiet_NaN(), false};
+  return {std::stod(printed.substr(at + words.size())), printed.find("TOO LONG") != std::string::npos};
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const std::vector<Method> methods{
+      {"velocity_verlet", Scheme::half_step, true}, {"central_difference", Scheme::half_step, true},
+      {"euler_cromer", Scheme::half_step, true},    {"lagged_central_difference", Scheme::late, false},
+      {"rk4", Scheme::rk4, true},                   {"blanes_moan4", Scheme::blanes_moan4, false},
+      {"euler", Scheme::euler, false},              {"taylor", Scheme::taylor, false}};
+  const TemporaryFolder folder;
+  double printed = 0.0, wrong_checks = 0.0, wrong_runs = 0.0, stable = 0.0, limits = 0.0;
+  double unstable = std::numeric_limits<double>::infinity();
+  Table table{.name = "limits",
+              .caption = "Limits of the step as computed and as `talus check` prints them. Growth: largest speed after 400 steps over that of the disturbance.",
+              .columns = {"scene", "method", "limit [s]", "printed [s]", "growth at 0.99", "growth at 1.01"},
+              .rows = {}};
+  const std::vector scenes{column(setup), hertz(setup), pair(setup), sticking(setup), hung(setup)};
+  for (const Vibrating& scene : scenes) {
+    for (const Method& method : methods) {
+      // Explicit Euler and its like grow at any step where nothing damps.
+      const bool always_grows = method.scheme == Scheme::euler || method.scheme == Scheme::taylor;
+      if (always_grows && scene.modes.front().damping_ratio == 0.0) continue;
+      if (&scene != &scenes.front() && &method != &methods.front() && setup.coarse) continue;
+      const double longest = limit(method, scene.modes);
+      ++limits;
+      const Verdict below = verdict(folder, scene_text(scene, method, 0.999 * longest, true)),
+                    beyond = verdict(folder, scene_text(scene, method, 1.001 * longest, true));
+      keep_worst(printed, below.limit / longest - 1.0);
+      wrong_checks += (below.too_long ? 1.0 : 0.0) + (beyond.too_long ? 0.0 : 1.0);
+      if (!method.grows_fast) continue;
+      folder.write("watched.toml", scene_text(scene, method, 0.999 * longest, true));
+      wrong_runs += run_talus(folder, {"run", "watched.toml"}).exit_code == 0 ? 0.0 : 1.0;
+      folder.write("watched.toml", scene_text(scene, method, 1.001 * longest, true));
+      wrong_runs += run_talus(folder, {"run", "watched.toml"}).exit_code == 3 ? 0.0 : 1.0;
+      const double inside = growth(folder, scene_text(scene, method, 0.99 * longest, false)),
+                   outside = growth(folder, scene_text(scene, method, 1.01 * longest, false));
+      stable = std::max(stable, inside), unstable = std::min(unstable, outside);
+      table.rows.push_back({scene.name, method.name, fmt::format("{:.6g}", longest), fmt::format("{:.6g}", below.limit),
+                            fmt::format("{:.3g}", inside), fmt::format("{:.3g}", outside)});
+    }
+  }
+  if (!setup.coarse) findings.expect("limits compared", limits, 36.0, Tolerance::exact("eight methods, five scenes; two do not damp"));
+  findings.expect("limit of the step printed by `talus check`, over the exact one: largest deviation from 1", printed,
+                  0.0,
+                  Tolerance::round_off(1e-5, "six digits are printed; damping is in proportion to stiffness, so that "
+                                             "the modes are exact; starting overlaps change by 1e-6"));
+  findings.expect("wrong verdicts of `talus check` at 0.999 and 1.001 of the limit", wrong_checks, 0.0,
+                  Tolerance::exact("both sides of every limit"));
+  findings.expect("runs at 0.999 of the limit that are ended, and at 1.001 that are not", wrong_runs, 0.0,
+                  Tolerance::exact("exit code 0 and 3 of `talus run`"));
+  findings.expect_between("growth in 400 steps at 0.99 of the limit, largest", stable, 0.0, 20.0,
+                          "a leapfrog's amplitude is bounded by 1/sqrt(1 - 0.99^2) = 7 times that of the disturbance; the "
+                          "rest is for several modes");
+  findings.expect_between("growth in 400 steps at 1.01 of the limit, least", unstable, 100.0, 1e9,
+                          "rk4, the slowest, multiplies by 1.06 a step until bodies leave contact");
+  findings.table(std::move(table));
+}
+
+}  // namespace
+
+Case definition() {
+  return {.id = "step_limits",
+          .title = "Limits of the step",
+          .requirements = {{"G2", {"wrong verdicts", "runs at 0.999", "limit of the step printed"}}},
+          .main_checks = {"wrong verdicts of `talus check` at 0.999 and 1.001 of the limit",
+                          "growth in 400 steps at 1.01 of the limit, least"},
+          .source = "Linear stability of the methods, as in case `stability_maps`",
+          .faults = {{"slowest_mode_alone", "the slowest mode in place of all three",
+                      "wrong verdicts of `talus check` at 0.999 and 1.001 of the limit"},
+                     {"secant_stiffness", "secant in place of tangent stiffness of the Hertzian contact",
+                      "wrong verdicts of `talus check` at 0.999 and 1.001 of the limit"},
+                     {"light_mass_alone", "the lighter mass in place of the effective mass",
+                      "runs at 0.999 of the limit that are ended, and at 1.001 that are not"},
+                     {"no_friction_spring", "the spring of friction left out",
+                      "growth in 400 steps at 0.99 of the limit, largest"}},
+          .run = run};
+}
+
+}  // namespace talus::verification::problems::step_limits
