@@ -7,6 +7,7 @@
 #include "solver/granular/stress.hpp"
 #include "solver/laws/latching_spring.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems {
 
@@ -39,6 +40,7 @@ struct FollowPlan {
 /// Runs free discs by the leapfrog and shows them to see(SeenDiscs) now and then.
 template <HasContactKernel L, class See>
 void follow(const Packing& start, const L& law, const FollowPlan& plan, See&& see) {
+  record_use(law);
   FastDiscSystem system{start.shapes, start.box, law, plan.skin};
   Discs discs = start.discs;
   system.begin(discs);
