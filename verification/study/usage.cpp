@@ -8,11 +8,8 @@
 #include "solver/laws/coulomb_friction.hpp"
 
 namespace talus::verification::problems {
-namespace {
 
 void record_shape(const Shape& shape) { record_use("shape." + shape_names()[shape.index()]); }
-
-}  // namespace
 
 void record_use(const Model& model) {
   if (!is_recording_use()) return;

@@ -43,6 +43,9 @@ void record_regimes(std::string_view law, std::uint32_t visited, std::size_t fir
   }
 }
 
+/// The shape of a body: "shape.NAME".
+void record_shape(const Shape& shape);
+
 /// Two shapes in contact, in any order, with the shapes themselves.
 void record_pair(const Shape& a, const Shape& b);
 

@@ -16,6 +16,7 @@
 #include "verification/reference/smooth_motion.hpp"
 #include "verification/study/curves.hpp"
 #include "verification/study/expectations.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::prescribed_motion {
 namespace {
@@ -170,6 +171,7 @@ double size(const reference::SmoothState& state) {
 
 /// Distance of the solver's state at the end from the motion prescribed.
 double error(const Exercise& exercise, const Integrator& method, long steps, Findings& findings, const Setup& setup) {
+  record_use(exercise.model);
   const Dynamics dynamics{exercise.model};
   ForcedSystem system{dynamics, exercise.clock, [&](double t) { return exercise.forcing(t); }};
   const double step = end_time / static_cast<double>(steps);

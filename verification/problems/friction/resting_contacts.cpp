@@ -12,6 +12,7 @@
 #include "verification/reference/resting_contact.hpp"
 #include "verification/study/curves.hpp"
 #include "verification/study/recorded_run.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::resting_contacts {
 namespace {
@@ -271,7 +272,7 @@ Case definition() {
                            {"regime.friction.sticking",
                             {"disc, tolerance 1e-08: displacement",
                              "nudged block: friction work over its kinetic energy", "nudged block: speed at rest"}},
-                           {"regime.friction.slipping_forward", {"block, tolerance 1e-10: displacement"}},
+                           {"regime.friction.slipping_backward", {"block, tolerance 1e-10: displacement"}},
                            {"pair.rectangle.half_plane", {"block, tolerance 1e-10: displacement"}},
                            {"pair.circle.half_plane", {"disc, tolerance 1e-08: spin"}}},
           .main_checks = {"block, tolerance 1e-10: displacement", "block, tolerance 1e-06: evaluations",

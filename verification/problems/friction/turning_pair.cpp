@@ -9,6 +9,7 @@
 #include "verification/problems/friction/late_slip.hpp"
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/turned_pair.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::turning_pair {
 namespace {
@@ -72,6 +73,7 @@ using Place = std::array<double, 3>;  // x, y, angle
 class DrawnDisc {
  public:
   explicit DrawnDisc(double friction) : dynamics_{model(friction)}, system_{dynamics_} {
+    record_use(dynamics_.model());
     state_ = rest_state(dynamics_.model());
     state_.q = {0.0, radius - first_overlap, 0.0};
     system_.begin(state_);

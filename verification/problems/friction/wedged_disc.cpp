@@ -11,6 +11,7 @@
 #include "verification/reference/held_body.hpp"
 #include "verification/study/curves.hpp"
 #include "verification/study/expectations.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::wedged_disc {
 namespace {
@@ -92,6 +93,7 @@ class Wedge {
 
   /// Distance of the solver's end from the exact one.
   double error(const Integrator& method, long steps, bool late, Findings& findings) const {
+    record_use(scene_.model);
     const Dynamics dynamics{scene_.model};
     const auto run = [&](auto system) {
       const State end = run_method(system, method, scene_.initial, end_time / static_cast<double>(steps), steps);
@@ -206,6 +208,7 @@ Case definition() {
   return {.id = "wedged_disc",
           .title = "A small disc between two large ones",
           .requirements = {{"C11", {"errors", "orders"}}, {"Eq. 18", {"errors"}}},
+          .checks_of_runs = {"errors", "orders"},
           .main_checks = {"error over its prediction, velocity_verlet, R/r = 1",
                           "error over its prediction, velocity_verlet, R/r = 100", "order, velocity_verlet, R/r = 100",
                           "error over its prediction, slip along late directions, R/r = 1"},

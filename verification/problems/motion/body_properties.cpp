@@ -10,6 +10,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/solid_moments.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::body_properties {
 namespace {
@@ -40,7 +41,9 @@ void check_solid(Findings& findings, const Setup& setup, const char* name, refer
 void check_rectangle(Findings& findings) {
   for (const auto& [a, b] : sizes) {
     std::vector<reference::Point> corners;
-    for (const Vec2 p : boundary_nodes(Shape{Rectangle{a, b}}, 4))
+    const Shape shape = Rectangle{a, b};
+    record_shape(shape);
+    for (const Vec2 p : boundary_nodes(shape, 4))
       corners.push_back({p.x, p.y});
     const std::string which = fmt::format("rectangle of half-lengths {:g} and {:g}", a, b);
     const double area = reference::polygon_area(corners);

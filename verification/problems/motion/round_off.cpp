@@ -21,6 +21,7 @@
 #include "verification/reference/stepped_swing.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::round_off {
 namespace {
@@ -81,6 +82,7 @@ reference::Parts parts(Scalar number) {
 
 template <class Scalar, class Force>
 SwingRun swung(auto method, const SteppedSwing& swing) {
+  record_use(fmt::format("integrator.{}", decltype(method)::name));
   SwingingBody<Scalar, Force> body{static_cast<Scalar>(swing.damping)};
   StateOf<Scalar> state;
   state.q = {Scalar{1}};

@@ -8,6 +8,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/study/touching_pair.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::energy_slope {
 namespace {
@@ -67,6 +68,7 @@ struct Mismatch {
 
 /// A step beside a corner of V (another face, another node) is not asked: there is no slope at the corner itself.
 Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
+  record_use(model);
   Potential potential{model};
   std::mt19937_64 random{11};
   std::uniform_real_distribution<double> place{-reach, reach}, any{-3.0, 3.0};

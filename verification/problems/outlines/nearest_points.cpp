@@ -9,6 +9,7 @@
 #include "solver/geometry/gap.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/superellipse.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::nearest_points {
 namespace {
@@ -54,6 +55,8 @@ struct Tried {
 
 Tried try_points(double n, double height, std::size_t kind, const Setup& setup) {
   const Superquadric shape{1.0, height, n};
+  record_shape(shape);
+  record_use("method.nodes");  // depth_below() is the overlap of a node in a superquadric
   std::mt19937_64 random{static_cast<std::uint64_t>(31.0 * n + 7.0 * height) + kind};
   Tried tried;
   const int count = setup.coarse ? 12 : kind == 0 ? 40 : 10;

@@ -8,6 +8,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/superellipse.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::node_spacing {
 namespace {
@@ -37,6 +38,7 @@ struct Rolled {
 
 Rolled roll(int nodes, double overlap, ContactMethod method, const Setup& setup) {
   const Model model = disc_of_nodes(nodes, method, setup);
+  record_use(model);
   const Dynamics dynamics{model};
   Workspace work = dynamics.workspace();
   Rolled rolled;
@@ -109,6 +111,7 @@ void check_curvature(Findings& findings, const Setup& setup) {
   for (const double n : {2.0, 3.0, 4.0, 8.0, 12.0, 20.0, 50.0}) {
     const Superquadric shape{1.0, 1.0, setup.has("exponent_off") ? 1.0001 * n : n};
     const double x = std::pow(2.0, -1.0 / n);
+    record_shape(shape);
     const double found = curvature(shape, {x, -x}), exact = reference::corner_curvature(1.0, n);
     farthest = std::max(farthest, std::abs(found / exact - 1.0) / n);
     int nodes = 4;

@@ -11,6 +11,7 @@
 #include "verification/check/convergence.hpp"
 #include "verification/problems/outlines/superellipse_findings.hpp"
 #include "verification/reference/superellipse.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::superellipse {
 namespace {
@@ -127,6 +128,7 @@ void check_support(Findings& findings, const Setup& setup) {
   std::mt19937_64 random{1};
   std::uniform_real_distribution<double> place{-3.0, 3.0}, any{-std::numbers::pi, std::numbers::pi};
   const int angles = setup.coarse ? 12 : 180;
+  record_pair(Superquadric{}, HalfPlane{});
   double depth_error = 0.0, outline_error = 0.0, reach_error = 0.0;
   for (const double n : {2.0, 2.5, 3.0, 4.0, 6.0, 8.0, 12.0, 20.0, 35.0, 50.0}) {
     for (int i = 0; i < angles; ++i) {

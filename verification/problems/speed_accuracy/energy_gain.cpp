@@ -334,7 +334,6 @@ Case definition() {
       .title = "One-sided contacts gain energy below the limit of stability",
       .family = "speed and accuracy",
       .requirements = {{"Eq. 25", {"gain_of_speed"}},
-                       {"end_rule.clamped", {"exit_speeds", "exit_speed_bound"}},
                        {"pair.circle.circle", {"gases"}},
                        {"pair.circle.half_plane", {"exit_speeds", "exit_speed_bound", "gases"}}},
       .main_checks = {"largest gain of speed at w h = 0.1", "largest gain of speed at w h = 1.6",
