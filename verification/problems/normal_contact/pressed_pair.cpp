@@ -169,8 +169,8 @@ void check_damped(Figure& figure, Findings& findings, const Setup& setup) {
     findings.in("error_at_finest_step")
         ->expect("error over the predicted at the finest step, " + name_of(pair), errors.last_ratio(), 1.0,
                  Tolerance::model(setup.coarse ? 0.1 : 0.02, "the next power of the step: w h^2 t/24 over xi h/2"));
-    findings.expect_order("order, " + name_of(pair), errors.found(), 0.9, 1.1,
-                          "the dashpot's velocity of half a step before; the next power tilts the line");
+    findings.in("order")->expect_order("order, " + name_of(pair), errors.found(), 0.9, 1.1,
+                                       "the dashpot's velocity of half a step before; the next power tilts the line");
     figure.series.push_back(errors.points(name_of(pair)));
     figure.series.push_back(errors.line(name_of(pair) + ", predicted"));
   }

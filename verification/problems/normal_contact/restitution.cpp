@@ -128,6 +128,7 @@ void check_bounce(double e, EndRule rule, Ratio& time, Ratio& depth, Ratio& iden
   const std::string name = fmt::format("{:g}, {}", e, word_for(rule));
   const double wh = reduced_step(b.exact, production_steps);
   const ImpactError predicted = leapfrog_impact_error(b.xi, same(rule));
+  const auto group = findings.in(word_for(rule));
   findings.in("rms_error_of_e")
       ->expect("rms relative error of e = " + name, found.restitution.rms(),
                predicted_restitution_error(b, production_steps), near_prediction(rule));

@@ -344,9 +344,10 @@ void tell_of_1993(const WorkScene& fence, Findings& findings) {
 void check_bounce(const SceneCurves& all, Findings& findings) {
   if (all.scene->name != "damped bounce") return;
   const Convergence found = between_errors(curve(all, "velocity_verlet"), 0, 1e-9, 0.2);
-  findings.expect_order("order of velocity_verlet, damped bounce", found, 0.5, 1.4,
-                        "13 contacts, each with a jump: order 1. The first is felt in all later ones and in the times "
-                        "of touch, which makes an error above a tenth no longer proportional");
+  findings.in("integrator.velocity_verlet")
+      ->expect_order("order of velocity_verlet, damped bounce", found, 0.5, 1.4,
+                     "13 contacts, each with a jump: order 1. The first is felt in all later ones and in the times "
+                     "of touch, which makes an error above a tenth no longer proportional");
   findings.expect_between(
       "damped bounce: evaluations of velocity_verlet to 2e-2 over those of stormer_cowell",
       cost_of(curve(all, "velocity_verlet"), 0, 2e-2) / cost_of(curve(all, "stormer_cowell"), 0, 2e-2), 5.0, 100.0,
