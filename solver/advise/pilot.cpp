@@ -9,7 +9,9 @@
 #include <optional>
 
 #include "solver/base/error.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/stability/watch.hpp"
 
 namespace talus {

@@ -13,9 +13,12 @@
 #include "solver/app/start_warnings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/io/cell/read_cell.hpp"
 #include "solver/io/read_scene_file.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/stability/start_overlaps.hpp"
 #include "solver/stability/step_advice.hpp"
 

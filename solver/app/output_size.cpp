@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "solver/app/outputs/geometry_output.hpp"
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/io/cell/cell_restart.hpp"
 #include "solver/io/cell/write_cell.hpp"
 #include "solver/io/fence1993/out_listing.hpp"
@@ -13,6 +15,7 @@
 #include "solver/io/output/write_geometry.hpp"
 #include "solver/run/history.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 
 namespace talus::app {
 namespace {

@@ -47,11 +47,11 @@ class RequestedScene final : public ResumableRun {
     checkpoint.integrator = name(scene().integrator);
     checkpoint.tolerance = tolerance(scene().integrator);
     checkpoint.step = scene().plan.step, checkpoint.end = scene().plan.end;
-    checkpoint.steps = run_.standing().step;
+    checkpoint.steps = run_.run_state().step;
   }
 
   Outcome advance(const Condition& pause, Progress& progress) override {
-    const double until = run_.standing().start + static_cast<double>(last_step_) * scene().plan.step;
+    const double until = run_.run_state().start + static_cast<double>(last_step_) * scene().plan.step;
     const auto stop = [&](const Snapshot& seen) {
       ends_early_ = scene().early_end && reached(*scene().early_end, scene().model, seen.state());
       return ends_early_ || seen.state().t >= until || (pause && pause());

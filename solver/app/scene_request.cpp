@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/io/file/quantity_text.hpp"
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/run/simulate.hpp"

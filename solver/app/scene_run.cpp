@@ -7,6 +7,7 @@
 
 #include "solver/app/start_warnings.hpp"
 #include "solver/base/error.hpp"
+#include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_plausibility.hpp"
 #include "solver/state/state_memory.hpp"
 
@@ -31,12 +32,12 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       folder_{folder},
       dynamics_{file.scene.model},
       system_{dynamics_, file.scene.plan.ledger},
-      standing_{standing_at_start(file.scene.integrator, begun(file.scene.initial))},
-      seen_{dynamics_, standing_.state},
+      run_state_{initial_run_state(file.scene.integrator, begun(file.scene.initial))},
+      seen_{dynamics_, run_state_.state},
       integrator_why_{file.scene.integrator_why},
-      recorder_{dynamics_, standing_.state, file.scene.plan.ledger},
+      recorder_{dynamics_, run_state_.state, file.scene.plan.ledger},
       failures_{dynamics_},
-      watch_{file.scene, dynamics_, standing_.state},
+      watch_{file.scene, dynamics_, run_state_.state},
       start_warnings_{app::start_warnings(file, dynamics_)},
       sheet_{sheet},
       parts_{dynamics_, file.scene.plan.ledger} {
@@ -50,7 +51,7 @@ State SceneRun::begun(State state) {
 }
 
 void SceneRun::remember(Memory& memory) {
-  memory.part("run", [&] { standing_.remember(memory); });
+  memory.part("run", [&] { run_state_.remember(memory); });
   State seen = seen_.state();
   memory.part("seen", [&] { talus::remember(memory, seen); });
   if (memory.puts_back()) seen_.set(seen);
@@ -94,20 +95,20 @@ Outcome SceneRun::go_on(const StopCondition& stop, Progress& progress) {
     watch_.look(seen, at, balance);
   };
   const std::clock_t start = std::clock();
-  const long first = standing_.step, evaluations = standing_.evaluations;
+  const long first = run_state_.step, evaluations = run_state_.evaluations;
   long step = first;
   if (step == 0) watch_.look(seen_, step);
   if (broken()) {
-    observers[0](seen_, {0, 0, true, true, true, &standing_.state});
-    return {Outcome::Kind::diverged, standing_.state.t, watch_.breach()};
+    observers[0](seen_, {0, 0, true, true, true, &run_state_.state});
+    return {Outcome::Kind::diverged, run_state_.state.t, watch_.breach()};
   }
   const StopCondition stops = [&](const Snapshot& seen) {
     look(seen, ++step);
     return broken() || (stop && stop(seen));
   };
-  Outcome outcome = simulate(system_, standing_, scene_->plan, observers, stops, &seen_);
-  parts_.ended(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, standing_.step - first,
-               standing_.evaluations - evaluations);
+  Outcome outcome = simulate(system_, run_state_, scene_->plan, observers, stops, &seen_);
+  parts_.ended(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, run_state_.step - first,
+               run_state_.evaluations - evaluations);
   // Nobody is asked whether to stop with the last step.
   if (outcome.kind == Outcome::Kind::finished) look(seen_, ++step);
   if (outcome && broken()) return {Outcome::Kind::diverged, outcome.time, watch_.breach()};
@@ -127,13 +128,13 @@ RunQuality SceneRun::quality(const Outcome& outcome) const {
     found.flaw = "its step is beyond the linear limit, and no energy balance was kept: " + watch_.step_ratio();
   }
   if (!outcome) found.flaw = outcome.words;
-  if (located_events(standing_.integrator)) {
-    found.step = fmt::format("steps chosen by {}, events located", name(standing_.integrator));
-    if (tolerance(standing_.integrator) > 0.0)
-      found.step += fmt::format(", tolerance {:g}", tolerance(standing_.integrator));
-  } else if (tolerance(standing_.integrator) > 0.0) {
-    found.step =
-        fmt::format("steps chosen by {}, tolerance {:g}", name(standing_.integrator), tolerance(standing_.integrator));
+  if (located_events(run_state_.integrator)) {
+    found.step = fmt::format("steps chosen by {}, events located", name(run_state_.integrator));
+    if (tolerance(run_state_.integrator) > 0.0)
+      found.step += fmt::format(", tolerance {:g}", tolerance(run_state_.integrator));
+  } else if (tolerance(run_state_.integrator) > 0.0) {
+    found.step = fmt::format("steps chosen by {}, tolerance {:g}", name(run_state_.integrator),
+                             tolerance(run_state_.integrator));
   } else if (const Watch::Extreme& acting = watch_.extreme(Watched::frequency); acting.seen) {
     found.step = fmt::format("step {:.3g} times its linear limit", acting.value);
     if (watch_.step_is_beyond()) found.step += ", beyond it with all contacts closed";
@@ -156,10 +157,10 @@ RunRecord SceneRun::record(Outcome outcome) const {
   record.units = scene_->model.units;
   record.integrator = name(scene_->integrator);
   record.integrator_why = integrator_why_;
-  record.events = located_events(standing_.integrator);
+  record.events = located_events(run_state_.integrator);
   record.plan = scene_->plan;
-  record.steps = standing_.step;
-  record.evaluations = standing_.evaluations;
+  record.steps = run_state_.step;
+  record.evaluations = run_state_.evaluations;
   record.coordinates = dynamics_.layout().coordinates.size();
   record.laws = dynamics_.layout().mode_count;
   record.contacts = scene_->model.contacts.size();

@@ -8,8 +8,11 @@
 #include "solver/app/outputs/run_outputs.hpp"
 #include "solver/app/step_parts.hpp"
 #include "solver/base/progress.hpp"
+#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/io/output/run_record.hpp"
 #include "solver/run/history.hpp"
+#include "solver/run/run_state.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "solver/stability/watch.hpp"
 
@@ -35,7 +38,7 @@ class SceneRun {
   /// What is unlikely to be meant at the start: the first warnings of the record.
   const std::vector<std::string>& start_warnings() const { return start_warnings_; }
 
-  const Standing& standing() const { return standing_; }
+  const RunState& run_state() const { return run_state_; }
   const Dynamics& dynamics() const { return dynamics_; }
   /// What its steps carried and cost in this process.
   [[nodiscard]] StepParts::Found parts() const { return parts_.found(); }
@@ -55,7 +58,7 @@ class SceneRun {
   std::filesystem::path folder_;
   Dynamics dynamics_;
   RigidBodySystem system_;
-  Standing standing_;
+  RunState run_state_;
   Snapshot seen_;               ///< of the last step
   std::string integrator_why_;  ///< the scene's, or that of the resumed run
   Recorder recorder_;

@@ -18,7 +18,7 @@ std::optional<RunRecord> record_of(const SceneFile& file, long most, const StopC
   Progress progress;
   const auto ends = [&](const Snapshot& seen) {
     there = scene.early_end && reached(*scene.early_end, scene.model, seen.state());
-    given_up = run.standing().evaluations > most;
+    given_up = run.run_state().evaluations > most;
     return there || given_up || (stop && stop(seen));
   };
   Outcome outcome = run.go_on(ends, progress);

@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "solver/dynamics/dynamics.hpp"
-#include "solver/run/simulate.hpp"
+#include "solver/run/observer.hpp"
 
 namespace talus::app {
 

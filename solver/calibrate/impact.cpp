@@ -11,10 +11,13 @@
 #include <variant>
 
 #include "solver/base/error.hpp"
+#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/dynamics/springs.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/laws/restitution.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/stability/watch.hpp"
 
 namespace talus {

@@ -1,5 +1,8 @@
 #include "solver/geometry/superquadric.hpp"
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 #include <sleef.h>
 
 #include <algorithm>
@@ -30,12 +33,39 @@ bool is_whole(double exponent, int& whole) {
   return static_cast<double>(whole) == exponent;
 }
 
+/// The powers of two bases with one exponent.
+struct PowerPair {
+  double first = 0.0;
+  double second = 0.0;
+};
+
+#ifdef __SSE2__
+/// SLEEF's routine without fused operations for two numbers: the bits of its plain-C routine. Two powers take
+/// 0.3 to 0.4 of the time of plain C, and one takes 0.6 of it.
+PowerPair fractional_power_pair(double first, double second, double exponent) {
+  const __m128d both = Sleef_cinz_powd2_u10sse2(_mm_set_pd(second, first), _mm_set1_pd(exponent));
+  return {_mm_cvtsd_f64(both), _mm_cvtsd_f64(_mm_unpackhi_pd(both, both))};
+}
+double fractional_power(double base, double exponent) { return fractional_power_pair(base, base, exponent).first; }
+#else
+double fractional_power(double base, double exponent) { return Sleef_cinz_powd1_u10purec(base, exponent); }
+PowerPair fractional_power_pair(double first, double second, double exponent) {
+  return {fractional_power(first, exponent), fractional_power(second, exponent)};
+}
+#endif
+
+/// power() of two bases, in less time than one by one.
+PowerPair power_pair(double first, double second, double exponent) {
+  if (int whole{}; is_whole(exponent, whole)) return {whole_power(first, whole), whole_power(second, whole)};
+  return fractional_power_pair(first, second, exponent);
+}
+
 }  // namespace
 
-// SLEEF's plain-C routine, as for the sine; whole exponents, which most outlines have, by multiplication.
+// SLEEF's routine, as for the sine; whole exponents, which most outlines have, by multiplication.
 double power(double base, double exponent) {
   if (int whole{}; is_whole(exponent, whole)) return whole_power(base, whole);
-  return Sleef_cinz_powd1_u10purec(base, exponent);
+  return fractional_power(base, exponent);
 }
 
 // A guess y = e^(ln x/n) from the first terms of two series: with s = (x - r)/(x + r), r^2 = 2,
@@ -69,7 +99,8 @@ bool is_inside(const Superquadric& shape, Vec2 p) {
   const double u = std::abs(p.x) / shape.half_width;
   const double v = std::abs(p.y) / shape.half_height;
   if (u >= 1.0 || v >= 1.0) return false;
-  return power(u, shape.exponent) + power(v, shape.exponent) < 1.0;
+  const PowerPair raised = power_pair(u, v, shape.exponent);
+  return raised.first + raised.second < 1.0;
 }
 
 namespace {
@@ -77,8 +108,8 @@ namespace {
 /// Gradient of (|x/a|^n + |y/b|^n)/n.
 Vec2 gradient(const Superquadric& shape, Vec2 p) {
   const double u = std::abs(p.x) / shape.half_width, v = std::abs(p.y) / shape.half_height;
-  return {std::copysign(power(u, shape.exponent - 1.0) / shape.half_width, p.x),
-          std::copysign(power(v, shape.exponent - 1.0) / shape.half_height, p.y)};
+  const PowerPair raised = power_pair(u, v, shape.exponent - 1.0);
+  return {std::copysign(raised.first / shape.half_width, p.x), std::copysign(raised.second / shape.half_height, p.y)};
 }
 
 }  // namespace
@@ -93,26 +124,27 @@ Vec2 outward_normal(const Superquadric& shape, Vec2 p) {
 Vec2 farthest_point(const Superquadric& shape, Vec2 m) {
   const double q = shape.exponent / (shape.exponent - 1.0);
   const double h = gauge({1.0 / shape.half_width, 1.0 / shape.half_height, q}, m);
-  const double x = shape.half_width * power(shape.half_width * std::abs(m.x) / h, q - 1.0);
-  const double y = shape.half_height * power(shape.half_height * std::abs(m.y) / h, q - 1.0);
-  return {std::copysign(x, m.x), std::copysign(y, m.y)};
+  const PowerPair raised =
+      power_pair(shape.half_width * std::abs(m.x) / h, shape.half_height * std::abs(m.y) / h, q - 1.0);
+  return {std::copysign(shape.half_width * raised.first, m.x), std::copysign(shape.half_height * raised.second, m.y)};
 }
 
 // Of a line F = const:  (F_xx F_y^2 + F_yy F_x^2)/|grad F|^3, as F_xy is nought here.
 double curvature(const Superquadric& shape, Vec2 p) {
   const double n = shape.exponent, a = shape.half_width, b = shape.half_height;
   const Vec2 g = gradient(shape, p);
-  const double xx = (n - 1.0) * power(std::abs(p.x) / a, n - 2.0) / (a * a);
-  const double yy = (n - 1.0) * power(std::abs(p.y) / b, n - 2.0) / (b * b);
+  const PowerPair raised = power_pair(std::abs(p.x) / a, std::abs(p.y) / b, n - 2.0);
+  const double xx = (n - 1.0) * raised.first / (a * a);
+  const double yy = (n - 1.0) * raised.second / (b * b);
   const double length = norm(g);
   return (xx * g.y * g.y + yy * g.x * g.x) / (length * length * length);
 }
 
 Vec2 boundary_point(const Superquadric& shape, double t) {
   const Rotation turned = rotation(t);
-  const double c = power(std::abs(turned.cosine), 2.0 / shape.exponent);
-  const double s = power(std::abs(turned.sine), 2.0 / shape.exponent);
-  return {shape.half_width * std::copysign(c, turned.cosine), shape.half_height * std::copysign(s, turned.sine)};
+  const PowerPair raised = power_pair(std::abs(turned.cosine), std::abs(turned.sine), 2.0 / shape.exponent);
+  return {shape.half_width * std::copysign(raised.first, turned.cosine),
+          shape.half_height * std::copysign(raised.second, turned.sine)};
 }
 
 }  // namespace talus

@@ -42,7 +42,7 @@ struct DiscMethodsOf<std::variant<I, Others...>, Found...>
     : DiscMethodsOf<std::variant<Others...>, Found..., typename Rebound<I, Discs>::type> {};
 
 /// Any of the methods that step discs.
-using DiscMethod = DiscMethodsOf<Integrator>::type;
+using DiscMethod = DiscMethodsOf<Integrator::List>::type;
 
 /// Names of all, in the list's order.
 [[nodiscard]] std::vector<std::string> disc_method_names();

@@ -75,14 +75,7 @@ struct DiscRates {
 };
 
 /// Advances velocities and work by h times their rates.
-inline void kick_velocities(Discs& discs, const DiscRates& rates, double h) {
-  for (std::size_t i = 0; i < discs.size(); ++i)
-    discs.vx[i] += h * rates.vx[i], discs.vy[i] += h * rates.vy[i];
-  for (std::size_t i = 0; i < discs.spin.size(); ++i)
-    discs.spin[i] += h * rates.spin[i];
-  for (std::size_t k = 0; k < discs.work.size(); ++k)
-    discs.work[k] += h * rates.work[k];
-}
+void kick_velocities(Discs& discs, const DiscRates& rates, double h);
 
 /// The discs moved with their velocities. sliding: of the box above [L/T].
 [[nodiscard]] inline Discs drifted(Discs discs, double sliding, double h) {

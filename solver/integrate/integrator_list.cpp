@@ -24,7 +24,7 @@ template <class List>
 constexpr bool all_fit = false;
 template <class... I>
 constexpr bool all_fit<std::variant<I...>> = (IntegratorFor<I, AnySystem> && ...);
-static_assert(all_fit<Integrator>);
+static_assert(all_fit<Integrator::List>);
 
 template <class T>
 Integrator with_tolerance(T integrator, double tolerance) {
@@ -46,12 +46,12 @@ Integrator with_tolerance(T integrator, double tolerance) {
 /// What visit returns for the integrator of that name. Errors: InputError if there is none.
 template <class Visit>
 auto visit_integrator(std::string_view name, Visit&& visit) {
-  return visit_method<Integrator>(name, "integrator", visit);
+  return visit_method<Integrator::List>(name, "integrator", visit);
 }
 
 }  // namespace
 
-std::vector<std::string> integrator_names() { return method_names<Integrator>(); }
+std::vector<std::string> integrator_names() { return method_names<Integrator::List>(); }
 
 Integrator make_integrator(std::string_view name, double tolerance) {
   return visit_integrator(name, [&]<class T>(std::type_identity<T>) { return with_tolerance(T{}, tolerance); });

@@ -21,13 +21,17 @@
 
 namespace talus {
 
-/// The closed list of integrators. One line here makes a method selectable, tested and documented, and lets it step
-/// discs if it can (see DiscMethod).
-using Integrator =
-    std::variant<CentralDifference, LaggedCentralDifference, VelocityVerlet, EulerCromer, Euler, Taylor, RungeKutta4,
-                 BlanesMoan4, Odeint<OdeintMethod::dopri5>, Odeint<OdeintMethod::cash_karp54>,
-                 Odeint<OdeintMethod::fehlberg78>, Odeint<OdeintMethod::adams_bashforth_moulton8>,
-                 Odeint<OdeintMethod::bulirsch_stoer>, StormerCowell, Exact>;
+/// Any of the integrators; its base is their closed list. One line here makes a method selectable, tested and documented,
+/// and lets it step discs if it can (see DiscMethod).
+class Integrator
+    : public std::variant<CentralDifference, LaggedCentralDifference, VelocityVerlet, EulerCromer, Euler, Taylor,
+                          RungeKutta4, BlanesMoan4, Odeint<OdeintMethod::dopri5>, Odeint<OdeintMethod::cash_karp54>,
+                          Odeint<OdeintMethod::fehlberg78>, Odeint<OdeintMethod::adams_bashforth_moulton8>,
+                          Odeint<OdeintMethod::bulirsch_stoer>, StormerCowell, Exact> {
+ public:
+  using List = variant;
+  using variant::variant;
+};
 
 /// Names of all integrators, in the list's order.
 [[nodiscard]] std::vector<std::string> integrator_names();

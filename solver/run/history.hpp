@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "solver/base/dimension.hpp"
+#include "solver/dynamics/dynamics.hpp"
 #include "solver/run/energy_ledger.hpp"
 #include "solver/run/extremes.hpp"
 #include "solver/run/observer.hpp"
+#include "solver/run/snapshot.hpp"
 
 namespace talus {
 

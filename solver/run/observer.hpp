@@ -5,9 +5,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "solver/run/snapshot.hpp"
+#include "solver/state/state.hpp"
 
 namespace talus {
+
+class Snapshot;
 
 /// What an observer is told beside the state.
 struct StepInfo {
@@ -20,7 +22,7 @@ struct StepInfo {
                         ///< coordinates half a step on, as the listings of 1993 print them
 };
 
-/// A function of the snapshot after a step; one of its state alone will do.
+/// A function of the snapshot after a step, or of its state alone (made from which it requires snapshot.hpp).
 template <class Result, class... More>
 class OfSnapshot {
  public:
@@ -31,7 +33,7 @@ class OfSnapshot {
     if constexpr (std::is_invocable_v<See&, const Snapshot&, More...>) {
       see_ = std::move(see);
     } else {
-      see_ = [see = std::move(see)](const Snapshot& snapshot, More... more) mutable -> Result {
+      see_ = [see = std::move(see)](const auto& snapshot, More... more) mutable -> Result {
         return see(snapshot.state(), more...);
       };
     }

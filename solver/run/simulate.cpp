@@ -10,8 +10,10 @@
 
 #include "solver/base/error.hpp"
 #include "solver/base/rows.hpp"
+#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/concepts.hpp"
-#include "solver/state/state_memory.hpp"
+#include "solver/run/run_state.hpp"
+#include "solver/run/snapshot.hpp"
 
 namespace talus {
 namespace {
@@ -48,18 +50,18 @@ class Following {
   Snapshot* snapshot_;
 };
 
-/// Takes the standing run on with its own integrator, which is of type Method.
+/// Continues the run with its integrator, which is of type Method.
 template <class Method>
-Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const RunPlan& plan,
+Outcome run(RigidBodySystem& system, Method& method, RunState& run_state, const RunPlan& plan,
             std::span<const Observer> observers, const StopCondition& stop, Snapshot* seen) {
   static_assert(IntegratorFor<Method, RigidBodySystem>);
-  const double start = standing.start;
+  const double start = run_state.start;
   const long steps =
       step_count({.step = plan.step, .end = plan.end - start, .interval = plan.interval, .ledger = plan.ledger});
   // An interval longer than any run would overflow a whole number of steps.
   const long every = std::max(1L, std::lround(std::min(plan.interval / plan.step, 1e15)));
-  const long before = standing.evaluations - system.evaluations();
-  State& state = standing.state;
+  const long before = run_state.evaluations - system.evaluations();
+  State& state = run_state.state;
   // Nothing is prepared for nobody.
   std::optional<Snapshot> own;
   if (!observers.empty() || stop) {
@@ -67,7 +69,7 @@ Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const R
   } else {
     seen = nullptr;
   }
-  if (standing.step == 0) {
+  if (run_state.step == 0) {
     system.begin(state);
     if (seen) seen->set(state);
     for (const Observer& observe : observers)
@@ -78,25 +80,25 @@ Outcome run(RigidBodySystem& system, Method& method, Standing& standing, const R
                               copy = state;
                               synchronize(method, system, copy, plan.step);
                             }};
-  while (standing.step < steps) {
+  while (run_state.step < steps) {
     method.step(system, state, plan.step);
     if constexpr (requires { method.failure(); }) {
       if (!method.failure().empty()) return {Outcome::Kind::diverged, state.t, method.failure()};
     }
-    const long n = standing.step + 1;
-    standing.evaluations = before + system.evaluations();
+    const long n = run_state.step + 1;
+    run_state.evaluations = before + system.evaluations();
     // n h rather than a sum of h: the time of a step does not collect round-off.
     state.t = start + static_cast<double>(n) * plan.step;
     const std::size_t moving = system.moving();
     if (const std::size_t bad = first_not_finite(state, moving); bad < moving)
       return diverged(system, state, bad, plan.step);
-    standing.step = n;
+    run_state.step = n;
     if (!seen) continue;
     seen->advance();
     const bool ends = n == steps;
     const bool stops = !ends && stop && stop(*seen);
     for (const Observer& observe : observers)
-      observe(*seen, {n, standing.evaluations, ends || n % every == 0, ends || stops, stops, &state});
+      observe(*seen, {n, run_state.evaluations, ends || n % every == 0, ends || stops, stops, &state});
     if (stops) return {Outcome::Kind::stopped, state.t, {}};
   }
   return {Outcome::Kind::finished, state.t, {}};
@@ -110,38 +112,19 @@ long step_count(const RunPlan& plan) {
   return std::max(1L, static_cast<long>(std::ceil(plan.end / plan.step - 1e-9)));
 }
 
-void Standing::remember(Memory& memory) {
-  memory.number("start", start);
-  memory.count("step", step);
-  memory.count("evaluations", evaluations);
-  memory.part("state", [&] { talus::remember(memory, state); });
-  memory.part(name(integrator), [&] { std::visit([&](auto& method) { method.remember(memory, state); }, integrator); });
-}
-
-Standing standing_at_start(const Integrator& integrator, const State& state) {
-  return {.integrator = integrator, .state = state, .start = state.t};
-}
-
-State synchronized(const Standing& standing, RigidBodySystem& system, const RunPlan& plan) {
-  State state = std::visit([&](const auto& method) { return synchronized(method, system, standing.state, plan.step); },
-                           standing.integrator);
-  system.settle(state);
-  return state;
-}
-
-Outcome simulate(RigidBodySystem& system, Standing& standing, const RunPlan& plan, std::span<const Observer> observers,
+Outcome simulate(RigidBodySystem& system, RunState& run_state, const RunPlan& plan, std::span<const Observer> observers,
                  const StopCondition& stop, Snapshot* seen) {
-  return std::visit([&](auto& method) { return run(system, method, standing, plan, observers, stop, seen); },
-                    standing.integrator);
+  return std::visit([&](auto& method) { return run(system, method, run_state, plan, observers, stop, seen); },
+                    run_state.integrator);
 }
 
 Outcome simulate(RigidBodySystem& system, Integrator& integrator, State& state, const RunPlan& plan,
                  std::span<const Observer> observers, const StopCondition& stop) {
-  Standing standing = standing_at_start(integrator, state);
-  standing.evaluations = system.evaluations();
-  const Outcome outcome = simulate(system, standing, plan, observers, stop);
-  state = outcome ? synchronized(standing, system, plan) : standing.state;
-  integrator = std::move(standing.integrator);
+  RunState run_state = initial_run_state(integrator, state);
+  run_state.evaluations = system.evaluations();
+  const Outcome outcome = simulate(system, run_state, plan, observers, stop);
+  state = outcome ? synchronized(run_state, system, plan) : run_state.state;
+  integrator = std::move(run_state.integrator);
   return outcome;
 }
 

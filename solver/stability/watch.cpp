@@ -6,9 +6,12 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/dynamics/dynamics.hpp"
 #include "solver/geometry/gap.hpp"
 #include "solver/geometry/penetration.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 
 namespace talus {
 namespace {

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <memory>
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/laws/restitution.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/run/turning_point.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"

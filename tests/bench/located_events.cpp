@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/run/simulate.hpp"
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "tests/bench/fences.hpp"
 #include "tests/bench/timing.hpp"

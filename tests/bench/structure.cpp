@@ -6,7 +6,10 @@
 #include <functional>
 #include <memory>
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "tests/bench/fences.hpp"
 #include "tests/bench/timing.hpp"

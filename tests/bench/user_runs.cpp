@@ -13,6 +13,7 @@
 #include "solver/base/error.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/read_scene_file.hpp"
+#include "solver/run/simulate.hpp"
 #include "tests/bench/timing.hpp"
 
 namespace talus::bench {

@@ -19,12 +19,19 @@ struct Setup {
   bool coarse = false;      ///< Fewest points that still decide the checks which the faults name.
   Tier tier = Tier::quick;  ///< Tier of the whole run.
   std::string machine{};    ///< Processor, compiler and options, in words: for the captions of measured times.
+  std::vector<std::string> needed{};  ///< Names of the only checks that matter; empty: all do.
 
   /// Is `name` the planted fault?
   [[nodiscard]] bool has(std::string_view name) const { return fault == name; }
   /// Is none planted, or one of these? What a fault has no part in need not be run again.
   [[nodiscard]] bool concerns(std::initializer_list<std::string_view> names) const {
     return fault.empty() || std::find(names.begin(), names.end(), fault) != names.end();
+  }
+  /// Does a check matter whose name contains `part`? A case need not make the others; a needed check that is not made
+  /// fails the control.
+  [[nodiscard]] bool needs(std::string_view part) const {
+    const auto has_part = [&](const std::string& name) { return name.find(part) != std::string::npos; };
+    return needed.empty() || std::any_of(needed.begin(), needed.end(), has_part);
   }
 };
 
@@ -58,6 +65,7 @@ struct Case {
                        ///< break it. The catalogue fills it in.
   std::vector<Fault> faults;  ///< At least one: a case that cannot turn red shows nothing.
   Tier tier = Tier::quick;    ///< The lowest tier that runs this case.
+  double seconds = 1.0;       ///< Processor time of the quick tier [s], roughly: the driver starts long cases first.
   double time_limit = 60.0;   ///< Wall-clock limit [s] for the whole case, its faulty setups included.
   double memory_limit = 2.0;  ///< Most memory [GiB] that the case may hold at any time.
   void (*run)(Findings&, const Setup&) = nullptr;  ///< Measures and compares; throws what it cannot handle.

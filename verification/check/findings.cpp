@@ -33,6 +33,7 @@ bool Findings::add(Check check) {
   demand_new(checks_, check.name, "check");
   checks_.push_back(std::move(check));
   groups_.push_back(open_groups_);
+  if (std::erase(needed_, checks_.back().name) > 0 && needed_.empty()) throw Decided{};
   return checks_.back().pass;
 }
 

@@ -19,6 +19,13 @@ namespace talus::verification {
 /// throw: a name used twice is std::logic_error; missing words or a malformed figure std::invalid_argument.
 class Findings {
  public:
+  /// Thrown by the check that completes the needed ones: the rest of the run decides nothing.
+  struct Decided {};
+
+  Findings() = default;
+  /// Only the checks named `needed` matter, at least one: `Decided` is thrown once all of them are made.
+  explicit Findings(std::vector<std::string> needed) : needed_{std::move(needed)} {}
+
   /// A group of checks, in which those made during its life are: see in().
   class Group {
    public:
@@ -80,6 +87,7 @@ class Findings {
  private:
   bool add(Check check);
 
+  std::vector<std::string> needed_;  ///< Not made so far.
   std::vector<Check> checks_;
   std::vector<std::vector<std::string>> groups_;  ///< of each check
   std::vector<std::string> open_groups_;

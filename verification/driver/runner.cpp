@@ -14,6 +14,7 @@
 #include <cstring>
 #include <fstream>
 #include <new>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <thread>
@@ -194,11 +195,20 @@ void take(Record& record, const Child& child, int status, const Case& verificati
   }
 }
 
-/// The cases on their way: at most `plan.jobs` at once, the next in order when one ends.
+/// The order in which cases start: those that take long first, so that none of them is waited for at the end.
+std::vector<std::size_t> starting_order(const std::vector<Case>& cases) {
+  std::vector<std::size_t> order(cases.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return cases[a].seconds > cases[b].seconds; });
+  return order;
+}
+
+/// The cases on their way: at most `plan.jobs` at once, the next in starting_order() when one ends.
 class Queue {
  public:
   Queue(const std::vector<Case>& cases, const RunPlan& plan, std::vector<Record>& records)
-      : cases_(cases), plan_(plan), records_(records) {
+      : cases_(cases), order_(starting_order(cases)), plan_(plan), records_(records) {
     running_.reserve(std::max(1u, plan.jobs));
   }
   Queue(const Queue&) = delete;
@@ -215,7 +225,8 @@ class Queue {
 
   void start_cases(const Progress& progress) {
     while (!refused_ && next_ < cases_.size() && running_.size() < std::max(1u, plan_.jobs)) {
-      if (const auto child = start(cases_[next_], next_, plan_)) {
+      const std::size_t index = order_[next_];
+      if (const auto child = start(cases_[index], index, plan_)) {
         running_.push_back(*child);
         ++next_;
         continue;
@@ -224,9 +235,10 @@ class Queue {
       // Another process may be had when a case ends.
       refused_ = !running_.empty();
       if (refused_) return;
-      records_[next_] =
-          unfinished(cases_[next_], Status::error, fmt::format("no process for the case: {}", std::strerror(reason)));
-      progress(records_[next_++], {});
+      records_[index] =
+          unfinished(cases_[index], Status::error, fmt::format("no process for the case: {}", std::strerror(reason)));
+      progress(records_[index], {});
+      ++next_;
     }
   }
 
@@ -247,6 +259,7 @@ class Queue {
 
  private:
   const std::vector<Case>& cases_;
+  const std::vector<std::size_t> order_;
   const RunPlan& plan_;
   std::vector<Record>& records_;
   std::vector<Child> running_;

@@ -1,6 +1,7 @@
 #include "verification/reference/gas_of_discs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -43,12 +44,27 @@ struct Collisions {
   double loss{};      ///< over n m
 };
 
+constexpr int directions = 256;
+
+/// Unit vectors of evenly spread directions.
+struct Directions {
+  std::array<double, directions> x{}, y{};
+
+  Directions() {
+    constexpr double part = 2.0 * pi / directions;
+    for (int i = 0; i < directions; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      x[k] = std::cos((i + 0.5) * part), y[k] = std::sin((i + 0.5) * part);
+    }
+  }
+};
+
 Collisions collide(const GasOfDiscs& gas, double n_chi, const Tensor& k) {
-  constexpr int directions = 256;
+  static const Directions all;
   const double kept = 0.5 * (1.0 + gas.restitution), part = 2.0 * pi / directions;
   Collisions sum;
-  for (int i = 0; i < directions; ++i) {
-    const double x = std::cos((i + 0.5) * part), y = std::sin((i + 0.5) * part);
+  for (std::size_t i = 0; i < directions; ++i) {
+    const double x = all.x[i], y = all.y[i];
     const double along_x = k.xx * x + k.xy * y, along_y = k.xy * x + k.yy * y;
     const double variance = 2.0 * (along_x * x + along_y * y), mean = -x * y;
     const ClosingMoments closing{mean, std::sqrt(variance)};

@@ -6,6 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/run/simulate.hpp"
+
 namespace talus::verification::problems {
 namespace {
 

@@ -2,8 +2,12 @@
 
 #include <utility>
 
+#include "solver/dynamics/dynamics.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
+#include "solver/run/observer.hpp"
+#include "solver/run/run_plan.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/scenes/scene.hpp"
 #include "verification/check/findings.hpp"
 #include "verification/study/usage.hpp"

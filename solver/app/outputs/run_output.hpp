@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "solver/base/memory.hpp"
+#include "solver/dynamics/dynamics.hpp"
 #include "solver/io/output/run_record.hpp"
 #include "solver/io/scene/scene_file.hpp"
 #include "solver/run/observer.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/scenes/fence_summary.hpp"
 
 namespace talus::app {

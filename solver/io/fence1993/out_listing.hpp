@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "solver/run/simulate.hpp"
+#include "solver/run/observer.hpp"
+#include "solver/run/run_plan.hpp"
 #include "solver/scenes/fence_scene.hpp"
 
 namespace talus {

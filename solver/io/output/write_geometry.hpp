@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "solver/base/memory.hpp"
 #include "solver/dynamics/dynamics.hpp"
-#include "solver/run/simulate.hpp"
+#include "solver/run/observer.hpp"
+#include "solver/run/snapshot.hpp"
 
 namespace talus {
 

@@ -5,6 +5,7 @@
 
 #include "solver/advise/method_advice.hpp"
 #include "solver/base/error.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"

@@ -4,10 +4,13 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/run/energy_ledger.hpp"
 #include "solver/run/failure_log.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 
 using namespace talus;
 

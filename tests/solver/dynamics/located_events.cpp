@@ -6,8 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/scenes/scene.hpp"
 
 using namespace talus;

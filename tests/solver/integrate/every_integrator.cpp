@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(declared_evaluations_are_counted) {
 }
 
 BOOST_AUTO_TEST_CASE(declared_additions_are_counted) {
-  for_each_method<Integrator>([]<class Method>(std::type_identity<Method>) {
+  for_each_method<Integrator::List>([]<class Method>(std::type_identity<Method>) {
     if constexpr (requires { typename Rebound<Method, StateOf<Counted>>::type; }) {
       BOOST_TEST_CONTEXT(Method::name) {
         typename Rebound<Method, StateOf<Counted>>::type method;

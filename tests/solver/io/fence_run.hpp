@@ -1,7 +1,10 @@
 #pragma once
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/io/read_scene_file.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 
 namespace talus {
 

@@ -4,9 +4,10 @@
 #include <filesystem>
 #include <string>
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/io/fence1993/read_deck.hpp"
 #include "solver/io/read_scene_file.hpp"
-#include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "tests/solver/run/counted_memory.hpp"
 

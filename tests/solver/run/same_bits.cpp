@@ -7,7 +7,10 @@
 #include <map>
 #include <string>
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"

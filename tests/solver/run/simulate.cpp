@@ -1,15 +1,17 @@
 #define BOOST_TEST_MODULE simulate
 #include "solver/run/simulate.hpp"
-
-#include <boost/test/unit_test.hpp>
-#include <cmath>
-
 #include "solver/base/error.hpp"
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/run/history.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/run/turning_point.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
 
 using namespace talus;
 

@@ -1,16 +1,18 @@
 /// What observers see of a run (solver/run/snapshot.hpp): evaluated once, and as the Dynamics evaluates it alone.
 #define BOOST_TEST_MODULE snapshot
 #include "solver/run/snapshot.hpp"
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
+#include "solver/io/read_scene_file.hpp"
+#include "solver/run/extremes.hpp"
+#include "solver/run/run_state.hpp"
+#include "solver/run/simulate.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
 #include <vector>
-
-#include "solver/io/read_scene_file.hpp"
-#include "solver/run/extremes.hpp"
-#include "solver/run/simulate.hpp"
 
 namespace {
 
@@ -119,14 +121,14 @@ BOOST_AUTO_TEST_CASE(it_outlasts_the_run) {
   const Scene run = scene("two_cable.toml");
   const Dynamics dynamics{run.model};
   RigidBodySystem system{dynamics, run.plan.ledger};
-  Standing standing = standing_at_start(run.integrator, run.initial);
+  RunState run_state = initial_run_state(run.integrator, run.initial);
   Snapshot seen{dynamics};
   double last = 0.0;
   const Observer observer = [&](const Snapshot& snapshot, const StepInfo& info) {
     last = snapshot.state().t;
-    if (info.step == 300) standing.state.v[0] = std::numeric_limits<double>::infinity();
+    if (info.step == 300) run_state.state.v[0] = std::numeric_limits<double>::infinity();
   };
-  BOOST_TEST(!simulate(system, standing, run.plan, {&observer, 1}, {}, &seen));
+  BOOST_TEST(!simulate(system, run_state, run.plan, {&observer, 1}, {}, &seen));
   BOOST_TEST(seen.state().t == last);
   BOOST_TEST(std::isfinite(seen.state().v[0]));
 }

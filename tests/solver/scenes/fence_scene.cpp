@@ -8,7 +8,6 @@
 
 #include "solver/base/error.hpp"
 #include "solver/run/energy_ledger.hpp"
-#include "solver/run/simulate.hpp"
 #include "tests/solver/scenes/fence_end.hpp"
 #include "tests/solver/scenes/sample_fence.hpp"
 

@@ -4,8 +4,11 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/energy_ledger.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "tests/solver/scenes/fence_end.hpp"
 #include "tests/solver/scenes/sample_fence.hpp"

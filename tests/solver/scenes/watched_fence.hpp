@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <functional>
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "tests/solver/scenes/sample_fence.hpp"
 

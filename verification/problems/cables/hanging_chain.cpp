@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/hanging_chain.hpp"

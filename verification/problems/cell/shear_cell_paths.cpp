@@ -213,11 +213,11 @@ void expect_jump(Findings& findings, const Setup& setup) {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  expect_virtual(findings, setup);
-  expect_own_virtual(findings, setup);
-  expect_mirror(findings, setup);
-  expect_restart(findings, setup);
-  expect_jump(findings, setup);
+  if (setup.needs("beside virtual discs and all pairs")) expect_virtual(findings, setup);
+  if (setup.needs("places of rough discs")) expect_own_virtual(findings, setup);
+  if (setup.needs("mirrored cell")) expect_mirror(findings, setup);
+  if (setup.needs("taken on from its memory")) expect_restart(findings, setup);
+  if (setup.needs("places after jumps")) expect_jump(findings, setup);
 }
 
 }  // namespace

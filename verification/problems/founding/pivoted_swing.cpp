@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/turning_point.hpp"
 #include "verification/problems/founding/leapfrog_swing.hpp"

@@ -443,6 +443,7 @@ Case definition() {
                   "two cables, damped: order of velocity_verlet"},
                  {"euler_cromer_for_verlet", "Euler-Cromer in place of velocity Verlet",
                   "particle on cables: order of velocity_verlet"}},
+      .seconds = 5.0,
       .run = run};
 }
 

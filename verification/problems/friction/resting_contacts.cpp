@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/io/read_scene_file.hpp"
 #include "solver/io/scene/read_scene.hpp"
 #include "verification/check/case.hpp"

@@ -74,6 +74,7 @@ Case definition() {
           .faults = {{"equal_discs", "discs of one size, which order themselves", "friction at the slowest flow"},
                      {"still_box", "images that do not slide", "inertial number of the slowest flow"},
                      {"motion_alone", "stress by the motion alone", "inertial number of the slowest flow"}},
+          .seconds = 4.0,
           .time_limit = 600.0,
           .run = run};
 }

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <filesystem>
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/output/checkpoint.hpp"
+#include "solver/run/run_state.hpp"
 #include "solver/run/simulate.hpp"
 #include "verification/check/case.hpp"
 #include "verification/study/lively_scenes.hpp"
@@ -38,18 +41,18 @@ std::string rounded_digits(const std::string& text) {
   return out;
 }
 
-/// Saves the standing run to a file, and puts it back from there into one that has not begun.
-Standing through_file(Standing& standing, const Scene& scene, const Integrator& method, const Setup& setup) {
+/// Saves the run to a file, and puts it back from there into one that has not begun.
+RunState through_file(RunState& run_state, const Scene& scene, const Integrator& method, const Setup& setup) {
   namespace fs = std::filesystem;
   Memory saving;
-  standing.remember(saving);
+  run_state.remember(saving);
   const Checkpoint kept{.scene_file = "scene",
                         .scene_fnv1a = fnv1a("scene"),
                         .integrator = std::string{name(method)},
                         .tolerance = tolerance(method),
                         .step = 1.0,
                         .end = 1.0,
-                        .steps = standing.step,
+                        .steps = run_state.step,
                         .memory = saving.items()};
   std::string text = checkpoint_text(kept, "case");
   if (setup.has("few_digits")) {
@@ -61,7 +64,7 @@ Standing through_file(Standing& standing, const Scene& scene, const Integrator& 
   write_whole(file, text);
   const Checkpoint read = read_checkpoint(file, "case");
   fs::remove(file);
-  Standing other = standing_at_start(method, scene.initial);
+  RunState other = initial_run_state(method, scene.initial);
   Memory restoring{read.memory};
   other.remember(restoring);
   if (setup.has("stretch_forgotten")) std::fill(other.state.z.begin(), other.state.z.end(), 0.0);
@@ -74,30 +77,30 @@ Half run_in_halves(const Scene& scene, const Integrator& method, double step, lo
   record_use(method);
   const Dynamics first{scene.model}, second{scene.model};
   RigidBodySystem system{first}, other_system{second};
-  Standing standing = standing_at_start(method, scene.initial);
+  RunState run_state = initial_run_state(method, scene.initial);
   const auto plan = [&](long count) {
     const double end = step * static_cast<double>(count);
     return RunPlan{step, end, end, true};
   };
-  const auto ended = [&](Standing& run, RigidBodySystem& on) {
+  const auto ended = [&](RunState& run, RigidBodySystem& on) {
     const bool good = static_cast<bool>(simulate(on, run, plan(steps)));
     Half half{synchronized(run, on, plan(steps)), run.evaluations};
     if (!good) half.end.q[0] = std::nan("");
     findings.count(run.evaluations);
     return half;
   };
-  if (how == Interrupted::never) return ended(standing, system);
-  (void)simulate(system, standing, plan(steps / 2));
+  if (how == Interrupted::never) return ended(run_state, system);
+  (void)simulate(system, run_state, plan(steps / 2));
   if (how == Interrupted::by_checkpoint && !setup.has("method_begins_anew")) {
-    Standing other = through_file(standing, scene, method, setup);
+    RunState other = through_file(run_state, scene, method, setup);
     return ended(other, other_system);
   }
-  Standing other = standing_at_start(method, synchronized(standing, system, plan(steps)));
+  RunState other = initial_run_state(method, synchronized(run_state, system, plan(steps)));
   other.start = 0.0;
   Integrator fresh = method;
   std::visit([&](auto& m) { m.start(other_system, other.state, step); }, fresh);
   other.integrator = fresh;
-  other.step = standing.step;
+  other.step = run_state.step;
   return ended(other, other_system);
 }
 

@@ -240,11 +240,11 @@ void check_depth(Findings& findings, const Setup& setup) {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  check_area(findings, setup);
-  check_support(findings, setup);
-  check_depth(findings, setup);
-  check_pairs(findings, setup);
-  check_search(findings, setup);
+  if (setup.needs("polygons")) check_area(findings, setup);
+  if (setup.needs("with a plane")) check_support(findings, setup);
+  if (setup.needs("depth below")) check_depth(findings, setup);
+  if (setup.needs("overlap of pairs")) check_pairs(findings, setup);
+  if (setup.needs("contact search")) check_search(findings, setup);
   if (setup.coarse) return;
   check_scenes(findings, setup);
   findings.figure(support_figure());

@@ -270,10 +270,10 @@ void check_question(const Question& question, Findings& findings, const Setup& s
 }
 
 void check_gas(Findings& findings, const Setup& setup, Table& table) {
-  const Question question = gas(100.0, 1e-2);
+  const Question question = gas(setup.coarse ? 25.0 : 100.0, 1e-2);
   const Quantity quantity = quantity_named(question.scene.model, question.quantity);
   AdviceRules rules = rules_of(question, setup);
-  rules.evaluations = 1'000'000;
+  rules.evaluations = setup.coarse ? 150'000 : 1'000'000;
   const Advice advice = advise_method(question.scene, quantity, rules);
   findings.count(advice.evaluations);
   findings.expect_true("gas: refused because its differences grow",
@@ -366,6 +366,7 @@ Case definition() {
                   "caught bob: error of the advised run over the accuracy"},
                  {"differences_not_followed", "small differences of the start are not followed",
                   "gas: refused because its differences grow"}},
+      .seconds = 7.0,
       .time_limit = 300.0,
       .run = run};
 }

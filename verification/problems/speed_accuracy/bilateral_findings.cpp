@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "solver/dynamics/dynamics.hpp"
+#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/model/model_builder.hpp"
+#include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/fence_table.hpp"

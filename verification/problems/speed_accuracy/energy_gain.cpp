@@ -311,7 +311,7 @@ void check_gas(Findings& findings, const Setup& setup, Figure& figure) {
 
 void run(Findings& findings, const Setup& setup) {
   const Striking striking{setup};
-  check_bounces(striking, findings, setup);
+  if (setup.needs("exit speeds")) check_bounces(striking, findings, setup);
   Figure figure{.name = "heating",
                 .title = "Mean of ln e over all phases",
                 .caption =
@@ -321,8 +321,8 @@ void run(Findings& findings, const Setup& setup) {
                 .y = {.label = "mean of ln e", .log = true, .min = 1e-9},
                 .series = {},
                 .slopes = {{4.0, 0.3, 4.2e-5, "eta^4/192"}}};
-  check_heating(striking, findings, setup, figure);
-  check_gas(findings, setup, figure);
+  if (setup.needs("mean of")) check_heating(striking, findings, setup, figure);
+  if (setup.needs("gas at")) check_gas(findings, setup, figure);
   if (!setup.coarse) findings.figure(figure);
 }
 

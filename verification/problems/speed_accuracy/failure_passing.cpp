@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/geometry/penetration.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/stability/watch.hpp"
 #include "verification/check/convergence.hpp"

@@ -284,11 +284,11 @@ void check_fences(Findings& findings, const Setup& setup) {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  check_formula(findings, setup);
-  check_particles(findings, setup);
-  check_fences(findings, setup);
+  if (setup.needs("by the formula")) check_formula(findings, setup);
+  if (setup.needs("particle on cables")) check_particles(findings, setup);
+  if (setup.needs("half fence")) check_fences(findings, setup);
   if (!setup.coarse) check_rungs(findings, setup);
-  check_contact_ladder(findings, setup);
+  if (setup.needs("order of the push")) check_contact_ladder(findings, setup);
 }
 
 }  // namespace

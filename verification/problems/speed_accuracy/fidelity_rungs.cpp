@@ -10,7 +10,10 @@
 #include <limits>
 #include <random>
 
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/usage.hpp"
 

@@ -417,6 +417,7 @@ Case definition() {
                      {"fence_by_rule", "the fence's step chosen by the frequency of the 1993 rule",
                       "fence held at 0.02 s: ln growth per step at 1.001 and 1.02 of the limit, largest share of "
                       "error"}},
+          .seconds = 4.0,
           .run = run};
 }
 

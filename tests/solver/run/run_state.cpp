@@ -1,14 +1,18 @@
 /// A run that is stopped, saved and taken on by fresh objects ends with the bits of one that never was: every
 /// integrator of the closed list, several scenes, several places.
-#define BOOST_TEST_MODULE standing
+#define BOOST_TEST_MODULE run_state
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numeric>
 
 #include "solver/base/error.hpp"
+#include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/integrate/integrator_list.hpp"
 #include "solver/run/failure_log.hpp"
 #include "solver/run/history.hpp"
+#include "solver/run/run_state.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/run/snapshot.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/pendulum.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
@@ -37,8 +41,8 @@ class Leg {
       : plan_{scene.plan},
         dynamics_{scene.model},
         system_{dynamics_, plan_.ledger},
-        standing_{standing_at_start(scene.integrator, begun(scene.initial))},
-        recorder_{dynamics_, standing_.state, plan_.ledger},
+        run_state_{initial_run_state(scene.integrator, begun(scene.initial))},
+        recorder_{dynamics_, run_state_.state, plan_.ledger},
         failures_{dynamics_} {}
 
   /// Goes on until so many steps are done.
@@ -47,23 +51,23 @@ class Leg {
       recorder_(seen, info);
       failures_(seen.state(), info);
     }};
-    const double end = standing_.start + static_cast<double>(step) * plan_.step;
+    const double end = run_state_.start + static_cast<double>(step) * plan_.step;
     const StopCondition stop = [end](const State& seen) { return seen.t >= end; };
-    const Outcome outcome = simulate(system_, standing_, plan_, observers, stop);
+    const Outcome outcome = simulate(system_, run_state_, plan_, observers, stop);
     BOOST_TEST_REQUIRE(static_cast<bool>(outcome), outcome.words);
-    BOOST_TEST(standing_.step == step);
+    BOOST_TEST(run_state_.step == step);
   }
 
   void remember(Memory& memory) {
-    memory.part("run", [&] { standing_.remember(memory); });
+    memory.part("run", [&] { run_state_.remember(memory); });
     memory.part("recorder", [&] { recorder_.remember(memory); });
     memory.part("failures", [&] { failures_.remember(memory); });
   }
 
   Left left() {
-    Left all{.state = synchronized(standing_, system_, plan_),
-             .held = standing_.state,
-             .evaluations = standing_.evaluations,
+    Left all{.state = synchronized(run_state_, system_, plan_),
+             .held = run_state_.state,
+             .evaluations = run_state_.evaluations,
              .rows = recorder_.history().rows};
     for (std::size_t i = 0; i < recorder_.extremes().size(); ++i) {
       const Extreme e = recorder_.extremes()[i];
@@ -92,7 +96,7 @@ class Leg {
   RunPlan plan_;
   Dynamics dynamics_;
   RigidBodySystem system_;
-  Standing standing_;
+  RunState run_state_;
   Recorder recorder_;
   FailureLog failures_;
 };
