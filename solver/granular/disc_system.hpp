@@ -53,6 +53,8 @@ class DiscSystem {
   const L& law() const { return law_; }
   const F& friction() const { return friction_; }
   const List& list() const { return list_; }
+  /// The mode of the law of each pair of the list.
+  const std::vector<Mode>& modes() const { return contacts_.mode; }
   /// Times that the list was built.
   long builds() const { return builds_; }
   long evaluations() const { return evaluations_; }

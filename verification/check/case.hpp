@@ -42,18 +42,23 @@ struct Fault {
   std::string turns_red;  ///< Name of a check of the same case.
 };
 
-/// A requirement and the checks that show it: those whose name holds one of `parts`. Each part must occur in a name.
+/// A requirement and the checks that show it. What a claim says of the solver's closed lists must have been used by a
+/// run of the case (usage.hpp).
 struct Claim {
-  std::string requirement;         ///< Id from the closed lists: "Eq. 21", "law.NAME", "integrator.NAME", ...
-  std::vector<std::string> parts;  ///< Pieces of check names.
+  std::string requirement;          ///< Id from the catalogue: "Eq. 21", "law.NAME", "integrator.NAME", ...
+  std::vector<std::string> checks;  ///< Each the name of a check or the id of a group of checks; each must exist.
 };
 
 /// A verification case: one page of the manual and the function that fills it.
 struct Case {
-  std::string id;                          ///< snake_case; file, function and folder carry the same name.
-  std::string title;                       ///< One line.
-  std::string family{};                    ///< Place in the report's summary; empty: that of its catalogue problems.
-  std::vector<Claim> requirements;         ///< What the case shows, and by which checks.
+  std::string id;                   ///< snake_case; file, function and folder carry the same name.
+  std::string title;                ///< One line.
+  std::string family{};             ///< Place in the report's summary; empty: that of its catalogue problems.
+  std::vector<Claim> requirements;  ///< What the case shows, and by which checks.
+  /// Checks of numbers that the case's runs gave, each by its name or the id of its group. Each law, end rule, contact
+  /// method, integrator, pair of shapes, and each shape of this pair, that is the only one of its kind in all runs of the
+  /// case is claimed for them.
+  std::vector<std::string> checks_of_runs{};
   std::vector<std::string> main_checks{};  ///< Names of the checks on the first page; each must be made.
   std::string source;                      ///< Full citation with page or equation.
   std::string page{};  ///< Markdown of the file beside the source: problem, sketch, equations, parameters, what would

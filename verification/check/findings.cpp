@@ -32,8 +32,14 @@ void demand_rows(const Thing& thing, const std::string& what) {
 bool Findings::add(Check check) {
   demand_new(checks_, check.name, "check");
   checks_.push_back(std::move(check));
+  groups_.push_back(open_groups_);
   if (std::erase(needed_, checks_.back().name) > 0 && needed_.empty()) throw Decided{};
   return checks_.back().pass;
+}
+
+Findings::Group Findings::in(std::string id) {
+  if (id.empty()) throw std::invalid_argument("a group of checks needs an id");
+  return Group{*this, std::move(id)};
 }
 
 bool Findings::expect(std::string name, double measured, double reference, const Tolerance& tolerance,

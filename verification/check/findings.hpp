@@ -26,6 +26,28 @@ class Findings {
   /// Only the checks named `needed` matter, at least one: `Decided` is thrown once all of them are made.
   explicit Findings(std::vector<std::string> needed) : needed_{std::move(needed)} {}
 
+  /// A group of checks, in which those made during its life are: see in().
+  class Group {
+   public:
+    Group(const Group&) = delete;
+    Group& operator=(const Group&) = delete;
+    ~Group() { findings_->open_groups_.pop_back(); }
+
+    Findings* operator->() const { return findings_; }
+    operator Findings&() const { return *findings_; }
+
+   private:
+    friend class Findings;
+    Group(Findings& findings, std::string id) : findings_{&findings} { findings.open_groups_.push_back(std::move(id)); }
+    Findings* findings_;
+  };
+
+  /// Puts checks into a group, whose id claims refer to: one check by `findings.in("overlaps")->expect(...)`, or all
+  /// that are made while the group that is returned lives. Groups nest; a check is in all that are open. A group with
+  /// the id of a requirement of the solver's lists, such as "integrator.rk4", is a claim of it.
+  /// Errors: std::invalid_argument if the id is empty.
+  [[nodiscard]] Group in(std::string id);
+
   /// Compares `measured` with `reference` within `tolerance`.
   bool expect(std::string name, double measured, double reference, const Tolerance& tolerance, std::string unit = "1");
 
@@ -51,6 +73,8 @@ class Findings {
   void count(std::integral auto evaluations) { evaluations_ += static_cast<std::uint64_t>(evaluations); }
 
   [[nodiscard]] const std::vector<Check>& checks() const { return checks_; }
+  /// Of each check the groups that it is in, outermost first.
+  [[nodiscard]] const std::vector<std::vector<std::string>>& groups() const { return groups_; }
   [[nodiscard]] const std::vector<Figure>& figures() const { return figures_; }
   [[nodiscard]] const std::vector<Table>& tables() const { return tables_; }
   [[nodiscard]] const std::vector<DataFile>& data_files() const { return data_; }
@@ -65,6 +89,8 @@ class Findings {
 
   std::vector<std::string> needed_;  ///< Not made so far.
   std::vector<Check> checks_;
+  std::vector<std::vector<std::string>> groups_;  ///< of each check
+  std::vector<std::string> open_groups_;
   std::vector<Figure> figures_;
   std::vector<Table> tables_;
   std::vector<DataFile> data_;

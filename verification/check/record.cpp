@@ -1,28 +1,101 @@
 #include "verification/check/record.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <string>
 #include <utility>
 
 namespace talus::verification {
 
-std::vector<Trace> traced(const std::vector<Claim>& claims, const std::vector<Check>& checks) {
-  std::vector<Trace> traces;
-  for (const auto& claim : claims) {
-    Trace trace{claim.requirement, {}};
-    std::vector<bool> used(claim.parts.size(), false);
-    for (const auto& check : checks) {
-      bool touched = false;
-      for (std::size_t i = 0; i < claim.parts.size(); ++i) {
-        if (check.name.find(claim.parts[i]) == std::string::npos) continue;
-        used[i] = touched = true;
-      }
-      if (touched) trace.checks.push_back(check.name);
+namespace {
+
+/// The claims of a case after it ran: those that it names, and those that follow from its runs.
+class Claims {
+ public:
+  explicit Claims(const std::vector<Claim>& named) : all_{named} {}
+
+  /// Claims the requirement for the checks, too.
+  void add(const std::string& requirement, const std::vector<std::string>& checks) {
+    auto claim = std::find_if(all_.begin(), all_.end(), [&](const Claim& c) { return c.requirement == requirement; });
+    if (claim == all_.end()) claim = all_.insert(all_.end(), {requirement, {}});
+    for (const std::string& check : checks) {
+      if (std::find(claim->checks.begin(), claim->checks.end(), check) == claim->checks.end())
+        claim->checks.push_back(check);
     }
-    const auto unused = std::find(used.begin(), used.end(), false);
-    if (unused != used.end()) trace.unmatched = claim.parts[static_cast<std::size_t>(unused - used.begin())];
-    traces.push_back(std::move(trace));
   }
+  [[nodiscard]] const std::vector<Claim>& all() const { return all_; }
+
+ private:
+  std::vector<Claim> all_;
+};
+
+/// The only member of a kind that was used; empty if there is none or more than one.
+std::string only_of_kind(const Usage& usage, std::string_view kind) {
+  std::string only;
+  for (const std::string& id : usage) {
+    if (kind_of_use(id) != kind) continue;
+    if (!only.empty()) return "";
+    only = id;
+  }
+  return only;
+}
+
+/// What checks of numbers of the runs show, because the runs used nothing else of its kind.
+std::vector<std::string> shown_by_runs(const Usage& usage) {
+  std::vector<std::string> ids;
+  for (const char* kind : {"law", "end_rule", "method", "integrator", "shape", "pair"}) {
+    const std::string only = only_of_kind(usage, kind);
+    if (!only.empty()) ids.push_back(only);
+    if (only.empty() || std::string_view{kind} != "pair") continue;
+    const std::size_t first = only.find('.') + 1, second = only.find('.', first) + 1;
+    const std::set<std::string> shapes{"shape." + only.substr(first, second - first - 1),
+                                       "shape." + only.substr(second)};
+    std::copy_if(shapes.begin(), shapes.end(), std::back_inserter(ids),
+                 [&](const std::string& shape) { return std::find(ids.begin(), ids.end(), shape) == ids.end(); });
+  }
+  return ids;
+}
+
+/// Whether a claim that names `id` means the check with this index.
+bool means(const std::string& id, const Findings& findings, std::size_t index) {
+  const std::vector<std::string>& groups = findings.groups()[index];
+  return findings.checks()[index].name == id || std::find(groups.begin(), groups.end(), id) != groups.end();
+}
+
+Trace traced(const Claim& claim, const Findings& findings, const Usage& usage) {
+  Trace trace{.requirement = claim.requirement, .checks = {}};
+  std::vector<bool> met(claim.checks.size(), false);
+  for (std::size_t index = 0; index < findings.checks().size(); ++index) {
+    bool touched = false;
+    for (std::size_t i = 0; i < claim.checks.size(); ++i) {
+      if (means(claim.checks[i], findings, index)) met[i] = touched = true;
+    }
+    if (touched) trace.checks.push_back(findings.checks()[index].name);
+  }
+  const auto missing = std::find(met.begin(), met.end(), false);
+  if (missing != met.end()) trace.unmatched = claim.checks[static_cast<std::size_t>(missing - met.begin())];
+  const std::string_view kind = kind_of_use(claim.requirement);
+  if (!kind.empty() && usage.count(claim.requirement) == 0) trace.used_instead = used_of_kind(usage, kind);
+  return trace;
+}
+
+}  // namespace
+
+std::vector<Trace> traced(const Case& verification_case, const Findings& findings, const Usage& usage) {
+  Claims claims{verification_case.requirements};
+  for (const auto& groups : findings.groups()) {
+    for (const std::string& group : groups) {
+      if (!kind_of_use(group).empty()) claims.add(group, {group});
+    }
+  }
+  if (!verification_case.checks_of_runs.empty()) {
+    for (const std::string& requirement : shown_by_runs(usage))
+      claims.add(requirement, verification_case.checks_of_runs);
+  }
+  std::vector<Trace> traces;
+  for (const Claim& claim : claims.all())
+    traces.push_back(traced(claim, findings, usage));
   return traces;
 }
 
@@ -31,7 +104,8 @@ Record record_of(const Case& verification_case) {
   record.id = verification_case.id;
   record.title = verification_case.title;
   record.family = verification_case.family;
-  record.requirements = traced(verification_case.requirements, {});
+  for (const Claim& claim : verification_case.requirements)
+    record.requirements.push_back({.requirement = claim.requirement, .checks = {}});
   record.main_checks = verification_case.main_checks;
   record.source = verification_case.source;
   record.page = verification_case.page;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/check/usage.hpp"
 #include "verification/record/record_files.hpp"
 
 namespace talus::verification {
@@ -19,7 +20,8 @@ using records::write_record;
 /// The head of a record: what the case says of itself, nothing found yet.
 [[nodiscard]] Record record_of(const Case& verification_case);
 
-/// The checks of `checks` that show what `claims` say, a trace for each claim.
-[[nodiscard]] std::vector<Trace> traced(const std::vector<Claim>& claims, const std::vector<Check>& checks);
+/// A trace for each claim of the case, with the checks that it refers to: first the claims that it names, in their
+/// order, then those that follow from its groups of checks and from `checks_of_runs`. `usage`: of its runs.
+[[nodiscard]] std::vector<Trace> traced(const Case& verification_case, const Findings& findings, const Usage& usage);
 
 }  // namespace talus::verification

@@ -91,7 +91,7 @@ void plant_all(const Case& verification_case, Tier tier, Record& record) {
   }
 }
 
-/// Main checks that were not made, and requirements that no check shows: in words, empty if there are none.
+/// Main checks that were not made, and claims that no check or no run of the case backs; empty if there are none.
 std::string undelivered(const Record& record) {
   std::string words;
   const auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
@@ -100,12 +100,17 @@ std::string undelivered(const Record& record) {
     if (std::none_of(record.checks.begin(), record.checks.end(), named))
       add(fmt::format("main check '{}' was not made", name));
   }
+  if (record.requirements.empty()) add(fmt::format("case {}: it claims no requirement", record.id));
   for (const auto& trace : record.requirements) {
+    const std::string place = fmt::format("case {}: claim {}", record.id, trace.requirement);
     if (!trace.unmatched.empty()) {
-      add(fmt::format("requirement {}: no check has '{}' in its name", trace.requirement, trace.unmatched));
-    } else if (!trace.shown()) {
-      add(fmt::format("requirement {}: the case names no check for it", trace.requirement));
+      add(fmt::format("{}: found '{}'; it must be the name of a check or the id of a group of checks of the case",
+                      place, trace.unmatched));
+    } else if (trace.checks.empty()) {
+      add(fmt::format("{}: the case names no check for it", place));
     }
+    if (!trace.used_instead.empty())
+      add(fmt::format("{}: no run of the case used it; its runs used {}", place, trace.used_instead));
   }
   return words;
 }
@@ -116,12 +121,18 @@ Record run_case(const Case& verification_case, Tier tier) {
   const auto start = Clock::now();
   Record record = record_of(verification_case);
   Findings findings;
-  const std::string thrown =
-      thrown_by(verification_case, findings, {.fault = "", .coarse = false, .tier = tier, .machine = machine_words()});
+  Usage usage;
+  const std::string thrown = [&] {
+    const UsageRecording recording;
+    const std::string words = thrown_by(verification_case, findings,
+                                        {.fault = "", .coarse = false, .tier = tier, .machine = machine_words()});
+    usage = recording.usage();
+    return words;
+  }();
   record.evaluations = findings.evaluations();
   record.checks = findings.checks();
   mark_main_checks(record);
-  record.requirements = traced(verification_case.requirements, record.checks);
+  record.requirements = traced(verification_case, findings, usage);
   record.figures = findings.figures();
   record.tables = findings.tables();
   record.data = findings.data_files();

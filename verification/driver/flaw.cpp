@@ -16,11 +16,10 @@ bool is_snake_case(const std::string& word) {
 }
 
 std::string flaw_of_requirements(const Case& verification_case, const Catalogue& catalogue) {
-  if (verification_case.requirements.empty()) return "it names no requirement";
   for (const auto& claim : verification_case.requirements) {
     const std::string& id = claim.requirement;
     if (catalogue.requirement(id) == nullptr) return fmt::format("requirement '{}' is in no closed list", id);
-    if (claim.parts.empty()) return fmt::format("it names no check for requirement '{}'", id);
+    if (claim.checks.empty()) return fmt::format("it names no check for requirement '{}'", id);
     const auto same = [&](const Claim& other) { return other.requirement == id; };
     const auto& claims = verification_case.requirements;
     if (std::count_if(claims.begin(), claims.end(), same) > 1)

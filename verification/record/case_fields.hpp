@@ -59,6 +59,7 @@ void fields(auto& f, Like<Trace> auto& trace) {
   f.value("id", trace.requirement);
   f.value("checks", trace.checks);
   f.value("unmatched", trace.unmatched);
+  f.value_if(!trace.used_instead.empty(), "used_instead", trace.used_instead);
 }
 
 void fields(auto& f, Like<Table> auto& table) {

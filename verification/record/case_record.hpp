@@ -70,10 +70,11 @@ struct Control {
 struct Trace {
   std::string requirement;          ///< Id of the requirement.
   std::vector<std::string> checks;  ///< Names of the checks made that show it.
-  std::string unmatched{};          ///< A part of check names that the case gives and no check has; empty if none.
+  std::string unmatched{};     ///< A check or group of checks that the case names and does not have; empty if none.
+  std::string used_instead{};  ///< What the case's runs used in place of the requirement; empty if they used it.
 
-  /// There is a check for it, and each part that the case names has one.
-  [[nodiscard]] bool shown() const { return !checks.empty() && unmatched.empty(); }
+  /// There is a check for it, each check that the case names exists, and a run used what is claimed.
+  [[nodiscard]] bool shown() const { return !checks.empty() && unmatched.empty() && used_instead.empty(); }
 };
 
 /// All that one case leaves behind; `record.json` and the CSV files it names.

@@ -5,6 +5,7 @@
 
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems {
 
@@ -21,6 +22,7 @@ class PressedDisc {
         system_{dynamics_},
         state_{scene_.initial},
         forgets_{forgets} {
+    record_use(scene_.model);
     state_.v = {0.0, 0.0};
     look();
   }

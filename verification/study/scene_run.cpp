@@ -41,12 +41,21 @@ RunEnd run_scene(const Scene& scene, Integrator integrator, const RunPlan& plan,
   RunEnd end{.state = scene.initial};
   std::vector<Observer> observers;
   if (watch) observers.emplace_back(watch);
+  RegimeRecorder regimes{scene.model};
+  if (is_recording_use())
+    observers.emplace_back([&](const Snapshot&, const StepInfo& info) { regimes.see(*info.held); });
   end.finished = static_cast<bool>(simulate(system, integrator, end.state, plan, observers, until));
   if (!end.finished) {
     end.state.q.assign(end.state.q.size(), not_a_number);
     end.state.v.assign(end.state.v.size(), not_a_number);
   }
   end.evaluations = system.evaluations();
+  if (is_recording_use()) {
+    record_use(scene.model);
+    record_use(integrator);
+    record_mechanisms(end.state);
+    regimes.record();
+  }
   end.method = std::move(integrator);
   if (findings != nullptr) findings->count(end.evaluations);
   return end;

@@ -10,6 +10,7 @@
 #include "solver/run/snapshot.hpp"
 #include "solver/scenes/scene.hpp"
 #include "verification/check/findings.hpp"
+#include "verification/study/usage.hpp"
 
 /// A scene run by the solver, and what a case reads off it on the way and afterwards.
 namespace talus::verification::problems {
@@ -26,8 +27,8 @@ struct RunEnd {
   Integrator method{};  ///< as the run left it, which knows for example how many events it located
 };
 
-/// Runs a scene from its start by a method and a plan, work and impulse accumulated if the plan says so, and counts the
-/// evaluations. (Without findings they are not counted.)
+/// Runs a scene from its start by a method and a plan, work and impulse accumulated if the plan says so, counts the
+/// evaluations, and records what the run used. (Without findings evaluations are not counted.)
 RunEnd run_scene(const Scene& scene, Integrator integrator, const RunPlan& plan, Findings* findings,
                  const Watcher& watch = {}, const Until& until = {});
 inline RunEnd run_scene(const Scene& scene, Integrator integrator, const RunPlan& plan, Findings& findings,
@@ -54,7 +55,7 @@ inline RunEnd run_steps(const Scene& scene, Integrator integrator, double step, 
 /// Forces, overlaps and elongations of a model in any state, evaluated apart from any run.
 class Probe {
  public:
-  explicit Probe(const Model& model) : dynamics_{model}, seen_{dynamics_} {}
+  explicit Probe(const Model& model) : dynamics_{model}, seen_{dynamics_} { record_use(model); }
 
   /// What follows is of this state.
   void evaluate(const State& state) { seen_.set(state); }

@@ -44,6 +44,7 @@ void counting(Findings& findings, const Setup& setup) {
 
 Case renamed_case(const std::string& id = "a") {
   Case c = synthetic(id, renamed);
+  c.requirements = {{"Eq. 14", {"value of the same"}}};
   c.main_checks = {"value of the same"};
   c.faults[0].turns_red = "value of the same";
   return c;

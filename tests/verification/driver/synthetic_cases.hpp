@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/check/usage.hpp"
 
 namespace talus::verification {
 

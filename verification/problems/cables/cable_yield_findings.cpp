@@ -214,16 +214,18 @@ void check_cycles(Findings& findings, const Setup& setup, const std::string& ste
     residual.add(runs.back().end.z[0] - stretch);
     exit.add(-runs.back().end.v[0] / exact.back().exit_speed - 1.0);
   }
-  findings.expect(
-      "work of yielding over " + name + ", rms relative error", booked_work.rms(), 0.0,
-      Tolerance::truncation(work / lost, 1.1,
-                            "h times, for each throw, Y v1/sqrt(3) as where it is perfectly plastic, and the "
-                            "growth of the yield force at half the mean speed; a tenth "
-                            "more for phases that go together"));
-  findings.expect("residual stretch after " + name + ", rms error", residual.rms(), 0.0,
-                  Tolerance::truncation(stretch_error(200.0, squares), 1.0, stretch_words), "m");
-  findings.expect("exit speed after " + name + ", rms relative error", exit.rms(), 0.0,
-                  Tolerance::truncation(elastic_error(200.0), 1.2, exit_words));
+  findings.in("work_of_throws")
+      ->expect("work of yielding over " + name + ", rms relative error", booked_work.rms(), 0.0,
+               Tolerance::truncation(work / lost, 1.1,
+                                     "h times, for each throw, Y v1/sqrt(3) as where it is perfectly plastic, and the "
+                                     "growth of the yield force at half the mean speed; a tenth "
+                                     "more for phases that go together"));
+  findings.in("residual_stretch")
+      ->expect("residual stretch after " + name + ", rms error", residual.rms(), 0.0,
+               Tolerance::truncation(stretch_error(200.0, squares), 1.0, stretch_words), "m");
+  findings.in("exit_speed")
+      ->expect("exit speed after " + name + ", rms relative error", exit.rms(), 0.0,
+               Tolerance::truncation(elastic_error(200.0), 1.2, exit_words));
   if (setup.coarse) return;
   const double step = offset_step(half_swing, 200.0, 0);
   findings.figure(loops(stem, "Tension and elongation: " + name,

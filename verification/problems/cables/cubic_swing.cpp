@@ -134,20 +134,30 @@ Case definition() {
   const std::string steps = "period, error of the smallest step over its prediction";
   const std::string limit = "period at A = .02 L from the cubic oscillator's";
   const std::string loads = "loads P(w) at rest at w, largest relative way over that of a rounded length";
-  return {.id = "cubic_swing",
-          .title = "Mass between two straight cables without tension",
-          .requirements = {{"D5", {"period", "loads P(w)"}},
-                           {"Eq. 13", {"loads P(w)"}},
-                           {"Eq. 14", {"period at A"}},
-                           {"law.tension_only", {"period at A", "loads P(w)"}},
-                           {"integrator.velocity_verlet", {"order of the period in the step"}}},
-          .main_checks = {limit, steps, loads},
-          .source = "Kovacic & Brennan (eds.), The Duffing Equation, 2011, section 2",
-          .faults = {{"trace_of_tension", "cables shorter by 1e-6", steps},
-                     {"trace_of_slack", "cables longer by 1e-6", loads},
-                     {"one_cable_softer", "one cable softer by .1 %", limit},
-                     {"rk4", "another method", "order of the period in the step"}},
-          .run = run};
+  return {
+      .id = "cubic_swing",
+      .title = "Mass between two straight cables without tension",
+      .requirements = {{"D5",
+                        {"order of the period in the step", "period, error of the smallest step over its prediction",
+                         "period at A = .02 L from the cubic oscillator's",
+                         "lengthening of the period at A = .02 L over its prediction",
+                         "loads P(w) at rest at w, largest relative way over that of a rounded length"}},
+                       {"Eq. 13", {"loads P(w) at rest at w, largest relative way over that of a rounded length"}},
+                       {"Eq. 14",
+                        {"period at A = .02 L from the cubic oscillator's",
+                         "lengthening of the period at A = .02 L over its prediction"}},
+                       {"law.tension_only",
+                        {"period at A = .02 L from the cubic oscillator's",
+                         "lengthening of the period at A = .02 L over its prediction",
+                         "loads P(w) at rest at w, largest relative way over that of a rounded length"}},
+                       {"integrator.velocity_verlet", {"order of the period in the step"}}},
+      .main_checks = {limit, steps, loads},
+      .source = "Kovacic & Brennan (eds.), The Duffing Equation, 2011, section 2",
+      .faults = {{"trace_of_tension", "cables shorter by 1e-6", steps},
+                 {"trace_of_slack", "cables longer by 1e-6", loads},
+                 {"one_cable_softer", "one cable softer by .1 %", limit},
+                 {"rk4", "another method", "order of the period in the step"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::cubic_swing

@@ -113,17 +113,18 @@ void check_orders(Findings& findings, const Setup& setup) {
       errors.add(1.0 / n, all.error.rms(), predicted_rms(xi, all.step));
       slack = slack && all.slack;
     }
-    findings.expect("largest tension, rms error at the smallest step over its prediction, " + name, errors.last_ratio(),
-                    1.0,
-                    xi == 0.0 ? Tolerance::model(0.05,
-                                                 "the prediction is that of even and independent phases of onset and "
-                                                 "top; 64 pairs leave some hundredths")
-                              : Tolerance::model(0.02, "the next power of the step, w h = .024"));
+    findings.in("tension")->expect(
+        "largest tension, rms error at the smallest step over its prediction, " + name, errors.last_ratio(), 1.0,
+        xi == 0.0 ? Tolerance::model(0.05,
+                                     "the prediction is that of even and independent phases of onset and "
+                                     "top; 64 pairs leave some hundredths")
+                  : Tolerance::model(0.02, "the next power of the step, w h = .024"));
     if (!setup.coarse)
-      findings.expect_order("order of the largest tension, " + name, errors.found(), xi == 0.0 ? 1.9 : 0.9,
-                            xi == 0.0 ? 2.1 : 1.1,
-                            xi == 0.0 ? "the slope of the tension jumps as the cable is taut: h^2"
-                                      : "the tension jumps as the cable is taut, and its dashpot lags: h");
+      findings.in("order_of_tension")
+          ->expect_order("order of the largest tension, " + name, errors.found(), xi == 0.0 ? 1.9 : 0.9,
+                         xi == 0.0 ? 2.1 : 1.1,
+                         xi == 0.0 ? "the slope of the tension jumps as the cable is taut: h^2"
+                                   : "the tension jumps as the cable is taut, and its dashpot lags: h");
     figure.series.push_back(errors.points(name));
     figure.series.push_back(errors.line(name + ", predicted"));
   }
@@ -143,10 +144,18 @@ Case definition() {
   const std::string damped = "largest tension, rms error at the smallest step over its prediction, xi = 0.3";
   return {.id = "snatched_cable",
           .title = "Slack, taut, slack",
-          .requirements = {{"D8", {"largest tension", "every throw"}},
-                           {"Eq. 14", {"largest tension undamped"}},
-                           {"law.tension_only", {"largest tension", "every throw"}},
-                           {"integrator.velocity_verlet", {"order of the largest tension"}}},
+          .requirements = {{"D8",
+                            {"largest tension undamped, error of each phase from its prediction, over (w h)^2",
+                             "largest tension undamped, largest error of all phases over (w h)^2", "tension",
+                             "order_of_tension", "every throw ends slack and on its way back"}},
+                           {"Eq. 14",
+                            {"largest tension undamped, error of each phase from its prediction, over (w h)^2",
+                             "largest tension undamped, largest error of all phases over (w h)^2"}},
+                           {"law.tension_only",
+                            {"largest tension undamped, error of each phase from its prediction, over (w h)^2",
+                             "largest tension undamped, largest error of all phases over (w h)^2", "tension",
+                             "order_of_tension", "every throw ends slack and on its way back"}},
+                           {"integrator.velocity_verlet", {"order_of_tension"}}},
           .main_checks = {phases, damped},
           .source = "Mustoe & Huttelmaier 1993, Eq. 14",
           .faults = {{"cable_softer", "a cable softer by .1 %", phases},

@@ -1,4 +1,5 @@
 #include "verification/problems/cell/cell_runs.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems {
 
@@ -11,6 +12,8 @@ CellPlan cell_plan(const ShearCell& cell, double time, double steps_in_contact, 
 }
 
 CellRun& run_to_end(CellRun& run) {
+  std::visit([](const auto& law) { record_use(law); }, run.cell().law);
+  record_use("integrator." + run.plan().integrator);
   while (!run.finished() && run.failure().empty())
     run.advance();
   return run;

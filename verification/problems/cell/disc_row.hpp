@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <variant>
 #include <vector>
 
 #include "solver/granular/disc_method.hpp"
 #include "solver/granular/disc_system.hpp"
+#include "verification/study/usage.hpp"
 
 /// Equal discs on a line, left to right along x, in the engine of discs.
 namespace talus::verification::problems {
@@ -41,18 +43,25 @@ bool over(const DiscSystem<L>& system, const Discs& discs) {
 /// Steps a row until all is over; calls seen(system) after each step. False if that takes more steps than `most`.
 template <class L, class Seen>
 bool run_row(DiscSystem<L>& system, FilledRow& row, DiscMethod method, double step, long most, Seen&& seen) {
-  return std::visit(
+  record_use(method);
+  record_use(system.law());
+  std::uint32_t visited = 0;
+  const bool ended = std::visit(
       [&](auto& steps) {
         system.begin(row.discs);
         steps.start(system, row.discs, step);
         for (long n = 0; n < most; ++n) {
           steps.step(system, row.discs, step);
+          for (const Mode mode : system.modes())
+            visited |= 1U << mode;
           seen(system);
           if (over(system, row.discs)) return true;
         }
         return false;
       },
       method);
+  record_regimes<L>(L::name, visited);
+  return ended;
 }
 
 }  // namespace talus::verification::problems

@@ -5,6 +5,7 @@
 
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::rough_cell {
 namespace {
@@ -36,6 +37,8 @@ void expect_balances(Findings& findings, const Setup& setup) {
                   norm(gained + walls) / (static_cast<double>(cell.free_discs()) * cell.mass * cell.block_speed), 0.0,
                   Tolerance::round_off(1e-10, "as in case shear_cell: some 1e5 impulses, each rounded to 1e-16"));
   const CellRun::Ledger ledger = run.ledger();
+  if (ledger.rubbed > 0.0) record_use("mechanism.friction");
+  if (ledger.dissipated > ledger.rubbed) record_use("mechanism.contact_damping");
   double missing = ledger.gained;
   if (setup.has("spin_without_energy")) missing -= spin_energy;
   if (setup.has("friction_not_booked")) missing -= ledger.rubbed;
@@ -188,8 +191,8 @@ Case definition() {
   return {.id = "rough_cell",
           .title = "Sheared cell of rough discs: momentum, energy and spin",
           .family = "the shear cell",
-          .requirements = {{"mechanism.contact_damping", {"energy unaccounted for"}},
-                           {"mechanism.friction", {"friction's share"}}},
+          .requirements = {{"mechanism.contact_damping", {"energy unaccounted for over what contacts kept"}},
+                           {"mechanism.friction", {"friction's share of what contacts keep"}}},
           .main_checks = {"momentum of the discs less the walls' impulses",
                           "energy unaccounted for over what contacts kept",
                           "torque of friction on the free discs, over what it would be one way",

@@ -56,10 +56,11 @@ void expect_walls(Findings& findings, const CellRun& run, const Setup& setup, co
       Tolerance::model(std::min(0.02, carried / found.top),
                        "they differ by the change of the discs' momentum over the time: at most that of all at "
                        "the block's speed, and 2 %"));
-  findings.expect("shear inside over that on the block, " + where, found.inside, 1.0,
-                  Tolerance::model(0.01,
-                                   "the change of the moment of momentum over the time, half of the bound for the "
-                                   "walls, and what is not seen between two samples in a contact"));
+  findings.in("shear")->expect(
+      "shear inside over that on the block, " + where, found.inside, 1.0,
+      Tolerance::model(0.01,
+                       "the change of the moment of momentum over the time, half of the bound for the "
+                       "walls, and what is not seen between two samples in a contact"));
 }
 
 /// Depth by which the discs' area has the mean solid fraction [L].
@@ -257,7 +258,7 @@ Case definition() {
   return {.id = "shear_cell",
           .title = "Sheared cell of discs: what the walls feel and what is inside",
           .family = "the shear cell",
-          .requirements = {{"F4", {"shear inside over that on the block"}}},
+          .requirements = {{"F4", {"shear"}}},
           .main_checks = {"shear on the base over that on the block, 32 kPa",
                           "shear inside over that on the block, 8 kPa", "shear inside over that on the block, 32 kPa",
                           "momentum of the discs less the walls' impulses, velocity_verlet",

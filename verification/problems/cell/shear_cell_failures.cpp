@@ -11,6 +11,7 @@
 #include "solver/granular/fast_disc_system.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::shear_cell_failures {
 namespace {
@@ -75,6 +76,8 @@ Flow flow(const ShearCell& cell, const L& law, const FlowPlan& plan, Findings& f
   DiscMethod method = make_disc_method(plan.integrator);
   const double h = cell.contact_time() / plan.steps_in_contact;
   const long steps = std::lround(plan.time / h), start = steps / 4;
+  record_use(law);
+  record_use(method);
   system.begin(discs);
   Flow found;
   std::visit(

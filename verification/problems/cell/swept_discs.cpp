@@ -79,9 +79,9 @@ void expect_same(Findings& findings, const Setup& setup, const std::string& name
   findings.count(plain.evaluations() + fast.evaluations());
   constexpr auto lost = static_cast<std::size_t>(Law::dissipation);
   if constexpr (fast.remembers) fast_discs.work[lost] = plain_discs.work[lost];
-  findings.expect("numbers that differ from the plain engine's, " + name,
-                  static_cast<double>(differing(plain_discs, fast_discs)), 0.0,
-                  Tolerance::exact("the same sums in the same order"));
+  findings.in("engines")->expect("numbers that differ from the plain engine's, " + name,
+                                 static_cast<double>(differing(plain_discs, fast_discs)), 0.0,
+                                 Tolerance::exact("the same sums in the same order"));
   if constexpr (!std::same_as<Law, LatchingSpring> || !std::same_as<Friction, Frictionless>) return;
   long touching = 0;
   fast.for_each_contact(fast_discs, [&](const DiscContact&) { ++touching; });
@@ -110,8 +110,8 @@ void expect_threads(Findings& findings, const Setup& setup) {
     several.begin(together);
     if (setup.has("thread_off")) together.y[count - 1] = std::nextafter(together.y[count - 1], 100.0);
     several.advance(together, step, steps);
-    findings.expect(name, static_cast<double>(differing(together, alone)), 0.0,
-                    Tolerance::exact("the same sums in the same order"));
+    findings.in("threads")->expect(name, static_cast<double>(differing(together, alone)), 0.0,
+                                   Tolerance::exact("the same sums in the same order"));
   }
 }
 
@@ -194,7 +194,7 @@ Case definition() {
       .id = "swept_discs",
       .title = "Discs swept in lanes and by threads: the bits of a loop over all pairs",
       .family = "the shear cell",
-      .requirements = {{"F3", {"numbers that differ"}}},
+      .requirements = {{"F3", {"engines", "threads", "numbers that differ from a loop over all pairs"}}},
       .main_checks = {"numbers that differ from the plain engine's, latching spring",
                       "numbers that differ from the plain engine's, spring and dashpot, friction",
                       "numbers that differ with 2 threads", "numbers that differ with 7 threads",

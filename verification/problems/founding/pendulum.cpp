@@ -129,10 +129,12 @@ void check_elastic(Findings& findings, const Setup& setup) {
       convergence.add(duration / static_cast<double>(steps) / natural,
                       std::hypot(end.state.q[0] - truth.x, end.state.q[1] - truth.y));
     }
-    findings.expect_order(fmt::format("cable at eps = 0.01: order of {}", name), convergence,
-                          order - (fourth ? 0.1 : 0.001), order + (fourth ? 0.1 : 0.001),
-                          "smooth motion, the cable being taut throughout: the declared order, within what the next "
-                          "term of the coarsest step tilts");
+    const auto claim = findings.in(fmt::format("integrator.{}", name));
+    findings.in("order_on_cable")
+        ->expect_order(fmt::format("cable at eps = 0.01: order of {}", name), convergence,
+                       order - (fourth ? 0.1 : 0.001), order + (fourth ? 0.1 : 0.001),
+                       "smooth motion, the cable being taut throughout: the declared order, within what the next "
+                       "term of the coarsest step tilts");
     chart.series.push_back({.label = name, .x = convergence.steps(), .y = convergence.errors()});
     chart.slopes.push_back({static_cast<double>(order), convergence.steps()[1], 2.0 * convergence.errors()[1],
                             fmt::format("h^{}", order)});
@@ -233,11 +235,12 @@ void check_adapter(Findings& findings, const Setup& setup) {
     const RunEnd end =
         run_steps(scenes::pendulum(bob(setup, amplitude)), make_integrator(twin[0]), duration / 48.0, 48);
     const auto alone = reference::run_pendulum({twin[1], bob_frequency(), amplitude, duration, 48, 0.0});
-    findings.expect(fmt::format("{} in the solver, {} alone", twin[0], twin[1]), end.state.q[0], alone.angle,
-                    Tolerance::round_off(4.0 * std::sqrt(48.0 * 4.0) * 0.5 * epsilon,
-                                         "the same 48 steps in another order of operations: a random walk of 4 "
-                                         "roundings of a number near 1 a step, four standard deviations"),
-                    "rad");
+    findings.in(fmt::format("integrator.{}", twin[0]))
+        ->expect(fmt::format("{} in the solver, {} alone", twin[0], twin[1]), end.state.q[0], alone.angle,
+                 Tolerance::round_off(4.0 * std::sqrt(48.0 * 4.0) * 0.5 * epsilon,
+                                      "the same 48 steps in another order of operations: a random walk of 4 "
+                                      "roundings of a number near 1 a step, four standard deviations"),
+                 "rad");
   }
 }
 
@@ -283,25 +286,28 @@ void check_small_swings(Findings& findings, const Setup& setup) {
   const double z = 2.0 * pi / 64.38;
   for (const char* name : {"central_difference", "velocity_verlet", "euler_cromer"}) {
     const double leapfrog = z / (2.0 * std::asin(0.5 * z)) - 1.0;
-    findings.expect(fmt::format("small swings, {}: relative error of the period", name),
-                    period_of(scene, make_integrator(name), z / bob_frequency(), 2.0 * T) / T - 1.0, leapfrog,
-                    Tolerance::truncation(std::pow(z, 5.0) / 724.0, 1.0, passages));
+    findings.in(fmt::format("integrator.{}", name))
+        ->expect(fmt::format("small swings, {}: relative error of the period", name),
+                 period_of(scene, make_integrator(name), z / bob_frequency(), 2.0 * T) / T - 1.0, leapfrog,
+                 Tolerance::truncation(std::pow(z, 5.0) / 724.0, 1.0, passages));
   }
   const double y = 2.0 * pi / 32.38;
   const double angle = std::atan2(y - y * y * y / 6.0, 1.0 - y * y / 2.0 + y * y * y * y / 24.0);
-  findings.expect("small swings, rk4: relative error of the period",
-                  period_of(scene, make_integrator("rk4"), y / bob_frequency(), 2.0 * T) / T - 1.0, y / angle - 1.0,
-                  Tolerance::truncation(std::pow(y, 5.0) / 724.0, 1.0, passages));
+  findings.in("integrator.rk4")
+      ->expect("small swings, rk4: relative error of the period",
+               period_of(scene, make_integrator("rk4"), y / bob_frequency(), 2.0 * T) / T - 1.0, y / angle - 1.0,
+               Tolerance::truncation(std::pow(y, 5.0) / 724.0, 1.0, passages));
   constexpr long steps = 64;
   constexpr long started = 7;  // by Fehlberg 7(8), without an error to speak of
   const double error =
       swing_error(scene, make_integrator("odeint_abm8"), 0.8 * T, steps, bob_frequency(), bob_motion(amplitude)).error;
   const double predicted = adams_swing_error(0.8 * 2.0 * pi / steps, steps - started);
-  findings.expect("small swings, odeint_abm8: error after 0.8 period over the amplitude, over that predicted",
-                  error / amplitude / predicted, 1.0,
-                  Tolerance::truncation(std::pow(3.0, 9.0) * amplitude * amplitude / 192.0, 1.0,
-                                        "the method's principal root is known to all orders; the swing's third "
-                                        "harmonic, A^2/192, has a ninth derivative 3^9 times as large"));
+  findings.in("integrator.odeint_abm8")
+      ->expect("small swings, odeint_abm8: error after 0.8 period over the amplitude, over that predicted",
+               error / amplitude / predicted, 1.0,
+               Tolerance::truncation(std::pow(3.0, 9.0) * amplitude * amplitude / 192.0, 1.0,
+                                     "the method's principal root is known to all orders; the swing's third "
+                                     "harmonic, A^2/192, has a ninth derivative 3^9 times as large"));
   const double halved = adams_swing_error(0.8 * pi / steps, 2 * steps - started);
   findings.note(fmt::format(
       "**The order of odeint_abm8.** It is 8, not 9: predictor and corrector both use eight values. The predictor's "
@@ -343,27 +349,30 @@ void check_energy(Findings& findings, const Setup& setup) {
   const double z = 2.0 * pi / 64.0;
   const double scale = 1.0 - std::cos(amplitude);  // E0 over m g a
   const EnergyHistory kept = energy_history(bob(setup, amplitude), verlet(setup), 64, periods);
-  findings.expect("energy of velocity_verlet: lowest over the run, relative", kept.lowest.front(),
-                  verlet_energy_swing(amplitude) * z * z / scale,
-                  Tolerance::truncation(1.08e-3 * std::pow(z, 4.0), 1.5,
-                                        "next term of the modified Hamiltonian, its constant measured with 32 steps "
-                                        "per period"));
-  findings.expect(
-      "energy of velocity_verlet: trend between first and last hundredth", kept.lowest.back(), kept.lowest.front(),
-      Tolerance::round_off(2.2e-3 * 0.5 * std::pow(z / static_cast<double>(periods) * 100.0, 2.0) +
-                               4.0 * epsilon * std::sqrt(64.0 * static_cast<double>(periods)),
-                           "symplectic: none. The steps of a hundredth of the run come within z/(periods in "
-                           "it) of the bottom; the rest is a random walk of 4 roundings a step"));
+  findings.in("integrator.velocity_verlet")
+      ->expect("energy of velocity_verlet: lowest over the run, relative", kept.lowest.front(),
+               verlet_energy_swing(amplitude) * z * z / scale,
+               Tolerance::truncation(1.08e-3 * std::pow(z, 4.0), 1.5,
+                                     "next term of the modified Hamiltonian, its constant measured with 32 steps "
+                                     "per period"));
+  findings.in("integrator.velocity_verlet")
+      ->expect("energy of velocity_verlet: trend between first and last hundredth", kept.lowest.back(),
+               kept.lowest.front(),
+               Tolerance::round_off(2.2e-3 * 0.5 * std::pow(z / static_cast<double>(periods) * 100.0, 2.0) +
+                                        4.0 * epsilon * std::sqrt(64.0 * static_cast<double>(periods)),
+                                    "symplectic: none. The steps of a hundredth of the run come within z/(periods in "
+                                    "it) of the bottom; the rest is a random walk of 4 roundings a step"));
   if (setup.coarse) return;
   const double y = 2.0 * pi / 32.0;
   const double cosine = 1.0 - y * y / 2.0 + std::pow(y, 4.0) / 24.0;
   const double sine = y - y * y * y / 6.0;
   const double loss = std::log(cosine * cosine + sine * sine) * 32.0 * static_cast<double>(periods);
   const EnergyHistory small = energy_history(bob(setup, 0.1 * degree), make_integrator("rk4"), 32, periods);
-  findings.expect("energy of rk4 after 1e4 small swings: ln(E/E0)", std::log1p(small.end), loss,
-                  Tolerance::truncation(0.36 * std::pow(0.1 * degree, 2.0) * std::abs(loss), 1.5,
-                                        "|R(iz)|^2 a step, to all orders, for a linear pendulum; the sine adds a share "
-                                        "proportional to A^2, its constant measured at 1 degree"));
+  findings.in("integrator.rk4")
+      ->expect("energy of rk4 after 1e4 small swings: ln(E/E0)", std::log1p(small.end), loss,
+               Tolerance::truncation(0.36 * std::pow(0.1 * degree, 2.0) * std::abs(loss), 1.5,
+                                     "|R(iz)|^2 a step, to all orders, for a linear pendulum; the sine adds a share "
+                                     "proportional to A^2, its constant measured at 1 degree"));
   findings.figure(energy_chart(kept, std::abs(verlet_energy_swing(amplitude)) * z * z / scale, setup));
 }
 
@@ -387,24 +396,21 @@ Case definition() {
       .id = "pendulum",
       .title = "Rigid pendulum: every integrator on a smooth motion",
       .family = "founding problems",
-      .requirements = {{"law.tension_only", {"cable"}},
-                       {"integrator.central_difference", {"central_difference"}},
-                       {"integrator.velocity_verlet", {"period at", "velocity_verlet", "velocity Verlet's"}},
-                       {"integrator.euler_cromer", {"euler_cromer"}},
-                       {"integrator.euler", {"order of euler"}},
-                       {"integrator.taylor", {"order of taylor"}},
-                       {"integrator.rk4", {"rk4"}},
-                       {"integrator.blanes_moan4", {"blanes_moan4"}},
-                       {"integrator.odeint_dopri5", {"dopri5"}},
-                       {"integrator.odeint_cash_karp54", {"cash_karp54"}},
-                       {"integrator.odeint_fehlberg78", {"fehlberg78"}},
-                       {"integrator.odeint_abm8", {"abm8"}},
-                       {"integrator.odeint_bulirsch_stoer", {"bulirsch_stoer"}},
-                       {"shape.none", {"period at", "order of"}},
-                       {"Eq. 4", {"period at"}},
-                       {"Eq. 14", {"cable: "}},
-                       {"Eq. 23", {"order of central_difference", "order of velocity_verlet"}},
-                       {"Eq. 24", {"order of central_difference", "order of velocity_verlet"}}},
+      .requirements = {{"law.tension_only",
+                        {"cable: period over the rigid one, less 1, over eps, at eps = 1e-4",
+                         "cable: order in eps of the approach to the rigid pendulum", "order_on_cable",
+                         "cable at eps = 0.01: position after 1.3 periods, rk4 of 4096 steps"}},
+                       {"shape.none", {"periods", "order", "order_on_cable"}},
+                       {"Eq. 4", {"periods"}},
+                       {"Eq. 14",
+                        {"cable: period over the rigid one, less 1, over eps, at eps = 1e-4",
+                         "cable: order in eps of the approach to the rigid pendulum"}},
+                       {"Eq. 23",
+                        {"order of central_difference", "order of velocity_verlet",
+                         "cable at eps = 0.01: order of velocity_verlet"}},
+                       {"Eq. 24",
+                        {"order of central_difference", "order of velocity_verlet",
+                         "cable at eps = 0.01: order of velocity_verlet"}}},
       .main_checks = {"period at 179 degrees", "order of velocity_verlet", "order of rk4", "order of odeint_dopri5",
                       "energy of velocity_verlet: trend between first and last hundredth"},
       .source =

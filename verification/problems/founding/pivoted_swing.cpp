@@ -244,8 +244,9 @@ void check_swing(Findings& findings, const Setup& setup) {
   // From energy, w1 dw1 = w0^2 sin(A) dA: dA = dw1/(w0 cos(A/2)).
   const double error_of_angle =
       error_of_v1 / (0.5 * pivoted.length) / (small_frequency() * std::cos(0.5 * first.largest_angle));
-  findings.expect("largest angle of the swing, production run", turned, first.largest_angle,
-                  Tolerance::truncation(error_of_angle, 1.0, why + "; through energy"), "rad");
+  findings.in("largest_angle_swing")
+      ->expect("largest angle of the swing, production run", turned, first.largest_angle,
+               Tolerance::truncation(error_of_angle, 1.0, why + "; through energy"), "rad");
   findings.expect(
       "largest angle against elliptic functions from the run's own state", turned, exact.motion.amplitude(),
       Tolerance::truncation(std::pow(small_frequency() * step, 2) * std::tan(0.5 * exact.motion.amplitude()) *

@@ -73,12 +73,14 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
     const double period = period_of(scenes::pendulum(bob(setup, amplitude)), verlet(setup), h, 3.0 * reference);
     const double constant = verlet_period_constant(amplitude);
     worst = std::max(worst, std::abs((period / reference - 1.0) / (z * z) - constant));
-    findings.expect(fmt::format("period at {:g} degrees", degrees), period, reference,
-                    Tolerance::truncation(std::abs(constant) * z * z, 1.05,
-                                          "the second-order error of velocity Verlet's period as derived, times h^2; "
-                                          "the next term is below 5 % of it")
-                        .relative(),
-                    "s");
+    const auto claim = findings.in("integrator.velocity_verlet");
+    findings.in("periods")->expect(
+        fmt::format("period at {:g} degrees", degrees), period, reference,
+        Tolerance::truncation(std::abs(constant) * z * z, 1.05,
+                              "the second-order error of velocity Verlet's period as derived, times h^2; "
+                              "the next term is below 5 % of it")
+            .relative(),
+        "s");
     measured.add(degrees, (period / reference - 1.0) / (z * z));
     ratio.add(degrees, period * bob_frequency() / (2.0 * pi));
     table.rows.push_back({fmt::format("{:g}", degrees), rounded(bob_motion(amplitude).period_45_digits()),
@@ -86,10 +88,11 @@ void check_amplitudes(Findings& findings, const Setup& setup) {
                           fmt::format("{:.4e}", constant * z * z)});
   }
   if (setup.coarse) return;
-  findings.expect("velocity Verlet's period constant, largest deviation", worst, 0.0,
-                  Tolerance::truncation(17.0 / 5760.0 * z * z, 1.05,
-                                        "next term of the expansion, largest for small swings: z/(2 asin(z/2)) = 1 - "
-                                        "z^2/24 - 17 z^4/5760 ..."));
+  findings.in("integrator.velocity_verlet")
+      ->expect("velocity Verlet's period constant, largest deviation", worst, 0.0,
+               Tolerance::truncation(17.0 / 5760.0 * z * z, 1.05,
+                                     "next term of the expansion, largest for small swings: z/(2 asin(z/2)) = 1 - "
+                                     "z^2/24 - 17 z^4/5760 ..."));
   findings.table(table);
   findings.figure(period_figure(ratio));
   findings.figure(constant_figure(measured));

@@ -107,9 +107,10 @@ void check_constants(const reference::TwoCableMotion& motion, double v1, double 
       "time of travel, cables alone: error over its prediction", launch.time_error / (-step * step * per_energy), 1.0,
       Tolerance::model(0.02, argument + "; the cubic between two steps takes the method's v for dx/dt, which differ by "
                                         "h^2 U''/(6 m): about 1 % of the error"));
-  findings.expect("distance, cables alone: error over its prediction",
-                  launch.distance_error / (step * step * pull / (24.0 * problem.mass)), 1.0,
-                  Tolerance::model(1e-3, argument));
+  findings.in("distance")
+      ->expect("distance, cables alone: error over its prediction",
+               launch.distance_error / (step * step * pull / (24.0 * problem.mass)), 1.0,
+               Tolerance::model(1e-3, argument));
   findings.expect("curve v^2(theta): largest error over its prediction", launch.curve_error / largest, 1.0,
                   Tolerance::model(1e-3, argument));
 }
@@ -148,7 +149,7 @@ void check_cables_alone(Findings& findings, const Setup& setup) {
       "smooth motion under velocity Verlet: even powers of the step only; at 20 steps the fourth order is some "
       "hundredths of the second";
   findings.expect_order("order of the time of travel, cables alone", time, 1.95, 2.05, why);
-  findings.expect_order("order of the distance, cables alone", distance, 1.95, 2.05, why);
+  findings.in("order_distance")->expect_order("order of the distance, cables alone", distance, 1.95, 2.05, why);
   if (setup.coarse) return;
   check_constants(motion, v1, step, launch, findings);
   findings.figure(speed_curve(motion, launch.curve));
@@ -177,10 +178,11 @@ Series speed_error_curve(EndRule rule, Findings& findings, const Setup& setup) {
   const bool attractive = rule == EndRule::attractive;
   const std::string name = attractive ? "attractive" : "clamped";
   const Convergence errors = speed_errors(rule, setup.coarse ? 3 : 6, setup, findings);
-  findings.expect_order(
-      "order of the speed, " + name, errors, 0.95, 1.05,
-      "a force jump 2 xi m w0 v0 met anywhere within a step leaves an impulse error of first order; at the "
-      "coarsest step, w h = .2, the second order adds about w h/4 of it, which tilts the fit by .03");
+  findings.in("speed_order")
+      ->expect_order(
+          "order of the speed, " + name, errors, 0.95, 1.05,
+          "a force jump 2 xi m w0 v0 met anywhere within a step leaves an impulse error of first order; at the "
+          "coarsest step, w h = .2, the second order adds about w h/4 of it, which tilts the fit by .03");
   const double w = std::sqrt(contact_stiffness / reduced_mass());
   const double xi = reference::damping_ratio(problem.restitution, reference::EndRule::attractive);
   const double predicted = leapfrog_impact_error(xi, same(rule)).restitution * w * particle_share() *
@@ -237,13 +239,13 @@ void check_accounts(Findings& findings, const std::string& name, TwoCableEnd end
                            "at most eps/2 M v0 each, adding like a random walk: 3 sqrt(1e5) eps/2 = 1e-13 at the "
                            "worst, a third of it expected"));
   const double pull = cable_pull(soft.turning_distance);
-  findings.expect(
-      "curve v^2(theta) after the impact over its prediction, " + name,
-      run.curve_error * 6.0 * problem.mass * problem.mass / (step * step * pull * pull), 1.0,
-      Tolerance::model(0.002,
-                       "central difference keeps H + h^2 (U'^2/(12 m) - v^2 U''/24), which is off most at the "
-                       "turn, by v^2 = h^2 U'^2/(6 m^2); the last step before it, and an x_max that is off by "
-                       "1e-4, move that by less than two thousandths"));
+  findings.in("curve_after")
+      ->expect("curve v^2(theta) after the impact over its prediction, " + name,
+               run.curve_error * 6.0 * problem.mass * problem.mass / (step * step * pull * pull), 1.0,
+               Tolerance::model(0.002,
+                                "central difference keeps H + h^2 (U'^2/(12 m) - v^2 U''/24), which is off most at the "
+                                "turn, by v^2 = h^2 U'^2/(6 m^2); the last step before it, and an x_max that is off by "
+                                "1e-4, move that by less than two thousandths"));
   if (end.rule == EndRule::clamped) return;
   const double xi = reference::damping_ratio(problem.restitution, same(end.formula));
   const double booked = 0.25 * step * 2.0 * xi * std::sqrt(contact_stiffness * reduced_mass()) *
@@ -272,22 +274,26 @@ TwoCableRun check_production_run(Findings& findings, const Setup& setup, const s
   const double lag = after * wh * leapfrog_restitution_shift(xi, same(end.rule));
   const double jump = end.rule == EndRule::attractive ? after * xi * wh : 0.0;
   const double second_order = after * wh * wh;
-  findings.expect("speed after the impact, " + name, run.speed_after, soft.at_end.particle_velocity + lag,
-                  Tolerance::truncation(
-                      jump + second_order, 1.0,
-                      "reference with the predicted lag of the dashpot; what is left is the attractive end's jump "
-                      "within half a step (xi w h e v0 M/(M+m)) and the second order, (w h)^2 e v0 M/(M+m)"),
-                  "m/s");
+  findings.in("speed_after")
+      ->expect("speed after the impact, " + name, run.speed_after, soft.at_end.particle_velocity + lag,
+               Tolerance::truncation(
+                   jump + second_order, 1.0,
+                   "reference with the predicted lag of the dashpot; what is left is the attractive end's jump "
+                   "within half a step (xi w h e v0 M/(M+m)) and the second order, (w h)^2 e v0 M/(M+m)"),
+               "m/s");
   const double slope = 0.98;  // dx/dv1 = m v1/(dU/dx) at the turn [s]
-  findings.expect(
-      "distance, " + name, run.turning.value, soft.turning_distance + slope * lag,
-      Tolerance::truncation(slope * (jump + second_order), 1.0, "as the speed, times dx/dv1 = .98 s at the turn"), "m");
-  findings.expect("time to the turn, " + name, run.turning.time, soft.turning_time,
-                  Tolerance::truncation(
-                      0.63 * (std::abs(lag) + jump) + step, 1.0,
-                      "as the speed, times |dt/dv1| = t/(2 v1) = .63 s of a motion under x^3; and the contact's end "
-                      "within a step"),
-                  "s");
+  findings.in("distance_after")
+      ->expect(
+          "distance, " + name, run.turning.value, soft.turning_distance + slope * lag,
+          Tolerance::truncation(slope * (jump + second_order), 1.0, "as the speed, times dx/dv1 = .98 s at the turn"),
+          "m");
+  findings.in("time_to_turn")
+      ->expect("time to the turn, " + name, run.turning.time, soft.turning_time,
+               Tolerance::truncation(
+                   0.63 * (std::abs(lag) + jump) + step, 1.0,
+                   "as the speed, times |dt/dv1| = t/(2 v1) = .63 s of a motion under x^3; and the contact's end "
+                   "within a step"),
+               "s");
   check_accounts(findings, name, end, run, step);
   return run;
 }
@@ -402,26 +408,52 @@ Case definition() {
       .id = "two_cable",
       .title = "Two-cable particle impact",
       .family = "founding problems",
-      .requirements = {{"Eq. 13", {"distance, cables alone"}},
-                       {"Eq. 14", {"cables alone", "distance, "}},
-                       {"Eq. 15", {"cables alone", "curve v^2(theta)"}},
-                       {"Eq. 17", {"speed after the impact", "order of the speed"}},
-                       {"Eq. 21", {"speed after the impact, attractive", "order of the speed, attractive"}},
-                       {"Eq. 23", {"order of the speed"}},
-                       {"Eq. 24", {"order of the speed"}},
-                       {"Eq. 26", {"speed after the impact", "as the report prints it"}},
-                       {"Eq. 27", {"curve v^2(theta)", "cables alone", "time to the turn"}},
-                       {"law.linear_spring_dashpot",
-                        {"speed after the impact", "order of the speed", "to the rigid limit"}},
-                       {"law.tension_only", {"cables alone", "curve v^2(theta)"}},
-                       {"end_rule.attractive", {"attractive", "as the report prints it"}},
-                       {"end_rule.clamped", {"clamped"}},
-                       {"method.resultant", {"speed after the impact", "order of the speed"}},
-                       {"shape.circle", {"speed after the impact"}},
-                       {"integrator.central_difference", {"order of the speed", "speed after the impact"}},
-                       {"integrator.velocity_verlet", {"cables alone"}},
-                       {"integrator.odeint_dopri5", {"to the rigid limit"}},
-                       {"pair.circle.circle", {"speed after the impact"}}},
+      .requirements =
+          {{"Eq. 13", {"order_distance", "distance"}},
+           {"Eq. 14",
+            {"distance_after", "distance, as the report prints it", "order of the time of travel, cables alone",
+             "order_distance", "time of travel, cables alone: error over its prediction", "distance"}},
+           {"Eq. 15",
+            {"curve_after", "order of the time of travel, cables alone", "order_distance",
+             "time of travel, cables alone: error over its prediction", "distance",
+             "curve v^2(theta): largest error over its prediction"}},
+           {"Eq. 17", {"speed_after", "speed_order"}},
+           {"Eq. 21", {"speed after the impact, attractive", "order of the speed, attractive"}},
+           {"Eq. 23", {"speed_order"}},
+           {"Eq. 24", {"speed_order"}},
+           {"Eq. 26", {"speed_after", "distance, as the report prints it", "angle, as the report prints it"}},
+           {"Eq. 27",
+            {"time_to_turn", "curve_after", "order of the time of travel, cables alone", "order_distance",
+             "time of travel, cables alone: error over its prediction", "distance",
+             "curve v^2(theta): largest error over its prediction"}},
+           {"law.linear_spring_dashpot",
+            {"speed_after", "speed_order", "distance to the rigid limit, power of 1/k_n",
+             "time to the rigid limit, power of 1/k_n"}},
+           {"law.tension_only",
+            {"curve_after", "order of the time of travel, cables alone", "order_distance",
+             "time of travel, cables alone: error over its prediction", "distance",
+             "curve v^2(theta): largest error over its prediction"}},
+           {"end_rule.attractive",
+            {"speed after the impact, attractive", "distance, attractive", "time to the turn, attractive",
+             "momentum, attractive", "curve v^2(theta) after the impact over its prediction, attractive",
+             "distance, as the report prints it", "angle, as the report prints it", "order of the speed, attractive",
+             "constant of the speed's error, attractive"}},
+           {"end_rule.clamped",
+            {"speed after the impact, clamped", "speed after the impact, clamped, own dashpot", "distance, clamped",
+             "distance, clamped, own dashpot", "time to the turn, clamped", "time to the turn, clamped, own dashpot",
+             "momentum, clamped", "momentum, clamped, own dashpot",
+             "curve v^2(theta) after the impact over its prediction, clamped",
+             "curve v^2(theta) after the impact over its prediction, clamped, own dashpot",
+             "order of the speed, clamped", "constant of the speed's error, clamped"}},
+           {"method.resultant", {"speed_after", "speed_order"}},
+           {"shape.circle", {"speed_after"}},
+           {"integrator.central_difference", {"speed_after", "speed_order"}},
+           {"integrator.velocity_verlet",
+            {"order of the time of travel, cables alone", "order_distance",
+             "time of travel, cables alone: error over its prediction", "distance"}},
+           {"integrator.odeint_dopri5",
+            {"distance to the rigid limit, power of 1/k_n", "time to the rigid limit, power of 1/k_n"}},
+           {"pair.circle.circle", {"speed_after"}}},
       .main_checks = {"speed after the impact, attractive", "distance, attractive", "angle, as the report prints it",
                       "time to the turn, attractive", "order of the time of travel, cables alone"},
       .source = "Mustoe & Huttelmaier 1993, section 5, validation problem 1, Eqs. 26-27",

@@ -45,12 +45,14 @@ Series study(const MethodRange& method, const Swing& swing, Findings& findings, 
     }
     if (run.evaluations > 170000 || run.error < 2e-14 || (setup.coarse && steps >= 4096)) break;
   }
-  findings.expect_order("order of " + std::string(method.name), convergence, method.order() - method.admitted(),
-                        method.order() + method.admitted(),
-                        fmt::format("declared order {}; the next two terms of the expansion, taken from the errors "
-                                    "at three coarser steps, tilt the line fitted between {} and {} steps by "
-                                    "{:+.2g}: that and half of it again, for the terms after, either way",
-                                    method.order(), method.first, method.last, method.tilt));
+  const auto claim = findings.in(fmt::format("integrator.{}", method.name));
+  findings.in("order")->expect_order(
+      "order of " + std::string(method.name), convergence, method.order() - method.admitted(),
+      method.order() + method.admitted(),
+      fmt::format("declared order {}; the next two terms of the expansion, taken from the errors "
+                  "at three coarser steps, tilt the line fitted between {} and {} steps by "
+                  "{:+.2g}: that and half of it again, for the terms after, either way",
+                  method.order(), method.first, method.last, method.tilt));
   return series;
 }
 
@@ -63,9 +65,10 @@ Series study_tolerance(const Swing& swing, Findings& findings) {
     kept.add(tolerance, run.error);
     stepless.add(static_cast<double>(run.evaluations), run.error);
   }
-  findings.expect_order("error of odeint_bulirsch_stoer against tolerance", kept, 0.8, 1.2,
-                        "order and step are chosen so that the error of a step stays below the tolerance: "
-                        "proportional, with the scatter of the choices");
+  findings.in("integrator.odeint_bulirsch_stoer")
+      ->expect_order("error of odeint_bulirsch_stoer against tolerance", kept, 0.8, 1.2,
+                     "order and step are chosen so that the error of a step stays below the tolerance: "
+                     "proportional, with the scatter of the choices");
   return stepless;
 }
 

@@ -26,10 +26,10 @@ double check_order(Findings& findings, const Setup& setup, const std::string& na
   const std::vector<double> counts = doublings(16.0, setup.coarse ? 3 : 4);
   const Offset offset = setup.has("commensurate_step") ? Offset::none : Offset::own;
   const Sweep found = sweep(phased, make_integrator(method), counts, offset);
-  findings.expect_order("order of the speed along the plane, " + name + ", " + method, found.rms, 2.0 - width,
-                        2.0 + width,
-                        "onset and end of the contact, of the stick and of the slip lie within a step each, and cost "
-                        "its square");
+  findings.in("order_of_speed")
+      ->expect_order("order of the speed along the plane, " + name + ", " + method, found.rms, 2.0 - width, 2.0 + width,
+                     "onset and end of the contact, of the stick and of the slip lie within a step each, and cost "
+                     "its square");
   shown.push_back(found.rms);
   return found.rms.errors().back() * found.steps.back() * found.steps.back();
 }

@@ -145,21 +145,23 @@ void check_threshold(Findings& findings, const Setup& setup, bool rolls, const s
     const SlopeRun run = run_slope(told, setup, 2e-5, time, false, findings);
     const double lost = run.end.work[static_cast<std::size_t>(Mechanism::friction)];
     if (share < 1.0) {
-      findings.expect("work of the slider at .999 of the threshold, " + name, lost, 0.0,
-                      Tolerance::exact("below its limit the slider does not move"), "J");
+      findings.in("below_threshold")
+          ->expect("work of the slider at .999 of the threshold, " + name, lost, 0.0,
+                   Tolerance::exact("below its limit the slider does not move"), "J");
       continue;
     }
     const reference::DraggedSlider slider = dragged_slider(slope);
     const double slipped = reference::DraggedSliderMotion{slider, time}.at(time).slipped;
-    findings.expect("work of the slider at 1.001 of the threshold, " + name, lost,
-                    slider.friction * slider.normal_force * slipped,
-                    Tolerance::round_off(2e3 * normal_round_off(slope),
-                                         "constant forces, which Verlet integrates exactly; the slip's acceleration is "
-                                         "a thousandth of what the normal force's round-off (an overlap of 1e-5 by "
-                                         "difference of two lengths of half a metre) goes into: 1000 times that, and "
-                                         "twice for its swing")
-                        .relative(),
-                    "J");
+    findings.in("above_threshold")
+        ->expect("work of the slider at 1.001 of the threshold, " + name, lost,
+                 slider.friction * slider.normal_force * slipped,
+                 Tolerance::round_off(2e3 * normal_round_off(slope),
+                                      "constant forces, which Verlet integrates exactly; the slip's acceleration is "
+                                      "a thousandth of what the normal force's round-off (an overlap of 1e-5 by "
+                                      "difference of two lengths of half a metre) goes into: 1000 times that, and "
+                                      "twice for its swing")
+                     .relative(),
+                 "J");
   }
 }
 

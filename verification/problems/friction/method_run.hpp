@@ -4,6 +4,7 @@
 
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/state/state.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems {
 
@@ -11,6 +12,7 @@ namespace talus::verification::problems {
 /// parts at the same time.
 template <class System>
 State run_method(System& system, Integrator integrator, State state, double step, long steps) {
+  record_use(integrator);
   return std::visit(
       [&](auto& method) -> State {
         system.begin(state);

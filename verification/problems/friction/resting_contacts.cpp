@@ -13,6 +13,7 @@
 #include "verification/reference/resting_contact.hpp"
 #include "verification/study/curves.hpp"
 #include "verification/study/recorded_run.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::resting_contacts {
 namespace {
@@ -268,9 +269,11 @@ Case definition() {
           .family = "C: friction and rotation",
           .requirements = {{"Eq. 18", {"block, tolerance 1e-10: displacement"}},
                            {"integrator.stormer_cowell", {"block, tolerance 1e-10: evaluations"}},
-                           {"mechanism.friction", {"nudged block: friction work"}},
-                           {"regime.friction.sticking", {"disc, tolerance 1e-08: displacement", "nudged block"}},
-                           {"regime.friction.slipping_forward", {"block, tolerance 1e-10: displacement"}},
+                           {"mechanism.friction", {"nudged block: friction work over its kinetic energy"}},
+                           {"regime.friction.sticking",
+                            {"disc, tolerance 1e-08: displacement",
+                             "nudged block: friction work over its kinetic energy", "nudged block: speed at rest"}},
+                           {"regime.friction.slipping_backward", {"block, tolerance 1e-10: displacement"}},
                            {"pair.rectangle.half_plane", {"block, tolerance 1e-10: displacement"}},
                            {"pair.circle.half_plane", {"disc, tolerance 1e-08: spin"}}},
           .main_checks = {"block, tolerance 1e-10: displacement", "block, tolerance 1e-06: evaluations",

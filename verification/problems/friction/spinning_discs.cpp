@@ -117,8 +117,9 @@ void check_unlike(Findings& findings, const Setup& setup) {
   Convergence convergence;
   for (const double count : {50.0, 100.0, 200.0, 400.0})
     convergence.add(std::numbers::pi / count, meet(0.75, count, setup, findings).error);
-  findings.expect_order("order of the slip rate of unlike discs", convergence, 1.85, 2.35,
-                        "second order: stick and slip follow one another within the contact, and their ends are kinks");
+  findings.in("order_slip_rate_unlike")
+      ->expect_order("order of the slip rate of unlike discs", convergence, 1.85, 2.35,
+                     "second order: stick and slip follow one another within the contact, and their ends are kinks");
   if (!setup.coarse) findings.table(table);
 }
 
@@ -148,12 +149,20 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "spinning_discs",
           .title = "Discs that meet spinning",
-          .requirements = {{"C6", {"slip rate of unlike discs"}},
-                           {"Eq. 18", {"slip rate of unlike discs", "opposite spins"}},
-                           {"law.linear_spring_dashpot", {"slip rate of unlike discs"}},
-                           {"shape.circle", {"unlike discs", "equal discs"}},
-                           {"pair.circle.circle", {"unlike discs", "equal discs"}},
-                           {"integrator.velocity_verlet", {"order of the slip rate"}}},
+          .requirements =
+              {{"C6", {"rms error of the slip rate of unlike discs, largest of 5 spins", "order_slip_rate_unlike"}},
+               {"Eq. 18",
+                {"rms error of the slip rate of unlike discs, largest of 5 spins", "order_slip_rate_unlike",
+                 "what opposite spins of equal discs change"}},
+               {"law.linear_spring_dashpot",
+                {"rms error of the slip rate of unlike discs, largest of 5 spins", "order_slip_rate_unlike"}},
+               {"shape.circle",
+                {"rms error of the slip rate of unlike discs, largest of 5 spins", "order_slip_rate_unlike",
+                 "what opposite spins of equal discs change", "speed that the struck one of equal discs takes over"}},
+               {"pair.circle.circle",
+                {"rms error of the slip rate of unlike discs, largest of 5 spins", "order_slip_rate_unlike",
+                 "what opposite spins of equal discs change", "speed that the struck one of equal discs takes over"}},
+               {"integrator.velocity_verlet", {"order_slip_rate_unlike"}}},
           .main_checks = {"rms error of the slip rate of unlike discs, largest of 5 spins",
                           "speeds and spins of both discs from one impulse, farthest",
                           "order of the slip rate of unlike discs", "what opposite spins of equal discs change"},

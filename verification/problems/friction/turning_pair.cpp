@@ -9,6 +9,7 @@
 #include "verification/problems/friction/late_slip.hpp"
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/turned_pair.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::turning_pair {
 namespace {
@@ -72,6 +73,7 @@ using Place = std::array<double, 3>;  // x, y, angle
 class DrawnDisc {
  public:
   explicit DrawnDisc(double friction) : dynamics_{model(friction)}, system_{dynamics_} {
+    record_use(dynamics_.model());
     state_ = rest_state(dynamics_.model());
     state_.q = {0.0, radius - first_overlap, 0.0};
     system_.begin(state_);
@@ -171,12 +173,32 @@ Case definition() {
   return {
       .id = "turning_pair",
       .title = "A locked pair turned round, and closed paths that stick",
-      .requirements = {{"C8", {"in a turn", "after a turn", "in the pair's own directions"}},
-                       {"C9", {"closed path", "that path"}},
-                       {"Eq. 18", {"friction in the pair's own directions", "work of a closed path"}},
-                       {"shape.circle", {"in a turn", "closed path"}},
-                       {"shape.half_plane", {"closed path"}},
-                       {"law.linear_spring_dashpot", {"normal force in", "work of a closed path"}}},
+      .requirements =
+          {{"C8",
+            {"stretch gained in a turn of 256 steps", "stretch after a turn and back",
+             "normal force in the pair's own directions, largest change",
+             "friction in the pair's own directions, largest change beyond the stretch's",
+             "stored energy gained in a turn of 256 steps", "order of the stretch gained in a turn"}},
+           {"C9",
+            {"work of a closed path in x and y", "stretch after a closed path in x and y", "slider's work on that path",
+             "work of a closed path in x and the angle", "stretch left by a closed path in y and the angle",
+             "work of a closed path in y and the angle", "work of that path and of the same path back"}},
+           {"Eq. 18",
+            {"friction in the pair's own directions, largest change beyond the stretch's",
+             "work of a closed path in x and y", "work of a closed path in x and the angle",
+             "work of a closed path in y and the angle"}},
+           {"shape.circle",
+            {"stretch gained in a turn of 256 steps", "stored energy gained in a turn of 256 steps",
+             "order of the stretch gained in a turn", "work of a closed path in x and y",
+             "stretch after a closed path in x and y", "work of a closed path in x and the angle",
+             "stretch left by a closed path in y and the angle", "work of a closed path in y and the angle"}},
+           {"shape.half_plane",
+            {"work of a closed path in x and y", "stretch after a closed path in x and y",
+             "work of a closed path in x and the angle", "stretch left by a closed path in y and the angle",
+             "work of a closed path in y and the angle"}},
+           {"law.linear_spring_dashpot",
+            {"normal force in the pair's own directions, largest change", "work of a closed path in x and y",
+             "work of a closed path in x and the angle", "work of a closed path in y and the angle"}}},
       .main_checks = {"stretch gained in a turn of 256 steps", "order of the stretch gained in a turn",
                       "friction in the pair's own directions, largest change beyond the stretch's",
                       "work of a closed path in x and y", "work of a closed path in y and the angle"},

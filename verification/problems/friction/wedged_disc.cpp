@@ -11,6 +11,7 @@
 #include "verification/reference/held_body.hpp"
 #include "verification/study/curves.hpp"
 #include "verification/study/expectations.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::wedged_disc {
 namespace {
@@ -92,6 +93,7 @@ class Wedge {
 
   /// Distance of the solver's end from the exact one.
   double error(const Integrator& method, long steps, bool late, Findings& findings) const {
+    record_use(scene_.model);
     const Dynamics dynamics{scene_.model};
     const auto run = [&](auto system) {
       const State end = run_method(system, method, scene_.initial, end_time / static_cast<double>(steps), steps);
@@ -140,13 +142,14 @@ constexpr Method leapfrogs[] = {{"velocity_verlet", reference::Leapfrog::velocit
 void check_leapfrogs(const Wedge& wedge, Figure& figure, Findings& findings, const Setup& setup) {
   for (const Method& method : leapfrogs) {
     const std::string name = fmt::format("{}, {}", method.name, wedge.name());
+    const auto claim = findings.in(fmt::format("integrator.{}", method.name));
     const Convergence found =
         wedge.errors(make_integrator(method.name), setup.coarse ? 512.0 : 2048.0, 3, false, findings);
     const double constant = wedge.constant(method.kind);
-    expect_constant(findings, name, found, constant, 2, 2, 3e-6);
+    expect_constant(findings.in("errors"), name, found, constant, 2, 2, 3e-6);
     if (method.kind != reference::Leapfrog::velocity_verlet) continue;
     const double admitted = setup.coarse ? 0.03 : 0.002;
-    findings.expect_order(
+    findings.in("orders")->expect_order(
         "order, " + name, found, 2.0 - admitted, 2.0 + admitted,
         "the springs never let go nor slip. The next power, (w h)^2 = 4e-4 at the largest step (coarse: .007), "
         "bends the line by up to four times as much where the leading term happens to be small");
@@ -163,7 +166,7 @@ void check_late(const Wedge& wedge, Figure& figure, Table& table, Findings& find
       {wedge.name(), fmt::format("{:.3g}", right), fmt::format("{:.3g}", late), fmt::format("{:.2g}", late / right)});
   if (wedge.name() != "R/r = 1") return;
   const Convergence found = wedge.errors(VelocityVerlet{}, 4096.0, 4, true, findings);
-  expect_constant(findings, "slip along late directions, " + wedge.name(), found, late, 1, 1, 3e-6);
+  expect_constant(findings.in("errors"), "slip along late directions, " + wedge.name(), found, late, 1, 1, 3e-6);
   figure.series.push_back({"late directions, " + wedge.name(), found.steps(), found.errors(), Style::crosses});
   figure.series.push_back(curve("late, predicted", found.steps(), [&](double h) { return late * h; }));
 }
@@ -190,8 +193,9 @@ void run(Findings& findings, const Setup& setup) {
     if (setup.coarse) continue;
     check_late(wedge, figure, table, findings);
     if (ratio != 100.0) continue;
-    findings.expect_order("order, rk4, R/r = 100", wedge.errors(RungeKutta4{}, 256.0, 3, false, findings), 3.95, 4.05,
-                          "all is smooth: the declared order, and the next power of w h = .16 at the largest step");
+    findings.in("integrator.rk4")
+        ->expect_order("order, rk4, R/r = 100", wedge.errors(RungeKutta4{}, 256.0, 3, false, findings), 3.95, 4.05,
+                       "all is smooth: the declared order, and the next power of w h = .16 at the largest step");
   }
   if (setup.coarse) return;
   findings.table(table);
@@ -203,13 +207,8 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "wedged_disc",
           .title = "A small disc between two large ones",
-          .requirements = {{"C11", {"over its prediction", "order, velocity_verlet", "late directions"}},
-                           {"Eq. 18", {"over its prediction"}},
-                           {"shape.circle", {"over its prediction"}},
-                           {"law.linear_spring_dashpot", {"order, velocity_verlet"}},
-                           {"integrator.velocity_verlet", {"velocity_verlet"}},
-                           {"integrator.central_difference", {"central_difference"}},
-                           {"integrator.rk4", {"order, rk4"}}},
+          .requirements = {{"C11", {"errors", "orders"}}, {"Eq. 18", {"errors"}}},
+          .checks_of_runs = {"errors", "orders"},
           .main_checks = {"error over its prediction, velocity_verlet, R/r = 1",
                           "error over its prediction, velocity_verlet, R/r = 100", "order, velocity_verlet, R/r = 100",
                           "error over its prediction, slip along late directions, R/r = 1"},

@@ -320,27 +320,31 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "dense_rheology",
-          .title = "Friction and solid fraction of dense flows of discs",
-          .requirements = {{"F7",
-                            {"friction grows", "solid fraction falls", "friction of an infinitely slow flow",
-                             "four times as stiff", "rough discs"}}},
-          .main_checks = {"friction of an infinitely slow flow",
-                          "friction grows with the inertial number, least step over its error",
-                          "solid fraction falls with the inertial number, least step over its error",
-                          "friction of discs four times as stiff", "rough discs resist more, excess over its error"},
-          .source =
-              "da Cruz et al. 2005; Clark et al. 2017; Vagberg et al. 2015; Peyneau & Roux 2008; DeGiuli et al. "
-              "2015",
-          .faults = {{"still_box", "images that do not slide",
-                      "friction grows with the inertial number, least step over its error"},
-                     {"soft_discs", "discs 256 times as soft for those four times as stiff",
-                      "inertial number of discs four times as stiff"},
-                     {"smooth_discs", "no friction between the rough discs",
-                      "rough discs resist more, excess over its error"}},
-          .seconds = 6.0,
-          .time_limit = 600.0,
-          .run = run};
+  return {
+      .id = "dense_rheology",
+      .title = "Friction and solid fraction of dense flows of discs",
+      .requirements = {{"F7",
+                        {"friction grows with the inertial number, least step over its error",
+                         "solid fraction falls with the inertial number, least step over its error",
+                         "inertial number of discs four times as stiff", "friction of discs four times as stiff",
+                         "rough discs resist more, excess over its error",
+                         "rough discs are looser at the same inertial number", "friction of an infinitely slow flow"}}},
+      .main_checks = {"friction of an infinitely slow flow",
+                      "friction grows with the inertial number, least step over its error",
+                      "solid fraction falls with the inertial number, least step over its error",
+                      "friction of discs four times as stiff", "rough discs resist more, excess over its error"},
+      .source =
+          "da Cruz et al. 2005; Clark et al. 2017; Vagberg et al. 2015; Peyneau & Roux 2008; DeGiuli et al. "
+          "2015",
+      .faults = {{"still_box", "images that do not slide",
+                  "friction grows with the inertial number, least step over its error"},
+                 {"soft_discs", "discs 256 times as soft for those four times as stiff",
+                  "inertial number of discs four times as stiff"},
+                 {"smooth_discs", "no friction between the rough discs",
+                  "rough discs resist more, excess over its error"}},
+      .seconds = 6.0,
+      .time_limit = 600.0,
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::dense_rheology

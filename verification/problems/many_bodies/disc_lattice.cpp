@@ -101,7 +101,7 @@ void run(Findings& findings, const Setup& setup) {
             "for each mode, and 128 of them meet");
       } else {
         const double exact = 2.0 * std::acosh(share);
-        findings.expect(
+        findings.in("growth")->expect(
             "growth per step, " + name, grown.rate, exact,
             Tolerance::model(share > 1.015 ? 0.002 : 0.005,
                              "the overlap changes w by 5e-5, a quarter of a per cent of the rate at 1.01; the other "
@@ -123,7 +123,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "disc_lattice",
           .title = "Lattice of discs: the step at which it grows unstable",
-          .requirements = {{"F2", {"growth per step"}}},
+          .requirements = {{"F2", {"growth"}}},
           .main_checks = {"growth per step, velocity_verlet, step 1.01 of the limit",
                           "growth per step, euler_cromer, step 1.02 of the limit",
                           "largest displacement over the first, velocity_verlet, step 0.99 of the limit"},

@@ -7,6 +7,7 @@
 #include "solver/granular/stress.hpp"
 #include "solver/laws/latching_spring.hpp"
 #include "solver/laws/linear_spring_dashpot.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems {
 
@@ -39,6 +40,7 @@ struct FollowPlan {
 /// Runs free discs by the leapfrog and shows them to see(SeenDiscs) now and then.
 template <HasContactKernel L, class See>
 void follow(const Packing& start, const L& law, const FollowPlan& plan, See&& see) {
+  record_use(law);
   FastDiscSystem system{start.shapes, start.box, law, plan.skin};
   Discs discs = start.discs;
   system.begin(discs);
@@ -57,6 +59,7 @@ void follow(const Packing& start, const L& law, const FollowPlan& plan, See&& se
     if (!plan.contacts_left_out) stress = stress + 1.0 / area * contacts.virial;
     double lost = 0.0;
     if constexpr (L::memory_size > 0) lost = system.lost();
+    if (lost > 0.0) record_use(fmt::format("mechanism.{}", mechanism_names[static_cast<std::size_t>(L::dissipation)]));
     see(SeenDiscs{static_cast<double>(n) * plan.step, motion.pressure() / count, motion.pressure(), stress, contacts,
                   lost, discs});
     system.drift(discs, plan.step);

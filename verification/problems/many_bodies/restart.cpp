@@ -14,6 +14,7 @@
 #include "verification/study/lively_scenes.hpp"
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scaled_scene.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::restart {
 namespace {
@@ -72,6 +73,8 @@ RunState through_file(RunState& run_state, const Scene& scene, const Integrator&
 
 Half run_in_halves(const Scene& scene, const Integrator& method, double step, long steps, Interrupted how,
                    const Setup& setup, Findings& findings) {
+  record_use(scene.model);
+  record_use(method);
   const Dynamics first{scene.model}, second{scene.model};
   RigidBodySystem system{first}, other_system{second};
   RunState run_state = initial_run_state(method, scene.initial);
@@ -120,9 +123,11 @@ void check_restart(Findings& findings, const Setup& setup, const std::string& sc
                    const Named& method, double step, long steps, Table& table) {
   const Half whole = run_in_halves(scene, method.method, step, steps, Interrupted::never, setup, findings);
   const Half halves = run_in_halves(scene, method.method, step, steps, Interrupted::by_checkpoint, setup, findings);
-  findings.expect(fmt::format("numbers that differ after a restart, {}, {}", scene_name, method.name),
-                  differing_numbers(whole.end, halves.end), 0.0,
-                  Tolerance::exact("all that a step depends on is in the file, digit by digit"));
+  const auto claim = findings.in(fmt::format("integrator.{}", name(method.method))), group = findings.in(scene_name);
+  findings.in("restarts")
+      ->expect(fmt::format("numbers that differ after a restart, {}, {}", scene_name, method.name),
+               differing_numbers(whole.end, halves.end), 0.0,
+               Tolerance::exact("all that a step depends on is in the file, digit by digit"));
   if (setup.coarse) return;
   const Half anew = run_in_halves(scene, method.method, step, steps, Interrupted::from_state_alone, setup, findings);
   const Difference change = difference(whole.end, anew.end);
@@ -156,23 +161,16 @@ void run(Findings& findings, const Setup& setup) {
   findings.table(table);
 }
 
-std::vector<Claim> claims() {
-  std::vector<Claim> all{{"F5", {"numbers that differ"}},
-                         {"law.linear_spring_dashpot", {"yard", "fence"}},
-                         {"law.tension_only", {"yard"}},
-                         {"law.elastic_plastic", {"yard", "fence"}},
-                         {"Eq. 18", {"yard", "fence"}}};
-  for (const std::string& name : integrator_names())
-    all.push_back({"integrator." + name, {"yard, " + name}});
-  return all;
-}
-
 }  // namespace
 
 Case definition() {
   return {.id = "restart",
           .title = "Stopped at half time and taken on",
-          .requirements = claims(),
+          .requirements = {{"F5", {"restarts"}},
+                           {"law.linear_spring_dashpot", {"yard", "fence"}},
+                           {"law.tension_only", {"yard"}},
+                           {"law.elastic_plastic", {"yard", "fence"}},
+                           {"Eq. 18", {"yard", "fence"}}},
           .main_checks = {"numbers that differ after a restart, yard, velocity_verlet",
                           "numbers that differ after a restart, yard, odeint_abm8",
                           "numbers that differ after a restart, fence, lagged_central_difference"},

@@ -10,6 +10,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/solid_moments.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::body_properties {
 namespace {
@@ -31,24 +32,29 @@ void check_solid(Findings& findings, const Setup& setup, const char* name, refer
     if (setup.has("sphere_for_ellipsoid")) found.inertia = 0.4 * found.mass * a * a;
     const reference::SolidMoments exact = reference::integrated_moments(solid, a, b);
     const std::string which = fmt::format("{} of half-lengths {:g} and {:g}", name, a, b);
-    findings.expect("mass, " + which, found.mass, density * exact.volume, few_roundings(), "kg");
-    findings.expect("moment of inertia, " + which, found.inertia, density * exact.polar, few_roundings(), "kg m^2");
+    findings.in("mass")->expect("mass, " + which, found.mass, density * exact.volume, few_roundings(), "kg");
+    findings.in("moment_of_inertia")
+        ->expect("moment of inertia, " + which, found.inertia, density * exact.polar, few_roundings(), "kg m^2");
   }
 }
 
 void check_rectangle(Findings& findings) {
   for (const auto& [a, b] : sizes) {
     std::vector<reference::Point> corners;
-    for (const Vec2 p : boundary_nodes(Shape{Rectangle{a, b}}, 4))
+    const Shape shape = Rectangle{a, b};
+    record_shape(shape);
+    for (const Vec2 p : boundary_nodes(shape, 4))
       corners.push_back({p.x, p.y});
     const std::string which = fmt::format("rectangle of half-lengths {:g} and {:g}", a, b);
     const double area = reference::polygon_area(corners);
     const reference::Point centroid = reference::polygon_centroid(corners);
-    findings.expect("area, " + which, area, 4.0 * a * b, few_roundings(), "m^2");
-    findings.expect("distance of the centroid, " + which, std::max(std::abs(centroid.x), std::abs(centroid.y)), 0.0,
-                    Tolerance::exact("corners come in pairs of opposite sign"), "m");
-    findings.expect("polar moment over area, " + which, reference::polygon_polar_moment(corners) / area,
-                    (a * a + b * b) / 3.0, few_roundings(), "m^2");
+    findings.in("area")->expect("area, " + which, area, 4.0 * a * b, few_roundings(), "m^2");
+    findings.in("centroid")
+        ->expect("distance of the centroid, " + which, std::max(std::abs(centroid.x), std::abs(centroid.y)), 0.0,
+                 Tolerance::exact("corners come in pairs of opposite sign"), "m");
+    findings.in("polar_moment")
+        ->expect("polar moment over area, " + which, reference::polygon_polar_moment(corners) / area,
+                 (a * a + b * b) / 3.0, few_roundings(), "m^2");
   }
 }
 
@@ -93,8 +99,10 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "body_properties",
           .title = "Area, mass and moment of inertia",
-          .requirements = {{"A2", {"area", "centroid", "polar moment", "moment of inertia", "mass", "about a pin"}},
-                           {"shape.rectangle", {"rectangle"}}},
+          .requirements = {{"A2",
+                            {"mass", "moment_of_inertia", "area", "centroid", "polar_moment",
+                             "inertia about a pin by the answer to a moment, farthest of 24"}},
+                           {"shape.rectangle", {"area", "centroid", "polar_moment"}}},
           .main_checks = {"moment of inertia, cylinder of half-lengths 1.25 and 4",
                           "moment of inertia, ellipsoid of half-lengths 3.1 and 1.03",
                           "inertia about a pin by the answer to a moment, farthest of 24"},

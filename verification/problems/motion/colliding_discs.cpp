@@ -134,10 +134,12 @@ void check_two(Findings& findings, const Setup& setup, double xi, Figure& figure
   figure.series.push_back(points);
   figure.series.push_back(line);
   if (xi > 0.0) {
-    findings.expect_order("order of the energy left over, two discs, " + what, errors.last(3), 0.93, 1.06,
-                          "the dashpot's power is booked with the velocity of before the kick");
-    findings.expect_between("energy left over, two discs, " + what + ", over its prediction", ratio, 0.95, 1.05,
-                            "xi w h (1 - 3 e^2), up to its own second order, w h times a number of order one");
+    findings.in("order_undamped")
+        ->expect_order("order of the energy left over, two discs, " + what, errors.last(3), 0.93, 1.06,
+                       "the dashpot's power is booked with the velocity of before the kick");
+    findings.in("energy_undamped")
+        ->expect_between("energy left over, two discs, " + what + ", over its prediction", ratio, 0.95, 1.05,
+                         "xi w h (1 - 3 e^2), up to its own second order, w h times a number of order one");
   } else {
     findings.expect_order("order of the energy left over, two discs, undamped", errors.last(3), 1.98, 2.02,
                           "touch and release within a step");
@@ -168,18 +170,21 @@ void check_twenty(Findings& findings, const Setup& setup, double xi, double mu, 
   const std::string words =
       "each step rounds each momentum by u of it at random: sqrt(n) u, four times for the worst step of all, sums and "
       "moments";
-  findings.expect("momentum, twenty discs, " + what, last.momentum, 0.0,
-                  Tolerance::round_off(rounding * momentum, words), "kg m/s");
-  findings.expect("moment of momentum, twenty discs, " + what, last.moment, 0.0,
-                  Tolerance::round_off(rounding * moment, words), "kg m^2/s");
+  findings.in("momentum")
+      ->expect("momentum, twenty discs, " + what, last.momentum, 0.0, Tolerance::round_off(rounding * momentum, words),
+               "kg m/s");
+  findings.in("moment_of_momentum")
+      ->expect("moment of momentum, twenty discs, " + what, last.moment, 0.0,
+               Tolerance::round_off(rounding * moment, words), "kg m^2/s");
   if (setup.coarse) return;
   Series points{what + ", twenty discs", {}, {}, Style::linespoints};
   for (std::size_t i = 0; i < errors.size(); ++i)
     points.add(std::sqrt(stiffness / 0.45) * errors.steps()[i], errors.errors()[i]);
   figure.series.push_back(points);
   const bool second = xi == 0.0;
-  findings.expect_order("order of the largest energy left over, twenty discs, " + what, errors, second ? 1.7 : 0.8,
-                        second ? 2.3 : 1.2, "one run, not a mean over phases: the largest of some forty contacts");
+  findings.in("order_twenty_discs")
+      ->expect_order("order of the largest energy left over, twenty discs, " + what, errors, second ? 1.7 : 0.8,
+                     second ? 2.3 : 1.2, "one run, not a mean over phases: the largest of some forty contacts");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -205,16 +210,34 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "colliding_discs",
           .title = "Momentum and energy of colliding discs",
-          .requirements = {{"A4", {"momentum", "moment of momentum", "energy left over"}},
-                           {"law.linear_spring_dashpot", {"energy left over"}},
-                           {"end_rule.clamped", {"two discs, damped"}},
-                           {"Eq. 18", {"with friction"}},
-                           {"mechanism.contact_damping", {"two discs, damped"}},
-                           {"mechanism.friction", {"with friction"}},
-                           {"shape.circle", {"twenty discs"}},
-                           {"method.resultant", {"twenty discs"}},
-                           {"integrator.velocity_verlet", {"energy left over"}},
-                           {"pair.circle.circle", {"twenty discs", "two discs"}}},
+          .requirements = {{"A4",
+                            {"order of the energy left over, two discs, undamped",
+                             "energy left over, two discs, undamped, over its prediction", "order_undamped",
+                             "energy_undamped", "momentum", "moment_of_momentum", "order_twenty_discs"}},
+                           {"law.linear_spring_dashpot",
+                            {"order of the energy left over, two discs, undamped",
+                             "energy left over, two discs, undamped, over its prediction", "order_undamped",
+                             "energy_undamped", "order_twenty_discs"}},
+                           {"end_rule.clamped", {"order_undamped", "energy_undamped"}},
+                           {"Eq. 18",
+                            {"momentum, twenty discs, damped, with friction",
+                             "moment of momentum, twenty discs, damped, with friction",
+                             "order of the largest energy left over, twenty discs, damped, with friction"}},
+                           {"mechanism.contact_damping", {"order_undamped", "energy_undamped"}},
+                           {"mechanism.friction",
+                            {"momentum, twenty discs, damped, with friction",
+                             "moment of momentum, twenty discs, damped, with friction",
+                             "order of the largest energy left over, twenty discs, damped, with friction"}},
+                           {"shape.circle", {"momentum", "moment_of_momentum", "order_twenty_discs"}},
+                           {"method.resultant", {"momentum", "moment_of_momentum", "order_twenty_discs"}},
+                           {"integrator.velocity_verlet",
+                            {"order of the energy left over, two discs, undamped",
+                             "energy left over, two discs, undamped, over its prediction", "order_undamped",
+                             "energy_undamped", "order_twenty_discs"}},
+                           {"pair.circle.circle",
+                            {"order of the energy left over, two discs, undamped",
+                             "energy left over, two discs, undamped, over its prediction", "order_undamped",
+                             "energy_undamped", "momentum", "moment_of_momentum", "order_twenty_discs"}}},
           .main_checks = {"energy left over, two discs, undamped, over its prediction",
                           "energy left over, two discs, damped, xi = 0.1, over its prediction",
                           "momentum, twenty discs, damped, with friction",

@@ -21,6 +21,7 @@
 #include "verification/reference/stepped_swing.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::round_off {
 namespace {
@@ -81,6 +82,7 @@ reference::Parts parts(Scalar number) {
 
 template <class Scalar, class Force>
 SwingRun swung(auto method, const SteppedSwing& swing) {
+  record_use(fmt::format("integrator.{}", decltype(method)::name));
   SwingingBody<Scalar, Force> body{static_cast<Scalar>(swing.damping)};
   StateOf<Scalar> state;
   state.q = {Scalar{1}};
@@ -200,11 +202,13 @@ void check_map(Findings& findings, const Method& method, Forces forces) {
   const long steps = 100;
   const SteppedSwing swing{method.method, 0.125, 0.125, steps};
   const SwingRun run = swing_in_numbers(swing, 113, forces);
+  const auto claim = findings.in(fmt::format("integrator.{}", method.name));
   findings.count(run.evaluations);
-  findings.expect(fmt::format("distance from the method's map in 113 bits, dashpot, {}", method.name),
-                  reference::rounding_errors(swing, {run.place})[0], 0.0,
-                  Tolerance::round_off(static_cast<double>(method.additions * steps) * 0x1p-113,
-                                       "each addition rounds by at most half a last place of numbers up to 1"));
+  findings.in("distance_from_map")
+      ->expect(fmt::format("distance from the method's map in 113 bits, dashpot, {}", method.name),
+               reference::rounding_errors(swing, {run.place})[0], 0.0,
+               Tolerance::round_off(static_cast<double>(method.additions * steps) * 0x1p-113,
+                                    "each addition rounds by at most half a last place of numbers up to 1"));
 }
 
 /// The error over the runs at one step.
@@ -271,15 +275,18 @@ struct Furthest {
 void check_fall(Findings& findings, const Method& method, int bits, const Fall& fall, Furthest& furthest,
                 Figure& figure, Table& table) {
   const std::string of = fmt::format("{}, {} bits", method.name, bits);
-  findings.expect_order(fmt::format("error against the step, truncation, {}", of), fall.method, method.order - 0.15,
-                        method.order + 0.35, "the method's order; the next term of its error adds to it");
+  const auto claim = findings.in(fmt::format("integrator.{}", method.name));
+  findings.in("error_against_step")
+      ->expect_order(fmt::format("error against the step, truncation, {}", of), fall.method, method.order - 0.15,
+                     method.order + 0.35, "the method's order; the next term of its error adds to it");
   if (fall.rounding.size() == 0) return;
   keep_worst(furthest.slope, fall.rounding.fit().order + 0.5);
   const auto least = std::min_element(fall.all.begin(), fall.all.end(),
                                       [](const ErrorAt& a, const ErrorAt& b) { return a.whole < b.whole; });
   keep_worst(furthest.step, std::log2(least->step / best_step(method, bits)));
-  findings.expect_between(fmt::format("least error over its prediction, {}", of), least->whole / least->predicted, 0.65,
-                          1.5, "rounding of runs that take the same way is not independent, and neither of its steps");
+  findings.in("least_error")
+      ->expect_between(fmt::format("least error over its prediction, {}", of), least->whole / least->predicted, 0.65,
+                       1.5, "rounding of runs that take the same way is not independent, and neither of its steps");
   table.rows.push_back({method.name, fmt::format("{}", bits), fmt::format("{:.1e}", best_step(method, bits)),
                         fmt::format("{:.1e}", least->step), fmt::format("{:.1e}", least->whole)});
   // Undamped, the lagged central difference is the central difference.
@@ -418,9 +425,11 @@ void check_scene(Findings& findings, const Setup& setup, SwingMethod method) {
   // One addition to x, or four; those to v are of numbers eight times as small.
   const double predicted = std::sqrt(static_cast<double>(steps) * (verlet ? 1.0 : 4.0) / 6.0) * 0x1p-53 / swing;
   const double left = solver_rounding(method, steps, setup, findings);
-  findings.expect_between(
-      fmt::format("the scene's rounding over its prediction, {}", verlet ? "velocity_verlet" : "rk4"), left / predicted,
-      0.5, 2.0, "sixteen runs tell a root mean square to a fifth; the force rounds, too");
+  const auto claim = findings.in(verlet ? "integrator.velocity_verlet" : "integrator.rk4");
+  findings.in("rounding_of_scene")
+      ->expect_between(fmt::format("the scene's rounding over its prediction, {}", verlet ? "velocity_verlet" : "rk4"),
+                       left / predicted, 0.5, 2.0,
+                       "sixteen runs tell a root mean square to a fifth; the force rounds, too");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -435,13 +444,13 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "round_off",
           .title = "What rounding leaves",
-          .requirements = {{"A8", {"rounding", "least error", "error against the step", "in 113 bits"}},
-                           {"law.tension_only", {"scene's rounding"}},
-                           {"integrator.central_difference", {", central_difference"}},
-                           {"integrator.lagged_central_difference", {"lagged_central_difference"}},
-                           {"integrator.velocity_verlet", {"velocity_verlet"}},
-                           {"integrator.euler_cromer", {"euler_cromer"}},
-                           {"integrator.rk4", {"rk4"}}},
+          .requirements = {{"A8",
+                            {"rounding_of_scene", "distance_from_map",
+                             "log2 of the rounding over its prediction, furthest of all methods and numbers",
+                             "error_against_step", "least_error",
+                             "slope of the error against the step, rounding, over -1/2, furthest of all",
+                             "log2 of the step of least error over its prediction, furthest of all"}},
+                           {"law.tension_only", {"rounding_of_scene"}}},
           .main_checks = {"the scene's rounding over its prediction, velocity_verlet",
                           "log2 of the rounding over its prediction, furthest of all methods and numbers",
                           "log2 of the step of least error over its prediction, furthest of all"},

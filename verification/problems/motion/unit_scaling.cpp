@@ -65,8 +65,12 @@ class Units {
   void check(const std::string& how, UnitScale scale) const {
     if (setup_->has("units_of_three")) scale = {3.0, 1.0, 1.0};
     const UnitRun other = run_in_units(*scene_, method_, plan_, scale, *setup_, *findings_);
-    findings_->expect(fmt::format("numbers that differ, {}, {}, {}", name_, name(method_), how), differing(own_, other),
-                      0.0, Tolerance::exact(same_bits));
+    const std::string claim = fmt::format("integrator.{}", name(method_));
+    findings_->in(name_)
+        ->in("numbers_that_differ")
+        ->in(claim)
+        ->expect(fmt::format("numbers that differ, {}, {}, {}", name_, name(method_), how), differing(own_, other), 0.0,
+                 Tolerance::exact(same_bits));
   }
   const UnitRun& own() const { return own_; }
 
@@ -163,6 +167,7 @@ void check_decks(Findings& findings, const Setup& setup) {
       "static shape, stiffnesses and dashpots follow from the deck by sums, products and roots of numbers whose units "
       "are squares; balance is sought to a share of the forces";
   scenes::Fence fence = rough_fence();
+  const auto fences = findings.in("fence"), numbers = findings.in("numbers_that_differ");
   findings.expect("numbers that differ, fence built from a deck in other units", differing_fences(fence, setup), 0.0,
                   Tolerance::exact(why));
   fence.options.symmetry = scenes::FenceSymmetry::full;
@@ -178,8 +183,8 @@ void check_fence(Findings& findings, const Setup& setup) {
     const Units fence{findings, setup, "fence", made.scene, make_integrator(name), plan};
     fence.check("all units", all_units);
     if (std::string{name} != "velocity_verlet") continue;
-    findings.expect("mechanisms of loss at work in the fence", mechanisms_at_work(fence.own().end), 5.0,
-                    Tolerance::exact("contact and its release, cables drawn out, a hanger, friction"));
+    findings.in("fence")->expect("mechanisms of loss at work in the fence", mechanisms_at_work(fence.own().end), 5.0,
+                                 Tolerance::exact("contact and its release, cables drawn out, a hanger, friction"));
   }
 }
 
@@ -189,8 +194,8 @@ void run(Findings& findings, const Setup& setup) {
   verlet.check("all units", all_units);
   check_decks(findings, setup);
   if (setup.coarse) return;
-  findings.expect("mechanisms of loss at work in the yard", mechanisms_at_work(verlet.own().end), 8.0,
-                  Tolerance::exact("the scene is to use every one that there is"));
+  findings.in("yard")->expect("mechanisms of loss at work in the yard", mechanisms_at_work(verlet.own().end), 8.0,
+                              Tolerance::exact("the scene is to use every one that there is"));
   verlet.check("unit of mass", {0x1p-11, 1.0, 1.0});
   verlet.check("unit of length", {1.0, 0x1p7, 1.0});
   verlet.check("unit of time", {1.0, 1.0, 0x1p-5});
@@ -210,7 +215,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "unit_scaling",
           .title = "The same scene in other units",
-          .requirements = {{"A7", {"numbers that differ"}},
+          .requirements = {{"A7", {"numbers_that_differ"}},
                            {"law.linear_spring_dashpot", {"yard", "fence"}},
                            {"law.tension_only", {"yard"}},
                            {"law.elastic_plastic", {"yard", "fence"}},
@@ -219,16 +224,7 @@ Case definition() {
                            {"shape.rectangle", {"yard"}},
                            {"shape.terrain", {"yard"}},
                            {"method.nodes", {"yard"}},
-                           {"method.resultant", {"yard", "fence"}},
-                           {"integrator.velocity_verlet", {"velocity_verlet"}},
-                           {"integrator.central_difference", {"yard, central_difference"}},
-                           {"integrator.lagged_central_difference", {"lagged_central_difference"}},
-                           {"integrator.euler_cromer", {"euler_cromer"}},
-                           {"integrator.rk4", {"rk4"}},
-                           {"integrator.odeint_dopri5", {"odeint_dopri5"}},
-                           {"integrator.odeint_cash_karp54", {"odeint_cash_karp54"}},
-                           {"integrator.odeint_fehlberg78", {"odeint_fehlberg78"}},
-                           {"integrator.odeint_abm8", {"odeint_abm8"}}},
+                           {"method.resultant", {"yard", "fence"}}},
           .main_checks = {"numbers that differ, yard, velocity_verlet, all units",
                           "numbers that differ, fence built from a deck in other units",
                           "mechanisms of loss at work in the yard"},

@@ -116,8 +116,9 @@ void find_clamped_eq_21(Findings& findings) {
     const double attractive = measured_restitution(dashpot_of(xi, 1.0, 1.0, EndRule::attractive), 3200.0, findings);
     const double clamped = measured_restitution(dashpot_of(xi, 1.0, 1.0, EndRule::clamped), 3200.0, findings);
     const double solved = measured_restitution(dashpot_of(own, 1.0, 1.0, EndRule::clamped), 3200.0, findings);
-    findings.expect(fmt::format("e of Eq. 21 for {:g} when clamped, three digits", row.wanted), clamped, row.given,
-                    Tolerance::model(5e-4, "half a unit of the third digit of the value known"));
+    findings.in("e_when_clamped")
+        ->expect(fmt::format("e of Eq. 21 for {:g} when clamped, three digits", row.wanted), clamped, row.given,
+                 Tolerance::model(5e-4, "half a unit of the third digit of the value known"));
     const double exact = reference::restitution(xi, reference::EndRule::clamped);
     common.rows.push_back({fmt::format("$e$ = {:g} wanted", row.wanted), fmt::format("{:g}", row.wanted),
                            fmt::format("{:.4f}", exact), fmt::format("{:+.1f} %", 100.0 * (row.wanted / exact - 1.0)),

@@ -236,7 +236,8 @@ void check_levers(Findings& findings, const Setup& setup) {
       naive.add(arm(bar), bar_errors(bar, two_masses(bar), findings).mean_restitution);
     }
     // The overlap is 1e-6 of the bar: its turning during contact is not seen, and the error is a central impact's.
-    findings.expect("rms relative error of e, " + kind, worst, predicted, near_prediction(EndRule::attractive));
+    findings.in("rms_error_of_pairs")
+        ->expect("rms relative error of e, " + kind, worst, predicted, near_prediction(EndRule::attractive));
     figure.series.insert(figure.series.end(), {right, naive, closed_form_of_two_masses(pinned, kind)});
   }
   if (!setup.coarse) findings.figure(figure);

@@ -137,8 +137,9 @@ PredictedErrors errors(const Ball& b, Findings& findings, const Setup& setup) {
 void check_undamped(Findings& findings, const Setup& setup) {
   const Comparison c = compare(ball(0.0, EndRule::attractive, setup), production_steps, findings);
   const auto expect = [&](const char* name, const PhaseError& found, const PhaseError& predicted, const char* why) {
-    findings.expect(fmt::format("rms error of {}, undamped, over the predicted", name), found.rms() / predicted.rms(),
-                    1.0, Tolerance::model(0.005, why));
+    findings.in("undamped_impacts")
+        ->expect(fmt::format("rms error of {}, undamped, over the predicted", name), found.rms() / predicted.rms(), 1.0,
+                 Tolerance::model(0.005, why));
   };
   const char* next =
       "predicted impact by impact; the next power of the step, v h/x_max = .03 of it squared, and a few times that";
@@ -163,10 +164,11 @@ void check_damped(Findings& findings, const Setup& setup) {
       table.rows.push_back({word, fmt::format("{:g}", xi), fmt::format("{:.4f}", b.exact.restitution),
                             fmt::format("{:.2e}", found), fmt::format("{:.2e}", predicted)});
     }
-    findings.expect(fmt::format("rms error of e over the predicted, farthest of three dampings, {}", word), worst, 1.0,
-                    Tolerance::model(0.06,
-                                     "lag and onset predicted impact by impact; the next powers of the step, "
-                                     "3/2 and 2, are 3 % of it at 100 steps"));
+    findings.in("damped_impacts")
+        ->expect(fmt::format("rms error of e over the predicted, farthest of three dampings, {}", word), worst, 1.0,
+                 Tolerance::model(0.06,
+                                  "lag and onset predicted impact by impact; the next powers of the step, "
+                                  "3/2 and 2, are 3 % of it at 100 steps"));
   }
   findings.table(table);
 }
@@ -238,13 +240,16 @@ Case definition() {
   return {.id = "hertz",
           .title = "Impact by Hertz's law",
           .family = "B: normal contact",
-          .requirements = {{"law.hertz", {"undamped", "three dampings", "change of e with the dashpot"}},
-                           {"method.resultant", {"undamped", "three dampings"}},
-                           {"end_rule.attractive", {"three dampings, attractive"}},
-                           {"end_rule.clamped", {"three dampings, clamped"}},
-                           {"integrator.velocity_verlet", {"order of e"}},
-                           {"regime.hertz.touching", {"undamped"}},
-                           {"regime.hertz.released", {"three dampings, clamped"}}},
+          .requirements =
+              {{"law.hertz",
+                {"undamped_impacts", "damped_impacts", "order of e, undamped",
+                 "change of e with the dashpot, speeds 2^-15 ... 2^15"}},
+               {"method.resultant", {"undamped_impacts", "damped_impacts", "order of e, undamped"}},
+               {"end_rule.attractive", {"rms error of e over the predicted, farthest of three dampings, attractive"}},
+               {"end_rule.clamped", {"rms error of e over the predicted, farthest of three dampings, clamped"}},
+               {"integrator.velocity_verlet", {"order of e, undamped"}},
+               {"regime.hertz.touching", {"undamped_impacts", "order of e, undamped"}},
+               {"regime.hertz.released", {"rms error of e over the predicted, farthest of three dampings, clamped"}}},
           .main_checks = {"rms error of the contact time, undamped, over the predicted",
                           "rms error of the largest overlap, undamped, over the predicted", "order of e, undamped",
                           "rms error of e over the predicted, farthest of three dampings, attractive"},

@@ -140,18 +140,20 @@ void check_undamped(Figure& figure, Findings& findings, const Setup& setup) {
     const long steps = 400;
     const double found = largest_error(pair, VelocityVerlet{}, steps,
                                        leapfrog_heights(pair, end_time / static_cast<double>(steps)), findings, setup);
-    findings.expect("heights against the leapfrog's own swings, " + name_of(pair), found, 0.0,
-                    Tolerance::round_off(4e-13,
-                                         "400 steps that round heights of 1 and 3 to 2.2e-16, summed twice: "
-                                         "400^1.5/sqrt(3) x 2.2e-16/.03 = 3e-11 at most, a hundredth of it where "
-                                         "swings turn the sums"));
+    findings.in("heights")->expect(
+        "heights against the leapfrog's own swings, " + name_of(pair), found, 0.0,
+        Tolerance::round_off(4e-13,
+                             "400 steps that round heights of 1 and 3 to 2.2e-16, summed twice: "
+                             "400^1.5/sqrt(3) x 2.2e-16/.03 = 3e-11 at most, a hundredth of it where "
+                             "swings turn the sums"));
     Convergence order;
     for (const double n : doublings(200.0, setup.coarse ? 2 : 4))
       order.add(end_time / n,
                 largest_error(pair, VelocityVerlet{}, std::lround(n), exact_heights(pair), findings, setup));
-    findings.expect_order("order, " + name_of(pair), order, 1.99, 2.01,
-                          "no contact opens: the order is the method's own; the next power, (w h)^2 = .08 at 200 "
-                          "steps, tilts the line by .005");
+    findings.in("order")->expect_order(
+        "order, " + name_of(pair), order, 1.99, 2.01,
+        "no contact opens: the order is the method's own; the next power, (w h)^2 = .08 at 200 "
+        "steps, tilts the line by .005");
     figure.series.push_back({name_of(pair), order.steps(), order.errors(), Style::points});
   }
 }
@@ -164,10 +166,11 @@ void check_damped(Figure& figure, Findings& findings, const Setup& setup) {
                  largest_error(pair, VelocityVerlet{}, std::lround(n), exact_heights(pair), findings, setup),
                  predicted_damped_error(pair, end_time / n));
     }
-    findings.expect("error over the predicted at the finest step, " + name_of(pair), errors.last_ratio(), 1.0,
-                    Tolerance::model(setup.coarse ? 0.1 : 0.02, "the next power of the step: w h^2 t/24 over xi h/2"));
-    findings.expect_order("order, " + name_of(pair), errors.found(), 0.9, 1.1,
-                          "the dashpot's velocity of half a step before; the next power tilts the line");
+    findings.in("error_at_finest_step")
+        ->expect("error over the predicted at the finest step, " + name_of(pair), errors.last_ratio(), 1.0,
+                 Tolerance::model(setup.coarse ? 0.1 : 0.02, "the next power of the step: w h^2 t/24 over xi h/2"));
+    findings.in("order")->expect_order("order, " + name_of(pair), errors.found(), 0.9, 1.1,
+                                       "the dashpot's velocity of half a step before; the next power tilts the line");
     figure.series.push_back(errors.points(name_of(pair)));
     figure.series.push_back(errors.line(name_of(pair) + ", predicted"));
   }
@@ -208,14 +211,14 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "pressed_pair",
           .title = "Two discs pressed between walls",
-          .requirements = {{"B10", {"heights against", "order, equal discs", "order, unlike discs"}},
-                           {"law.linear_spring_dashpot", {"error over the predicted"}},
+          .requirements = {{"B10", {"heights", "order"}},
+                           {"law.linear_spring_dashpot", {"error_at_finest_step"}},
                            {"end_rule.attractive", {"order, equal discs, damped"}},
-                           {"shape.circle", {"heights against"}},
-                           {"shape.half_plane", {"heights against"}},
-                           {"integrator.velocity_verlet", {"order,"}},
-                           {"pair.circle.circle", {"heights against"}},
-                           {"pair.circle.half_plane", {"heights against"}}},
+                           {"shape.circle", {"heights"}},
+                           {"shape.half_plane", {"heights"}},
+                           {"integrator.velocity_verlet", {"order"}},
+                           {"pair.circle.circle", {"heights"}},
+                           {"pair.circle.half_plane", {"heights"}}},
           .main_checks = {"heights against the leapfrog's own swings, equal discs", "order, equal discs",
                           "error over the predicted at the finest step, unlike discs with weight, damped"},
           .source = "Textbook vibrations; the setting of MFiX's verification case DEM03",

@@ -37,10 +37,13 @@ void check_damped(EndRule rule, const std::vector<double>& steps, Figure& figure
        {Integrator{VelocityVerlet{}}, Integrator{CentralDifference{}}, Integrator{RungeKutta4{}}}) {
     const std::string label = fmt::format("e = 0.5, {}, {}", word_for(rule), talus::name(integrator));
     const Convergence found = restitution_errors(b, integrator, steps, findings);
-    findings.expect_order("order of e, " + label.substr(9), found, 0.93, 1.07,
-                          "the dashpot's force jumps at touch, a step resolves the jump to half a step; the next "
-                          "power, w h = .2 of the first at 16 steps, tilts the fit by up to .05, uneven phases of the "
-                          "end (6 % of a rms) by .02");
+    const auto claim = findings.in(fmt::format("integrator.{}", talus::name(integrator))),
+               group = findings.in(word_for(rule));
+    findings.in("order_of_e")
+        ->expect_order("order of e, " + label.substr(9), found, 0.93, 1.07,
+                       "the dashpot's force jumps at touch, a step resolves the jump to half a step; the next "
+                       "power, w h = .2 of the first at 16 steps, tilts the fit by up to .05, uneven phases of the "
+                       "end (6 % of a rms) by .02");
     figure.series.push_back({label, found.steps(), found.errors(), Style::points});
   }
   Series predicted{.label = fmt::format("predicted, {}", word_for(rule)), .x = {}, .y = {}, .style = Style::lines};
@@ -74,8 +77,10 @@ void check_undamped(const std::vector<double>& steps, Figure& figure, Findings& 
   check_undamped_contact(elastic, findings);
   for (const Integrator& integrator : {Integrator{VelocityVerlet{}}, Integrator{RungeKutta4{}}}) {
     const Convergence found = restitution_errors(elastic, integrator, steps, findings, setup.has("commensurate_step"));
-    findings.expect_order(fmt::format("order of e, undamped, {}", talus::name(integrator)), found, 1.85, 2.15,
-                          "the force is continuous; its slope jumps at touch and end, which costs h^2");
+    const auto claim = findings.in(fmt::format("integrator.{}", talus::name(integrator)));
+    findings.in("order_undamped")
+        ->expect_order(fmt::format("order of e, undamped, {}", talus::name(integrator)), found, 1.85, 2.15,
+                       "the force is continuous; its slope jumps at touch and end, which costs h^2");
     figure.series.push_back(
         {fmt::format("e = 1, {}", talus::name(integrator)), found.steps(), found.errors(), Style::points});
     if (figure.slopes.empty()) {
@@ -123,8 +128,10 @@ void check_bounce(double e, EndRule rule, Ratio& time, Ratio& depth, Ratio& iden
   const std::string name = fmt::format("{:g}, {}", e, word_for(rule));
   const double wh = reduced_step(b.exact, production_steps);
   const ImpactError predicted = leapfrog_impact_error(b.xi, same(rule));
-  findings.expect("rms relative error of e = " + name, found.restitution.rms(),
-                  predicted_restitution_error(b, production_steps), near_prediction(rule));
+  const auto group = findings.in(word_for(rule));
+  findings.in("rms_error_of_e")
+      ->expect("rms relative error of e = " + name, found.restitution.rms(),
+               predicted_restitution_error(b, production_steps), near_prediction(rule));
   // Verlet's own period, short by (w h)^2/24, is all the error that a weak dashpot leaves.
   const double predicted_time = predicted.contact_time * wh + wh * wh / 24.0;
   time.add(found.contact_time.rms(), predicted_time);
@@ -155,10 +162,11 @@ void check_targets(Findings& findings, const Setup& setup) {
                     Tolerance::model(next_power,
                                      "predicted from the half-step lag and Verlet's own period, no jump enters; the "
                                      "next power of the step is 4 % of it"));
-    findings.expect("rms error of the largest overlap" + over, depth.farthest, 1.0,
-                    Tolerance::model(next_power,
-                                     "predicted from the half-step lag and the jump at touch; the next power of the "
-                                     "step is 4 % of it"));
+    findings.in("largest_overlap")
+        ->expect("rms error of the largest overlap" + over, depth.farthest, 1.0,
+                 Tolerance::model(next_power,
+                                  "predicted from the half-step lag and the jump at touch; the next power of the "
+                                  "step is 4 % of it"));
     if (rule == EndRule::attractive) continue;
     findings.expect("rms error of the identity e = (w d_max/v0)^2" + over, identity.farthest, 1.0,
                     Tolerance::model(next_power, "as both of its sides; the next power of the step is 4 % of it"));
@@ -247,37 +255,79 @@ Case definition() {
       .id = "restitution",
       .title = "Restitution and damping",
       .requirements =
-          {{"Eq. 17", {"pull", "overlap"}},
-           {"Eq. 19", {"pull at the end", "order of e"}},
-           {"Eq. 20", {"off centre", "pivoted", "overlap"}},
+          {{"Eq. 17",
+            {"largest_overlap", "pull at the end, e = 0.5, attractive, rms error over c e v0",
+             "largest pull of a clamped contact", "rms error of the undamped largest overlap, 64 steps",
+             "solver's largest overlap, relative"}},
+           {"Eq. 19", {"pull at the end, e = 0.5, attractive, rms error over c e v0", "order_of_e", "order_undamped"}},
+           {"Eq. 20",
+            {"largest_overlap", "rms error of the undamped largest overlap, 64 steps", "rms_error_of_pairs",
+             "solver's largest overlap, relative"}},
            {"Eq. 21",
-            {"rms relative error of e =", "e of Eq. 21", "solver's damping ratio", "change of e", "mass ratios"}},
-           {"Eq. 23", {"velocity_verlet", "central_difference"}},
-           {"Eq. 24", {"velocity_verlet", "central_difference"}},
-           {"B1", {"undamped contact time", "undamped largest overlap", "order of e, undamped", "rms error of e = 1"}},
+            {"rms_error_of_e", "change of e, k = 4^1 ... 4^8, h = 2^-1 ... 2^-8", "change of e over four decades of k",
+             "rms relative error of e, mass ratios 1/100 ... 100", "closing rate seen from moving frames, change of e",
+             "e_when_clamped", "solver's damping ratio for e = .005 ... 1, relative"}},
+           {"Eq. 23",
+            {"order of e, attractive, velocity_verlet", "order of e, attractive, central_difference",
+             "order of e, clamped, velocity_verlet", "order of e, clamped, central_difference",
+             "order of e, undamped, velocity_verlet"}},
+           {"Eq. 24",
+            {"order of e, attractive, velocity_verlet", "order of e, attractive, central_difference",
+             "order of e, clamped, velocity_verlet", "order of e, clamped, central_difference",
+             "order of e, undamped, velocity_verlet"}},
+           {"B1",
+            {"rms error of the undamped contact time, 64 steps", "rms error of the undamped largest overlap, 64 steps",
+             "order_undamped", "rms error of e = 1 at 16 steps per contact"}},
            {"B2",
-            {"e = 0.5, attractive", "contact time over the predicted, farthest of e = 0.9 ... 0.1, attractive",
-             "order of e, attractive"}},
+            {"rms relative error of e = 0.5, attractive",
+             "rms error of the contact time over the predicted, farthest of e = 0.9 ... 0.1, attractive",
+             "pull at the end, e = 0.5, attractive, rms error over c e v0", "order of e, attractive, velocity_verlet",
+             "order of e, attractive, central_difference", "order of e, attractive, rk4"}},
            {"B3",
-            {"e = 0.5, clamped", "contact time over the predicted, farthest of e = 0.9 ... 0.1, clamped",
-             "order of e, clamped", "largest pull"}},
-           {"B4", {"largest overlap over the predicted", "solver's largest overlap", "identity"}},
-           {"B5", {"mass ratios", "common centre of mass", "moving frames"}},
-           {"law.linear_spring_dashpot", {"rms relative error of", "order of e", "pull"}},
-           {"end_rule.attractive", {"attractive"}},
-           {"end_rule.clamped", {"clamped"}},
-           {"method.resultant", {"rms relative error of e"}},
-           {"shape.circle", {"mass ratios", "off centre", "pivoted"}},
-           {"shape.half_plane", {"rms relative error of e =", "order of e"}},
-           {"shape.rectangle", {"off centre", "pivoted"}},
-           {"integrator.velocity_verlet", {"velocity_verlet"}},
-           {"integrator.central_difference", {"central_difference"}},
-           {"integrator.rk4", {"rk4"}},
-           {"regime.linear_spring_dashpot.touching", {"rms relative error of e =", "undamped largest overlap"}},
-           {"regime.linear_spring_dashpot.released", {"rms relative error of e = 0.5, clamped", "largest pull"}},
-           {"pair.circle.half_plane", {"rms relative error of e =", "order of e"}},
-           {"pair.circle.circle", {"mass ratios"}},
-           {"pair.circle.rectangle", {"off centre", "pivoted"}}},
+            {"rms relative error of e = 0.5, clamped",
+             "rms error of the contact time over the predicted, farthest of e = 0.9 ... 0.1, clamped",
+             "largest pull of a clamped contact", "order of e, clamped, velocity_verlet",
+             "order of e, clamped, central_difference", "order of e, clamped, rk4"}},
+           {"B4",
+            {"largest_overlap",
+             "rms error of the identity e = (w d_max/v0)^2 over the predicted, farthest of e = 0.9 ... 0.1, clamped",
+             "solver's largest overlap, relative"}},
+           {"B5",
+            {"rms relative error of e, mass ratios 1/100 ... 100", "velocity of the common centre of mass",
+             "closing rate seen from moving frames, change of e"}},
+           {"law.linear_spring_dashpot",
+            {"rms_error_of_e", "pull at the end, e = 0.5, attractive, rms error over c e v0",
+             "largest pull of a clamped contact", "order_of_e", "order_undamped",
+             "rms relative error of e, mass ratios 1/100 ... 100", "rms_error_of_pairs"}},
+           {"end_rule.attractive",
+            {"attractive", "rms error of the contact time over the predicted, farthest of e = 0.9 ... 0.1, attractive",
+             "rms error of the largest overlap over the predicted, farthest of e = 0.9 ... 0.1, attractive",
+             "pull at the end, e = 0.5, attractive, rms error over c e v0", "order of e, attractive, velocity_verlet",
+             "order of e, attractive, central_difference", "order of e, attractive, rk4",
+             "largest error of the mean e, e = .05 ... 1, attractive",
+             "advised step at other phases, attractive, bound 0.01",
+             "advised step at other phases, attractive, bound 0.001"}},
+           {"end_rule.clamped",
+            {"clamped", "rms error of the contact time over the predicted, farthest of e = 0.9 ... 0.1, clamped",
+             "rms error of the largest overlap over the predicted, farthest of e = 0.9 ... 0.1, clamped",
+             "rms error of the identity e = (w d_max/v0)^2 over the predicted, farthest of e = 0.9 ... 0.1, clamped",
+             "largest pull of a clamped contact", "order of e, clamped, velocity_verlet",
+             "order of e, clamped, central_difference", "order of e, clamped, rk4",
+             "largest error of the mean e, e = .05 ... 1, clamped", "e_when_clamped",
+             "advised step at other phases, clamped, bound 0.01",
+             "advised step at other phases, clamped, bound 0.001"}},
+           {"method.resultant",
+            {"rms_error_of_e", "rms relative error of e, mass ratios 1/100 ... 100", "rms_error_of_pairs"}},
+           {"shape.circle", {"rms relative error of e, mass ratios 1/100 ... 100", "rms_error_of_pairs"}},
+           {"shape.half_plane", {"rms_error_of_e", "order_of_e", "order_undamped"}},
+           {"shape.rectangle", {"rms_error_of_pairs"}},
+           {"regime.linear_spring_dashpot.touching",
+            {"rms_error_of_e", "rms error of the undamped largest overlap, 64 steps"}},
+           {"regime.linear_spring_dashpot.released",
+            {"rms relative error of e = 0.5, clamped", "largest pull of a clamped contact"}},
+           {"pair.circle.half_plane", {"rms_error_of_e", "order_of_e", "order_undamped"}},
+           {"pair.circle.circle", {"rms relative error of e, mass ratios 1/100 ... 100"}},
+           {"pair.circle.rectangle", {"rms_error_of_pairs"}}},
       .main_checks = {"rms relative error of e = 0.5, attractive", "rms relative error of e = 0.5, clamped",
                       "e of Eq. 21 for 0.5 when clamped, three digits", "order of e, attractive, velocity_verlet",
                       "order of e, undamped, velocity_verlet"},

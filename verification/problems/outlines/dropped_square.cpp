@@ -53,12 +53,14 @@ State after(const Scene& scene, Findings& findings) {
 
 const char* name_of(Target target) { return target == Target::plane ? "plane" : "block"; }
 const char* name_of(ContactMethod method) { return method == ContactMethod::nodes ? "nodes" : "resultant"; }
+std::string claim_of(ContactMethod method) { return fmt::format("method.{}", name_of(method)); }
 
 /// Left against right, bit for bit, of falls at many angles, corner and edge among them.
 void check_mirror(Findings& findings, const Setup& setup) {
   const double corner = 0.25 * std::numbers::pi;
   for (const Target target : {Target::plane, Target::square}) {
     for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
+      const auto group = findings.in(name_of(target)), claim = findings.in(claim_of(method));
       double differing = 0.0;
       for (const double angle : {0.0, 1e-9, 1e-4, 0.3, corner - 1e-9, corner, corner + 1e-9, 1.1}) {
         if (setup.coarse && angle != 0.3) continue;
@@ -71,7 +73,7 @@ void check_mirror(Findings& findings, const Setup& setup) {
           differing = std::max({differing, apart.place, apart.velocity});
         }
       }
-      findings.expect(
+      findings.in("mirror")->expect(
           fmt::format("difference of left and right, {}, {}", name_of(target), name_of(method)), differing, 0.0,
           Tolerance::round_off(4.0 * std::sqrt(300.0) * 0x1p-53,
                                "corners and nodes summed in the order of their list round differently in each of some "
@@ -85,10 +87,12 @@ void check_mirror(Findings& findings, const Setup& setup) {
 void check_even(Findings& findings, const Setup& setup) {
   for (const Target target : {Target::plane, Target::square}) {
     for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
+      const auto group = findings.in(name_of(target)), claim = findings.in(claim_of(method));
       const State end = after(fall(0.0, target, method, 0.0, setup), findings);
-      findings.expect(fmt::format("spin of a square that fell flat, {}, {}", name_of(target), name_of(method)),
-                      std::abs(end.v[2]) + std::abs(end.v[0]), 0.0,
-                      Tolerance::exact("both halves have the same digits, and their moments cancel"), "rad/s");
+      findings.in("flat_falls")
+          ->expect(fmt::format("spin of a square that fell flat, {}, {}", name_of(target), name_of(method)),
+                   std::abs(end.v[2]) + std::abs(end.v[0]), 0.0,
+                   Tolerance::exact("both halves have the same digits, and their moments cancel"), "rad/s");
     }
   }
 }
@@ -123,7 +127,9 @@ void check_offsets(Findings& findings, const Setup& setup) {
     Convergence spins;
     for (std::size_t i = 1; i < 9; ++i)
       spins.add(series.x[i], series.y[i]);
-    findings.expect_order(fmt::format("spin against tilt, {}", one.name), spins, 0.999, 1.0005, "proportional");
+    const auto group = findings.in("plane"), claim = findings.in(claim_of(one.method));
+    findings.in("tilts")->expect_order(fmt::format("spin against tilt, {}", one.name), spins, 0.999, 1.0005,
+                                       "proportional");
   }
   findings.figure(figure);
 }
@@ -139,13 +145,12 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "dropped_square",
           .title = "A square that falls on edge and corner",
-          .requirements = {{"E7", {"left and right", "fell flat", "spin against tilt"}},
-                           {"shape.rectangle", {"left and right"}},
+          .requirements = {{"E7", {"mirror", "flat_falls", "tilts"}},
+                           {"shape.rectangle", {"mirror"}},
                            {"shape.half_plane", {"plane"}},
-                           {"method.resultant", {"resultant"}},
-                           {"method.nodes", {"nodes"}},
-                           {"Eq. 18", {"left and right"}},
-                           {"pair.rectangle.half_plane", {"left and right"}}},
+                           {"Eq. 18", {"mirror"}},
+                           {"pair.rectangle.half_plane", {"plane"}},
+                           {"pair.rectangle.rectangle", {"block"}}},
           .main_checks = {"difference of left and right, plane, resultant",
                           "spin of a square that fell flat, block, resultant",
                           "spin against tilt, on a corner, resultant", "spin against tilt, on the edge, resultant"},

@@ -8,6 +8,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/study/touching_pair.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::energy_slope {
 namespace {
@@ -67,6 +68,7 @@ struct Mismatch {
 
 /// A step beside a corner of V (another face, another node) is not asked: there is no slope at the corner itself.
 Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
+  record_use(model);
   Potential potential{model};
   std::mt19937_64 random{11};
   std::uniform_real_distribution<double> place{-reach, reach}, any{-3.0, 3.0};
@@ -184,8 +186,10 @@ void check_slopes(Findings& findings, const Setup& setup) {
                                  "measured: delta^2/6 times the third slope at the sharpest corners of the places "
                                  "tried; the rounding u V/delta is below a tenth of it");
   };
-  findings.expect("force against the slope of the energy, resultants, farthest", of_resultants, 0.0, bound(3e-8));
-  findings.expect("force against the slope of the energy, nodes, farthest", of_nodes, 0.0, bound(3e-8));
+  findings.in("slope")->expect("force against the slope of the energy, resultants, farthest", of_resultants, 0.0,
+                               bound(3e-8));
+  findings.in("slope_by_nodes")
+      ->expect("force against the slope of the energy, nodes, farthest", of_nodes, 0.0, bound(3e-8));
   findings.expect("force against the slope of the energy, cable, farthest", cable.largest, 0.0, bound(7e-10));
   if (setup.coarse) return;
   findings.expect_between("share of places where the rule of the smoother outline has no potential", smoother, 0.1, 0.5,
@@ -203,38 +207,46 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "energy_slope",
-          .title = "Force as the slope of the stored energy",
-          .requirements = {{"E6", {"force against the slope", "share of places"}},
-                           {"E8", {"closed path"}},
-                           {"law.linear_spring_dashpot", {"resultants"}},
-                           {"law.tension_only", {"cable"}},
-                           {"method.resultant", {"resultants", "closed path"}},
-                           {"method.nodes", {"nodes", "closed path"}},
-                           {"shape.circle", {"resultants"}},
-                           {"shape.rectangle", {"resultants", "closed path"}},
-                           {"shape.superquadric", {"resultants", "nodes"}},
-                           {"shape.half_plane", {"resultants"}},
-                           {"shape.terrain", {"resultants"}},
-                           {"pair.circle.circle", {"energy, resultants"}},
-                           {"pair.circle.superquadric", {"energy, resultants"}},
-                           {"pair.circle.half_plane", {"energy, resultants"}},
-                           {"pair.circle.terrain", {"energy, resultants"}},
-                           {"pair.rectangle.half_plane", {"energy, resultants"}},
-                           {"pair.superquadric.half_plane", {"energy, resultants"}},
-                           {"pair.circle.rectangle", {"energy, resultants", "energy, nodes"}},
-                           {"pair.rectangle.rectangle", {"energy, resultants", "energy, nodes"}},
-                           {"pair.superquadric.superquadric", {"energy, nodes"}},
-                           {"pair.superquadric.terrain", {"energy, nodes"}}},
-          .main_checks = {"force against the slope of the energy, resultants, farthest",
-                          "force against the slope of the energy, nodes, farthest",
-                          "work of a closed path round a corner, over steps of its force, farthest of three"},
-          .source = "Feng & Owen 2004",
-          .faults = {{"moments_halved", "half the moment acts",
+  return {
+      .id = "energy_slope",
+      .title = "Force as the slope of the stored energy",
+      .requirements = {{"E6",
+                        {"slope", "slope_by_nodes", "force against the slope of the energy, cable, farthest",
+                         "share of places where the rule of the smoother outline has no potential",
+                         "share of places where the rule of rays from the centre has no potential"}},
+                       {"E8", {"work of a closed path round a corner, over steps of its force, farthest of three"}},
+                       {"law.linear_spring_dashpot", {"slope"}},
+                       {"law.tension_only", {"force against the slope of the energy, cable, farthest"}},
+                       {"method.resultant",
+                        {"slope", "work of a closed path round a corner, over steps of its force, farthest of three"}},
+                       {"method.nodes",
+                        {"slope_by_nodes",
+                         "work of a closed path round a corner, over steps of its force, farthest of three"}},
+                       {"shape.circle", {"slope"}},
+                       {"shape.rectangle",
+                        {"slope", "work of a closed path round a corner, over steps of its force, farthest of three"}},
+                       {"shape.superquadric", {"slope", "slope_by_nodes"}},
+                       {"shape.half_plane", {"slope"}},
+                       {"shape.terrain", {"slope"}},
+                       {"pair.circle.circle", {"slope"}},
+                       {"pair.circle.superquadric", {"slope"}},
+                       {"pair.circle.half_plane", {"slope"}},
+                       {"pair.circle.terrain", {"slope"}},
+                       {"pair.rectangle.half_plane", {"slope"}},
+                       {"pair.superquadric.half_plane", {"slope"}},
+                       {"pair.circle.rectangle", {"slope", "slope_by_nodes"}},
+                       {"pair.rectangle.rectangle", {"slope", "slope_by_nodes"}},
+                       {"pair.superquadric.superquadric", {"slope_by_nodes"}},
+                       {"pair.superquadric.terrain", {"slope_by_nodes"}}},
+      .main_checks = {"force against the slope of the energy, resultants, farthest",
+                      "force against the slope of the energy, nodes, farthest",
                       "work of a closed path round a corner, over steps of its force, farthest of three"},
-                     {"energy_off", "the stored energy a thousandth too large",
-                      "force against the slope of the energy, nodes, farthest"}},
-          .run = run};
+      .source = "Feng & Owen 2004",
+      .faults = {{"moments_halved", "half the moment acts",
+                  "work of a closed path round a corner, over steps of its force, farthest of three"},
+                 {"energy_off", "the stored energy a thousandth too large",
+                  "force against the slope of the energy, nodes, farthest"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::energy_slope

@@ -9,6 +9,7 @@
 #include "solver/geometry/gap.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/superellipse.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::nearest_points {
 namespace {
@@ -54,6 +55,8 @@ struct Tried {
 
 Tried try_points(double n, double height, std::size_t kind, const Setup& setup) {
   const Superquadric shape{1.0, height, n};
+  record_shape(shape);
+  record_use("method.nodes");  // depth_below() is the overlap of a node in a superquadric
   std::mt19937_64 random{static_cast<std::uint64_t>(31.0 * n + 7.0 * height) + kind};
   Tried tried;
   const int count = setup.coarse ? 12 : kind == 0 ? 40 : 10;
@@ -112,14 +115,16 @@ void run(Findings& findings, const Setup& setup) {
     table.rows.push_back(row);
   }
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
-    findings.expect(fmt::format("points whose nearest point is not the nearest, {}", kinds[kind]), wrong[kind], 0.0,
-                    Tolerance::exact("brackets are not lost, and no piece holds two"));
-    findings.expect(fmt::format("distance from the nearest point, farthest from brute force, {}", kinds[kind]),
-                    farthest[kind], 0.0,
-                    Tolerance::round_off(1e-14,
-                                         "a dozen roundings of lengths up to 3: sqrt(12) x 3 x 1.1e-16, three times "
-                                         "that for the worst of 1600, and as much for n < 2, where a place beside "
-                                         "an axis is the power 1/n of a small number"));
+    findings.in("nearest_points")
+        ->expect(fmt::format("points whose nearest point is not the nearest, {}", kinds[kind]), wrong[kind], 0.0,
+                 Tolerance::exact("brackets are not lost, and no piece holds two"));
+    findings.in("distances")
+        ->expect(fmt::format("distance from the nearest point, farthest from brute force, {}", kinds[kind]),
+                 farthest[kind], 0.0,
+                 Tolerance::round_off(1e-14,
+                                      "a dozen roundings of lengths up to 3: sqrt(12) x 3 x 1.1e-16, three times "
+                                      "that for the worst of 1600, and as much for n < 2, where a place beside "
+                                      "an axis is the power 1/n of a small number"));
   }
   if (setup.coarse) return;
   findings.table(table);
@@ -136,9 +141,11 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "nearest_points",
           .title = "Nearest points: a map of the search",
-          .requirements = {{"E2", {"nearest point"}},
-                           {"shape.superquadric", {"nearest point"}},
-                           {"method.nodes", {"inside a corner"}}},
+          .requirements = {{"E2", {"nearest_points", "distances"}},
+                           {"shape.superquadric", {"nearest_points", "distances"}},
+                           {"method.nodes",
+                            {"points whose nearest point is not the nearest, inside a corner",
+                             "distance from the nearest point, farthest from brute force, inside a corner"}}},
           .main_checks = {"points whose nearest point is not the nearest, inside a corner",
                           "distance from the nearest point, farthest from brute force, inside a corner"},
           .source = "Barr 1981; Alefeld, Potra & Shi 1995, ACM Trans. Math. Softw. 21:327",

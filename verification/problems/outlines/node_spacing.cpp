@@ -8,6 +8,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/superellipse.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::node_spacing {
 namespace {
@@ -37,6 +38,7 @@ struct Rolled {
 
 Rolled roll(int nodes, double overlap, ContactMethod method, const Setup& setup) {
   const Model model = disc_of_nodes(nodes, method, setup);
+  record_use(model);
   const Dynamics dynamics{model};
   Workspace work = dynamics.workspace();
   Rolled rolled;
@@ -109,6 +111,7 @@ void check_curvature(Findings& findings, const Setup& setup) {
   for (const double n : {2.0, 3.0, 4.0, 8.0, 12.0, 20.0, 50.0}) {
     const Superquadric shape{1.0, 1.0, setup.has("exponent_off") ? 1.0001 * n : n};
     const double x = std::pow(2.0, -1.0 / n);
+    record_shape(shape);
     const double found = curvature(shape, {x, -x}), exact = reference::corner_curvature(1.0, n);
     farthest = std::max(farthest, std::abs(found / exact - 1.0) / n);
     int nodes = 4;
@@ -138,12 +141,20 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   return {.id = "node_spacing",
           .title = "Nodes on a disc, and on a sharp corner",
-          .requirements = {{"E4", {"ripple", "sum over the nodes"}},
-                           {"E5", {"curvature"}},
-                           {"method.nodes", {"ripple of the overlap", "sum over the nodes"}},
-                           {"method.resultant", {"one resultant"}},
-                           {"shape.circle", {"ripple"}},
-                           {"shape.superquadric", {"curvature"}}},
+          .requirements = {{"E4",
+                            {"ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes",
+                             "force less the sum over the nodes, farthest", "order of the ripple in 1/nodes",
+                             "ripple of one resultant"}},
+                           {"E5", {"curvature at the corner over its formula, farthest of n = 2 to 50, over n"}},
+                           {"method.nodes",
+                            {"ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes",
+                             "force less the sum over the nodes, farthest"}},
+                           {"method.resultant", {"ripple of one resultant"}},
+                           {"shape.circle",
+                            {"ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes",
+                             "order of the ripple in 1/nodes", "ripple of one resultant"}},
+                           {"shape.superquadric",
+                            {"curvature at the corner over its formula, farthest of n = 2 to 50, over n"}}},
           .main_checks = {"ripple of the overlap less r (1 - cos(pi/M)), over r, farthest of 8 to 256 nodes",
                           "order of the ripple in 1/nodes",
                           "curvature at the corner over its formula, farthest of n = 2 to 50, over n"},

@@ -11,6 +11,7 @@
 #include "verification/check/convergence.hpp"
 #include "verification/problems/outlines/superellipse_findings.hpp"
 #include "verification/reference/superellipse.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::superellipse {
 namespace {
@@ -95,12 +96,13 @@ void check_area(Findings& findings, const Setup& setup) {
     farthest = std::max({farthest, std::abs(area[1] - 1.0), std::abs(moment[1] - 1.0)});
     // From n = 8 on the next term, nodes^(-2/n), is felt all along.
     const double low = n > 4.0 ? 1.96 : 1.98;
-    findings.expect_order(
-        fmt::format("order of the polygon's area in 1/nodes, n = {:g}", n), found.of_area, low, 2.01,
-        "chords cut off the square of their length; the next term, nodes^(-2/n) of that, takes a little "
-        "of the slope");
-    findings.expect_order(fmt::format("order of the polygon's polar moment in 1/nodes, n = {:g}", n), found.of_moment,
-                          low, 2.01, "as the area");
+    findings.in("order_of_area")
+        ->expect_order(fmt::format("order of the polygon's area in 1/nodes, n = {:g}", n), found.of_area, low, 2.01,
+                       "chords cut off the square of their length; the next term, nodes^(-2/n) of that, takes a little "
+                       "of the slope");
+    findings.in("order_of_polar_moment")
+        ->expect_order(fmt::format("order of the polygon's polar moment in 1/nodes, n = {:g}", n), found.of_moment, low,
+                       2.01, "as the area");
     draw(figure, found);
     table.rows.push_back({fmt::format("{:g}", n), fmt::format("{:.6f}", found.area),
                           fmt::format("{:.5f}", found.moment), fmt::format("{:.4f}", area[0]),
@@ -126,6 +128,7 @@ void check_support(Findings& findings, const Setup& setup) {
   std::mt19937_64 random{1};
   std::uniform_real_distribution<double> place{-3.0, 3.0}, any{-std::numbers::pi, std::numbers::pi};
   const int angles = setup.coarse ? 12 : 180;
+  record_pair(Superquadric{}, HalfPlane{});
   double depth_error = 0.0, outline_error = 0.0, reach_error = 0.0;
   for (const double n : {2.0, 2.5, 3.0, 4.0, 6.0, 8.0, 12.0, 20.0, 35.0, 50.0}) {
     for (int i = 0; i < angles; ++i) {
@@ -254,20 +257,67 @@ Case definition() {
   return {
       .id = "superellipse",
       .title = "Superellipses and the contact search",
-      .requirements = {{"Eq. 1", {"polygon's area", "polar moment", "lowest point", "depth below a superellipse"}},
-                       {"A3", {"polygon"}},
-                       {"E1", {"superellipse with a plane", "lowest point of a superellipse"}},
-                       {"E2", {"depth below a superellipse", "pairs of superellipses"}},
-                       {"E10", {"contact search", "random scenes"}},
-                       {"shape.superquadric", {"polygon", "superellipse", "contact search"}},
-                       {"shape.half_plane", {"superellipse with a plane", "contact search"}},
-                       {"shape.circle", {"contact search", "random scenes"}},
-                       {"shape.rectangle", {"contact search", "random scenes"}},
-                       {"method.resultant", {"superellipse with a plane", "random scenes"}},
-                       {"method.nodes", {"depth below a superellipse", "random scenes"}},
-                       {"pair.superquadric.superquadric", {"pairs of superellipses"}},
-                       {"pair.rectangle.superquadric", {"pairs of superellipses"}},
-                       {"pair.superquadric.half_plane", {"superellipse with a plane"}}},
+      .requirements =
+          {{"Eq. 1",
+            {"order_of_area", "order_of_polar_moment", "lowest point of a superellipse from its outline, farthest",
+             "lowest point of a superellipse from the support line, farthest",
+             "depth below a superellipse, farthest from brute force, n = 2 ... 50",
+             "depth below a superellipse that is a circle, farthest"}},
+           {"A3",
+            {"order_of_area", "order_of_polar_moment",
+             "what polygons lack of area and moment, extrapolated, over the leading order, farthest of n = 2 ... 50"}},
+           {"E1",
+            {"overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles",
+             "lowest point of a superellipse from its outline, farthest",
+             "lowest point of a superellipse from the support line, farthest"}},
+           {"E2",
+            {"depth below a superellipse, farthest from brute force, n = 2 ... 50",
+             "depth below a superellipse that is a circle, farthest",
+             "overlap of pairs of superellipses and rectangles, farthest from brute force",
+             "distance of pairs of superellipses and rectangles, farthest from brute force"}},
+           {"E10",
+            {"touching pairs that the contact search leaves out",
+             "share of the pairs apart that the contact search leaves out",
+             "random scenes with other contacts or accelerations when nothing is left out"}},
+           {"shape.superquadric",
+            {"order_of_area", "order_of_polar_moment",
+             "what polygons lack of area and moment, extrapolated, over the leading order, farthest of n = 2 ... 50",
+             "overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles",
+             "lowest point of a superellipse from its outline, farthest",
+             "lowest point of a superellipse from the support line, farthest",
+             "depth below a superellipse, farthest from brute force, n = 2 ... 50",
+             "depth below a superellipse that is a circle, farthest",
+             "overlap of pairs of superellipses and rectangles, farthest from brute force",
+             "distance of pairs of superellipses and rectangles, farthest from brute force",
+             "touching pairs that the contact search leaves out",
+             "share of the pairs apart that the contact search leaves out"}},
+           {"shape.half_plane",
+            {"overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles",
+             "touching pairs that the contact search leaves out",
+             "share of the pairs apart that the contact search leaves out"}},
+           {"shape.circle",
+            {"touching pairs that the contact search leaves out",
+             "share of the pairs apart that the contact search leaves out",
+             "random scenes with other contacts or accelerations when nothing is left out"}},
+           {"shape.rectangle",
+            {"touching pairs that the contact search leaves out",
+             "share of the pairs apart that the contact search leaves out",
+             "random scenes with other contacts or accelerations when nothing is left out"}},
+           {"method.resultant",
+            {"overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles",
+             "random scenes with other contacts or accelerations when nothing is left out"}},
+           {"method.nodes",
+            {"depth below a superellipse, farthest from brute force, n = 2 ... 50",
+             "depth below a superellipse that is a circle, farthest",
+             "random scenes with other contacts or accelerations when nothing is left out"}},
+           {"pair.superquadric.superquadric",
+            {"overlap of pairs of superellipses and rectangles, farthest from brute force",
+             "distance of pairs of superellipses and rectangles, farthest from brute force"}},
+           {"pair.rectangle.superquadric",
+            {"overlap of pairs of superellipses and rectangles, farthest from brute force",
+             "distance of pairs of superellipses and rectangles, farthest from brute force"}},
+           {"pair.superquadric.half_plane",
+            {"overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles"}}},
       .main_checks = {"order of the polygon's area in 1/nodes, n = 20",
                       "overlap of a superellipse with a plane, farthest of n = 2 ... 50 at 180 angles",
                       "depth below a superellipse, farthest from brute force, n = 2 ... 50",

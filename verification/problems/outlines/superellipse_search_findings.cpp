@@ -11,6 +11,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/problems/outlines/superellipse_findings.hpp"
 #include "verification/reference/overlap.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -118,6 +119,7 @@ double pair_depth(const Kind& a, const Outline& A, const Kind& b, const Outline&
   const BodyId one = add(a, A, "one"), other = add(b, B, "other");
   builder.add(Contact{.name = "contact", .a = one, .b = other, .law = LinearSpringDashpot{1.0, 0.0}});
   const Model model = builder.build();
+  record_use(model);
   const Dynamics dynamics{model};
   Workspace work = dynamics.workspace();
   dynamics.update_all(rest_state(model), work);
@@ -192,6 +194,7 @@ void check_scenes(Findings& findings, const Setup& setup) {
   const int count = setup.coarse ? 20 : 200;
   for (int i = 0; i < count; ++i) {
     const Model model = random_scene(places);
+    record_use(model);
     const Dynamics dynamics{model};
     Workspace searched = dynamics.workspace(), whole = dynamics.workspace();
     State a = rest_state(model), b = a;

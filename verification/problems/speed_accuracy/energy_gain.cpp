@@ -173,12 +173,12 @@ void check_bounces(const Striking& striking, Findings& findings, const Setup& se
       above = std::max(above, high - limit);
       if (drawn && (n == 2 || n == 32)) {
         const bool fine = n == 2;
-        findings.expect_between(fmt::format("largest gain of speed at w h = {:g}", eta), high - 1.0,
-                                fine ? 0.0005 : 0.5, fine ? 0.002 : 2.0 / 3.0,
-                                fine
-                                    ? "the bound is .00125; .2 % is what is admitted of a fine step, and less than .05 "
-                                      "% would say that nothing was struck"
-                                    : "half as fast again, up to the bound 1/sqrt(1 - .64)");
+        findings.in("gain_of_speed")
+            ->expect_between(fmt::format("largest gain of speed at w h = {:g}", eta), high - 1.0, fine ? 0.0005 : 0.5,
+                             fine ? 0.002 : 2.0 / 3.0,
+                             fine ? "the bound is .00125; .2 % is what is admitted of a fine step, and less than .05 "
+                                    "% would say that nothing was struck"
+                                  : "half as fast again, up to the bound 1/sqrt(1 - .64)");
       }
       if (!drawn) continue;
       const reference::LeapfrogGain gain = reference::leapfrog_gain(eta, 500);
@@ -192,13 +192,16 @@ void check_bounces(const Striking& striking, Findings& findings, const Setup& se
       }
     }
     findings.count(39 * 64 * 12);
-    findings.expect(fmt::format("exit speeds by {}, 39 steps of 64 phases, largest error", method), worst, 0.0,
-                    Tolerance::round_off(5e-13,
-                                         "a depth, a number near 1 less 1, is off by 1.1e-16 and kicks by w^2 h times "
-                                         "that: 2e-14 of v0 at w h = 1.95, in a step or two, and sqrt(63) times 6e-16 "
-                                         "at .05; where e changes fast with the phase, ten times that"));
-    findings.expect_true(fmt::format("exit speeds by {}: none above the bound", method), above <= 1e-11,
-                         "1/sqrt(1 - eta^2/4), derived on the page");
+    const auto claim = findings.in(fmt::format("integrator.{}", method));
+    findings.in("exit_speeds")
+        ->expect(fmt::format("exit speeds by {}, 39 steps of 64 phases, largest error", method), worst, 0.0,
+                 Tolerance::round_off(5e-13,
+                                      "a depth, a number near 1 less 1, is off by 1.1e-16 and kicks by w^2 h times "
+                                      "that: 2e-14 of v0 at w h = 1.95, in a step or two, and sqrt(63) times 6e-16 "
+                                      "at .05; where e changes fast with the phase, ten times that"));
+    findings.in("exit_speed_bound")
+        ->expect_true(fmt::format("exit speeds by {}: none above the bound", method), above <= 1e-11,
+                      "1/sqrt(1 - eta^2/4), derived on the page");
   }
   if (setup.coarse) return;
   exact_most.label = "exact, most";
@@ -230,18 +233,19 @@ void check_heating(const Striking& striking, Findings& findings, const Setup& se
     findings.count(phases * 20);
     const double off = (inverse - 1.0) * 8.0 * phases * phases / (eta * eta);
     keep_worst(worst, off);
-    findings.expect(fmt::format("mean of ln e at w h = {:g} over eta^4 delta^2 (1 - delta)^2/12", eta),
-                    mean_ln / reference::small_step_heating(eta), 1.0,
-                    Tolerance::model(0.5 * eta * eta,
-                                     "the next order, eta^2, with half its size; 64 phases would not do: "
-                                     "the terms are a hundred times their mean"));
+    findings.in("integrator.velocity_verlet")
+        ->expect(fmt::format("mean of ln e at w h = {:g} over eta^4 delta^2 (1 - delta)^2/12", eta),
+                 mean_ln / reference::small_step_heating(eta), 1.0,
+                 Tolerance::model(0.5 * eta * eta,
+                                  "the next order, eta^2, with half its size; 64 phases would not do: "
+                                  "the terms are a hundred times their mean"));
     points.add(eta, mean_ln);
   }
-  findings.expect(
-      "mean of e^-2 less one, over eta^2/(8 n^2), largest of four steps", worst, 0.0,
-      Tolerance::truncation(1.0, 3.0,
-                            "a mean of n = 2048 middles misses, at each phase where the slope of e^-2 jumps "
-                            "by 2 eta^2, up to an eighth of the jump over n^2; there are two"));
+  findings.in("integrator.velocity_verlet")
+      ->expect("mean of e^-2 less one, over eta^2/(8 n^2), largest of four steps", worst, 0.0,
+               Tolerance::truncation(1.0, 3.0,
+                                     "a mean of n = 2048 middles misses, at each phase where the slope of e^-2 jumps "
+                                     "by 2 eta^2, up to an eighth of the jump over n^2; there are two"));
   Series exact{"exact", {}, {}, Style::lines};
   for (double eta = 0.05; eta < 1.95; eta *= 1.015) {
     const double value = reference::leapfrog_gain(eta, 1000).mean_ln;
@@ -274,6 +278,7 @@ void check_gas(Findings& findings, const Setup& setup, Figure& figure) {
       collisions += run.collisions;
     }
     const double measured = heating / static_cast<double>(collisions);
+    const auto group = findings.in("gases"), claim = findings.in("integrator.velocity_verlet");
     const std::string name = fmt::format("gas at w h = {:g}, N times ln heating a collision", gas.eta);
     if (gas.eta == 1.0) {
       findings.expect(
@@ -328,13 +333,9 @@ Case definition() {
       .id = "energy_gain",
       .title = "One-sided contacts gain energy below the limit of stability",
       .family = "speed and accuracy",
-      .requirements = {{"Eq. 25", {"largest gain of speed"}},
-                       {"integrator.velocity_verlet", {"velocity_verlet", "mean of", "gas at"}},
-                       {"integrator.central_difference", {"central_difference"}},
-                       {"integrator.euler_cromer", {"euler_cromer"}},
-                       {"end_rule.clamped", {"exit speeds"}},
-                       {"pair.circle.circle", {"gas at"}},
-                       {"pair.circle.half_plane", {"exit speeds", "gas at"}}},
+      .requirements = {{"Eq. 25", {"gain_of_speed"}},
+                       {"pair.circle.circle", {"gases"}},
+                       {"pair.circle.half_plane", {"exit_speeds", "exit_speed_bound", "gases"}}},
       .main_checks = {"largest gain of speed at w h = 0.1", "largest gain of speed at w h = 1.6",
                       "exit speeds by velocity_verlet, 39 steps of 64 phases, largest error",
                       "mean of e^-2 less one, over eta^2/(8 n^2), largest of four steps",

@@ -14,6 +14,7 @@
 #include "verification/check/convergence.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
 #include "verification/study/curves.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -31,6 +32,8 @@ struct WatchedRun {
 WatchedRun watched_run(Scene scene, double step, double end, const WatchRules& rules, Findings& findings) {
   scene.integrator = VelocityVerlet{};
   scene.plan = {step, end, end, false, rules};
+  record_use(scene.model);
+  record_use(scene.integrator);
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics, false};
   WatchedRun run{scene.initial, {}};

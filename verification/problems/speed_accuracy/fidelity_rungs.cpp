@@ -15,6 +15,7 @@
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
 #include "verification/study/expectations.hpp"
+#include "verification/study/usage.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -178,6 +179,8 @@ std::vector<double> run_times(const std::vector<Level>& levels) {
       RigidBodySystem system{dynamics, false};
       Integrator method = make_integrator("stormer_cowell", usual);
       State state = scenes[l].initial;
+      record_use(scenes[l].model);
+      record_use(method);
       const auto start = std::chrono::steady_clock::now();
       const Outcome outcome = simulate(system, method, state, {passage_end, passage_end, passage_end, false});
       const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;

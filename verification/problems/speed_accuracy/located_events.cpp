@@ -50,10 +50,12 @@ void check_motion(const ExactMotion& motion, const Bound& bound, Findings& findi
       "{:.0f} and {:.0f} evaluations are admitted for 1e-6 and 1e-9: {}; fewer than a fiftieth would say that "
       "something was not counted",
       bound.asked[0], bound.asked[1], bound.words);
-  findings.expect_between(fmt::format("evaluations to reach 1e-6 over the most that are admitted, {}", motion.name),
-                          reached[0] / bound.asked[0], 0.02, 1.0, words);
-  findings.expect_between(fmt::format("evaluations to reach 1e-9 over the most that are admitted, {}", motion.name),
-                          reached[1] / bound.asked[1], 0.02, 1.0, words);
+  findings.in("evaluations_to_1e_6")
+      ->expect_between(fmt::format("evaluations to reach 1e-6 over the most that are admitted, {}", motion.name),
+                       reached[0] / bound.asked[0], 0.02, 1.0, words);
+  findings.in("evaluations_to_1e_9")
+      ->expect_between(fmt::format("evaluations to reach 1e-9 over the most that are admitted, {}", motion.name),
+                       reached[1] / bound.asked[1], 0.02, 1.0, words);
   const std::size_t last = points.size() - 1;
   const double digit = std::sqrt(points[last].evaluations / points[last - 4].evaluations);
   findings.expect_between(
@@ -138,11 +140,13 @@ void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
     const auto demand = [&](const char* what, double tension, double speed, double most) {
       const double found =
           std::max(evaluations_to_reach(errors.tensions, tension), evaluations_to_reach(errors.speeds, speed));
-      findings.expect_between(
-          fmt::format("fence, evaluations to reach {} over {:.0f}", what, most), found / most, 0.1, 1.0,
-          fmt::format("set beforehand, for a method that locates events; the scheme of 1993 takes {:.0f} steps of 2e-6 "
-                      "s; fewer than a tenth would say that something was not counted",
-                      end / 2e-6));
+      findings.in("fence_evaluations")
+          ->expect_between(
+              fmt::format("fence, evaluations to reach {} over {:.0f}", what, most), found / most, 0.1, 1.0,
+              fmt::format(
+                  "set beforehand, for a method that locates events; the scheme of 1993 takes {:.0f} steps of 2e-6 "
+                  "s; fewer than a tenth would say that something was not counted",
+                  end / 2e-6));
     };
     if (end == early) {
       demand("1e-5 of tension and 1.4e-4 of speed at .05 s", 1e-5, 1.4e-4, 561.0);
@@ -193,7 +197,8 @@ Case definition() {
   return {.id = "located_events",
           .title = "Steps of variable order, cut at events",
           .family = "speed and accuracy",
-          .requirements = {{"integrator.stormer_cowell", {"evaluations to reach"}}},
+          .requirements = {{"integrator.stormer_cowell",
+                            {"evaluations_to_1e_6", "evaluations_to_1e_9", "fence_evaluations"}}},
           .main_checks = {"evaluations to reach 1e-6 over the most that are admitted, pendulum, 90 degrees",
                           "evaluations to reach 1e-9 over the most that are admitted, pendulum, 170 degrees",
                           "evaluations to reach 1e-9 over the most that are admitted, two cables",

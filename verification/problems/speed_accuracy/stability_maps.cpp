@@ -87,6 +87,7 @@ Tolerance limits_found_between_doubles(const FixedStepMethod& method) {
 /// The limits of one method at six dampings: its row of the table.
 std::vector<std::string> check_limits_of(const FixedStepMethod& method, Findings& findings, const Setup& setup) {
   const std::string name = method.name;
+  const auto claim = findings.in("integrator." + name);
   const bool advised = linear_limit(name, 1.0).has_value();
   double worst = 0.0, worst_between_doubles = 0.0, worst_advice = 0.0;
   std::vector<std::string> row{"`" + name + "`"};
@@ -107,8 +108,9 @@ std::vector<std::string> check_limits_of(const FixedStepMethod& method, Findings
                     worst_between_doubles, 0.0, limits_found_between_doubles(method));
   }
   if (advised) {
-    findings.expect("step advice: linear limit of " + name + " against the measured one, largest share of error",
-                    worst_advice, 0.0, limits_found_between_doubles(method));
+    findings.in("advice")->expect(
+        "step advice: linear limit of " + name + " against the measured one, largest share of error", worst_advice, 0.0,
+        limits_found_between_doubles(method));
   }
   return row;
 }
@@ -128,10 +130,12 @@ void check_both_sides(const FixedStepMethod& method, Findings& findings, const S
   }
   worst_run = seen.worst_run;
   const std::string name = method.name;
-  findings.expect(name + ": runs on the wrong side of the limit", seen.wrong, 0.0,
-                  Tolerance::exact("a count: at .98, .999, 1.001 and 1.02 of each limit runs must, as the exact growth "
-                                   "says, not grow in 4000 steps or grow from 1e-9 (Adams': 1e-6) to 9e-3; by the fit "
-                                   "where that takes more than 45000 steps"));
+  const auto claim = findings.in("integrator." + name);
+  findings.in("sides_of_limit")
+      ->expect(name + ": runs on the wrong side of the limit", seen.wrong, 0.0,
+               Tolerance::exact("a count: at .98, .999, 1.001 and 1.02 of each limit runs must, as the exact growth "
+                                "says, not grow in 4000 steps or grow from 1e-9 (Adams': 1e-6) to 9e-3; by the fit "
+                                "where that takes more than 45000 steps"));
   findings.expect(name + ": ln growth at .98, .999, 1.001, 1.02 of the limit, largest share of error", seen.worst, 0.0,
                   method.dimension > 3 ? Tolerance::round_off(1e-3,
                                                               "rounding in the fit of sixteen eigenvalues, 1e-7, "
@@ -166,6 +170,7 @@ void check_growth_undamped(Findings& findings, const Setup& setup) {
   for (const FixedStepMethod& method : fixed_step_methods) {
     const bool euler = method.scheme == reference::Scheme::euler;
     if (!euler && method.scheme != reference::Scheme::taylor) continue;
+    const auto claim = findings.in(fmt::format("integrator.{}", method.name));
     constexpr double eta = 0.02;
     findings.expect(fmt::format("{}: ln growth of an undamped run of w h = {:g}, share of error", method.name, eta),
                     long_growth(disc, method, eta, 1e-4, setup) / (0.5 * std::log1p(eta * eta / (euler ? 1.0 : 2.0))),
@@ -173,9 +178,9 @@ void check_growth_undamped(Findings& findings, const Setup& setup) {
                     Tolerance::round_off(1e-6,
                                          "sixty states of 9e-3, with roundings of 3e-14 of them, over a growth "
                                          "of 1e-4 and a turn of .02 a step"));
-    findings.expect(fmt::format("step advice: linear limit of {} where nothing damps", method.name),
-                    linear_limit(method.name, 0.0).value_or(std::nan("")), 0.0,
-                    Tolerance::exact("it grows at any step"));
+    findings.in("advice_undamped")
+        ->expect(fmt::format("step advice: linear limit of {} where nothing damps", method.name),
+                 linear_limit(method.name, 0.0).value_or(std::nan("")), 0.0, Tolerance::exact("it grows at any step"));
   }
 }
 
@@ -188,10 +193,11 @@ void check_common_limit(Findings& findings, const Setup& setup) {
       "and a half steps before to $\\sqrt{1 + \\xi^2} - \\xi$, which tends to 1, not 2, as the damping goes. Solver: "
       "where the fitted growth of a disc between two planes passes nought.");
   for (const FixedStepMethod& method : {fixed_step_methods[1], fixed_step_methods[3]}) {
+    const auto claim = findings.in(fmt::format("integrator.{}", method.name));
     for (const double xi : {0.1, 0.4, 1.0}) {
       const double exact = (method.scheme == reference::Scheme::late ? 1.0 : 2.0) * (std::sqrt(1.0 + xi * xi) - xi);
       const double found = measured_limit(method, exact, xi, setup);
-      findings.expect(
+      findings.in("limits")->expect(
           fmt::format("limit of the step of {}, xi = {:g}", method.name, xi), found, exact,
           Tolerance::round_off(1e-9,
                                "twenty-four halvings of two thousandths of it, and a rounding of 6e-14 over "
@@ -267,18 +273,21 @@ Map map_of(const FixedStepMethod& method, Findings& findings, const Setup& setup
 void check_map(const FixedStepMethod& method, Findings& findings, const Setup& setup, Figure& figure) {
   Map map = map_of(method, findings, setup);
   const std::string name = method.name;
+  const auto claim = findings.in("integrator." + name);
   if (method.dimension > 3) {
-    findings.expect(name + ": ln growth over the map, largest error", map.worst, 0.0,
-                    Tolerance::round_off(1e-3,
-                                         "sixteen eigenvalues, fitted to states in which rounding is up to 3e-7 "
-                                         "of the smallest: those smaller than that are taken for none, and the "
-                                         "largest is off by as much over their distance from it"));
+    findings.in("growth")->expect(
+        name + ": ln growth over the map, largest error", map.worst, 0.0,
+        Tolerance::round_off(1e-3,
+                             "sixteen eigenvalues, fitted to states in which rounding is up to 3e-7 "
+                             "of the smallest: those smaller than that are taken for none, and the "
+                             "largest is off by as much over their distance from it"));
   } else {
-    findings.expect(name + ": ln growth over the map, largest error in roundings", map.worst, 0.0,
-                    Tolerance::round_off(400.0,
-                                         "runs begin up to twenty times nearer to rest than they must, and where "
-                                         "eigenvalues nearly meet, as Fehlberg's at xi = 1.1, the fit makes "
-                                         "twenty of one"));
+    findings.in("growth")->expect(
+        name + ": ln growth over the map, largest error in roundings", map.worst, 0.0,
+        Tolerance::round_off(400.0,
+                             "runs begin up to twenty times nearer to rest than they must, and where "
+                             "eigenvalues nearly meet, as Fehlberg's at xi = 1.1, the fit makes "
+                             "twenty of one"));
   }
   if (method.doubles && !setup.coarse) {
     findings.expect(name + ": ln growth at xi = 1, where two eigenvalues are one, largest error", map.worst_one, 0.0,
@@ -378,22 +387,12 @@ Case definition() {
   return {.id = "stability_maps",
           .title = "Growth per step against damping and step",
           .family = "speed and accuracy",
-          .requirements = {{"Eq. 25", {"runs on the wrong side", "step advice", "limit of the step"}},
-                           {"integrator.velocity_verlet", {"velocity_verlet: "}},
-                           {"integrator.central_difference", {"central_difference: "}},
-                           {"integrator.lagged_central_difference", {"lagged_central_difference: "}},
-                           {"integrator.euler_cromer", {"euler_cromer: "}},
-                           {"integrator.euler", {"euler: "}},
-                           {"integrator.taylor", {"taylor: "}},
-                           {"integrator.blanes_moan4", {"blanes_moan4: "}},
-                           {"integrator.rk4", {"rk4: "}},
-                           {"integrator.odeint_dopri5", {"odeint_dopri5: "}},
-                           {"integrator.odeint_cash_karp54", {"odeint_cash_karp54: "}},
-                           {"integrator.odeint_fehlberg78", {"odeint_fehlberg78: "}},
-                           {"integrator.odeint_abm8", {"odeint_abm8: "}},
-                           {"law.linear_spring_dashpot", {"ln growth over the map"}},
-                           {"end_rule.attractive", {"ln growth over the map"}},
-                           {"pair.circle.half_plane", {"ln growth over the map"}}},
+          .requirements = {{"Eq. 25",
+                            {"sides_of_limit", "sides_of_2", "advice", "step advice: methods with a linear limit",
+                             "advice_undamped", "limits"}},
+                           {"law.linear_spring_dashpot", {"growth"}},
+                           {"end_rule.attractive", {"growth"}},
+                           {"pair.circle.half_plane", {"growth"}}},
           .main_checks = {"velocity_verlet: ln growth over the map, largest error in roundings",
                           "blanes_moan4: ln growth over the map, largest error in roundings",
                           "odeint_fehlberg78: ln growth over the map, largest error in roundings",

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace talus::verification {
+
+/// Members of the solver's closed lists, by the ids of their requirements: "law.hertz", "regime.friction.sticking",
+/// "pair.circle.half_plane", "integrator.rk4", ...
+using Usage = std::set<std::string, std::less<>>;
+
+/// "law" of "law.hertz"; empty if the id is of no closed list of the solver, such as "Eq. 21" and "B6".
+[[nodiscard]] std::string_view kind_of_use(std::string_view id);
+
+/// The members of one kind that were used, e.g. "law.hertz, law.tension_only"; "nothing" if there are none.
+[[nodiscard]] std::string used_of_kind(const Usage& usage, std::string_view kind);
+
+/// Collects what is used in this process as long as it lives. The runs of a case are made in many places, most of which
+/// do not have its Findings; none of them can be forgotten this way.
+/// Errors: std::logic_error if a recording is in progress already.
+class UsageRecording {
+ public:
+  UsageRecording();
+  UsageRecording(const UsageRecording&) = delete;
+  UsageRecording& operator=(const UsageRecording&) = delete;
+  ~UsageRecording();
+
+  [[nodiscard]] const Usage& usage() const { return usage_; }
+
+ private:
+  friend void record_use(std::string id);
+  Usage usage_;
+};
+
+/// Whether a recording is in progress in this process.
+[[nodiscard]] bool is_recording_use();
+
+/// Adds a member of a closed list to the recording in progress, if there is one; from any thread.
+/// Errors: std::invalid_argument if the id is of no closed list.
+void record_use(std::string id);
+
+}  // namespace talus::verification
