@@ -140,10 +140,10 @@ void make_pdf(const Document& d) {
     return finished.output;
   };
   if (d.has_contents) {
-    // The first pass only collects page numbers; it need not write pictures.
+    // Page numbers of the contents and widths of tables settle in two passes, which need not write pictures.
     Command draft = latex;
     draft.arguments.insert(draft.arguments.begin(), "-draftmode");
-    pass(draft);
+    pass(draft), pass(draft);
   }
   if (pass(latex).find("Rerun to get") != std::string::npos) pass(latex);
 }

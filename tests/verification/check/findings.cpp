@@ -68,3 +68,21 @@ BOOST_AUTO_TEST_CASE(a_setup_knows_its_fault) {
   BOOST_TEST(Setup{.fault = "mass_halved"}.has("mass_halved"));
   BOOST_TEST(!Setup{}.has("mass_halved"));
 }
+
+BOOST_AUTO_TEST_CASE(a_run_ends_with_the_last_needed_check) {
+  Findings findings{{"second", "fourth"}};
+  const auto expect = [&](const std::string& name) { return findings.expect_true(name, false, "an identity"); };
+  expect("first"), expect("second"), expect("third");
+  BOOST_CHECK_THROW(expect("fourth"), Findings::Decided);
+  BOOST_TEST(findings.checks().size() == 4u);
+  BOOST_REQUIRE(findings.find("fourth") != nullptr);
+  BOOST_TEST(!findings.find("fourth")->pass);
+}
+
+BOOST_AUTO_TEST_CASE(a_setup_needs_checks_by_parts_of_their_names) {
+  BOOST_TEST(Setup{}.needs("anything"));
+  const Setup control{.fault = "softer", .needed = {"largest error, disc", "order"}};
+  BOOST_TEST(control.needs("disc"));
+  BOOST_TEST(control.needs("order"));
+  BOOST_TEST(!control.needs("cable"));
+}

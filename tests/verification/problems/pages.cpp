@@ -107,9 +107,10 @@ std::vector<std::string> faults_of_form(const std::string& page) {
 }
 
 /// Everything that a page may name in `code`: cases, members of the solver's closed lists, the values `auto` and `off`
-/// of a scene's keys, and the listing of 1993, of which cases/published holds the numbers.
+/// of a scene's keys, the program and the files of its runs, and the listing of 1993, of which cases/published holds the
+/// numbers.
 std::set<std::string> known_names() {
-  std::set<std::string> names{"auto", "off", "sample2.OUT"};
+  std::set<std::string> names{"auto", "off", "sample2.OUT", "talus", "history.csv", "summary.json", "final_state.json"};
   for (const Case& c : cases())
     names.insert(c.id);
   for (const Requirement& requirement : known().requirements) {
