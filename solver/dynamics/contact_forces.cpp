@@ -200,11 +200,20 @@ bool ContactForces::find(const State& state, Workspace& work) const {
 
 void ContactForces::update(const State& state, Workspace& work) const { update_gaps(laws_, &state, work); }
 
-void ContactForces::update_depths(const State& state, Workspace& work) const {
-  for (char& near : work.near)
-    near = near ? Workspace::known : Workspace::wanted;
-  update_gaps(laws_, &state, work);
-  std::replace(work.near.begin(), work.near.end(), Workspace::wanted, char{0});
+void ContactForces::largest_depths(const Workspace& work, std::span<double> out) const {
+  bool all_near = true;
+  for (std::size_t c = 0; c < candidates(); ++c) {
+    const Candidate& pair = search_.pairs()[c];
+    out[c] = work.near[c] ? largest_depth(work, pair.first, pair.last) : -std::numeric_limits<double>::infinity();
+    all_near = all_near && work.near[c];
+  }
+  if (all_near) return;
+  for_each_array(laws_, [&](const auto& array) {
+    for (const ContactGroup& group : array.groups) {
+      double& largest = out[group.candidate];
+      if (!work.near[group.candidate]) largest = std::max(largest, FarDepths{array, group, work}.largest());
+    }
+  });
 }
 
 void ContactForces::update_all(Workspace& work) const {

@@ -34,8 +34,9 @@ class ContactForces {
   bool find(const State& state, Workspace& work) const;
   /// Their gaps.
   void update(const State& state, Workspace& work) const;
-  /// After update(): of the pairs out of reach the depths alone.
-  void update_depths(const State& state, Workspace& work) const;
+  /// After update(): largest overlap of each contact [L]; negative while its bodies are apart. Writes no gaps of pairs
+  /// out of reach.
+  void largest_depths(const Workspace& work, std::span<double> out) const;
   /// Gaps of all pairs.
   void update_all(Workspace& work) const;
   /// After update(): the gaps that it left out, but of bodies that at their present speed, and under this pull [L/T^2],

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "solver/base/error.hpp"
+#include "solver/dynamics/gap_update.hpp"
 
 namespace talus {
 namespace {
@@ -311,17 +312,19 @@ void Dynamics::forces(const State& state, Workspace& work, LawForces& out) const
   out.tensions.resize(cables_.size());
   contacts_.forces(state, work, out.instances);
   cables_.tensions(state, work, out.tensions);
+  if (!work.any_near) return;
   for (std::size_t c = 0, instance = 0; c < out.contacts.size(); ++c) {
+    double sum = 0.0;
     for (std::size_t i = 0; i < layout_.contact_instances[c]; ++i)
-      out.contacts[c] += out.instances[instance++];
+      sum += out.instances[instance++];
+    out.contacts[c] = sum;
   }
 }
 
 double Dynamics::contact_depth(const Workspace& work, ContactId contact) const {
   TALUS_ASSERT(work.evaluated != Evaluated::nothing);
-  const auto first = work.gaps.begin() + static_cast<std::ptrdiff_t>(layout_.contact_slots[index(contact)].mode);
-  const auto last = first + static_cast<std::ptrdiff_t>(layout_.contact_instances[index(contact)]);
-  return std::max_element(first, last, [](const Gap& a, const Gap& b) { return a.depth < b.depth; })->depth;
+  const std::size_t first = layout_.contact_slots[index(contact)].mode;
+  return largest_depth(work, first, first + layout_.contact_instances[index(contact)]);
 }
 
 double Dynamics::elongation(const Workspace& work, CableId cable) const {

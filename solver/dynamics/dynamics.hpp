@@ -70,8 +70,6 @@ class Dynamics {
   void evaluate(State& state, Workspace& work, Rates& out, bool ledger) const;
   /// The same for who reports the state: sleeping bodies with their cables, too.
   void update_everywhere(const State& state, Workspace& work) const;
-  /// After update() or update_everywhere(): of the gaps out of reach the depths alone.
-  void update_depths(const State& state, Workspace& work) const { contacts_.update_depths(state, work); }
   /// As update_everywhere(), with all gaps, however far apart the bodies.
   void update_all(const State& state, Workspace& work) const;
   /// After update(): the gaps of bodies out of reach as well that may come within it in the time ahead [T] at the speed
@@ -128,8 +126,7 @@ class Dynamics {
   [[nodiscard]] Momenta momenta(const Workspace& work) const;
   /// Forces of all contacts and cables in the state's modes.
   void forces(const State& state, Workspace& work, LawForces& out) const;
-  /// Largest overlap of a contact [L]; negative while its bodies are apart. Of bodies out of reach it needs
-  /// update_depths() or update_all().
+  /// After update_all(): largest overlap of a contact [L]; negative while its bodies are apart.
   [[nodiscard]] double contact_depth(const Workspace& work, ContactId contact) const;
   /// Elongation of a cable [L]; negative while slack.
   [[nodiscard]] double elongation(const Workspace& work, CableId cable) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 
 #include "solver/dynamics/contact_arrays.hpp"
@@ -11,6 +12,32 @@
 #include "solver/geometry/gap.hpp"
 
 namespace talus {
+
+/// Depths of up to node_block neighbouring nodes of an array, computed side by side: in the box around an outline, or of
+/// balls in a half-plane [L].
+inline constexpr std::size_t node_block = 64;
+class NodeDepths {
+ public:
+  template <class Array>
+  NodeDepths(const Array& array, std::size_t first, std::size_t count, const Placement& A_in_B) {
+    if constexpr (BoxedRule<typename Array::ShapeB>)
+      box_depths(array.node_x, array.node_y, first, count, A_in_B, array.shapes_b[first].outline, depths_.data());
+    else
+      plane_depths(array.node_x, array.node_y, array.radius, first, count, A_in_B, depths_.data());
+  }
+  double operator[](std::size_t i) const { return depths_[i]; }
+
+ private:
+  std::array<double, node_block + pack_size> depths_;  // only those asked for are written
+};
+
+/// Largest overlap of neighbouring instances, whose gaps are known [L].
+[[nodiscard]] inline double largest_depth(const Workspace& work, std::size_t first, std::size_t last) {
+  double largest = work.gaps[first].depth;
+  for (std::size_t i = first + 1; i < last; ++i)
+    largest = std::max(largest, work.gaps[i].depth);
+  return largest;
+}
 
 /// Computes the gaps of one array's groups that are within reach. Of a ball out of its law's reach that does not act
 /// (`state` given) only the depth: nothing else is asked of it.
@@ -29,7 +56,6 @@ class GapUpdate {
   static constexpr bool are_balls = std::is_same_v<typename Array::ShapeA, Ball>;
   static constexpr bool boxed = BoxedRule<typename Array::ShapeB>;
   static constexpr bool over_plane = are_balls && std::is_same_v<typename Array::ShapeB, HalfPlane>;
-  static constexpr std::size_t block = 64;
 
   void update(const ContactGroup& group) const {
     const Pose A = work_.poses[index(group.a)], B = work_.poses[index(group.b)];
@@ -42,13 +68,9 @@ class GapUpdate {
   }
   /// Of nodes, which are points, the depths in the box at once, of balls those in a half-plane: few are in it.
   void update_nodes(const ContactGroup& group, const Pose& A, const Pose& B, const Placement& A_in_B) const {
-    std::array<double, block + pack_size> depths;
-    for (std::size_t first = group.first; first < group.last; first += block) {
-      const std::size_t count = std::min(block, group.last - first);
-      if constexpr (boxed)
-        box_depths(array_.node_x, array_.node_y, first, count, A_in_B, array_.shapes_b[first].outline, depths.data());
-      else
-        plane_depths(array_.node_x, array_.node_y, array_.radius, first, count, A_in_B, depths.data());
+    for (std::size_t first = group.first; first < group.last; first += node_block) {
+      const std::size_t count = std::min(node_block, group.last - first);
+      const NodeDepths depths{array_, first, count, A_in_B};
       for (std::size_t i = 0; i < count; ++i) {
         if (!is_idle(first + i, depths[i])) update(first + i, A, B, A_in_B);
       }
@@ -76,6 +98,71 @@ class GapUpdate {
   const Array& array_;
   const State* state_;
   Workspace& work_;
+};
+
+/// Depths of a group out of its law's reach, none of which acts: without gaps.
+template <class Array>
+class FarDepths {
+ public:
+  FarDepths(const Array& array, const ContactGroup& group, const Workspace& work)
+      : array_{array},
+        group_{group},
+        A_{work.poses[index(group.a)]},
+        B_{work.poses[index(group.b)]},
+        A_in_B_{placement(A_, B_)} {}
+
+  /// The largest of them [L].
+  double largest() const {
+    if constexpr (BoxedRule<ShapeB> || over_plane) {
+      return largest_of_nodes();
+    } else if constexpr (std::is_same_v<ShapeB, Circle>) {
+      return depth(nearest_to_centre());
+    } else {
+      double largest = depth(group_.first);
+      for (std::size_t i = group_.first + 1; i < group_.last; ++i)
+        largest = std::max(largest, depth(i));
+      return largest;
+    }
+  }
+
+ private:
+  using ShapeB = typename Array::ShapeB;
+  static constexpr bool are_balls = std::is_same_v<typename Array::ShapeA, Ball>;
+  static constexpr bool over_plane = are_balls && std::is_same_v<ShapeB, HalfPlane>;
+
+  double depth(std::size_t i) const {
+    if constexpr (are_balls)
+      return ball_depth(array_.shapes_a[i], A_in_B_, array_.shapes_b[i]).depth;
+    else
+      return gap(array_.shapes_a[i], A_, array_.shapes_b[i], B_).depth;
+  }
+  /// Balls of one radius over a circle: the deepest is the nearest to its centre, and rounded roots keep the order.
+  std::size_t nearest_to_centre() const {
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t nearest = group_.first;
+    for (std::size_t i = group_.first; i < group_.last; ++i) {
+      const Vec2 p = A_in_B_.p + A_in_B_.R * array_.shapes_a[i].center_A;
+      const double square = dot(p, p);
+      if (square < least) least = square, nearest = i;
+    }
+    return nearest;
+  }
+  /// A node in the box around an outline may still be outside the outline.
+  double largest_of_nodes() const {
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t first = group_.first; first < group_.last; first += node_block) {
+      const std::size_t count = std::min(node_block, group_.last - first);
+      const NodeDepths depths{array_, first, count, A_in_B_};
+      for (std::size_t i = 0; i < count; ++i)
+        largest = std::max(largest, !over_plane && depths[i] >= 0.0 ? depth(first + i) : depths[i]);
+    }
+    return largest;
+  }
+
+  const Array& array_;
+  const ContactGroup& group_;
+  Pose A_, B_;
+  Placement A_in_B_;
 };
 
 }  // namespace talus

@@ -110,20 +110,23 @@ void Recorder::fill_row(const Snapshot& snapshot) {
   const State& state = snapshot.state();
   const Poses& poses = snapshot.geometry().poses;
   const LawForces& forces = snapshot.forces();
+  const std::vector<double>& depths = snapshot.depths();
   double* next = row_.data();
+  *next++ = state.t;
+  for (const Moving& body : moving_) {
+    const std::size_t i = body.body;
+    *next++ = poses.x[i], *next++ = poses.y[i];
+    *next++ = poses.vx[i], *next++ = poses.vy[i];
+    if (body.turns) *next++ = state.q[body.angle], *next++ = poses.w[i];
+  }
+  for (std::size_t i = 0; i < depths.size(); ++i)
+    *next++ = depths[i], *next++ = forces.contacts[i];
+  const CableForces& cables = dynamics_->cables();
+  for (std::size_t i = 0; i < forces.tensions.size(); ++i)
+    *next++ = cables.elongation(snapshot.geometry(), i), *next++ = forces.tensions[i];
   const auto add = [&next](std::initializer_list<double> numbers) {
     next = std::copy(numbers.begin(), numbers.end(), next);
   };
-  add({state.t});
-  for (const Moving& body : moving_) {
-    const std::size_t i = body.body;
-    add({poses.x[i], poses.y[i], poses.vx[i], poses.vy[i]});
-    if (body.turns) add({state.q[body.angle], poses.w[i]});
-  }
-  for (std::size_t i = 0; i < forces.contacts.size(); ++i)
-    add({dynamics_->contact_depth(snapshot.depths(), static_cast<ContactId>(i)), forces.contacts[i]});
-  for (std::size_t i = 0; i < forces.tensions.size(); ++i)
-    add({dynamics_->elongation(snapshot.geometry(), static_cast<CableId>(i)), forces.tensions[i]});
   if (ledger_) {
     const Energies& energies = accounts_.energies;
     add({energies.kinetic, energies.gravity, energies.applied, energies.contacts, energies.cables});

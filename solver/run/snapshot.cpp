@@ -5,7 +5,11 @@
 namespace talus {
 
 Snapshot::Snapshot(const Dynamics& dynamics)
-    : dynamics_{&dynamics}, state_{rest_state(dynamics.model())}, work_{dynamics.workspace()}, rates_{state_} {}
+    : dynamics_{&dynamics},
+      state_{rest_state(dynamics.model())},
+      work_{dynamics.workspace()},
+      depths_(dynamics.contacts().candidates()),
+      rates_{state_} {}
 
 Snapshot::Snapshot(const Dynamics& dynamics, const State& state) : Snapshot{dynamics} { set(state); }
 
@@ -36,8 +40,7 @@ void Snapshot::evaluate_geometry() const {
 }
 
 void Snapshot::evaluate_depths() const {
-  static_cast<void>(geometry());
-  dynamics_->update_depths(state_, work_);
+  dynamics_->contacts().largest_depths(geometry(), depths_);
   done(Stage::depths);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "solver/dynamics/dynamics.hpp"
 
@@ -31,12 +32,12 @@ class Snapshot {
     if (!has(Stage::geometry)) evaluate_geometry();
     return work_;
   }
-  /// The same with the depths of the contacts out of reach, which for some shapes take a search.
-  const Workspace& depths() const {
+  /// Largest overlap of each contact [L]; negative while its bodies are apart, which for some shapes takes a search.
+  const std::vector<double>& depths() const {
     if (!has(Stage::depths)) evaluate_depths();
-    return work_;
+    return depths_;
   }
-  /// The same with the sums of the cables' pulls at their joints (JointPoints::force).
+  /// The geometry with the sums of the cables' pulls at their joints (JointPoints::force).
   const Workspace& pulls() const {
     if (!has(Stage::pulls)) evaluate_pulls();
     return work_;
@@ -95,6 +96,7 @@ class Snapshot {
   mutable unsigned stages_{};
   mutable State state_;
   mutable Workspace work_;
+  mutable std::vector<double> depths_;
   mutable LawForces forces_;
   mutable Energies energies_;
   mutable Momenta momenta_;

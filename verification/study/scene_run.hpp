@@ -66,9 +66,7 @@ class Probe {
     return dynamics_.elongation(seen_.geometry(), static_cast<CableId>(cable));
   }
   /// Overlap of a contact [L].
-  [[nodiscard]] double overlap(std::size_t contact) const {
-    return dynamics_.contact_depth(seen_.depths(), static_cast<ContactId>(contact));
-  }
+  [[nodiscard]] double overlap(std::size_t contact) const { return seen_.depths()[contact]; }
 
  private:
   Dynamics dynamics_;
