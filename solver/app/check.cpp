@@ -88,7 +88,7 @@ void print_step(const Scene& scene, const StepAdvice& advice) {
   fmt::print("  highest frequency of the whole, all contacts closed and all cables taut: {:.6g} {}, xi {:.4g}\n",
              advice.highest_frequency(), per_time, advice.modes.back().damping_ratio);
   fmt::print("  step x highest frequency: {:.4g}\n", step * advice.highest_frequency());
-  if (const auto limit = step_limit(advice, name(scene.integrator))) {
+  if (const auto limit = step_limit(advice.modes, name(scene.integrator))) {
     fmt::print(
         "  linear limit of the method: {:.4g}, a step of {:.6g} {}, by the mode of {:.6g} {} with xi {:.4g}; the step "
         "is "

@@ -41,56 +41,109 @@ double effective_mass(const std::vector<double>& gradient, const std::vector<dou
   return 1.0 / mobility;
 }
 
+/// Makes the springs of a scene from a workspace, with the gaps of those that are asked for.
+class SpringMaker {
+ public:
+  SpringMaker(const Dynamics& dynamics, const Workspace& work) : dynamics_{dynamics}, work_{work} {}
+
+  /// Of law instance i of contact c.
+  Spring contact(std::size_t c, std::size_t i) const {
+    const Gap& gap = work_.gaps[i];
+    const InstancePair pair = dynamics_.contacts().pairs()[i];
+    Spring spring = empty(gap.depth);
+    add_gradient(dynamics_, work_, pair.a, gap.p_WC, gap.n_AB, spring.gradient);
+    add_gradient(dynamics_, work_, pair.b, gap.p_WC, -gap.n_AB, spring.gradient);
+    spring.effective_mass = effective_mass(spring.gradient, dynamics_.inertias());
+    const Tangent slopes = tangent_of(dynamics_.model().contacts[c].law, finite_mass(spring));
+    spring.stiffness = slopes.stiffness, spring.damping = slopes.damping;
+    return spring;
+  }
+  Spring cable(std::size_t c) const {
+    const CableForces& cables = dynamics_.cables();
+    Spring spring = empty(cables.elongation(work_, c));
+    spring.stiffness = cables.tangents()[c].stiffness, spring.damping = cables.tangents()[c].damping;
+    const CableForces::Ends ends = cables.ends()[c];
+    const Joint& a = cables.joints()[ends.a];
+    const Joint& b = cables.joints()[ends.b];
+    const Vec2 pull = work_.paths.pull(c);
+    if (a.on_body) add_gradient(dynamics_, work_, a.body, work_.joints.p_WP(ends.a), -pull, spring.gradient);
+    if (b.on_body) add_gradient(dynamics_, work_, b.body, work_.joints.p_WP(ends.b), pull, spring.gradient);
+    spring.effective_mass = effective_mass(spring.gradient, dynamics_.inertias());
+    return spring;
+  }
+  /// Of the friction of law instance i of contact c, which has friction; `normal`: the spring of the instance.
+  Spring friction(std::size_t c, std::size_t i, const Spring& normal) const {
+    const Contact& contact = dynamics_.model().contacts[c];
+    const Gap& gap = work_.gaps[i];
+    const InstancePair pair = dynamics_.contacts().pairs()[i];
+    const Vec2 across{-gap.n_AB.y, gap.n_AB.x};
+    Spring spring = empty(0.0);
+    spring.stiffness = contact.friction->stiffness;
+    spring.damping = contact.friction->dashpot(retardation_time(contact.law, finite_mass(normal)));
+    add_gradient(dynamics_, work_, pair.b, gap.p_WC, across, spring.gradient);
+    add_gradient(dynamics_, work_, pair.a, gap.p_WC, -across, spring.gradient);
+    spring.effective_mass = effective_mass(spring.gradient, dynamics_.inertias());
+    return spring;
+  }
+
+ private:
+  Spring empty(double extent) const {
+    return {.extent = extent, .gradient = std::vector<double>(dynamics_.inertias().size())};
+  }
+  static double finite_mass(const Spring& spring) {
+    return std::isfinite(spring.effective_mass) ? spring.effective_mass : 0.0;
+  }
+
+  const Dynamics& dynamics_;
+  const Workspace& work_;
+};
+
+/// Whether a law exerts a force in a mode.
+template <class Law>
+bool exerts(const Law& law, Mode mode) {
+  return std::visit([mode]<class L>(const L&) { return L::acts(mode); }, law);
+}
+
+/// The springs that are wanted, in the order of springs(). `wanted` is given a function of a state: whether the spring
+/// acts in it.
+template <class Wanted>
+std::vector<Spring> make_springs(const Dynamics& dynamics, const Workspace& work, const Wanted& wanted) {
+  const Model& model = dynamics.model();
+  const Layout& layout = dynamics.layout();
+  const SpringMaker make{dynamics, work};
+  std::vector<Spring> found;
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    const std::size_t first = layout.contact_slots[c].mode;
+    for (std::size_t i = first; i < first + layout.contact_instances[c]; ++i) {
+      if (wanted([&](const State& state) { return exerts(model.contacts[c].law, state.mode[i]); }))
+        found.push_back(make.contact(c, i));
+    }
+  }
+  for (std::size_t c = 0; c < model.cables.size(); ++c) {
+    if (wanted([&](const State& state) { return exerts(model.cables[c].law, state.mode[layout.cable_slots[c].mode]); }))
+      found.push_back(make.cable(c));
+  }
+  for (std::size_t c = 0; c < model.contacts.size(); ++c) {
+    if (!model.contacts[c].friction) continue;
+    const std::size_t first = layout.contact_slots[c].mode, friction = layout.friction_slots[c].mode;
+    for (std::size_t i = 0; i < layout.contact_instances[c]; ++i) {
+      if (wanted([&](const State& state) { return state.mode[friction + i] == CoulombFriction::sticking; }))
+        found.push_back(make.friction(c, first + i, make.contact(c, first + i)));
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<Spring> springs(const Dynamics& dynamics, const State& state) {
   Workspace work = dynamics.workspace();
   dynamics.update_all(state, work);
-  std::vector<Spring> found;
-  const ContactForces& contacts = dynamics.contacts();
-  for (std::size_t c = 0, i = 0; c < dynamics.model().contacts.size(); ++c) {
-    const std::size_t last = i + dynamics.layout().contact_instances[c];
-    for (; i < last; ++i) {
-      const Gap& gap = work.gaps[i];
-      Spring spring{.extent = gap.depth, .gradient = std::vector<double>(state.q.size())};
-      add_gradient(dynamics, work, contacts.pairs()[i].a, gap.p_WC, gap.n_AB, spring.gradient);
-      add_gradient(dynamics, work, contacts.pairs()[i].b, gap.p_WC, -gap.n_AB, spring.gradient);
-      const double mass = effective_mass(spring.gradient, dynamics.inertias());
-      const Tangent slopes = tangent_of(dynamics.model().contacts[c].law, std::isfinite(mass) ? mass : 0.0);
-      spring.stiffness = slopes.stiffness, spring.damping = slopes.damping;
-      found.push_back(std::move(spring));
-    }
-  }
-  const CableForces& cables = dynamics.cables();
-  for (std::size_t c = 0; c < cables.size(); ++c) {
-    Spring spring{cables.tangents()[c].stiffness, cables.tangents()[c].damping, cables.elongation(work, c), 0.0,
-                  std::vector<double>(state.q.size())};
-    const CableForces::Ends ends = cables.ends()[c];
-    const Joint& a = cables.joints()[ends.a];
-    const Joint& b = cables.joints()[ends.b];
-    const Vec2 pull = work.paths.pull(c);
-    if (a.on_body) add_gradient(dynamics, work, a.body, work.joints.p_WP(ends.a), -pull, spring.gradient);
-    if (b.on_body) add_gradient(dynamics, work, b.body, work.joints.p_WP(ends.b), pull, spring.gradient);
-    found.push_back(std::move(spring));
-  }
-  for (std::size_t c = 0, i = 0; c < dynamics.model().contacts.size(); ++c) {
-    const std::optional<CoulombFriction>& friction = dynamics.model().contacts[c].friction;
-    const std::size_t last = i + dynamics.layout().contact_instances[c];
-    for (; i < last; ++i) {
-      if (!friction) continue;
-      const Vec2 across{-work.gaps[i].n_AB.y, work.gaps[i].n_AB.x};
-      const double normal_mass = effective_mass(found[i].gradient, dynamics.inertias());
-      const double time =
-          retardation_time(dynamics.model().contacts[c].law, std::isfinite(normal_mass) ? normal_mass : 0.0);
-      Spring spring{friction->stiffness, friction->dashpot(time), 0.0, 0.0, std::vector<double>(state.q.size())};
-      add_gradient(dynamics, work, contacts.pairs()[i].b, work.gaps[i].p_WC, across, spring.gradient);
-      add_gradient(dynamics, work, contacts.pairs()[i].a, work.gaps[i].p_WC, -across, spring.gradient);
-      found.push_back(std::move(spring));
-    }
-  }
-  for (Spring& spring : found)
-    spring.effective_mass = effective_mass(spring.gradient, dynamics.inertias());
-  return found;
+  return make_springs(dynamics, work, [](const auto&) { return true; });
+}
+
+std::vector<Spring> acting_springs(const Dynamics& dynamics, const State& state, const Workspace& work) {
+  return make_springs(dynamics, work, [&state](const auto& acts) { return acts(state); });
 }
 
 }  // namespace talus

@@ -18,5 +18,7 @@ struct Spring {
 /// All contact instances of a scene, then all cables, then the friction of contact instances that have it, each as the
 /// spring that it is while it acts, whether or not it does now.
 [[nodiscard]] std::vector<Spring> springs(const Dynamics& dynamics, const State& state);
+/// Those of them that act in the state, of which `work` is the geometry.
+[[nodiscard]] std::vector<Spring> acting_springs(const Dynamics& dynamics, const State& state, const Workspace& work);
 
 }  // namespace talus

@@ -54,40 +54,24 @@ double duration(const SpringLabel& label, const Spring& spring) {
       *label.law);
 }
 
-/// Whether a law exerts a force in a mode.
-template <class Law>
-bool exerts(const Law& law, Mode mode) {
-  return std::visit([mode]<class L>(const L&) { return L::acts(mode); }, law);
-}
-
-/// Whether a spring acts in a state; springs stand in the order of the modes. `contact`: the law of one.
-bool acts(const Dynamics& dynamics, const State& state, std::size_t spring, const ContactLaw* contact) {
-  const Mode mode = state.mode[spring];
-  if (contact) return exerts(*contact, mode);
-  const std::vector<Cable>& cables = dynamics.model().cables;
-  const std::size_t cable = spring - dynamics.contacts().size();
-  return cable < cables.size() ? exerts(cables[cable].law, mode) : mode == CoulombFriction::sticking;
-}
-
 }  // namespace
 
-StepAdvice advise_step(const Dynamics& dynamics, const State& state, Springs which) {
-  StepAdvice advice;
-  advice.shortest_contact = std::numeric_limits<double>::infinity();
-  const std::vector<SpringLabel> labels = spring_labels(dynamics);
-  std::vector<Spring> found = springs(dynamics, state);
-  const auto n = static_cast<Eigen::Index>(state.q.size());
+std::vector<NaturalMode> natural_modes(const Dynamics& dynamics, const std::vector<Spring>& springs) {
+  std::vector<NaturalMode> modes;
+  const auto n = static_cast<Eigen::Index>(dynamics.inertias().size());
+  if (n == 0 || springs.empty()) return modes;
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
   Eigen::MatrixXd damping = Eigen::MatrixXd::Zero(n, n);
-  for (std::size_t s = 0; s < found.size(); ++s) {
-    Spring& spring = found[s];
-    if (which == Springs::acting && !acts(dynamics, state, s, labels[s].law)) continue;
+  Eigen::VectorXd g(n);
+  std::vector<Eigen::Index> touched;
+  for (const Spring& spring : springs) {
     // Scaled by 1/sqrt(inertia), g turns K and C into the symmetric matrices of mass-normalised coordinates.
-    Eigen::VectorXd g(n);
-    std::vector<Eigen::Index> touched;
+    touched.clear();
     for (Eigen::Index i = 0; i < n; ++i) {
-      g[i] = spring.gradient[static_cast<std::size_t>(i)] / std::sqrt(dynamics.inertias()[static_cast<std::size_t>(i)]);
-      if (g[i] != 0.0) touched.push_back(i);
+      const auto coordinate = static_cast<std::size_t>(i);
+      if (spring.gradient[coordinate] == 0.0) continue;
+      g[i] = spring.gradient[coordinate] / std::sqrt(dynamics.inertias()[coordinate]);
+      touched.push_back(i);
     }
     for (const Eigen::Index i : touched) {
       for (const Eigen::Index j : touched) {
@@ -95,6 +79,26 @@ StepAdvice advise_step(const Dynamics& dynamics, const State& state, Springs whi
         damping(i, j) += spring.damping * g[i] * g[j];
       }
     }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved{stiffness};
+  const double negligible = 1e-12 * std::max(0.0, solved.eigenvalues()[n - 1]);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (solved.eigenvalues()[i] <= negligible) continue;  // a motion that stretches nothing
+    const Eigen::VectorXd shape = solved.eigenvectors().col(i);
+    const double frequency = std::sqrt(solved.eigenvalues()[i]);
+    modes.push_back({frequency, shape.dot(damping * shape) / (2.0 * frequency)});
+  }
+  return modes;
+}
+
+StepAdvice advise_step(const Dynamics& dynamics, const State& state) {
+  StepAdvice advice;
+  advice.shortest_contact = std::numeric_limits<double>::infinity();
+  const std::vector<SpringLabel> labels = spring_labels(dynamics);
+  std::vector<Spring> found = springs(dynamics, state);
+  advice.modes = natural_modes(dynamics, found);
+  for (std::size_t s = 0; s < found.size(); ++s) {
+    Spring& spring = found[s];
     const bool contact = labels[s].law != nullptr;
     const double frequency = std::sqrt(spring.stiffness / spring.effective_mass);
     const double ratio = spring.damping / (2.0 * std::sqrt(spring.stiffness * spring.effective_mass));
@@ -102,23 +106,14 @@ StepAdvice advise_step(const Dynamics& dynamics, const State& state, Springs whi
     if (contact) advice.shortest_contact = std::min(advice.shortest_contact, time);
     advice.springs.push_back({labels[s].name, contact, std::move(spring), frequency, ratio, time});
   }
-  if (n == 0 || advice.springs.empty()) return advice;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved{stiffness};
-  const double negligible = 1e-12 * std::max(0.0, solved.eigenvalues()[n - 1]);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (solved.eigenvalues()[i] <= negligible) continue;  // a motion that stretches nothing
-    const Eigen::VectorXd shape = solved.eigenvectors().col(i);
-    const double frequency = std::sqrt(solved.eigenvalues()[i]);
-    advice.modes.push_back({frequency, shape.dot(damping * shape) / (2.0 * frequency)});
-  }
   return advice;
 }
 
-std::optional<StepLimit> step_limit(const StepAdvice& advice, std::string_view integrator) {
+std::optional<StepLimit> step_limit(const std::vector<NaturalMode>& modes, std::string_view integrator) {
   std::optional<StepLimit> first;
   const auto limit = integrator_traits(integrator).linear_limit;
   if (!limit) return first;
-  for (const NaturalMode& mode : advice.modes) {
+  for (const NaturalMode& mode : modes) {
     const double product = limit(mode.damping_ratio), step = product / mode.frequency;
     if (!first || step < first->step) first = StepLimit{mode, product, step};
   }
@@ -127,7 +122,7 @@ std::optional<StepLimit> step_limit(const StepAdvice& advice, std::string_view i
 
 std::optional<StepVerdict> step_verdict(const Scene& scene, const StepAdvice& advice) {
   if (chooses_steps(scene.integrator)) return std::nullopt;
-  const auto limit = step_limit(advice, name(scene.integrator));
+  const auto limit = step_limit(advice.modes, name(scene.integrator));
   if (!limit) return std::nullopt;
   const double product = scene.plan.step * limit->mode.frequency;
   const bool is_beyond = product > limit->product;
@@ -143,7 +138,7 @@ double automatic_step(const Scene& scene) {
   const Dynamics dynamics{scene.model};
   const StepAdvice advice = advise_step(dynamics, scene.initial);
   double step = advice.shortest_contact / 200.0;
-  if (const auto limit = step_limit(advice, name(scene.integrator))) step = std::min(step, limit->step / 20.0);
+  if (const auto limit = step_limit(advice.modes, name(scene.integrator))) step = std::min(step, limit->step / 20.0);
   if (step == 0.0) {
     throw InputError{
         fmt::format("step: found \"auto\"; {} grows at any step, since this scene vibrates without a dashpot; choose "

@@ -27,13 +27,10 @@ struct NaturalMode {
   double damping_ratio{};  ///< of this mode alone
 };
 
-/// Which springs of a scene count.
-enum class Springs {
-  all,     ///< every contact closed and every cable taut
-  acting,  ///< those that act in the state
-};
+/// Natural modes of these springs that have a frequency > 0, slowest first.
+[[nodiscard]] std::vector<NaturalMode> natural_modes(const Dynamics& dynamics, const std::vector<Spring>& springs);
 
-/// What the stiffness of a scene implies for its step in a state.
+/// What the stiffness of a scene implies for its step in a state, with every contact closed and every cable taut.
 struct StepAdvice {
   std::vector<SpringAdvice> springs;
   std::vector<NaturalMode> modes;  ///< those with a frequency > 0, slowest first
@@ -41,7 +38,7 @@ struct StepAdvice {
 
   double highest_frequency() const { return modes.empty() ? 0.0 : modes.back().frequency; }
 };
-[[nodiscard]] StepAdvice advise_step(const Dynamics& dynamics, const State& state, Springs which = Springs::all);
+[[nodiscard]] StepAdvice advise_step(const Dynamics& dynamics, const State& state);
 
 /// The mode whose limit comes first for a method, and the longest stable step [T]: not always the fastest mode, for
 /// damping shortens the step too. Empty where the method's limit is not known, or nothing vibrates.
@@ -50,7 +47,7 @@ struct StepLimit {
   double product{};  ///< h omega of that mode at the limit
   double step{};     ///< [T]
 };
-[[nodiscard]] std::optional<StepLimit> step_limit(const StepAdvice& advice, std::string_view integrator);
+[[nodiscard]] std::optional<StepLimit> step_limit(const std::vector<NaturalMode>& modes, std::string_view integrator);
 
 /// The step of a scene against the linear limit of its method.
 struct StepVerdict {

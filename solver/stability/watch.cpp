@@ -90,7 +90,7 @@ void Watch::look(const Snapshot& snapshot, long step, const std::optional<Balanc
   if (fixed_step_ && rules.instability != Breach::off && seen.q.size() <= most_watched_coordinates &&
       (turn || (changed && step - looked_ >= apart_))) {
     looked_ = step;
-    look_at_frequency(seen);
+    look_at_frequency(snapshot);
   }
   if (changed && fixed_step_ && rules.accuracy != Breach::off) look_at_contacts(seen);
   if (step == 0 || changed) follow_contacts(seen);
@@ -104,11 +104,7 @@ void Watch::look(const Snapshot& snapshot, long step, const std::optional<Balanc
 }
 
 /// Whether some contact acts.
-bool Watch::touches(const State& seen) const {
-  const auto first = seen.mode.begin();
-  return std::any_of(first, first + static_cast<std::ptrdiff_t>(dynamics_->contacts().size()),
-                     [](Mode mode) { return mode != 0; });
-}
+bool Watch::touches(const State& seen) const { return any_set(seen.mode.data(), dynamics_->contacts().size()); }
 
 /// Before modes_ are those of the state.
 void Watch::follow_contacts(const State& seen) {
@@ -131,8 +127,10 @@ std::optional<Watch::LastContact> Watch::last_contact() const {
   return last_;
 }
 
-void Watch::look_at_frequency(const State& seen) {
-  const auto limit = step_limit(advise_step(*dynamics_, seen, Springs::acting), name(scene_->integrator));
+void Watch::look_at_frequency(const Snapshot& snapshot) {
+  const State& seen = snapshot.state();
+  const std::vector<Spring> acting = acting_springs(*dynamics_, seen, snapshot.geometry());
+  const auto limit = step_limit(natural_modes(*dynamics_, acting), name(scene_->integrator));
   if (!limit) return;
   const double step = scene_->plan.step;
   take(Watched::frequency, step / limit->step, 1.0, scene_->plan.watch.instability, seen, {}, [&] {

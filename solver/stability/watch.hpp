@@ -83,7 +83,7 @@ class Watch {
  private:
   bool touches(const State& seen) const;
   void follow_contacts(const State& seen);
-  void look_at_frequency(const State& seen);
+  void look_at_frequency(const Snapshot& snapshot);
   void look_at_pairs(const Snapshot& snapshot);
   void look_at_unseen(const Snapshot& snapshot);
   /// Takes an overlap as a share of the size, with both its limits.

@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(an_impact_of_any_law_is_followed_to_its_end) {
 BOOST_AUTO_TEST_CASE(a_slow_mode_with_a_strong_dashpot_may_rule_the_step) {
   StepAdvice advice;
   advice.modes = {{100.0, 50.0}, {1000.0, 0.0}};
-  const auto limit = step_limit(advice, "velocity_verlet");
+  const auto limit = step_limit(advice.modes, "velocity_verlet");
   BOOST_REQUIRE(limit.has_value());
   BOOST_TEST(limit->mode.frequency == 100.0);
   BOOST_TEST(limit->step == 2.0 * (std::sqrt(2501.0) - 50.0) / 100.0, boost::test_tools::tolerance(1e-12));
