@@ -46,7 +46,8 @@ void Snapshot::evaluate_depths() const {
 
 void Snapshot::evaluate_pulls() const {
   static_cast<void>(geometry());
-  dynamics_->cables().load(state_, work_, nullptr);
+  // Rows of cables on straight lines have them already.
+  if (!work_.waking.quiet) dynamics_->cables().load(state_, work_, nullptr);
   done(Stage::pulls);
 }
 
