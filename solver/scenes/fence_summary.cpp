@@ -147,11 +147,21 @@ void FenceWatch::list_places() {
   const Pose pose{ground.p_WB, rotation(ground.angle), {}, 0.0};
   ground_ = {pose.p_WB, pose.R_WB * Vec2{0.0, 1.0}, plane ? nullptr : &ground, pose};
   of_layer_.resize(static_cast<std::size_t>(fence_->layers));
-  for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
-    of_layer_[static_cast<std::size_t>(summary_.columns[i].layer - 1)].push_back(i);
-    rest_x_.push_back(model.bodies[index(summary_.columns[i].body)].p_WB.x);
-  }
   const CableForces& cables = dynamics_->cables();
+  const auto joint_at = [&](BodyId body, Vec2 p) {
+    const std::vector<Joint>& joints = cables.joints();
+    const auto found = std::ranges::find_if(
+        joints, [&](const Joint& joint) { return joint.on_body && joint.body == body && joint.p == p; });
+    cabled_ = cabled_ && found != joints.end();
+    return ColumnJoint{index(body), p, static_cast<std::size_t>(found - joints.begin())};
+  };
+  for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
+    const BodyId body = summary_.columns[i].body;
+    LayerJoints& layer = of_layer_[static_cast<std::size_t>(summary_.columns[i].layer - 1)];
+    layer.top.push_back(joint_at(body, joints_[i][0]));
+    layer.bottom.push_back(joint_at(body, joints_[i][1]));
+    rest_x_.push_back(model.bodies[index(body)].p_WB.x);
+  }
   for (const AnchorRecord& anchor : summary_.anchors) {
     std::vector<AnchoredCable>& listed = anchored_.emplace_back();
     for (std::size_t c = 0; c < cables.size(); ++c) {
@@ -218,15 +228,14 @@ void FenceWatch::list_parts() {
       const auto& columns = summary_.columns;
       const auto listed = std::ranges::find(columns, column, &ColumnRecord::body);
       crossings.push_back({.column = static_cast<std::size_t>(listed - columns.begin())});
-      for (std::size_t i = 0; i < dynamics_->layout().contact_instances[c]; ++i)
-        modes.push_back(dynamics_->layout().contact_slots[c].mode + i);
+      modes.push_back({dynamics_->layout().contact_slots[c].mode, dynamics_->layout().contact_instances[c]});
     }
   }
 }
 
 bool FenceWatch::touches(std::size_t rock, const State& state) const {
   return std::any_of(touching_[rock].begin(), touching_[rock].end(),
-                     [&](std::size_t mode) { return state.mode[mode] != 0; });
+                     [&](Modes modes) { return any_set(&state.mode[modes.first], modes.count); });
 }
 
 double FenceWatch::kinetic(std::size_t rock, const State& state) const {
@@ -285,7 +294,7 @@ void FenceWatch::watch_passing(std::size_t i, const State& state) {
   RockPassage& rock = summary_.rocks[i];
   const Pose now = now_->poses[index(rocks_[i])];
   rock.end_velocity = now.v_WB, rock.end_energy = kinetic(i, state);
-  rock.highest = std::max(rock.highest, height(now.p_WB));
+  rock.highest = std::max(rock.highest, ground_.height(now.p_WB));
   rock.distance = std::abs(now.p_WB.x - fence_->column.position.x);
   const double direction = directions_[i];
   bool all = !crossings_[i].empty();
@@ -335,7 +344,7 @@ void FenceWatch::watch_rocks(const State& state) {
     rock.left = !touching;
     if (!touching && !leaves) continue;
     rock.exit_time = state.t;
-    rock.exit_velocity = now.v_WB, rock.exit_spin = now.w_WB, rock.exit_energy = kinetic(i, state);
+    rock.exit_velocity = now.v_WB, rock.exit_spin = now.w_WB, rock.exit_energy = rock.end_energy;
     rock.travel = std::max(rock.travel, way * (now.p_WB.x - touch_x_[i]));
     if (rock.turned) continue;
     rock.turned = way * now.v_WB.x <= 0.0;
@@ -344,16 +353,17 @@ void FenceWatch::watch_rocks(const State& state) {
 }
 
 void FenceWatch::watch_columns(const State& state) {
-  const double h = state.t - time_;
+  const double h = state.t - time_, before = summary_.travel;
+  const std::vector<char>& broken = now_->rigging.broken;
   for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
     ColumnRecord& column = summary_.columns[i];
-    const bool broken = !now_->rigging.broken.empty() && now_->rigging.broken[hangers_[i]];
-    const Vec2 pull = broken ? Vec2{} : now_->joints.force(hangers_[i]);
+    const Vec2 pull = !broken.empty() && broken[hangers_[i]] ? Vec2{} : now_->joints.force(hangers_[i]);
     add(column.hanger, {pull.x, pull.y, 0.0}, last_hanger_[i], state.t, h);
     const double travel = std::abs(now_->poses.x[index(column.body)] - rest_x_[i]);
     if (travel > column.travel) column.travel = travel, column.travel_time = state.t;
-    if (travel > summary_.travel) summary_.travel = travel, summary_.at_travel = state;
+    summary_.travel = std::max(summary_.travel, travel);
   }
+  if (summary_.travel > before) summary_.at_travel = state;
 }
 
 void FenceWatch::watch_cables(const State& state) {
@@ -384,12 +394,23 @@ void FenceWatch::watch_anchors(const State& state) {
 
 void FenceWatch::watch_heights(const State& state) {
   const bool first = state.t == summary_.start.t;
+  const JointPoints& joints = now_->joints;
+  // The cable at a broken hanger has left the column's joint.
+  const bool by_cables = cabled_ && !ground_.body && now_->rigging.loose.empty();
+  const Vec2 p_W = ground_.p_W, up_W = ground_.up_W;
   for (std::size_t layer = 0; layer < summary_.layers.size(); ++layer) {
+    const LayerJoints& of_columns = of_layer_[layer];
     double top = std::numeric_limits<double>::infinity(), bottom = -top;
-    for (const std::size_t i : of_layer_[layer]) {
-      const Pose column = now_->poses[index(summary_.columns[i].body)];
-      top = std::min(top, height(world_point(column, joints_[i][0])));
-      bottom = std::max(bottom, height(world_point(column, joints_[i][1])));
+    if (by_cables) {
+      for (const ColumnJoint& at : of_columns.top)
+        top = std::min(top, dot(joints.p_WP(at.joint) - p_W, up_W));
+      for (const ColumnJoint& at : of_columns.bottom)
+        bottom = std::max(bottom, dot(joints.p_WP(at.joint) - p_W, up_W));
+    } else {
+      for (const ColumnJoint& at : of_columns.top)
+        top = std::min(top, ground_.height(world_point(now_->poses[at.body], at.p)));
+      for (const ColumnJoint& at : of_columns.bottom)
+        bottom = std::max(bottom, ground_.height(world_point(now_->poses[at.body], at.p)));
     }
     LayerRecord& record = summary_.layers[layer];
     if (first) record.top.start = top, record.bottom.start = bottom;

@@ -155,7 +155,6 @@ class FenceWatch {
   std::vector<double> row(const State& state) const;
   bool touches(std::size_t rock, const State& state) const;
   double kinetic(std::size_t rock, const State& state) const;
-  double height(Vec2 p) const { return ground_.height(p); }
 
   const Fence* fence_;
   const FenceScene* made_;
@@ -163,9 +162,14 @@ class FenceWatch {
   const Workspace* now_{};  ///< of the state that is looked at
   const LawForces* forces_now_{};
   std::vector<BodyId> rocks_;
-  std::vector<std::array<Vec2, 2>> joints_;         ///< top and bottom joint of each column, in its axes [L]
-  std::vector<std::size_t> hangers_;                ///< joint of each column's hanger
-  std::vector<std::vector<std::size_t>> touching_;  ///< modes of each rock's contacts with columns
+  std::vector<std::array<Vec2, 2>> joints_;  ///< top and bottom joint of each column, in its axes [L]
+  std::vector<std::size_t> hangers_;         ///< joint of each column's hanger
+  /// Modes of a contact.
+  struct Modes {
+    std::size_t first{};
+    std::size_t count{};
+  };
+  std::vector<std::vector<Modes>> touching_;  ///< of each rock's contacts with columns
   FenceSummary summary_;
   History history_;
   double time_{};  ///< of the step before
@@ -197,8 +201,18 @@ class FenceWatch {
     double along{};  ///< from end A to end B, along the fence [L]
   };
   std::vector<std::vector<AnchoredCable>> anchored_;  ///< of each anchor
-  std::vector<std::vector<std::size_t>> of_layer_;    ///< columns of each layer
-  std::vector<double> rest_x_;                        ///< of each column's centre [L]
+  /// A point of a column at which cables may end.
+  struct ColumnJoint {
+    std::size_t body{};
+    Vec2 p;               ///< in the column's axes [L]
+    std::size_t joint{};  ///< of the cables, while it is on the column
+  };
+  struct LayerJoints {
+    std::vector<ColumnJoint> top, bottom;  ///< of the layer's columns
+  };
+  std::vector<LayerJoints> of_layer_;
+  bool cabled_{true};           ///< cables end at all of them
+  std::vector<double> rest_x_;  ///< of each column's centre [L]
   std::vector<Vec3> last_hanger_, last_anchor_;
   std::vector<double> last_tension_;
 };
