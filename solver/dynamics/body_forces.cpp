@@ -228,30 +228,32 @@ void BodyForces::weigh(const Compiled& body, std::size_t angle) {
 
 Energies BodyForces::energies(const State& state, const Workspace& work) const {
   const Poses& poses = work.poses;
-  Energies sum;
+  // Sums in registers: members of the result would be written and read again for each body.
+  double kinetic = 0.0, gravity = 0.0, applied = 0.0;
   for (const Weighed& body : weighed_) {
     const std::size_t i = body.body;
     const Vec2 p{poses.x[i], poses.y[i]}, v{poses.vx[i], poses.vy[i]};
     const double w = poses.w[i];
     const double turned = body.angle == none ? 0.0 : state.q[body.angle] - body.orientation;
-    sum.kinetic += body.kinetic * dot(v, v);
-    if (body.inertia > 0.0) sum.kinetic += body.turning * w * w;
-    sum.gravity -= body.weight * dot(gravity_, p);
-    sum.applied -= body.copies * (dot(body.force, p - body.p_WB) + body.moment * turned);
+    kinetic += body.kinetic * dot(v, v);
+    if (body.inertia > 0.0) kinetic += body.turning * w * w;
+    gravity -= body.weight * dot(gravity_, p);
+    applied -= body.copies * (dot(body.force, p - body.p_WB) + body.moment * turned);
   }
-  return sum;
+  return {.kinetic = kinetic, .gravity = gravity, .applied = applied};
 }
 
 Momenta BodyForces::momenta(const Workspace& work) const {
   const Poses& poses = work.poses;
-  Momenta sum;
+  Vec2 linear;
+  double angular = 0.0;
   for (const Weighed& body : weighed_) {
     const std::size_t i = body.body;
     const Vec2 p{poses.x[i], poses.y[i]}, v{poses.vx[i], poses.vy[i]};
-    sum.linear += body.weight * v;
-    sum.angular += body.copies * (body.mass * cross(p, v) + body.inertia * poses.w[i]);
+    linear += body.weight * v;
+    angular += body.copies * (body.mass * cross(p, v) + body.inertia * poses.w[i]);
   }
-  return sum;
+  return {linear, angular};
 }
 
 }  // namespace talus

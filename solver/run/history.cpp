@@ -108,7 +108,8 @@ void Recorder::remember(Memory& memory) {
 
 void Recorder::fill_row(const Snapshot& snapshot) {
   const State& state = snapshot.state();
-  const Poses& poses = snapshot.geometry().poses;
+  const Workspace& geometry = snapshot.geometry();
+  const Poses& poses = geometry.poses;
   const LawForces& forces = snapshot.forces();
   const std::vector<double>& depths = snapshot.depths();
   double* next = row_.data();
@@ -123,7 +124,7 @@ void Recorder::fill_row(const Snapshot& snapshot) {
     *next++ = depths[i], *next++ = forces.contacts[i];
   const CableForces& cables = dynamics_->cables();
   for (std::size_t i = 0; i < forces.tensions.size(); ++i)
-    *next++ = cables.elongation(snapshot.geometry(), i), *next++ = forces.tensions[i];
+    *next++ = cables.elongation(geometry, i), *next++ = forces.tensions[i];
   const auto add = [&next](std::initializer_list<double> numbers) {
     next = std::copy(numbers.begin(), numbers.end(), next);
   };
