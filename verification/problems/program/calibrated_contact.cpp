@@ -31,11 +31,11 @@ std::vector<Geometry> geometries(const Setup& setup) {
   const double turning = setup.has("arm_forgotten") ? 0.0 : arm * arm / inertia;
   const std::string one = fmt::format("{} kg", striker_mass), other = fmt::format("{} kg", struck_mass);
   const std::string about = fmt::format("{} kg m^2", inertia), beside = fmt::format("{} m", arm);
-  return {{{"--masses", one}, striker_mass},
-          {{"--masses", one, other}, 1.0 / (1.0 / striker_mass + 1.0 / struck_mass)},
-          {{"--masses", one, other, "--offset", about, beside},
-           1.0 / (1.0 / striker_mass + 1.0 / struck_mass + turning)},
-          {{"--masses", one, other, "--pivot", about, beside}, 1.0 / (1.0 / striker_mass + turning)}};
+  return {
+      {{"--masses", one}, striker_mass},
+      {{"--masses", one, other}, 1.0 / (1.0 / striker_mass + 1.0 / struck_mass)},
+      {{"--masses", one, other, "--offset", about, beside}, 1.0 / (1.0 / striker_mass + 1.0 / struck_mass + turning)},
+      {{"--masses", one, other, "--pivot", about, beside}, 1.0 / (1.0 / striker_mass + turning)}};
 }
 
 std::string name(EndRule rule) { return rule == EndRule::clamped ? "clamped" : "attractive"; }
@@ -75,8 +75,8 @@ void check_numbers(const TemporaryFolder& folder, Findings& findings, const Setu
       }
     }
   }
-  const Tolerance round_off =
-      Tolerance::round_off(2e-14, "closed forms of some ten operations and one root on both sides, printed in 17 digits");
+  const Tolerance round_off = Tolerance::round_off(
+      2e-14, "closed forms of some ten operations and one root on both sides, printed in 17 digits");
   findings.expect("effective mass, over the exact one: largest deviation from 1", mass, 0.0, round_off);
   findings.expect("damping, over the exact one: largest deviation from 1", damping, 0.0, round_off);
   findings.expect("contact time, over the exact one: largest deviation from 1", time, 0.0, round_off);
@@ -116,16 +116,25 @@ watch = "off"
 )",
                                           striker_mass, -gap, struck_mass, law, step, 1.2 * time + 6.0 * step));
   const Json state = Json::parse(talus_output(folder, {"run", "impact.toml", "--json"}));
-  const auto velocity = [&](std::size_t body) { return state.at("bodies").at(body).at("velocity").at(0).get<double>(); };
+  const auto velocity = [&](std::size_t body) {
+    return state.at("bodies").at(body).at("velocity").at(0).get<double>();
+  };
   return velocity(1) - velocity(0);
 }
 
 /// The lines that the program prints for a scene, but with a stiffness times `factor` and the same damping ratio: the
 /// contact time varies, and with it the phase at which the discs part.
 std::string printed_law(const TemporaryFolder& folder, double restitution, EndRule rule, double factor) {
-  std::vector<std::string> arguments{"calibrate", "--restitution", fmt::format("{}", restitution), "--stiffness",
-                                     fmt::format("{} N/m", factor * stiffness), "--end-rule", name(rule), "--masses",
-                                     fmt::format("{} kg", striker_mass), fmt::format("{} kg", struck_mass)};
+  std::vector<std::string> arguments{"calibrate",
+                                     "--restitution",
+                                     fmt::format("{}", restitution),
+                                     "--stiffness",
+                                     fmt::format("{} N/m", factor * stiffness),
+                                     "--end-rule",
+                                     name(rule),
+                                     "--masses",
+                                     fmt::format("{} kg", striker_mass),
+                                     fmt::format("{} kg", struck_mass)};
   const std::string text = talus_output(folder, arguments);
   const std::size_t from = text.find("  stiffness = "), to = text.find("for every impact", from);
   return text.substr(from, to - from);
@@ -152,7 +161,8 @@ void check_step(const TemporaryFolder& folder, Findings& findings, const Setup& 
     const double said = printed.at("restitution_error").get<double>();
     claimed = std::max(claimed, said), keep_worst(largest, worst);
     keep_worst(above_claim, std::max(0.0, std::abs(worst) / said - 1.0));
-    rows.push_back({name(rule), fmt::format("{:.6g}", step), fmt::format("{:.3g}", said), fmt::format("{:.3g}", worst)});
+    rows.push_back(
+        {name(rule), fmt::format("{:.6g}", step), fmt::format("{:.3g}", said), fmt::format("{:.3g}", worst)});
   }
   findings.expect("restitution with the advised step: largest error over phases", largest, 0.0,
                   Tolerance::truncation(bound, 1.0, "the error that was asked for"));
@@ -183,8 +193,9 @@ Case definition() {
           .requirements = {{"G3", {"calibration"}}},
           .main_checks = {"damping, over the exact one: largest deviation from 1",
                           "restitution with the advised step: largest error over phases"},
-          .source = "Mustoe & Huttelmaier 1993, Eq. 21, and its counterpart for contacts that do not pull (Schwager & "
-                    "Poeschel 2007)",
+          .source =
+              "Mustoe & Huttelmaier 1993, Eq. 21, and its counterpart for contacts that do not pull (Schwager & "
+              "Poeschel 2007)",
           .faults = {{"pulling_formula", "the formula for contacts that pull, Eq. 21, for clamped ones too",
                       "damping, over the exact one: largest deviation from 1"},
                      {"arm_forgotten", "the struck body does not turn",

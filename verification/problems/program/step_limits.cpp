@@ -165,7 +165,7 @@ double limit(const Method& method, const std::vector<Mode>& modes) {
   double least = std::numeric_limits<double>::infinity();
   // Euler's limits are near zero, and the first unstable band of blanes_moan4 is narrow.
   for (const Mode& mode : modes) {
-    const std::vector<double> found = reference::limits(method.scheme, mode.damping_ratio, 8.0, 8000);
+    const std::vector<double> found = reference::limits(method.scheme, mode.damping_ratio, 8.0, 2000);
     if (found.empty())
       throw std::logic_error(fmt::format("{} has no limit at xi = {}", method.name, mode.damping_ratio));
     least = std::min(least, found.front() / mode.frequency);

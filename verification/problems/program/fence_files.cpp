@@ -1,0 +1,226 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/json_node.hpp"
+#include "verification/record/whole_file.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/program_run.hpp"
+
+namespace talus::verification::problems::fence_files {
+namespace {
+
+using records::Csv;
+using records::Json;
+using records::Node;
+using Vector = std::array<double, 3>;
+
+// International foot and avoirdupois pound, exact by definition (1959), and standard gravity.
+constexpr double metre = 0.3048, newton = 0.45359237 * 9.80665, kilogram = newton / metre, joule = newton * metre;
+
+/// The deck of Table 2 with its spin in revolutions a minute.
+std::string scene_text(const Setup& setup) {
+  std::string text = records::read_whole(TALUS_CASES "/fence/table_2.toml");
+  const auto replace = [&text](const std::string& old, const std::string& with) {
+    const std::size_t at = text.find(old);
+    if (at == std::string::npos) throw std::runtime_error("table_2.toml: '" + old + "' is expected in it");
+    text.replace(at, old.size(), with);
+  };
+  replace("spin = \"34 rad/s\"", fmt::format("spin = \"{} rpm\"", 34.0 * 30.0 / std::numbers::pi));
+  if (setup.has("slower_rock")) replace("-65 ft/s", "-64.99 ft/s");
+  return text;
+}
+
+std::vector<double> column(const Csv& table, const std::string& name) {
+  const auto& header = table.header();
+  const auto found = std::ranges::find_if(header, [&](const std::string& cell) { return cell.starts_with(name + " ["); });
+  const std::size_t i = table.column(found == header.end() ? name : *found);
+  std::vector<double> values(table.rows());
+  for (std::size_t row = 0; row < values.size(); ++row)
+    values[row] = table.number(row, i);
+  return values;
+}
+
+/// Largest relative difference of two lists.
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0.0, scale = 0.0;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    scale = std::max(scale, std::abs(b[i])), keep_worst(largest, a.at(i) - b[i]);
+  return largest / scale;
+}
+
+double size(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
+
+/// The force on an anchor at each state of the geometry: tensions of the cables that end there, towards their other
+/// ends [N].
+struct AnchorForces {
+  std::vector<double> times;
+  std::vector<Vector> forces;
+};
+AnchorForces anchor_forces(const TemporaryFolder& folder, const Vector& anchor, const Setup& setup) {
+  const double sign = setup.has("cable_pushes") ? -1.0 : 1.0;
+  const auto numbers = [](const std::string& text, const std::string& name) {
+    const std::size_t from = text.find('>', text.find(fmt::format("Name=\"{}\"", name))) + 1;
+    std::istringstream list{text.substr(from, text.find('<', from) - from)};
+    return std::vector<double>{std::istream_iterator<double>{list}, {}};
+  };
+  AnchorForces found;
+  const std::string index = folder.read("out/fence.pvd");
+  for (std::size_t at = index.find("<DataSet"); at != std::string::npos; at = index.find("<DataSet", at + 1)) {
+    const auto attribute = [&](const std::string& key) {
+      const std::size_t from = index.find(key + "=\"", at) + key.size() + 2;
+      return index.substr(from, index.find('"', from) - from);
+    };
+    const std::string text = folder.read("out/" + attribute("file"));
+    const std::vector<double> points = numbers(text, "Points"), offsets = numbers(text, "offsets"),
+                              cables = numbers(text, "cable"), tensions = numbers(text, "tension");
+    Vector force{};
+    for (std::size_t line = 1; line < cables.size(); ++line) {
+      if (cables[line] < 0.0) continue;
+      const auto point = [&](double i) {
+        const auto first = 3 * static_cast<std::size_t>(i);
+        return Vector{metre * points.at(first), metre * points.at(first + 1), metre * points.at(first + 2)};
+      };
+      const Vector begin = point(offsets[line - 1]), end = point(offsets[line] - 1.0);
+      for (const auto& [here, there] : {std::pair{begin, end}, std::pair{end, begin}}) {
+        const auto off = [](const Vector& a, const Vector& b) { return Vector{b[0] - a[0], b[1] - a[1], b[2] - a[2]}; };
+        if (size(off(here, anchor)) > 1e-9) continue;
+        const Vector along = off(here, there);
+        for (std::size_t i = 0; i < 3; ++i)
+          force[i] += sign * newton * tensions[line] * along[i] / size(along);
+      }
+    }
+    found.times.push_back(std::stod(attribute("timestep")));
+    found.forces.push_back(force);
+  }
+  return found;
+}
+
+void check_rock(const Node& sheet, const Csv& history, const Csv& codes, Findings& findings) {
+  const Node rock = sheet.at("rocks").list().at(0);
+  const double mass = rock.at("mass").number() / kilogram;
+  const auto vx = column(codes, "element2.vx"), vy = column(codes, "element2.vy"), spin = column(codes, "element2.omega");
+  const auto along = column(codes, "element2.kinetic_translation"), about = column(codes, "element2.kinetic_rotation");
+  std::vector<double> translation, inertia, constant;
+  for (std::size_t i = 0; i < vx.size(); ++i) {
+    translation.push_back(0.5 * mass * (vx[i] * vx[i] + vy[i] * vy[i]));
+    inertia.push_back(2.0 * about[i] / (spin[i] * spin[i])), constant.push_back(inertia.front());
+  }
+  const Tolerance round_off = Tolerance::round_off(1e-13, "some ten roundings, in 17 digits");
+  findings.expect("history of the deck: energy of translation, largest error", largest_difference(along, translation),
+                  0.0, round_off);
+  findings.expect("history of the deck: moment of inertia from the energy of rotation, largest change",
+                  largest_difference(inertia, constant), 0.0, round_off);
+  findings.expect("history of the deck: energies of the rock at the start, over the ledger's",
+                  (along.front() + about.front()) / column(history, "energy.kinetic").front(), 1.0,
+                  Tolerance::round_off(1e-7, "only the rock moves; half a step's kick moves the column that it touches"));
+  findings.expect("sheet: velocity of the rock at the end",
+                  rock.at("end_velocity").list().at(0).number() / (metre * column(history, "rock.vx").back()), 1.0,
+                  round_off);
+  findings.expect("sheet: energy of the rock at the end",
+                  rock.at("end_energy").number() / (joule * (along.back() + about.back())), 1.0, round_off);
+  findings.expect("sheet: velocity of approach", rock.at("approach_velocity").list().at(0).number(), -65.0 * metre,
+                  round_off, "m/s");
+  findings.expect("sheet: spin of approach, given in revolutions a minute", rock.at("approach_spin").number(), 34.0,
+                  round_off, "rad/s");
+  findings.expect("sheet: energy of approach",
+                  rock.at("approach_energy").number() /
+                      (0.5 * joule * (mass * 65.0 * 65.0 + inertia.front() * 34.0 * 34.0)),
+                  1.0, round_off);
+}
+
+void check_fence(const Node& sheet, const Csv& history, Findings& findings) {
+  const std::vector<double> x = column(history, "column1.x"), tension = column(history, "top1.tension");
+  double travel = 0.0;
+  for (const double at : x)
+    travel = std::max(travel, metre * std::abs(at - x.front()));
+  findings.expect_between("sheet: travel of the central column, over the largest of the history's rows",
+                          sheet.at("columns").list().at(0).at("travel").number() / travel, 1.0 - 1e-13, 1.0 + 1e-13,
+                          "the column is farthest at the end, which has a row");
+  findings.expect_between("sheet: largest tension of the first segment, over that of the history's rows",
+                          sheet.at("segments").list().at(0).at("peak").number() /
+                              (newton * *std::ranges::max_element(tension)),
+                          1.0 - 1e-13, 1.011,
+                          "ten rows are in the shortest contact: the peak of half a sine is missed by (pi/20)^2/2");
+}
+
+void check_anchor(const TemporaryFolder& folder, const Node& sheet, Findings& findings, const Setup& setup) {
+  const Node anchor = sheet.at("anchors").list().at(0);
+  const auto vector = [](const Node& node) {
+    const std::vector<Node> list = node.list();
+    return Vector{list.at(0).number(), list.at(1).number(), list.at(2).number()};
+  };
+  const AnchorForces found = anchor_forces(folder, vector(anchor.at("place")), setup);
+  // Trapezoids over all states, and over every other.
+  const auto impulse = [&](std::size_t every) {
+    Vector sum{};
+    for (std::size_t n = every; n < found.times.size(); n += every) {
+      for (std::size_t i = 0; i < 3; ++i)
+        sum[i] += 0.5 * (found.times[n] - found.times[n - every]) * (found.forces[n][i] + found.forces[n - every][i]);
+    }
+    return sum;
+  };
+  const Vector recorded = vector(anchor.at("force").at("impulse")), fine = impulse(1), coarse = impulse(2);
+  double worst = 0.0, allowed = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    keep_worst(worst, fine[i] / recorded[i] - 1.0), keep_worst(allowed, (coarse[i] - fine[i]) / recorded[i]);
+  findings.expect("sheet: impulse of the anchor from the states of the geometry, largest error of three components",
+                  worst, 0.0,
+                  Tolerance::truncation(std::abs(allowed), 1.0,
+                                        "trapezoids of 101 states beside the run's of 100,001: their error falls by four "
+                                        "with twice the states, so that all states differ from every other by three times "
+                                        "the error"));
+  std::vector<double> sizes;
+  for (const Vector& force : found.forces)
+    sizes.push_back(size(force));
+  const auto peak = static_cast<std::size_t>(std::ranges::max_element(sizes) - sizes.begin());
+  const double before = peak > 0 ? sizes[peak - 1] : sizes[peak], after = sizes[std::min(peak + 1, sizes.size() - 1)];
+  findings.expect_between("sheet: largest force of the anchor, over that of the states of the geometry",
+                          anchor.at("force").at("peak").number() / sizes[peak], 1.0 - 1e-13,
+                          2.0 - std::min(before, after) / sizes[peak],
+                          "between two states the force rises above both by less than it falls to the next");
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const auto group = findings.in("fence");
+  const TemporaryFolder folder;
+  folder.write("fence.toml", scene_text(setup));
+  (void)talus_output(folder, {"run", "fence.toml", "--out", "out", "--sheet"});
+  const Json sheet_json = records::read_json(folder.path() / "out/sheet.json"),
+             summary = records::read_json(folder.path() / "out/summary.json");
+  findings.count(summary.at("evaluations").get<long>());
+  const Node sheet{sheet_json, "sheet.json"};
+  const Csv history = records::read_csv(folder.path() / "out/history.csv"),
+            codes = records::read_csv(folder.path() / "out/fence.history.csv");
+  check_rock(sheet, history, codes, findings);
+  check_fence(sheet, history, findings);
+  check_anchor(folder, sheet, findings, setup);
+}
+
+}  // namespace
+
+Case definition() {
+  return {.id = "fence_files",
+          .title = "The files of a fence",
+          .requirements = {{"G4", {"fence"}}},
+          .main_checks = {"sheet: impulse of the anchor from the states of the geometry, largest error of three components",
+                          "sheet: energy of approach"},
+          .source = "Mustoe & Huttelmaier 1993, Table 2 (scene)",
+          .faults = {{"slower_rock", "a rock of 64.99 ft/s", "sheet: velocity of approach"},
+                     {"cable_pushes", "cables that push the anchor",
+                      "sheet: impulse of the anchor from the states of the geometry, largest error of three components"}},
+          .run = run};
+}
+
+}  // namespace talus::verification::problems::fence_files
