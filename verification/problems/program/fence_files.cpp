@@ -44,7 +44,8 @@ std::string scene_text(const Setup& setup) {
 
 std::vector<double> column(const Csv& table, const std::string& name) {
   const auto& header = table.header();
-  const auto found = std::ranges::find_if(header, [&](const std::string& cell) { return cell.starts_with(name + " ["); });
+  const auto found =
+      std::ranges::find_if(header, [&](const std::string& cell) { return cell.starts_with(name + " ["); });
   const std::size_t i = table.column(found == header.end() ? name : *found);
   std::vector<double> values(table.rows());
   for (std::size_t row = 0; row < values.size(); ++row)
@@ -110,7 +111,8 @@ AnchorForces anchor_forces(const TemporaryFolder& folder, const Vector& anchor, 
 void check_rock(const Node& sheet, const Csv& history, const Csv& codes, Findings& findings) {
   const Node rock = sheet.at("rocks").list().at(0);
   const double mass = rock.at("mass").number() / kilogram;
-  const auto vx = column(codes, "element2.vx"), vy = column(codes, "element2.vy"), spin = column(codes, "element2.omega");
+  const auto vx = column(codes, "element2.vx"), vy = column(codes, "element2.vy"),
+             spin = column(codes, "element2.omega");
   const auto along = column(codes, "element2.kinetic_translation"), about = column(codes, "element2.kinetic_rotation");
   std::vector<double> translation, inertia, constant;
   for (std::size_t i = 0; i < vx.size(); ++i) {
@@ -122,9 +124,10 @@ void check_rock(const Node& sheet, const Csv& history, const Csv& codes, Finding
                   0.0, round_off);
   findings.expect("history of the deck: moment of inertia from the energy of rotation, largest change",
                   largest_difference(inertia, constant), 0.0, round_off);
-  findings.expect("history of the deck: energies of the rock at the start, over the ledger's",
-                  (along.front() + about.front()) / column(history, "energy.kinetic").front(), 1.0,
-                  Tolerance::round_off(1e-7, "only the rock moves; half a step's kick moves the column that it touches"));
+  findings.expect(
+      "history of the deck: energies of the rock at the start, over the ledger's",
+      (along.front() + about.front()) / column(history, "energy.kinetic").front(), 1.0,
+      Tolerance::round_off(1e-7, "only the rock moves; half a step's kick moves the column that it touches"));
   findings.expect("sheet: velocity of the rock at the end",
                   rock.at("end_velocity").list().at(0).number() / (metre * column(history, "rock.vx").back()), 1.0,
                   round_off);
@@ -134,10 +137,10 @@ void check_rock(const Node& sheet, const Csv& history, const Csv& codes, Finding
                   round_off, "m/s");
   findings.expect("sheet: spin of approach, given in revolutions a minute", rock.at("approach_spin").number(), 34.0,
                   round_off, "rad/s");
-  findings.expect("sheet: energy of approach",
-                  rock.at("approach_energy").number() /
-                      (0.5 * joule * (mass * 65.0 * 65.0 + inertia.front() * 34.0 * 34.0)),
-                  1.0, round_off);
+  findings.expect(
+      "sheet: energy of approach",
+      rock.at("approach_energy").number() / (0.5 * joule * (mass * 65.0 * 65.0 + inertia.front() * 34.0 * 34.0)), 1.0,
+      round_off);
 }
 
 void check_fence(const Node& sheet, const Csv& history, Findings& findings) {
@@ -148,11 +151,10 @@ void check_fence(const Node& sheet, const Csv& history, Findings& findings) {
   findings.expect_between("sheet: travel of the central column, over the largest of the history's rows",
                           sheet.at("columns").list().at(0).at("travel").number() / travel, 1.0 - 1e-13, 1.0 + 1e-13,
                           "the column is farthest at the end, which has a row");
-  findings.expect_between("sheet: largest tension of the first segment, over that of the history's rows",
-                          sheet.at("segments").list().at(0).at("peak").number() /
-                              (newton * *std::ranges::max_element(tension)),
-                          1.0 - 1e-13, 1.011,
-                          "ten rows are in the shortest contact: the peak of half a sine is missed by (pi/20)^2/2");
+  findings.expect_between(
+      "sheet: largest tension of the first segment, over that of the history's rows",
+      sheet.at("segments").list().at(0).at("peak").number() / (newton * *std::ranges::max_element(tension)),
+      1.0 - 1e-13, 1.011, "ten rows are in the shortest contact: the peak of half a sine is missed by (pi/20)^2/2");
 }
 
 void check_anchor(const TemporaryFolder& folder, const Node& sheet, Findings& findings, const Setup& setup) {
@@ -175,12 +177,12 @@ void check_anchor(const TemporaryFolder& folder, const Node& sheet, Findings& fi
   double worst = 0.0, allowed = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
     keep_worst(worst, fine[i] / recorded[i] - 1.0), keep_worst(allowed, (coarse[i] - fine[i]) / recorded[i]);
-  findings.expect("sheet: impulse of the anchor from the states of the geometry, largest error of three components",
-                  worst, 0.0,
-                  Tolerance::truncation(std::abs(allowed), 1.0,
-                                        "trapezoids of 101 states beside the run's of 100,001: their error falls by four "
-                                        "with twice the states, so that all states differ from every other by three times "
-                                        "the error"));
+  findings.expect(
+      "sheet: impulse of the anchor from the states of the geometry, largest error of three components", worst, 0.0,
+      Tolerance::truncation(std::abs(allowed), 1.0,
+                            "trapezoids of 101 states beside the run's of 100,001: their error falls by four "
+                            "with twice the states, so that all states differ from every other by three times "
+                            "the error"));
   std::vector<double> sizes;
   for (const Vector& force : found.forces)
     sizes.push_back(size(force));
@@ -211,16 +213,17 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "fence_files",
-          .title = "The files of a fence",
-          .requirements = {{"G4", {"fence"}}},
-          .main_checks = {"sheet: impulse of the anchor from the states of the geometry, largest error of three components",
-                          "sheet: energy of approach"},
-          .source = "Mustoe & Huttelmaier 1993, Table 2 (scene)",
-          .faults = {{"slower_rock", "a rock of 64.99 ft/s", "sheet: velocity of approach"},
-                     {"cable_pushes", "cables that push the anchor",
-                      "sheet: impulse of the anchor from the states of the geometry, largest error of three components"}},
-          .run = run};
+  return {
+      .id = "fence_files",
+      .title = "The files of a fence",
+      .requirements = {{"G4", {"fence"}}},
+      .main_checks = {"sheet: impulse of the anchor from the states of the geometry, largest error of three components",
+                      "sheet: energy of approach"},
+      .source = "Mustoe & Huttelmaier 1993, Table 2 (scene)",
+      .faults = {{"slower_rock", "a rock of 64.99 ft/s", "sheet: velocity of approach"},
+                 {"cable_pushes", "cables that push the anchor",
+                  "sheet: impulse of the anchor from the states of the geometry, largest error of three components"}},
+      .run = run};
 }
 
 }  // namespace talus::verification::problems::fence_files
