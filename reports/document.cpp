@@ -125,6 +125,14 @@ std::string make_latex(const Document& d) {
       .messages;
 }
 
+/// A file of contents with a blank line for each section of a LaTeX document.
+std::string blank_contents(const std::string& latex) {
+  std::string contents;
+  for (std::size_t at = latex.find("\\section{"); at != std::string::npos; at = latex.find("\\section{", at + 1))
+    contents += "\\contentsline {section}{.}{1}{}%\n";
+  return contents;
+}
+
 void make_pdf(const Document& d) {
   Command latex{"pdflatex",
                 {"-interaction=nonstopmode", "-halt-on-error", "-no-shell-escape", d.stem + ".tex"},
@@ -140,10 +148,12 @@ void make_pdf(const Document& d) {
     return finished.output;
   };
   if (d.has_contents) {
-    // Page numbers of the contents and widths of tables settle in two passes, which need not write pictures.
+    // With a list of contents of its final length the first pass finds the pages' numbers; it need not write pictures.
+    records::write_whole(d.folder / (d.stem + ".toc"),
+                         blank_contents(records::read_whole(d.folder / (d.stem + ".tex"))));
     Command draft = latex;
     draft.arguments.insert(draft.arguments.begin(), "-draftmode");
-    pass(draft), pass(draft);
+    pass(draft);
   }
   if (pass(latex).find("Rerun to get") != std::string::npos) pass(latex);
 }
