@@ -216,7 +216,7 @@ void draw_growth(const TemporaryFolder& folder, const std::vector<Vibrating>& sc
   std::vector<Series> curves;
   for (const Vibrating& scene : scenes) {
     Series curve{.label = scene.name, .style = Style::linespoints};
-    for (const double share : {0.95, 0.97, 0.985, 0.995, 1.002, 1.005, 1.01, 1.02, 1.03})
+    for (const double share : {0.97, 0.99, 0.998, 1.002, 1.01, 1.03})
       curve.add(share, growth(folder, scene_text(scene, method, share * limit(method, scene.modes), false)));
     curves.push_back(std::move(curve));
   }
