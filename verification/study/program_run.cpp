@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -52,6 +53,28 @@ std::string talus_output(const TemporaryFolder& folder, const std::vector<std::s
         fmt::format("talus {} ended with {}: {}", fmt::join(arguments, " "), end.exit_code, end.messages)};
   }
   return end.output;
+}
+
+std::vector<GeometryState> geometry_states(const TemporaryFolder& folder, const std::string& out,
+                                           const std::string& name) {
+  const std::string index = folder.read(out + "/" + name + ".pvd");
+  std::vector<GeometryState> states;
+  for (std::size_t at = index.find("<DataSet"); at != std::string::npos; at = index.find("<DataSet", at + 1)) {
+    const auto attribute = [&](const std::string& key) {
+      const std::size_t from = index.find(key + "=\"", at) + key.size() + 2;
+      return index.substr(from, index.find('"', from) - from);
+    };
+    states.push_back({std::stod(attribute("timestep")), folder.read(out + "/" + attribute("file"))});
+  }
+  return states;
+}
+
+std::vector<double> data_array(const std::string& text, const std::string& name) {
+  const std::size_t head = text.find(fmt::format("Name=\"{}\"", name));
+  if (head == std::string::npos) return {};
+  const std::size_t from = text.find('>', head) + 1;
+  std::istringstream numbers{text.substr(from, text.find('<', from) - from)};
+  return {std::istream_iterator<double>{numbers}, {}};
 }
 
 }  // namespace talus::verification::problems

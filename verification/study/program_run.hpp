@@ -41,4 +41,15 @@ struct ProgramEnd {
 /// code is not 0.
 [[nodiscard]] std::string talus_output(const TemporaryFolder& folder, const std::vector<std::string>& arguments);
 
+/// A state of the geometry, as the program writes it for ParaView.
+struct GeometryState {
+  double time{};       ///< as the index has it [T]
+  std::string text{};  ///< of the VTK file
+};
+/// All states of the series whose index is OUT/NAME.pvd in the folder, in its order. Errors: std::runtime_error.
+[[nodiscard]] std::vector<GeometryState> geometry_states(const TemporaryFolder& folder, const std::string& out,
+                                                         const std::string& name);
+/// The numbers of a data array of a VTK file; none if there is no array of that name.
+[[nodiscard]] std::vector<double> data_array(const std::string& text, const std::string& name);
+
 }  // namespace talus::verification::problems

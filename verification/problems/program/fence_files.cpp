@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -71,21 +69,10 @@ struct AnchorForces {
 };
 AnchorForces anchor_forces(const TemporaryFolder& folder, const Vector& anchor, const Setup& setup) {
   const double sign = setup.has("cable_pushes") ? -1.0 : 1.0;
-  const auto numbers = [](const std::string& text, const std::string& name) {
-    const std::size_t from = text.find('>', text.find(fmt::format("Name=\"{}\"", name))) + 1;
-    std::istringstream list{text.substr(from, text.find('<', from) - from)};
-    return std::vector<double>{std::istream_iterator<double>{list}, {}};
-  };
   AnchorForces found;
-  const std::string index = folder.read("out/fence.pvd");
-  for (std::size_t at = index.find("<DataSet"); at != std::string::npos; at = index.find("<DataSet", at + 1)) {
-    const auto attribute = [&](const std::string& key) {
-      const std::size_t from = index.find(key + "=\"", at) + key.size() + 2;
-      return index.substr(from, index.find('"', from) - from);
-    };
-    const std::string text = folder.read("out/" + attribute("file"));
-    const std::vector<double> points = numbers(text, "Points"), offsets = numbers(text, "offsets"),
-                              cables = numbers(text, "cable"), tensions = numbers(text, "tension");
+  for (const auto& [time, text] : geometry_states(folder, "out", "fence")) {
+    const std::vector<double> points = data_array(text, "Points"), offsets = data_array(text, "offsets"),
+                              cables = data_array(text, "cable"), tensions = data_array(text, "tension");
     Vector force{};
     for (std::size_t line = 1; line < cables.size(); ++line) {
       if (cables[line] < 0.0) continue;
@@ -102,7 +89,7 @@ AnchorForces anchor_forces(const TemporaryFolder& folder, const Vector& anchor, 
           force[i] += sign * newton * tensions[line] * along[i] / size(along);
       }
     }
-    found.times.push_back(std::stod(attribute("timestep")));
+    found.times.push_back(time);
     found.forces.push_back(force);
   }
   return found;

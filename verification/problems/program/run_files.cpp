@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "verification/check/case.hpp"
 #include "verification/record/csv.hpp"
@@ -323,31 +322,14 @@ void check_final_state(const Node& file, Findings& findings) {
   findings.expect("final_state.json: positions and velocities, largest error", worst, 0.0, of_files());
 }
 
-/// Numbers of a data array of a VTK file.
-std::vector<double> data_array(const std::string& text, const std::string& name) {
-  const std::size_t head = text.find(fmt::format("Name=\"{}\"", name));
-  const std::size_t from = text.find('>', head) + 1;
-  std::istringstream numbers{text.substr(from, text.find('<', from) - from)};
-  std::vector<double> found;
-  for (double number; numbers >> number;)
-    found.push_back(number);
-  return found;
-}
-
 /// Each file of the series: the disc's outline, the rope's ends and its tension.
 void check_geometry(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   double outline = 0.0, rope = 0.0, tension = 0.0, times = 0.0;
-  const std::string index = folder.read("out/scene.pvd");
   int files = 0;
-  for (std::size_t at = index.find("<DataSet"); at != std::string::npos; at = index.find("<DataSet", at + 1), ++files) {
-    const auto attribute = [&](const std::string& key) {
-      const std::size_t from = index.find(key + "=\"", at) + key.size() + 2;
-      return index.substr(from, index.find('"', from) - from);
-    };
-    const int n = steps_a_file * files + setup.has("frames_one_late");
-    const std::vector<double> exact = exact_row(step * n);
-    keep_worst(times, std::stod(attribute("timestep")) - exact[0]);
-    const std::string text = folder.read("out/" + attribute("file"));
+  for (const auto& [time, text] : geometry_states(folder, "out", "scene")) {
+    const std::vector<double> exact = exact_row(step * (steps_a_file * files + setup.has("frames_one_late")));
+    ++files;
+    keep_worst(times, time - exact[0]);
     const std::vector<double> points = data_array(text, "Points"), offsets = data_array(text, "offsets");
     const auto on_circle = static_cast<std::size_t>(offsets.at(0));
     for (std::size_t i = 0; i < on_circle; ++i)
