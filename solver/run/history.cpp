@@ -125,15 +125,14 @@ void Recorder::fill_row(const Snapshot& snapshot) {
   const CableForces& cables = dynamics_->cables();
   for (std::size_t i = 0; i < forces.tensions.size(); ++i)
     *next++ = cables.elongation(geometry, i), *next++ = forces.tensions[i];
-  const auto add = [&next](std::initializer_list<double> numbers) {
-    next = std::copy(numbers.begin(), numbers.end(), next);
-  };
   if (ledger_) {
     const Energies& energies = accounts_.energies;
-    add({energies.kinetic, energies.gravity, energies.applied, energies.contacts, energies.cables});
+    *next++ = energies.kinetic, *next++ = energies.gravity, *next++ = energies.applied;
+    *next++ = energies.contacts, *next++ = energies.cables;
     next = std::copy(accounts_.lost.begin(), accounts_.lost.end(), next);
-    add({accounts_.energy_closure, accounts_.momentum_closure.x, accounts_.momentum_closure.y,
-         accounts_.angular_momentum_closure});
+    *next++ = accounts_.energy_closure;
+    *next++ = accounts_.momentum_closure.x, *next++ = accounts_.momentum_closure.y;
+    *next++ = accounts_.angular_momentum_closure;
   }
   TALUS_ASSERT(next == row_.data() + row_.size());
 }

@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
 
 #include "reports/process.hpp"
+#include "verification/record/whole_file.hpp"
 
 namespace talus::verification::problems {
 
@@ -27,18 +27,10 @@ TemporaryFolder::~TemporaryFolder() {
 }
 
 void TemporaryFolder::write(const std::string& name, const std::string& text) const {
-  std::ofstream file{path_ / name, std::ios::binary};
-  file << text;
-  if (!file.flush()) throw std::runtime_error{fmt::format("{}: cannot be written", (path_ / name).string())};
+  records::write_whole(path_ / name, text, records::Durability::later);
 }
 
-std::string TemporaryFolder::read(const std::string& name) const {
-  std::ifstream file{path_ / name, std::ios::binary};
-  std::ostringstream text;
-  if (!(file && text << file.rdbuf()))
-    throw std::runtime_error{fmt::format("{}: cannot be read", (path_ / name).string())};
-  return text.str();
-}
+std::string TemporaryFolder::read(const std::string& name) const { return records::read_whole(path_ / name); }
 
 ProgramEnd run_talus(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
   const reports::Finished end =

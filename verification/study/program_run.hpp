@@ -18,9 +18,9 @@ class TemporaryFolder {
   ~TemporaryFolder();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Writes a file into it; an older one of that name is replaced. Errors: std::runtime_error.
+  /// Writes a file into it; an older one of that name is replaced. Errors: records::FileError.
   void write(const std::string& name, const std::string& text) const;
-  /// The text of a file in it. Errors: std::runtime_error if it cannot be read.
+  /// The text of a file in it. Errors: records::FileError if it cannot be read.
   [[nodiscard]] std::string read(const std::string& name) const;
 
  private:
@@ -46,7 +46,7 @@ struct GeometryState {
   double time{};       ///< as the index has it [T]
   std::string text{};  ///< of the VTK file
 };
-/// All states of the series whose index is OUT/NAME.pvd in the folder, in its order. Errors: std::runtime_error.
+/// All states of the series whose index is OUT/NAME.pvd in the folder, in its order. Errors: records::FileError.
 [[nodiscard]] std::vector<GeometryState> geometry_states(const TemporaryFolder& folder, const std::string& out,
                                                          const std::string& name);
 /// The numbers of a data array of a VTK file; none if there is no array of that name.

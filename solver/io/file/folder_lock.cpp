@@ -17,7 +17,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
   if (descriptor_ < 0) throw IoError{fmt::format("{}: {}", folder.string(), std::strerror(errno))};
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   ::close(descriptor_);
-  throw IoError{fmt::format("{}: another run is writing into it; each needs a folder of its own", folder.string())};
+  throw IoError{fmt::format("{}: another run is writing into it; each run needs a separate folder", folder.string())};
 }
 
 FolderLock::~FolderLock() { ::close(descriptor_); }

@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_the_interrupted_run_is_refused) {
       refused({kind.command}, 2, "SCENE is required, or --resume DIR\nhelp: talus " + kind.command + " --help\n");
       {
         const talus::FolderLock lock{out};
-        const std::string in_use = out + ": another run is writing into it; each needs a folder of its own\n";
+        const std::string in_use = out + ": another run is writing into it; each run needs a separate folder\n";
         refused({kind.command, "--resume", out}, 4, in_use);
         refused(arguments(kind, file, out), 4, in_use);
       }

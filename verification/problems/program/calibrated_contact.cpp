@@ -143,7 +143,7 @@ std::string printed_law(const TemporaryFolder& folder, double restitution, EndRu
 /// The step that the program advises, by brute force over phases.
 void check_step(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   const int phases = setup.coarse ? 3 : 6;
-  double claimed = 0.0, largest = 0.0, above_claim = 0.0;
+  double largest = 0.0, above_claim = 0.0;
   std::vector<std::vector<std::string>> rows;
   for (const EndRule rule : {EndRule::clamped, EndRule::attractive}) {
     const double e = 0.6;
@@ -159,7 +159,7 @@ void check_step(const TemporaryFolder& folder, Findings& findings, const Setup& 
         keep_worst(worst, simulated(folder, law, time, step, (meet + 0.5) / phases) - e);
     }
     const double said = printed.at("restitution_error").get<double>();
-    claimed = std::max(claimed, said), keep_worst(largest, worst);
+    keep_worst(largest, worst);
     keep_worst(above_claim, std::max(0.0, std::abs(worst) / said - 1.0));
     rows.push_back(
         {name(rule), fmt::format("{:.6g}", step), fmt::format("{:.3g}", said), fmt::format("{:.3g}", worst)});
