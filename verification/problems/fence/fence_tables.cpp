@@ -254,8 +254,9 @@ void check_printed_pairs(Findings& findings, const FirstSegment& segment) {
     table.rows.push_back(cells);
   }
   findings.table(table);
-  findings.expect("printed elastic pairs within their digits of joint = 2 T sin, of 21", consistent_pairs(segment), 18,
-                  Tolerance::exact("a count; the other three are the errata"));
+  findings.in("pull_at_a_joint")
+      ->expect("printed elastic pairs within their digits of joint = 2 T sin, of 21", consistent_pairs(segment), 18,
+               Tolerance::exact("a count; the other three are the errata"));
   findings.expect_between("plastic stretch that the printed joint forces tell, least", least_stretch, 0.0, 0.01,
                           "a cable that yields is drawn out; less would need less than its yield force", "ft");
   findings.expect_between("plastic stretch that the printed joint forces tell, largest", largest_stretch, 0.01, 0.02,
@@ -280,6 +281,7 @@ void check_observations(Findings& findings) {
 
 /// The three pairs that cannot be, by the digits of the errata's own words.
 void check_errata(Findings& findings, const FirstSegment& segment) {
+  const auto group = findings.in("pull_at_a_joint");
   expect_digits(findings, "joint = 2 T sin: joint that 2.62e5 lb gives (9.02e4 printed, Table 2)",
                 segment.joint(2.62e5), 8.01e4, 50.0);
   expect_digits(findings, "joint = 2 T sin: top force that 9.02e4 lb needs (2.62e5 printed, Table 2)",
@@ -300,11 +302,12 @@ void check_pairs(Findings& findings, const std::vector<RowRun>& rows, const Setu
     if (row.printed.plastic) continue;
     worst = std::max(worst, std::abs(row.run.peaks.joint / segment.joint(row.run.peaks.top) - 1.0));
   }
-  findings.expect("joint = 2 T sin in our elastic runs, worst", worst, 0.0,
-                  Tolerance::round_off(1e-10,
-                                       "both peaks are of one instant; the sine, near .05 to .2, comes from a "
-                                       "difference of squares, which takes up to 400 of their half epsilon, "
-                                       "and the tension from one of lengths, 100 to 1000 of theirs"));
+  findings.in("pull_at_a_joint")
+      ->expect("joint = 2 T sin in our elastic runs, worst", worst, 0.0,
+               Tolerance::round_off(1e-10,
+                                    "both peaks are of one instant; the sine, near .05 to .2, comes from a "
+                                    "difference of squares, which takes up to 400 of their half epsilon, "
+                                    "and the tension from one of lengths, 100 to 1000 of theirs"));
   check_printed_pairs(findings, segment);
   if (setup.coarse) return;
   check_errata(findings, segment);
@@ -466,29 +469,11 @@ Case definition() {
       .id = "fence_tables",
       .title = "Rock impact studies: Tables 2 and 3",
       .family = "the fence",
-      .requirements = {{"Eq. 12",
-                        {"joint = 2 T sin in our elastic runs, worst",
-                         "printed elastic pairs within their digits of joint = 2 T sin, of 21",
-                         "joint = 2 T sin: joint that 2.62e5 lb gives (9.02e4 printed, Table 2)",
-                         "joint = 2 T sin: top force that 9.02e4 lb needs (2.62e5 printed, Table 2)",
-                         "joint = 2 T sin: top force that 8.18e4 lb needs (2.68e5 printed, Table 3)",
-                         "joint = 2 T sin: top force that 9.21e4 lb needs (2.89e5 printed, Table 3)"}},
+      .requirements = {{"Eq. 12", {"pull_at_a_joint"}},
                        {"Eq. 14",
-                        {"joint = 2 T sin in our elastic runs, worst",
-                         "printed elastic pairs within their digits of joint = 2 T sin, of 21",
-                         "joint = 2 T sin: joint that 2.62e5 lb gives (9.02e4 printed, Table 2)",
-                         "joint = 2 T sin: top force that 9.02e4 lb needs (2.62e5 printed, Table 2)",
-                         "joint = 2 T sin: top force that 8.18e4 lb needs (2.68e5 printed, Table 3)",
-                         "joint = 2 T sin: top force that 9.21e4 lb needs (2.89e5 printed, Table 3)",
-                         "largest top cable force of the elastic-plastic rows",
+                        {"pull_at_a_joint", "largest top cable force of the elastic-plastic rows",
                          "largest bottom cable force of the elastic-plastic rows"}},
-                       {"Eq. 16",
-                        {"joint = 2 T sin in our elastic runs, worst",
-                         "printed elastic pairs within their digits of joint = 2 T sin, of 21",
-                         "joint = 2 T sin: joint that 2.62e5 lb gives (9.02e4 printed, Table 2)",
-                         "joint = 2 T sin: top force that 9.02e4 lb needs (2.62e5 printed, Table 2)",
-                         "joint = 2 T sin: top force that 8.18e4 lb needs (2.68e5 printed, Table 3)",
-                         "joint = 2 T sin: top force that 9.21e4 lb needs (2.89e5 printed, Table 3)"}},
+                       {"Eq. 16", {"pull_at_a_joint"}},
                        {"law.elastic_plastic",
                         {"largest top cable force of the elastic-plastic rows",
                          "largest bottom cable force of the elastic-plastic rows"}},
