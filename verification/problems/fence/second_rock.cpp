@@ -1,0 +1,319 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "solver/scenes/fence_scene.hpp"
+#include "solver/scenes/fence_summary.hpp"
+#include "verification/check/case.hpp"
+#include "verification/reference/cable_draw.hpp"
+#include "verification/study/cable_scenes.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/fence_table.hpp"
+#include "verification/study/scene_run.hpp"
+
+namespace talus::verification::problems::second_rock {
+namespace {
+
+// ---- one cable, two masses ----
+
+constexpr double mass = 1.0, stiffness = 1.0, tolerance = 1e-11;
+constexpr double first_speed = 1.1, second_speed = 1.9;
+
+struct Cable {
+  const char* name;
+  reference::YieldingCable exact;
+  ElasticPlastic law;
+};
+
+std::vector<Cable> cables() {
+  return {
+      {"perfectly plastic", {stiffness, {{0.0, 0.5}}, 0.0}, {.stiffness = stiffness, .yield = 0.5}},
+      {"hardening line", {stiffness, {{0.0, 0.5}}, 0.25}, {.stiffness = stiffness, .yield = 0.5, .hardening = 0.25}},
+      {"hardening table",
+       {stiffness, {{0.0, 0.5}, {0.4, 0.7}, {1.0, 0.7}, {1.5, 1.2}}, 0.1},
+       {.stiffness = stiffness, .yield = 0.5, .hardening = 0.1, .table = {{0.4, 0.7}, {1.0, 0.7}, {1.5, 1.2}}}}};
+}
+
+/// A second mass on a cable that a first one has drawn out by `stretch`, in a scene that knows the first no longer.
+CableRun throw_second(const ElasticPlastic& law, double stretch, Findings& findings, const Setup& setup) {
+  const ElasticPlastic carried = setup.has("cable_like_new") ? law : law.drawn_before(stretch);
+  const Scene scene = thrown_mass(carried, mass, second_speed);
+  return run_cables(scene, scene.initial, make_integrator("stormer_cowell", tolerance), {1.0, 30.0, true}, findings);
+}
+
+void check_carried_cables(Findings& findings, const Setup& setup) {
+  for (const auto& [name, exact, law] : cables()) {
+    const double before = reference::draw(exact, mass, first_speed).stretch;
+    const reference::CableDraw second = reference::draw(exact, mass, second_speed, before);
+    const CableRun run = throw_second(law, before, findings, setup);
+    const Tolerance to_tolerance =
+        Tolerance::truncation(5.0 * tolerance * second_speed, 1.0,
+                              "local errors below 1e-11 of speed and distance travelled, some ten in one direction");
+    findings.in("second_exit")
+        ->expect(fmt::format("exit speed of the second mass, {}", name), -run.end.v[0], second.exit_speed, to_tolerance,
+                 "m/s");
+    findings.in("second_stretch")
+        ->expect(fmt::format("stretch by both masses, {}", name), before + run.end.z[0], second.stretch, to_tolerance,
+                 "m");
+    // It breaks at a stretch that counts from its first length.
+    for (const double share : {0.999, 1.001}) {
+      ElasticPlastic weak = law;
+      weak.rupture = share * second.stretch;
+      const bool broke = throw_second(weak, before, findings, setup).end.mode[0] == ElasticPlastic::broken;
+      findings.in("second_rupture")
+          ->expect_true(fmt::format("rupture at {:g} of the stretch by both masses, {}", share, name),
+                        broke == (share < 1.0),
+                        "the stretch is known to 1e-10, and the two sides are a thousandth off");
+    }
+  }
+}
+
+// ---- the cables of a fence ----
+
+scenes::Fence two_sided_fence() {
+  scenes::Fence fence = published_fence("table_2.DAT");
+  fence.options = scenes::current_options();
+  fence.options.symmetry = scenes::FenceSymmetry::full;
+  fence.options.integrator = "velocity_verlet";
+  fence.options.tolerance = 0.0;
+  fence.limit_top = 4e4, fence.limit_bottom = 2e4;
+  return fence;
+}
+
+const ElasticPlastic& law_of(const talus::Cable& cable) { return std::get<ElasticPlastic>(cable.law); }
+
+/// Tension of a cable that is being drawn out to an elongation.
+double drawn_tension(const ElasticPlastic& law, double elongation) {
+  const double memory = 0.0;
+  return law({elongation, 1.0}, std::span{&memory, 1}, ElasticPlastic::yielding).total();
+}
+
+void check_fence_cables(Findings& findings, const Setup& setup) {
+  constexpr double hardening = 0.2, rupture = 0.03;
+  scenes::Fence fence = two_sided_fence();
+  fence.options.hardening = setup.has("other_hardening") ? 0.201 : hardening, fence.options.rupture = rupture;
+  double tangent = 0.0, strain = 0.0;
+  for (const talus::Cable& cable : scenes::fence_scene(fence).scene.model.cables) {
+    const ElasticPlastic& law = law_of(cable);
+    const double e = 1.5 * law.yield / law.stiffness, de = 0.5 * e;
+    const double slope = (drawn_tension(law, e + de) - drawn_tension(law, e)) / de;
+    keep_worst(tangent, slope / (hardening * law.stiffness) - 1.0);
+    keep_worst(strain, law.rupture / (rupture * cable.rest_length) - 1.0);
+  }
+  const Tolerance same = Tolerance::round_off(1e-13, "a dozen operations, and a difference of half of each term");
+  findings.expect("tangent stiffness of yielding cables over the fraction of Young's modulus, worst", tangent, 0.0,
+                  same);
+  findings.expect("rupture of cables as a strain, worst relative error", strain, 0.0, same);
+
+  // Yield forces by a table of strains, and what is left of them after an impact.
+  fence = two_sided_fence();
+  fence.options.table = {{0.002, 1.25}, {0.006, 1.5}};
+  const scenes::FenceScene made = scenes::fence_scene(fence);
+  fence.stretched_cables = {{"top1", 0.004}, {"top-1", 0.004}, {"top2", 0.012}, {"top-2", 0.012}};
+  const scenes::FenceScene next = scenes::fence_scene(fence);
+  double table = 0.0, carried = 0.0, length = 0.0, balance = 0.0;
+  for (std::size_t c = 0; c < made.scene.model.cables.size(); ++c) {
+    const talus::Cable &cable = made.scene.model.cables[c], &later = next.scene.model.cables[c];
+    const double l = cable.rest_length, y = law_of(cable).yield;
+    const reference::YieldingCable exact{
+        law_of(cable).stiffness, {{0.0, y}, {0.002 * l, 1.25 * y}, {0.006 * l, 1.5 * y}}, 0.0};
+    const auto listed = std::ranges::find(fence.stretched_cables, cable.name, &scenes::StretchedCable::cable);
+    const double stretch = listed == fence.stretched_cables.end() ? 0.0 : listed->stretch;
+    keep_worst(length, later.rest_length - (l + stretch));
+    for (const double more : {0.0, 0.0015, 0.003, 0.02}) {
+      const double p = stretch + more * l;
+      const double elongation = reference::yield_elongation(exact, p), force = reference::yield_force(exact, p);
+      keep_worst(table, drawn_tension(law_of(cable), elongation) / force - 1.0);
+      keep_worst(carried, drawn_tension(law_of(later), elongation - stretch) / force - 1.0);
+    }
+  }
+  findings.expect("yield force by a table of strains, worst relative error", table, 0.0, same);
+  findings.expect("yield force that is left for the next rock, worst relative error", carried, 0.0,
+                  Tolerance::round_off(1e-12, "an elongation of 0.01 ft is a difference of two of 0.03"));
+  findings.expect("slack length for the next rock less the first and the stretch, worst", length, 0.0,
+                  Tolerance::round_off(1e-15, "one rounding of a length of 2.5 ft"), "ft");
+  // The columns hang on the longer cables: pulls and weights, from lengths in space.
+  const Model& model = next.scene.model;
+  std::vector<double> up(model.bodies.size(), 0.0);
+  for (const talus::Cable& cable : model.cables) {
+    const Vec3 a = reference_point(model, cable.a), b = reference_point(model, cable.b);
+    const Vec3 line{b.x - a.x, b.y - a.y, b.z - a.z};
+    const double tension = std::max(0.0, law_of(cable).stiffness * (norm(line) - cable.rest_length));
+    if (cable.a.body) up[index(*cable.a.body)] += tension * line.y / norm(line);
+    if (cable.b.body) up[index(*cable.b.body)] -= tension * line.y / norm(line);
+  }
+  double lower = 0.0;
+  for (const scenes::FenceMember& member : next.members) {
+    if (!member.body || member.layer == 0) continue;
+    const std::size_t body = index(*member.body);
+    keep_worst(balance, up[body] / (model.bodies[body].mass * fence.gravity) - 1.0);
+    lower = std::max(lower, made.scene.model.bodies[body].p_WB.y - model.bodies[body].p_WB.y);
+  }
+  findings.expect("pulls on columns over their weight, hung on stretched cables, worst", balance, 0.0,
+                  Tolerance::round_off(1e-9, "Newton's method ends where pulls and weights agree to 1e-9 of a weight"));
+  findings.expect_true("the stretched fence hangs lower", lower > 0.05, "0.008 ft and 0.024 ft more of cable on 55 ft");
+}
+
+// ---- the contacts of two rocks ----
+
+struct Solid {
+  double mass{}, inertia{};
+};
+Solid ball(double radius, double density) {
+  const double m = 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3) * density;
+  return {m, 0.4 * m * radius * radius};
+}
+Solid upright_cylinder(double radius, double half_height, double density) {
+  const double m = 2.0 * std::numbers::pi * radius * radius * half_height * density;
+  return {m, m * (3.0 * radius * radius + 4.0 * half_height * half_height) / 12.0};
+}
+double together(double a, double b) { return 1.0 / (1.0 / a + 1.0 / b); }
+
+/// The fence of Table 2 with a smaller, slower rock beside the first, which hits higher.
+scenes::Fence fence_of_two(const Setup& setup) {
+  scenes::Fence fence = two_sided_fence();
+  scenes::FenceElement other = fence.rocks.front();
+  other.a = other.b = 0.7, other.density *= setup.has("denser_rock") ? 1.001 : 1.0;
+  other.position = {2.1, 2.6}, other.along = 1.0, other.velocity = {-30.0, 2.0};
+  fence.rocks.push_back(other);
+  fence.rock_overlap = 0.0, fence.friction = 0.3;
+  fence.options.shear_ratio = 0.4;
+  fence.options.contact = scenes::FenceContact::nodes;
+  return fence;
+}
+
+void check_two_rocks(Findings& findings, const Setup& setup) {
+  const scenes::Fence fence = fence_of_two(setup);
+  const scenes::Fence stated = fence_of_two({});
+  const Model model = scenes::fence_scene(fence).scene.model;
+  const double speed = norm(stated.rocks[0].velocity), e = stated.restitution;
+  const auto contact = [&](const std::string& name) { return model.contacts[index(*find_contact(model, name))]; };
+  const auto law = [&](const std::string& name) { return std::get<LinearSpringDashpot>(contact(name).law); };
+  const auto spring = [&](double factor, double m, double overlap) {
+    return factor * m * speed * speed / (overlap * overlap);
+  };
+  // e = exp(-2 xi acos(xi)/sqrt(1 - xi^2)) by bisection: the clamped rule of today.
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 60; ++i) {
+    const double xi = 0.5 * (low + high);
+    (std::exp(-2.0 * xi * std::acos(xi) / std::sqrt(1.0 - xi * xi)) > e ? low : high) = xi;
+  }
+  const Solid column = upright_cylinder(stated.column.a, stated.column.b, stated.column.density);
+  double stiff = 0.0, damped = 0.0, shear = 0.0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const scenes::FenceElement& element = stated.rocks[i];
+    const Solid rock = ball(element.a, element.density);
+    const std::string name = fmt::format("rock{}", i + 1);
+    const double overlap = stated.penetration * element.a;
+    const double k = spring(1.0, together(rock.mass, column.mass), overlap);
+    const double arm = element.position.y - model.bodies[index(*find_body(model, "column1"))].p_WB.y;
+    const double felt = 1.0 / (1.0 / rock.mass + 1.0 / column.mass + arm * arm / column.inertia);
+    keep_worst(stiff, law(name + "-column1").stiffness / k - 1.0);
+    keep_worst(stiff, law(name + "-ground").stiffness / spring(2.0, rock.mass, overlap) - 1.0);
+    keep_worst(damped, law(name + "-column1").damping / (2.0 * low * std::sqrt(k * felt)) - 1.0);
+    keep_worst(shear, contact(name + "-column1").friction->stiffness / (0.4 * k) - 1.0);
+  }
+  const Solid one = ball(stated.rocks[0].a, stated.rocks[0].density), other = ball(0.7, stated.rocks[1].density);
+  keep_worst(
+      stiff,
+      law("rock1-rock2").stiffness / spring(1.0, together(one.mass, other.mass), stated.penetration * 0.7) - 1.0);
+  const Tolerance same = Tolerance::round_off(1e-12, "some thirty operations, and the root of the damping ratio");
+  findings.expect("stiffness of each rock's contacts, worst relative error", stiff, 0.0, same);
+  findings.expect("dashpot of each rock's contact by the height at which it hits, worst relative error", damped, 0.0,
+                  same);
+  findings.expect("shear stiffness of each rock's contact, worst relative error", shear, 0.0, same);
+}
+
+// ---- a run with two rocks, and its summary ----
+
+/// The first rock hits the fence, which has no bottom cable; the second flies over it from behind.
+void check_summary(Findings& findings, const Setup& setup) {
+  scenes::Fence fence = two_sided_fence();
+  fence.connections = 1;
+  scenes::FenceElement other = fence.rocks.front();
+  other.position = {-3.0, 12.0}, other.velocity = {150.0, 0.0}, other.along = 1.0;
+  fence.rocks.push_back(other);
+  const scenes::FenceScene made = scenes::fence_scene(fence);
+  const Dynamics dynamics{made.scene.model};
+  scenes::FenceWatch watch{fence, made, dynamics};
+  constexpr double step = 2e-5, end = 0.045;
+  const State start = first_state(made.scene);
+  const RunEnd run = run_scene(made.scene, VelocityVerlet{}, {step, end, end, true}, findings,
+                               [&](const Snapshot& seen, const StepInfo& info) { watch(seen, info); });
+  const scenes::FenceSummary& summary = watch.summary();
+  findings.expect_true("the second rock passes over the fence, from behind",
+                       summary.rocks[1].verdict == scenes::Verdict::passed_over && !summary.rocks[1].touched,
+                       "it flies 8 ft above the columns, against the first rock");
+  findings.expect("time at which the second rock passed the fence", summary.rocks[1].passed_time, 3.0 / 150.0,
+                  Tolerance::truncation(step, 1.0, "the first step after it"), "s");
+  // Momentum of all bodies against the impulse on the anchors, and of a column against that of its hanger.
+  const Model& model = made.scene.model;
+  Vec2 change, of_column;
+  double weight = 0.0, on_column = 0.0;
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    const Body& body = model.bodies[i];
+    if (body.mobility == Mobility::fixed) continue;
+    const auto id = static_cast<BodyId>(i);
+    const Vec2 gained = body.mass * (pose(model, run.state, id).v_WB - pose(model, start, id).v_WB);
+    change += gained - end * body.force, weight += body.mass * fence.gravity;
+    if (body.name == "column-3") of_column = gained - end * body.force, on_column = body.mass * fence.gravity;
+  }
+  Vec2 anchors;
+  for (const scenes::AnchorRecord& anchor : summary.anchors) {
+    if (setup.has("one_anchor_alone") && anchor.joint != summary.anchors.front().joint) continue;
+    anchors += Vec2{anchor.force.impulse.x, anchor.force.impulse.y};
+  }
+  const BodyId third = *find_body(model, "column-3");
+  const auto hung = std::ranges::find(summary.columns, third, &scenes::ColumnRecord::body);
+  const Vec2 hanger{hung->hanger.impulse.x, hung->hanger.impulse.y};
+  const auto sums = [](const char* words) { return Tolerance::round_off(1e-12, words); };
+  const char* const words =
+      "velocity Verlet adds the same trapezoids of forces to the momentum: 2250 sums, each rounded to 1e-16 of the sum";
+  const double thrown = summary.rocks[0].mass * norm(fence.rocks[0].velocity);
+  findings.expect("momentum across the fence and impulse on the anchors", (change.x + anchors.x) / thrown, 0.0,
+                  sums(words));
+  findings.expect("vertical momentum, weights and impulse on the anchors",
+                  (change.y + weight * end + anchors.y) / (weight * end), 0.0, sums(words));
+  findings.expect("momentum of a column and the impulse of its hanger",
+                  norm(of_column + Vec2{0.0, on_column * end} - hanger) / norm(hanger), 0.0, sums(words));
+}
+
+void run(Findings& findings, const Setup& setup) {
+  if (setup.needs("mass")) check_carried_cables(findings, setup);
+  if (setup.needs("cables") || setup.needs("next rock")) check_fence_cables(findings, setup);
+  if (setup.needs("each rock")) check_two_rocks(findings, setup);
+  if (setup.needs("anchors") || setup.needs("second rock")) check_summary(findings, setup);
+}
+
+}  // namespace
+
+Case definition() {
+  return {.id = "second_rock",
+          .title = "The next rock on the same fence",
+          .family = "the fence",
+          .requirements = {{"law.elastic_plastic", {"second_exit", "second_stretch", "second_rupture"}},
+                           {"mechanism.cable_yield", {"second_exit", "second_stretch"}},
+                           {"regime.elastic_plastic.yielding", {"second_exit", "second_stretch"}},
+                           {"regime.elastic_plastic.broken", {"second_rupture"}},
+                           {"integrator.stormer_cowell", {"second_exit", "second_stretch", "second_rupture"}}},
+          .main_checks = {"exit speed of the second mass, hardening table",
+                          "rupture at 0.999 of the stretch by both masses, hardening line",
+                          "yield force that is left for the next rock, worst relative error",
+                          "pulls on columns over their weight, hung on stretched cables, worst",
+                          "momentum across the fence and impulse on the anchors"},
+          .source = "Mustoe & Huttelmaier 1993, sections 2.4 and 3.5, Eq. 21; energy balance of reference::draw",
+          .faults = {{"cable_like_new", "the second mass meets a cable that forgot the first",
+                      "exit speed of the second mass, hardening line"},
+                     {"other_hardening", "a tangent modulus of 0.201 in place of 0.2",
+                      "tangent stiffness of yielding cables over the fraction of Young's modulus, worst"},
+                     {"denser_rock", "the second rock is denser by a thousandth",
+                      "stiffness of each rock's contacts, worst relative error"},
+                     {"one_anchor_alone", "the impulse on one anchor alone",
+                      "momentum across the fence and impulse on the anchors"}},
+          .run = run};
+}
+
+}  // namespace talus::verification::problems::second_rock
