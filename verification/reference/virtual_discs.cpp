@@ -8,6 +8,7 @@ namespace talus::verification::reference {
 void VirtualDiscs::step(double h) {
   const std::size_t count = x.size();
   largest.resize(count * count);
+  contacts.clear();
   std::vector<double> fx(count), fy(count);
   // A real disc, and a real one or the virtual one of another.
   const auto touch = [&](std::size_t real, std::size_t other, double shift) {
@@ -16,8 +17,12 @@ void VirtualDiscs::step(double h) {
     const double distance = std::sqrt(dx * dx + dy * dy), overlap = diameter - distance;
     if (overlap <= 0.0) return overlap;
     double& deepest = largest[std::min(real, other) * count + std::max(real, other)];
-    deepest = std::max(deepest, overlap);
+    if (overlap > deepest) {
+      lost += 0.5 * k1 * (1.0 - k1 / k2) * (overlap - deepest) * (overlap + deepest);
+      deepest = overlap;
+    }
     const double force = std::max(0.0, std::min(k1 * overlap, k1 * deepest - k2 * (deepest - overlap)));
+    if (force > 0.0) contacts.push_back({real, other, force, overlap, dx, dy});
     fx[other] += force * dx / distance, fy[other] += force * dy / distance;
     fx[real] -= force * dx / distance, fy[real] -= force * dy / distance;
     return overlap;
@@ -29,7 +34,9 @@ void VirtualDiscs::step(double h) {
     }
   }
   const std::size_t block = free + wall;
-  force_on_block_x = force_on_block_y = 0.0;
+  force_on_block_x = force_on_block_y = force_on_base_x = force_on_base_y = 0.0;
+  for (std::size_t i = free; i < block; ++i)
+    force_on_base_x += fx[i], force_on_base_y += fy[i];
   for (std::size_t i = block; i < count; ++i)
     force_on_block_x += fx[i], force_on_block_y += fy[i];
   for (std::size_t i = 0; i < free; ++i)

@@ -23,6 +23,17 @@ struct VirtualDiscs {
   void step(double h);
 
   double force_on_block_x{}, force_on_block_y{};  ///< of the last step's start [F]
+  double force_on_base_x{}, force_on_base_y{};
+  double lost{};  ///< by the contacts so far: what they cannot return of their work [F L]
+
+  /// A pair that pushes: at the last step's start the disc b by `force` > 0 [F] along (dx, dy), from the centre of a to
+  /// that image of b that it touches [L].
+  struct Contact {
+    std::size_t a{}, b{};
+    double force{}, overlap{};
+    double dx{}, dy{};
+  };
+  std::vector<Contact> contacts{};
 };
 
 }  // namespace talus::verification::reference

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/io/cell/cell_restart.hpp"
+#include "solver/io/cell/write_cell.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/reference/virtual_discs.hpp"
@@ -180,6 +181,14 @@ void expect_restart(Findings& findings, const Setup& setup) {
                        whole.discs() == rest.discs() &&
                            whole.mean(CellQuantity::top_shear).value == rest.mean(CellQuantity::top_shear).value,
                        "all that a step reads is remembered");
+  const CellScene scene{.title = "", .units = {}, .cell = cell, .plan = plan};
+  const CellOutcome outcome{.finished = true, .words = "", .warnings = {}};
+  double differ = cell_history_csv(scene, whole) == cell_history_csv(scene, rest) ? 0.0 : 1.0;
+  differ += cell_profile_csv(scene, whole) == cell_profile_csv(scene, rest) ? 0.0 : 1.0;
+  differ += cell_summary_json(scene, whole, outcome, "") == cell_summary_json(scene, rest, outcome, "") ? 0.0 : 1.0;
+  findings.expect("files of a run taken on from its memory that differ", differ, 0.0,
+                  Tolerance::exact("history, profile and summary: all that is summed up is remembered, also what waits "
+                                   "for the next sample of the layers"));
 }
 
 /// Few discs, a hundred times as stiff, so that most time is free of contacts.
@@ -195,6 +204,11 @@ void expect_jump(Findings& findings, const Setup& setup) {
   plan.jump = true;
   if (setup.has("stiffer_discs")) law.stiffness *= 1.0 + 1e-6;
   CellRun jumping{cell, plan, start};
+  double fastest = 0.0;  // the block
+  while (!step_by_step.finished()) {
+    step_by_step.advance();
+    fastest = std::max(fastest, std::abs(step_by_step.discs().vy.back()));
+  }
   run_to_end(step_by_step), run_to_end(jumping);
   const Discs end = step_by_step.discs();
   findings.expect("places after jumps over free time, over a diameter",
@@ -202,6 +216,13 @@ void expect_jump(Findings& findings, const Setup& setup) {
                   Tolerance::round_off(1e-9,
                                        "free flights of thousands of steps at once and one by one, rounded to 1e-13, "
                                        "and its growth over the contacts of 500 contact times"));
+  const double depth = step_by_step.mean(CellQuantity::depth).value;
+  findings.expect("mean depth after jumps over free time, over that of single steps",
+                  jumping.mean(CellQuantity::depth).value / depth, 1.0,
+                  Tolerance::truncation(0.5 * plan.step * fastest / depth, 1.0,
+                                        "a block that flies rises or falls by a parabola, whose mean is Simpson's "
+                                        "rule; step by step its heights at the ends of the steps count, which are half "
+                                        "a step ahead"));
   findings.expect_between("share of the steps that were jumped over",
                           static_cast<double>(jumping.jumped()) / static_cast<double>(jumping.steps()), 0.3, 0.999,
                           "16 discs at 100 times the stiffness touch a tenth as long and fly the rest");

@@ -1,0 +1,252 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/cell/block_means.hpp"
+#include "solver/study/shear_study.hpp"
+#include "verification/check/case.hpp"
+#include "verification/problems/cell/cell_runs.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/expectations.hpp"
+
+namespace talus::verification::problems::mean_errors {
+namespace {
+
+using Q = StudyQuantity;
+
+/// Numbers near to normal ones: sums of twelve uniform ones, less six.
+class Normal {
+ public:
+  explicit Normal(std::uint64_t seed) : random_{seed} {}
+  double operator()() {
+    double sum = -6.0;
+    for (int k = 0; k < 12; ++k)
+      sum += static_cast<double>(random_() >> 11U) * 0x1p-53;
+    return sum;
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+/// x' = a x + sqrt(1 - a^2) g with normal g: variance 1, autocorrelations a^lag.
+std::vector<double> series_with_memory(Normal& normal, double a, std::size_t length) {
+  std::vector<double> series;
+  double x = normal();
+  for (std::size_t k = 0; k < length; ++k)
+    series.push_back(x), x = a * x + std::sqrt(1.0 - a * a) * normal();
+  return series;
+}
+
+/// Variance of the mean of such a series: (1/n^2) sum over i, j of a^|i - j|.
+double variance_of_mean(double a, std::size_t length) {
+  double sum = 0.0;
+  for (std::size_t lag = 0; lag < length; ++lag)
+    sum += (lag == 0 ? 1.0 : 2.0) * static_cast<double>(length - lag) * std::pow(a, static_cast<double>(lag));
+  return sum / std::pow(static_cast<double>(length), 2);
+}
+
+/// Of many series: root mean square of the errors that are given, over the exact one, and the share of means that are
+/// within two of their errors.
+struct Coverage {
+  double ratio{}, within{};
+};
+Coverage coverage(double a, std::size_t length, int count, bool of_ratio) {
+  Normal normal{static_cast<std::uint64_t>(1000.0 * a) + (of_ratio ? 1U : 0U)};
+  constexpr double small = 0.2;  // of a ratio's two series, about 1
+  double squares = 0.0, within = 0.0;
+  for (int n = 0; n < count; ++n) {
+    const std::vector<double> x = series_with_memory(normal, a, length), y = series_with_memory(normal, a, length);
+    BlockMeans means{2, static_cast<double>(length), length};
+    for (std::size_t k = 0; k < length; ++k) {
+      const std::array values{of_ratio ? 1.0 + small * x[k] : x[k], 1.0 + small * y[k]};
+      means.add(static_cast<double>(k) + 0.5, 1.0, values);
+    }
+    const Estimate found = of_ratio ? means.ratio(0, 1, 0) : means.estimate(0, 0);
+    squares += found.error * found.error;
+    if (std::abs(found.value - (of_ratio ? 1.0 : 0.0)) < 2.0 * found.error) within += 1.0;
+  }
+  const double exact = variance_of_mean(a, length) * (of_ratio ? 2.0 * small * small : 1.0);
+  return {std::sqrt(squares / count / exact), within / count};
+}
+
+void expect_coverage(Findings& findings, const Setup& setup) {
+  constexpr std::size_t length = 200;
+  constexpr int count = 60;
+  Table table{.name = "coverage",
+              .caption =
+                  "Errors that are given for means of 200 neighbours with the autocorrelation a to the power of "
+                  "the lag, and for ratios of two such means: root mean square over the exact error, and share "
+                  "of means within two errors.",
+              .columns = {"a", "of", "error over exact", "within two"}};
+  for (const bool of_ratio : {false, true}) {
+    for (const double a : {0.0, 0.5, 0.8}) {
+      const std::string name = fmt::format("{}, a = {}", of_ratio ? "ratio" : "mean", a);
+      if (!setup.needs(name)) continue;
+      Coverage found = coverage(a, length, count, of_ratio);
+      // The error of independent neighbours is smaller by sqrt((1 - a)/(1 + a)).
+      if (setup.has("neighbours_independent")) found.ratio *= std::sqrt((1.0 - a) / (1.0 + a));
+      findings.in("errors")->expect_between(
+          "error that is given over the exact one, " + name, found.ratio, 0.8, 1.12,
+          "blocks of a length that leaves a bias of (memory/length) of the variance, here some 0.05 to 0.3 of it, all "
+          "downwards, and the scatter of 60 series; the error of independent neighbours is 0.58 (a = 0.5) and 0.33 "
+          "(a = 0.8) of the exact one");
+      findings.expect_between("share of means within two errors, " + name, found.within, 0.8, 1.0,
+                              "0.954 of normal means with the exact error; 0.89 with 0.8 of it; three deviations of "
+                              "60 series are 0.12");
+      table.rows.push_back({fmt::format("{}", a), of_ratio ? "ratio" : "mean", fmt::format("{:.3f}", found.ratio),
+                            fmt::format("{:.2f}", found.within)});
+    }
+  }
+  if (!setup.coarse) findings.table(table);
+}
+
+/// Two loads of the study, three seeds each, beside cells that are run one by one.
+void expect_study(Findings& findings, const Setup& setup) {
+  const std::vector<StudyPoint> points{{"5000 d/s", 2e3, 5000.0, 1.0}, {"5000 d/s", 32e3, 5000.0, 1.0}};
+  const StudyPlan plan{.time = 0.003, .seeds = 3};
+  const std::vector<StudyMean> study = talus::shear_study(points, plan);
+  double numbers = 0.0, means = 0.0, errors = 0.0;
+  for (const StudyMean& point : study) {
+    std::vector<double> depths;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const ShearCell cell = study_cell(point.point, setup.has("one_seed") ? 1 : seed);
+      CellRun run{cell, cell_plan(cell, plan.time, 20.0, 40)};
+      run_to_end(run);
+      findings.count(run.evaluations());
+      depths.push_back(run.mean(CellQuantity::depth).value / cell.diameter);
+      const auto& recorded = point.runs.at(seed - 1);
+      keep_worst(numbers, recorded.numbers[static_cast<std::size_t>(Q::depth)] - depths.back());
+      keep_worst(numbers, static_cast<double>(recorded.seed) - static_cast<double>(seed));
+      keep_worst(numbers, recorded.numbers[static_cast<std::size_t>(Q::largest_overlap)] -
+                              run.largest_overlap() / cell.diameter);
+    }
+    const double mean = (depths[0] + depths[1] + depths[2]) / 3.0;
+    keep_worst(means, point.of(Q::depth).value - mean);
+    // s/sqrt(n), s^2 as half the mean square of all differences.
+    double differences = 0.0;
+    for (const auto& [i, j] : {std::pair{0U, 1U}, std::pair{0U, 2U}, std::pair{1U, 2U}})
+      differences += (depths[i] - depths[j]) * (depths[i] - depths[j]);
+    keep_worst(errors, point.of(Q::depth).error / std::sqrt(differences / 18.0) - 1.0);
+  }
+  findings.expect("study: depth, largest overlap and seed of each run, largest difference from a cell of that seed",
+                  numbers, 0.0, Tolerance::exact("the same cell by the same steps"));
+  findings.expect("study: mean depths over seeds, largest error", means, 0.0,
+                  Tolerance::round_off(1e-14, "sums of three numbers of some ten diameters"));
+  findings.expect("study: standard errors over seeds, largest relative error", errors, 0.0,
+                  Tolerance::round_off(1e-9,
+                                       "depths of ten diameters differ by some thousandths, so that 13 digits of "
+                                       "their differences are left"));
+}
+
+/// A point whose seeds gave these numbers, with their mean and standard error.
+StudyMean made_point(const std::string& series, double load,
+                     const std::vector<std::array<double, study_quantities>>& numbers) {
+  StudyMean point{.point = {series, load, 5000.0, 1.0}, .seeds = static_cast<int>(numbers.size()), .runs = {}};
+  const auto count = static_cast<double>(numbers.size());
+  for (std::size_t s = 0; s < numbers.size(); ++s)
+    point.runs.push_back({s + 1, numbers[s]});
+  for (std::size_t k = 0; k < study_quantities; ++k) {
+    double mean = 0.0, squares = 0.0;
+    for (const auto& of : numbers)
+      mean += of[k] / count;
+    for (const auto& of : numbers)
+      squares += (of[k] - mean) * (of[k] - mean);
+    point.mean[k] = {mean, std::sqrt(squares / (count - 1.0) / count)};
+  }
+  return point;
+}
+
+/// Chance of a larger t of either sign with 4 or 5 degrees of freedom: Student's distribution, integrated.
+double chance(double t, int freedom) {
+  const double angle = std::atan(std::abs(t) / std::sqrt(static_cast<double>(freedom)));
+  const double s = std::sin(angle), c = std::cos(angle);
+  if (freedom == 4) return 1.0 - s * (1.0 + 0.5 * c * c);
+  return 1.0 - 2.0 / std::numbers::pi * (angle + s * c * (1.0 + 2.0 / 3.0 * c * c));
+}
+
+/// Verdicts on made numbers: two loads with three seeds each, whose numbers scatter alike, so that Welch's degrees of
+/// freedom are 4, and those of the differences between the two ratios 5.
+void expect_verdicts(Findings& findings, const Setup& setup) {
+  const std::array scatter{-0.02, -0.01, 0.03};
+  std::vector<StudyMean> study;
+  std::vector<double> apart;
+  for (const auto& [series, slow] : {std::pair{"5000 d/s", 0.0}, std::pair{"1000 d/s", 1.0}}) {
+    for (const auto& [load, high] : {std::pair{2e3, 0.0}, std::pair{32e3, 1.0}}) {
+      std::vector<std::array<double, study_quantities>> numbers;
+      for (std::size_t seed = 0; seed < scatter.size(); ++seed) {
+        std::array<double, study_quantities> of{};
+        const auto set = [&](Q quantity, double value) { of[static_cast<std::size_t>(quantity)] = value; };
+        const double off = scatter[seed];
+        set(Q::depth, 9.0 + off - 0.1 * high);
+        set(Q::multiple_share, 0.7 + off + 0.2 * high);
+        set(Q::multiple_stress_ratio, 0.25 + 0.5 * off), set(Q::binary_stress_ratio, 0.24 + 2.0 * off * (high - 0.4));
+        set(Q::stress_ratio, 0.26 + off + (slow > 0.0 ? -0.08 * high : 0.02 * high));
+        numbers.push_back(of);
+        if (slow == 0.0) apart.push_back(0.01 + 0.5 * off - 2.0 * off * (high - 0.4));
+      }
+      study.push_back(made_point(series, load, numbers));
+    }
+  }
+  const std::vector<Verdict> found = verdicts(study);
+  double squares = 0.0, mean = 0.0, sum = 0.0;
+  for (const double off : scatter)
+    squares += off * off;
+  const double error = std::sqrt(2.0 * squares / 6.0);  // of a difference of two means of three
+  for (const double each : apart)
+    mean += each / 6.0;
+  for (const double each : apart)
+    sum += (each - mean) * (each - mean);
+  const std::vector<std::pair<double, int>> exact{
+      {-0.1 / error, 4}, {0.2 / error, 4}, {mean / std::sqrt(sum / 30.0), 5}, {0.02 / error, 4}, {-0.08 / error, 4}};
+  double significance = 0.0, chances = 0.0, outturns = 0.0;
+  const std::array sign{-1.0, 1.0, -1.0, -1.0, -1.0};
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    const auto [t, freedom] = exact[k];
+    const double p = chance(t, setup.has("one_freedom_more") && freedom == 4 ? 5 : freedom);
+    keep_worst(significance, found.at(k).significance / t - 1.0);
+    keep_worst(chances, found[k].chance - p);
+    const Outturn outturn = !(p < 0.01) ? Outturn::not_shown : sign[k] * t > 0.0 ? Outturn::holds : Outturn::opposed;
+    outturns += found[k].outturn == outturn ? 0.0 : 1.0;
+  }
+  findings.expect("verdicts: Student's t, largest relative error", significance, 0.0,
+                  Tolerance::round_off(1e-11, "differences of numbers up to 9, of which 14 digits are left"));
+  findings.expect("verdicts: chances, largest error", chances, 0.0,
+                  Tolerance::round_off(1e-11, "Student's distribution with 4 and 5 degrees of freedom in closed form"));
+  findings.expect("verdicts that are not those of t and chance", outturns, 0.0, Tolerance::exact("words for both"));
+}
+
+void run(Findings& findings, const Setup& setup) {
+  expect_coverage(findings, setup);
+  if (setup.needs("study: ")) expect_study(findings, setup);
+  if (setup.needs("verdicts")) expect_verdicts(findings, setup);
+}
+
+}  // namespace
+
+Case definition() {
+  return {
+      .id = "mean_errors",
+      .title = "Errors of means, and what a study concludes from them",
+      .family = "the shear cell",
+      .requirements = {{"F8", {"errors"}}},
+      .main_checks = {"error that is given over the exact one, mean, a = 0.8",
+                      "error that is given over the exact one, ratio, a = 0.8",
+                      "study: standard errors over seeds, largest relative error", "verdicts: chances, largest error"},
+      .source = "Student's distribution and series with exponential memory in closed form; Welch 1947",
+      .faults = {{"neighbours_independent", "errors as of independent neighbours",
+                  "error that is given over the exact one, mean, a = 0.8"},
+                 {"one_seed", "cells of one seed in place of three",
+                  "study: depth, largest overlap and seed of each run, largest difference from a cell of that seed"},
+                 {"one_freedom_more", "five degrees of freedom for four", "verdicts: chances, largest error"}},
+      .run = run};
+}
+
+}  // namespace talus::verification::problems::mean_errors

@@ -1,0 +1,682 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "verification/check/case.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/json_node.hpp"
+#include "verification/reference/virtual_discs.hpp"
+#include "verification/study/curves.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/program_run.hpp"
+
+namespace talus::verification::problems::cell_files {
+namespace {
+
+using records::Csv;
+using records::Json;
+using records::Node;
+using reference::VirtualDiscs;
+
+/// The deck. Units of SI.
+constexpr int rows = 4, columns = 5, wall_discs = 6;
+constexpr std::size_t free_discs = rows * columns, all_discs = free_discs + 2 * wall_discs;
+constexpr double k1 = 1.7e4, k2 = k1 / 0.49, diameter = 1e-3, mass = 7.2e-7, gravity = 9.81, block_mass = 5e-3,
+                 block_speed = 5.0, width = wall_discs * diameter, half = 0.5 * width;
+constexpr double area = width * diameter;  ///< that stresses on the walls refer to
+constexpr double step = 3e-7;
+constexpr int steps_in_loop = 120, steps = 16 * steps_in_loop + 90;  // the last LOOP is not whole
+/// Contacts are sampled every half contact time, 20 of these steps, and layers at every eighth sample.
+constexpr int steps_in_sample = 20, samples_in_look = 8;
+constexpr double loop = steps_in_loop * step, end = steps * step;
+/// The first quarter of a run does not count for means.
+constexpr double start_up = 0.25 * end;
+/// RESTART.DAT.
+constexpr double elapsed = 0.0123;
+constexpr long cycles = 41000;
+
+double wrapped(double x) { return x - width * std::floor(x / width + 0.5); }
+
+/// Free discs, the base and the block at the elapsed time, the block set down on the discs.
+VirtualDiscs start() {
+  VirtualDiscs discs{.k1 = k1,
+                     .k2 = k2,
+                     .diameter = diameter,
+                     .mass = mass,
+                     .left = -half,
+                     .width = width,
+                     .gravity = gravity,
+                     .block_mass = block_mass,
+                     .free = free_discs,
+                     .wall = wall_discs,
+                     .x = {},
+                     .y = {},
+                     .vx = {},
+                     .vy = {}};
+  std::mt19937 random{7};
+  const auto around = [&](double mean, double deviation) {
+    return mean + deviation * (static_cast<double>(random()) / 2147483648.0 - 1.0);
+  };
+  const auto add = [&](double x, double y, double vx, double vy) {
+    discs.x.push_back(x), discs.y.push_back(y), discs.vx.push_back(vx), discs.vy.push_back(vy);
+  };
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      // Each row over the gaps of the one below, hardly apart from it.
+      const double place = (column + (row % 2 == 0 ? 0.25 : 0.75)) / columns - 0.5;
+      // The last disc is the highest, so that the block lies on it across the border.
+      const bool highest = row == rows - 1 && column == columns - 1;
+      const double x = around(width * place, 1e-5);
+      const double y = around(1.02e-3 + 8.4e-4 * row, 1e-5) + (highest ? 1e-4 : 0.0);
+      const double vx = around(block_speed * y / 4.5e-3, 0.5);
+      add(x, y, vx, around(0.0, 0.5));
+    }
+  }
+  for (int i = 0; i < wall_discs; ++i)
+    add(-half + diameter * (i + 0.5), 0.0, 0.0, 0.0);
+  double height = diameter;
+  for (int i = 0; i < wall_discs; ++i) {
+    add(wrapped(-half + diameter * (i + 0.5) + block_speed * elapsed), 0.0, block_speed, 0.0);
+    for (std::size_t j = 0; j < free_discs; ++j) {
+      const double across = wrapped(discs.x.back() - discs.x[j]);
+      if (std::abs(across) < diameter)
+        height = std::max(height, discs.y[j] + std::sqrt(diameter * diameter - across * across));
+    }
+  }
+  std::fill_n(discs.y.end() - wall_discs, wall_discs, height);
+  return discs;
+}
+
+std::string control_text(const Setup& setup) {
+  const double speed = setup.has("faster_block") ? (1.0 + 1e-7) * block_speed : block_speed;
+  return fmt::format("1 1\n{} {} {} {} {} {}\n{} {} {} {}\n{} {} {}\n", k1, k2, diameter, mass, gravity, block_mass,
+                     rows, columns, wall_discs, speed, step, loop, end);
+}
+
+std::string restart_text(const VirtualDiscs& discs, const Setup& setup) {
+  std::string text = fmt::format("{} {}\n", setup.has("started_later") ? elapsed + 1e-9 : elapsed, cycles);
+  for (std::size_t i = 0; i < free_discs; ++i)
+    text += fmt::format("{} {} {} {}\n", discs.x[i], discs.y[i], discs.vx[i], discs.vy[i]);
+  return text;
+}
+
+/// What is averaged, in the order of the columns of history.csv; from `moment` on for the summary alone.
+enum Quantity : std::size_t {
+  top_shear,
+  top_normal,
+  bottom_shear,
+  bottom_normal,
+  depth,
+  solid_fraction,
+  touching,
+  coordination,
+  moment,  ///< shear on the block times the height of its centre line over the base's
+  depth_square,
+  contacts,
+  multiple,  ///< contacts of which a free disc has another
+  shear,     ///< stresses of contacts times the height of the field
+  normal,
+  multiple_shear,
+  multiple_normal,
+  kinetic,  ///< shear that moving discs carry times the height of the field
+  count,
+};
+using Values = std::array<double, count>;
+
+/// Weighted means.
+struct Mean {
+  Values sum{};
+  double weight{};
+  void add(const Values& values, double time) {
+    weight += time;
+    for (std::size_t k = 0; k < count; ++k)
+      sum[k] += time * values[k];
+  }
+  double operator()(Quantity quantity) const { return sum[quantity] / weight; }
+};
+
+/// A disc as the layers see it.
+struct Seen {
+  double time{};    ///< since the start, of the sample [T]
+  double weight{};  ///< time that it counts for [T]
+  double y{}, vx{}, vy{};
+};
+
+/// Discs and contacts at an output.
+struct State {
+  VirtualDiscs discs;
+  std::vector<bool> multiple;  ///< of each contact
+};
+
+/// What the files should hold, from the reference's motion.
+struct Expected {
+  std::vector<Mean> loops;
+  Mean steady;  ///< after the start-up
+  std::vector<Seen> seen;
+  std::vector<double> weights;  ///< of the looks in each tenth of the time after the start-up [T]
+  std::vector<State> states;    ///< at each LOOP, and at the end
+  double largest_overlap{}, largest_fraction{};
+  double work{};  ///< of what drives the block [F L]
+};
+
+/// The contacts that act in a state, with memory as it is there, and which of them are multiple.
+State state_of(const VirtualDiscs& discs) {
+  State state{discs, {}};
+  state.discs.step(0.0);
+  std::array<int, all_discs> touched{};
+  for (const VirtualDiscs::Contact& contact : state.discs.contacts)
+    ++touched[contact.a], ++touched[contact.b];
+  for (const VirtualDiscs::Contact& contact : state.discs.contacts) {
+    const auto has_another = [&](std::size_t disc) { return disc < free_discs && touched[disc] > 1; };
+    state.multiple.push_back(has_another(contact.a) || has_another(contact.b));
+  }
+  return state;
+}
+
+double height_of(const VirtualDiscs& discs) { return discs.y[all_discs - 1] - discs.y[free_discs]; }
+
+double fraction_of(const VirtualDiscs& discs) {
+  const double disc = 0.25 * std::numbers::pi * diameter * diameter;
+  return free_discs * disc / (width * (height_of(discs) - diameter));
+}
+
+Values sampled(const State& state, Expected& expected) {
+  Values values{};
+  values[contacts] = static_cast<double>(state.multiple.size());
+  values[touching] = state.multiple.empty() ? 0.0 : 1.0;
+  for (std::size_t c = 0; c < state.multiple.size(); ++c) {
+    const VirtualDiscs::Contact& contact = state.discs.contacts[c];
+    const double length = std::hypot(contact.dx, contact.dy);
+    const double fx = contact.force * contact.dx / length, fy = contact.force * contact.dy / length;
+    const double along = -fx * contact.dy / area, across = fy * contact.dy / area;
+    values[shear] += along, values[normal] += across;
+    if (state.multiple[c]) values[multiple] += 1.0, values[multiple_shear] += along, values[multiple_normal] += across;
+    values[coordination] += ((contact.a < free_discs ? 1.0 : 0.0) + (contact.b < free_discs ? 1.0 : 0.0)) / free_discs;
+    expected.largest_overlap = std::max(expected.largest_overlap, contact.overlap);
+  }
+  for (std::size_t i = 0; i < free_discs; ++i)
+    values[kinetic] -= mass * state.discs.vx[i] * state.discs.vy[i] / area;
+  values[solid_fraction] = fraction_of(state.discs);
+  expected.largest_fraction = std::max(expected.largest_fraction, values[solid_fraction]);
+  return values;
+}
+
+/// Which of the equal parts of a time.
+std::size_t part(double time, double whole, int parts) {
+  return static_cast<std::size_t>(std::clamp(std::floor(parts * time / whole), 0.0, parts - 1.0));
+}
+
+Expected expected_of(VirtualDiscs discs, const Setup& setup) {
+  Expected expected;
+  expected.loops.resize((steps + steps_in_loop - 1) / steps_in_loop), expected.weights.resize(10);
+  Values walls{};  // sums over the steps since the last sample
+  int since = 0, samples = 0;
+  double look = 0.0;
+  for (int n = 1; n <= steps; ++n) {
+    discs.step(step), ++since;
+    const double height = height_of(discs), x = discs.force_on_block_x;
+    walls[top_shear] -= x / area, walls[top_normal] += discs.force_on_block_y / area;
+    walls[bottom_shear] += discs.force_on_base_x / area, walls[bottom_normal] -= discs.force_on_base_y / area;
+    walls[depth] += height - diameter, walls[depth_square] += (height - diameter) * (height - diameter);
+    walls[moment] -= x / area * height;
+    expected.work -= step * x * block_speed;
+    const bool last = n == steps;
+    if (n % steps_in_sample != 0 && !last) continue;
+    const State state = state_of(discs);
+    Values values = sampled(state, expected);
+    for (const Quantity k : {top_shear, top_normal, bottom_shear, bottom_normal, depth, depth_square, moment})
+      values[k] = walls[k] / since;
+    const double weight = since * step, time = n * step - 0.5 * weight;
+    const auto of_loop = static_cast<std::size_t>((n - 1) / steps_in_loop);
+    expected.loops[setup.has("samples_one_loop_late") && of_loop > 0 ? of_loop - 1 : of_loop].add(values, weight);
+    if (part(time, end, 100) >= 25) expected.steady.add(values, weight);
+    look += weight;
+    if (++samples == samples_in_look || last) {
+      if (time >= start_up) {
+        expected.weights[part(time - start_up, end - start_up, 10)] += look;
+        for (std::size_t i = 0; i < free_discs; ++i)
+          expected.seen.push_back({time, look, discs.y[i] - discs.y[free_discs], discs.vx[i], discs.vy[i]});
+      }
+      look = 0.0, samples = 0;
+    }
+    walls = {}, since = 0;
+    if (n % steps_in_loop == 0 || last) expected.states.push_back(state);
+  }
+  return expected;
+}
+
+Tolerance of_paths() {
+  return Tolerance::round_off(
+      1e-9,
+      "places are rounded to 1e-16 at 2010 steps, and neighbouring paths part tenfold in some "
+      "ten contacts of a disc, to 2.5e-11 here; a step or a contact more or less is above 1e-4");
+}
+
+void check_history(const TemporaryFolder& folder, const Expected& expected, Findings& findings) {
+  const Csv history = records::read_csv(folder.path() / "out/history.csv");
+  const std::vector<std::string> header{
+      "time [s]",      "top_shear [N/m^2]", "top_normal [N/m^2]", "bottom_shear [N/m^2]", "bottom_normal [N/m^2]",
+      "depth [m]",     "solid_fraction",    "touching",           "coordination",         "stress_ratio",
+      "multiple_share"};
+  findings.expect_true("history.csv: names, units and order of its columns", history.header() == header,
+                       "SI, as the option says");
+  findings.expect("history.csv: rows", static_cast<double>(history.rows()), static_cast<double>(expected.loops.size()),
+                  Tolerance::exact("one for each LOOP, the last of which is not whole"));
+  double worst = 0.0, times = 0.0;
+  Values scale{};
+  for (const Mean& mean : expected.loops)
+    for (std::size_t k = 0; k < count; ++k)
+      scale[k] = std::max(scale[k], std::abs(mean.sum[k] / mean.weight));
+  for (std::size_t row = 0; row < std::min(history.rows(), expected.loops.size()); ++row) {
+    const Mean& mean = expected.loops[row];
+    keep_worst(times, history.number(row, 0) - (elapsed + std::min(static_cast<double>(row + 1) * loop, end)));
+    for (std::size_t k = top_shear; k <= coordination; ++k)
+      keep_worst(worst, (history.number(row, k + 1) - mean.sum[k] / mean.weight) / scale[k]);
+    keep_worst(worst, history.number(row, 9) - (mean(top_normal) != 0.0 ? mean(top_shear) / mean(top_normal) : 0.0));
+    keep_worst(worst, history.number(row, 10) - (mean(contacts) != 0.0 ? mean(multiple) / mean(contacts) : 0.0));
+  }
+  findings.expect("history.csv: times of the rows, largest error", times, 0.0,
+                  Tolerance::round_off(1e-16, "the end of each LOOP after the elapsed time of RESTART.DAT"), "s");
+  findings.expect("history.csv: means over each LOOP, largest error", worst, 0.0, of_paths());
+}
+
+/// Area of a disc of radius 1 between two heights over its centre: the integral of 2 cos^2.
+double area_between(double low, double high) {
+  const auto integral = [](double height) {
+    const double angle = std::asin(std::clamp(height, -1.0, 1.0));
+    return angle + 0.5 * std::sin(2.0 * angle);
+  };
+  return integral(high) - integral(low);
+}
+
+/// Velocity, temperature and solid fraction of a layer, without the looks of one tenth of the time, or (10) of all.
+std::array<double, 3> layer_of(const Expected& expected, double low, double high, std::size_t without) {
+  constexpr double radius = 0.5 * diameter;
+  const auto each = [&](auto&& visit) {
+    for (const Seen& disc : expected.seen) {
+      if (part(disc.time - start_up, end - start_up, 10) == without) continue;
+      const double inside = area_between((low - disc.y) / radius, (high - disc.y) / radius);
+      visit(disc, disc.weight * radius * radius * inside);
+    }
+  };
+  double whole = 0.0, velocity = 0.0, temperature = 0.0, time = 0.0;
+  each([&](const Seen& disc, double share) { whole += share, velocity += share * disc.vx; });
+  if (whole > 0.0) velocity /= whole;
+  each([&](const Seen& disc, double share) {
+    temperature += share * 0.5 * mass * ((disc.vx - velocity) * (disc.vx - velocity) + disc.vy * disc.vy);
+  });
+  for (std::size_t tenth = 0; tenth < 10; ++tenth)
+    time += tenth == without ? 0.0 : expected.weights[tenth];
+  return {velocity, whole > 0.0 ? temperature / whole : 0.0, whole / (time * width * (high - low))};
+}
+
+void check_profile(const TemporaryFolder& folder, const Expected& expected, Findings& findings, const Setup& setup) {
+  const Csv profile = records::read_csv(folder.path() / "out/profile.csv");
+  const std::vector<std::string> header{
+      "y [m]",          "velocity [m/s]",      "velocity_error [m/s]", "temperature [N m]", "temperature_error [N m]",
+      "solid_fraction", "solid_fraction_error"};
+  findings.expect_true("profile.csv: names, units and order of its columns", profile.header() == header,
+                       "SI, as the option says");
+  const double thickness = 0.5 * diameter, shift = setup.has("layers_shifted") ? 0.01 * thickness : 0.0;
+  double places = 0.0, means = 0.0, errors = 0.0, discs = 0.0;
+  const std::array scale{block_speed, 0.5 * mass, 1.0};
+  std::vector<double> lows;  // of the layers that discs were in
+  for (int layer = 0; layer < 4 * rows; ++layer)
+    if (layer_of(expected, layer * thickness, (layer + 1) * thickness, 10)[2] > 0.0) lows.push_back(layer * thickness);
+  findings.expect("profile.csv: rows", static_cast<double>(profile.rows()), static_cast<double>(lows.size()),
+                  Tolerance::exact("layers that discs were in"));
+  for (std::size_t row = 0; row < std::min(profile.rows(), lows.size()); ++row) {
+    const double low = lows[row] + shift;
+    keep_worst(places, profile.number(row, 0) - (low + 0.5 * thickness - shift));
+    const std::array all = layer_of(expected, low, low + thickness, 10);
+    discs += profile.number(row, 5) * width * thickness;
+    std::vector<std::array<double, 3>> parts;
+    for (std::size_t tenth = 0; tenth < 10; ++tenth)  // one of which is between two looks
+      if (expected.weights[tenth] > 0.0) parts.push_back(layer_of(expected, low, low + thickness, tenth));
+    const auto kept = static_cast<double>(parts.size());
+    const bool always = std::ranges::all_of(parts, [](const auto& of) { return of[2] > 0.0; });
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      keep_worst(means, (profile.number(row, 1 + 2 * k) - all[k]) / scale[k]);
+      double mean = 0.0, squares = 0.0;
+      for (const auto& of : parts)
+        mean += of[k] / kept;
+      for (const auto& of : parts)
+        squares += (of[k] - mean) * (of[k] - mean);
+      if (always)
+        keep_worst(errors, (profile.number(row, 2 + 2 * k) - std::sqrt((kept - 1.0) / kept * squares)) / scale[k]);
+    }
+  }
+  findings.expect("profile.csv: heights of its layers, largest error", places, 0.0,
+                  Tolerance::round_off(1e-17, "middles of layers of half a diameter from the base's centre line up"),
+                  "m");
+  findings.expect("profile.csv: velocity, temperature and solid fraction, largest error", means, 0.0, of_paths());
+  findings.expect("profile.csv: jackknife errors, largest error", errors, 0.0, of_paths());
+  findings.expect("profile.csv: area of the discs in all layers, over that of the discs",
+                  discs / (0.25 * std::numbers::pi * diameter * diameter * free_discs), 1.0,
+                  Tolerance::round_off(1e-12, "each disc is in some layers with all of its area"));
+}
+
+/// A state of cell.pvd: discs with the images that contacts reach, contacts as lines.
+struct StateErrors {
+  double discs{}, contacts{};
+};
+void compare_state(const std::string& text, const State& state, StateErrors& worst) {
+  const std::vector<double> points = data_array(text, "Points"), velocity = data_array(text, "velocity"),
+                            id = data_array(text, "id"), radius = data_array(text, "radius"),
+                            wall = data_array(text, "wall"), force = data_array(text, "force"),
+                            multiple_of = data_array(text, "multiple");
+  const VirtualDiscs& discs = state.discs;
+  for (std::size_t i = 0; i < id.size(); ++i) {
+    const auto disc = static_cast<std::size_t>(std::abs(id[i])) - 1;
+    const double along = points.at(3 * i) - discs.x.at(disc);
+    keep_worst(worst.discs, wrapped(along) / diameter);
+    keep_worst(worst.discs, (points.at(3 * i + 1) - discs.y[disc]) / diameter);
+    keep_worst(worst.discs, (velocity.at(3 * i) - discs.vx[disc]) / block_speed);
+    keep_worst(worst.discs, (velocity.at(3 * i + 1) - discs.vy[disc]) / block_speed);
+    keep_worst(worst.discs, radius.at(i) / diameter - 0.5);
+    keep_worst(worst.discs, wall.at(i) - (disc < free_discs ? 0.0 : disc < free_discs + wall_discs ? 1.0 : 2.0));
+    if (i < all_discs) keep_worst(worst.discs, id[i] - static_cast<double>(i + 1));
+  }
+  // Cells of the file: a vertex for each disc, then the lines; its second array of connections is theirs.
+  const std::vector<double> ends = data_array(text.substr(text.find("<Lines>")), "connectivity");
+  keep_worst(worst.contacts, static_cast<double>(ends.size()) / 2.0 - static_cast<double>(discs.contacts.size()));
+  std::vector<bool> found(discs.contacts.size());
+  for (std::size_t line = 0; line < ends.size() / 2; ++line) {
+    const auto a = static_cast<std::size_t>(ends[2 * line]), b = static_cast<std::size_t>(ends[2 * line + 1]);
+    const auto disc_a = static_cast<std::size_t>(std::abs(id.at(a))) - 1,
+               disc_b = static_cast<std::size_t>(std::abs(id.at(b))) - 1;
+    const auto same = std::ranges::find_if(discs.contacts, [&](const VirtualDiscs::Contact& contact) {
+      return std::minmax(contact.a, contact.b) == std::minmax(disc_a, disc_b);
+    });
+    if (same == discs.contacts.end()) {
+      keep_worst(worst.contacts, 1.0);
+      continue;
+    }
+    const auto c = static_cast<std::size_t>(same - discs.contacts.begin());
+    const double sign = same->a == disc_a ? 1.0 : -1.0, cell = force.at(all_discs + line);
+    keep_worst(worst.contacts, (cell - same->force) / (k1 * diameter));
+    keep_worst(worst.contacts, multiple_of.at(all_discs + line) - (state.multiple[c] ? 1.0 : 0.0));
+    keep_worst(worst.contacts, (points.at(3 * b) - points.at(3 * a) - sign * same->dx) / diameter);
+    keep_worst(worst.contacts, (points.at(3 * b + 1) - points.at(3 * a + 1) - sign * same->dy) / diameter);
+  }
+}
+
+void check_states(const TemporaryFolder& folder, const Expected& expected, Findings& findings, const Setup& setup) {
+  const std::vector<GeometryState> files = geometry_states(folder, "out", "cell");
+  findings.expect("cell.pvd: states", static_cast<double>(files.size()), static_cast<double>(expected.states.size()),
+                  Tolerance::exact("one at the end of each LOOP"));
+  double times = 0.0;
+  StateErrors worst;
+  std::size_t contacts_seen = 0;
+  for (std::size_t k = 0; k < std::min(files.size(), expected.states.size()); ++k) {
+    keep_worst(times, files[k].time - (elapsed + std::min(static_cast<double>(k + 1) * loop, end)));
+    const std::size_t of = setup.has("state_one_late") && k + 1 < expected.states.size() ? k + 1 : k;
+    compare_state(files[k].text, expected.states[of], worst);
+    contacts_seen += expected.states[k].multiple.size();
+  }
+  findings.expect("cell.pvd: times of the states, largest error", times, 0.0,
+                  Tolerance::round_off(1e-13, "a sum of 2010 steps of 3e-7 s, each rounded to 2e-18 s"), "s");
+  findings.expect("cell.pvd: places, velocities, radii and walls of discs, largest error", worst.discs, 0.0,
+                  of_paths());
+  findings.expect("cell.pvd: ends, forces and kinds of contacts, largest error", worst.contacts, 0.0, of_paths());
+  findings.expect_between("cell.pvd: contacts compared", static_cast<double>(contacts_seen), 60.0, 600.0,
+                          "without them nothing is compared; a disc of a plane has four in the mean where it jams");
+}
+
+/// The page that plays the cell: places in whole quanta, speeds and forces in thousandths of the largest.
+void check_player(const TemporaryFolder& folder, const Expected& expected, Findings& findings) {
+  (void)talus_output(folder, {"animate", "out"});
+  const std::string page = folder.read("out/plots/animation.html"), begin = "id=\"data\">";
+  const std::size_t from = page.find(begin) + begin.size();
+  const Json data = Json::parse(page.substr(from, page.find("</script>", from) - from));
+  const Node player{data, "animation.html"};
+  const double quantum = player.at("discs").at("quantum").number();
+  double largest_speed = 0.0, largest_force = 0.0;
+  for (const State& state : expected.states) {
+    for (std::size_t i = 0; i < free_discs; ++i)
+      largest_speed = std::max(largest_speed, std::hypot(state.discs.vx[i], state.discs.vy[i]));
+    for (const VirtualDiscs::Contact& contact : state.discs.contacts)
+      largest_force = std::max(largest_force, contact.force);
+  }
+  const std::vector<Node> frames = player.at("frames").list();
+  double places = 0.0, thousandths = 0.0;
+  for (std::size_t f = 0; f < std::min(frames.size(), expected.states.size()); ++f) {
+    const VirtualDiscs& discs = expected.states[f].discs;
+    const std::vector<Node> at = frames[f].at("places").list(), speeds = frames[f].at("speeds").list(),
+                            contacts_of = frames[f].at("contacts").list();
+    for (std::size_t i = 0; i < free_discs; ++i) {
+      keep_worst(places, wrapped(quantum * at.at(2 * i).number() - discs.x[i]) / quantum);
+      keep_worst(places, std::max(0.0, std::abs(at[2 * i].number()) - half / quantum));  // within the field
+      keep_worst(places, at.at(2 * i + 1).number() - discs.y[i] / quantum);
+      keep_worst(thousandths, speeds.at(i).number() - 1e3 * std::hypot(discs.vx[i], discs.vy[i]) / largest_speed);
+    }
+    double forces = 0.0, exact = 0.0;
+    for (std::size_t c = 2; c < contacts_of.size(); c += 3)
+      forces += contacts_of[c].number() / 1e3;
+    for (const VirtualDiscs::Contact& contact : discs.contacts)
+      exact += contact.force / largest_force;
+    const double count_of = std::max(1.0, static_cast<double>(discs.contacts.size()));
+    keep_worst(thousandths, 1e3 * (forces - exact) / count_of);
+  }
+  findings.expect("animation: frames", static_cast<double>(frames.size()), static_cast<double>(expected.states.size()),
+                  Tolerance::exact("one for each state"));
+  const Tolerance rounded = Tolerance::model(0.5 + 1e-6, "rounded to whole numbers");
+  findings.expect("animation: places of the discs, largest error in quanta", places, 0.0, rounded);
+  findings.expect("animation: speeds and mean forces, largest error in thousandths", thousandths, 0.0, rounded);
+}
+
+std::vector<std::array<double, 4>> numbers_of(const std::string& text, std::size_t in_line) {
+  std::vector<std::array<double, 4>> lines;
+  std::istringstream input{text};
+  for (std::array<double, 4> line{}; input >> line[0];) {
+    for (std::size_t k = 1; k < in_line; ++k)
+      input >> line[k];
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// The files of 1989: RESTART.DAT and PIC.DAT of the last LOOP.
+void check_decks(const TemporaryFolder& folder, const Expected& expected, Findings& findings) {
+  const VirtualDiscs& discs = expected.states.back().discs;
+  const std::string restart = folder.read("out/RESTART.DAT");
+  const std::size_t first = restart.find('\n') + 1;
+  const std::array head = numbers_of(restart.substr(0, first), 2).at(0);
+  findings.expect("RESTART.DAT: elapsed time", head[0], elapsed + end,
+                  Tolerance::round_off(1e-13, "a sum of 2010 steps of 3e-7 s, each rounded to 2e-18 s"), "s");
+  findings.expect("RESTART.DAT: cycles", head[1], static_cast<double>(cycles + steps),
+                  Tolerance::exact("those of the file that the run began from, and its own"));
+  double worst = 0.0;
+  const auto records = numbers_of(restart.substr(first), 4);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    keep_worst(worst, wrapped(records[i][0] - discs.x.at(i)) / diameter);
+    keep_worst(worst, (records[i][1] - discs.y[i]) / diameter);
+    keep_worst(worst, (records[i][2] - discs.vx[i]) / block_speed);
+    keep_worst(worst, (records[i][3] - discs.vy[i]) / block_speed);
+  }
+  findings.expect("RESTART.DAT: discs", static_cast<double>(records.size()), free_discs,
+                  Tolerance::exact("the free ones"));
+  findings.expect("RESTART.DAT: places and velocities, largest error", worst, 0.0, of_paths());
+  // Each disc and each image of it that is within the field or touches it.
+  std::vector<std::array<double, 3>> pictures;
+  for (std::size_t i = 0; i < all_discs; ++i) {
+    for (const double box : {-1.0, 0.0, 1.0}) {
+      const double x = wrapped(discs.x[i]) + box * width, number = static_cast<double>(i + 1);
+      if (std::abs(x) < half + 0.5 * diameter) pictures.push_back({box == 0.0 ? number : -number, x, discs.y[i]});
+    }
+  }
+  const auto drawn = numbers_of(folder.read("out/PIC.DAT"), 3);
+  double away = static_cast<double>(drawn.size()) - static_cast<double>(pictures.size());
+  for (const auto& picture : pictures) {
+    double nearest = 1.0;
+    for (const auto& row : drawn)
+      if (row[0] == picture[0]) nearest = std::min(nearest, std::hypot(row[1] - picture[1], row[2] - picture[2]));
+    keep_worst(away, nearest / diameter);
+  }
+  findings.expect("PIC.DAT: discs and virtual discs, number and largest distance", away, 0.0, of_paths());
+}
+
+/// Both sides of the limits that a cell's step must keep: 10 steps in a contact for a leapfrog, and for Euler a
+/// restitution e exp[(w1 + w2) pi h/4] that is off by at most 0.05.
+void check_limits(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
+  const double w1 = std::sqrt(2.0 * k1 / mass), w2 = std::sqrt(2.0 * k2 / mass);
+  const double contact = 0.5 * std::numbers::pi * (1.0 / w1 + 1.0 / w2);
+  const double euler = std::log(0.75 / 0.7) / (0.25 * std::numbers::pi * (w1 + w2));
+  double wrong = 0.0;
+  for (const auto& [method, limit] : {std::pair{"euler_cromer", contact / 10.0}, std::pair{"euler", euler}}) {
+    for (const double share : {0.999, 1.001}) {
+      const double h = share * limit * (setup.has("limit_doubled") ? 2.0 : 1.0);
+      folder.write("LIMIT.DAT",
+                   fmt::format("0 0\n{} {} {} {} {} {}\n{} {} {} {}\n{} {} {}\n", k1, k2, diameter, mass, gravity,
+                               block_mass, rows, columns, wall_discs, block_speed, h, 2.0 * h, 4.0 * h));
+      const ProgramEnd ended = run_talus(folder, {"cell", "LIMIT.DAT", "--integrator", method});
+      wrong += (ended.exit_code == 0) == (share < 1.0) ? 0.0 : 1.0;
+    }
+  }
+  findings.expect("steps that are accepted or refused on the wrong side of their limit", wrong, 0.0,
+                  Tolerance::exact("0.999 of the limit is accepted, 1.001 refused, for two methods"));
+}
+
+void check_summary(const Node& summary, const Expected& expected, const VirtualDiscs& before, Findings& findings) {
+  const Mean& mean = expected.steady;
+  const double multiples = mean(multiple_normal), binaries = mean(normal) - multiples;
+  const std::vector<std::tuple<const char*, double, double>> results{
+      {"stress_ratio_top", mean(top_shear) / mean(top_normal), 1.0},
+      {"stress_ratio_bottom", mean(bottom_shear) / mean(bottom_normal), 1.0},
+      {"top_shear", mean(top_shear), mean(top_normal)},
+      {"top_normal", mean(top_normal), mean(top_normal)},
+      {"bottom_shear", mean(bottom_shear), mean(top_normal)},
+      {"bottom_normal", mean(bottom_normal), mean(top_normal)},
+      {"depth", mean(depth), diameter},
+      {"depth_deviation", std::sqrt(mean(depth_square) - mean(depth) * mean(depth)), diameter},
+      {"solid_fraction", mean(solid_fraction), 1.0},
+      {"contact_time_share", mean(touching), 1.0},
+      {"multiple_share", mean(multiple) / mean(contacts), 1.0},
+      {"coordination", mean(coordination), 1.0},
+      {"multiple_shear_share", mean(multiple_shear) / mean(shear), 1.0},
+      {"multiple_stress_ratio", mean(multiple_shear) / multiples, 1.0},
+      {"binary_stress_ratio", (mean(shear) - mean(multiple_shear)) / binaries, 1.0},
+      {"kinetic_shear_share", mean(kinetic) / mean(moment), 1.0},
+      {"shear_balance", (mean(shear) + mean(kinetic)) / mean(moment), 1.0},
+      {"largest_overlap", expected.largest_overlap / diameter, 1.0},
+      {"largest_solid_fraction", expected.largest_fraction, 1.0}};
+  double worst = 0.0;
+  const Node found = summary.at("results");
+  for (const auto& [name, value, scale] : results)
+    keep_worst(worst, (found.at(name).at("value").number() - value) / scale);
+  findings.expect("summary.json: results", static_cast<double>(found.members().size()),
+                  static_cast<double>(results.size()), Tolerance::exact("those compared below"));
+  findings.expect("summary.json: results, largest error", worst, 0.0, of_paths());
+
+  const VirtualDiscs& discs = expected.states.back().discs;
+  const auto kinetic_of = [](const VirtualDiscs& of) {
+    double energy = 0.5 * block_mass * of.vy.back() * of.vy.back();
+    for (std::size_t i = 0; i < free_discs; ++i)
+      energy += 0.5 * mass * (of.vx[i] * of.vx[i] + of.vy[i] * of.vy[i]);
+    return energy;
+  };
+  double stored = 0.0;  // what the unloading branch, the stiffer one, gives back
+  for (const VirtualDiscs::Contact& contact : discs.contacts)
+    stored += 0.5 * contact.force * contact.force / k2;
+  const double potential = block_mass * gravity * height_of(discs),
+               first = kinetic_of(before) + block_mass * gravity * height_of(before);
+  const double gained = kinetic_of(discs) + potential + stored + discs.lost - expected.work - first;
+  const Node energy = summary.at("energy");
+  double off = 0.0;
+  for (const auto& [name, value] :
+       {std::pair{"kinetic", kinetic_of(discs)}, std::pair{"potential", potential}, std::pair{"stored", stored},
+        std::pair{"driven", expected.work}, std::pair{"dissipated", discs.lost}, std::pair{"gained", gained}})
+    keep_worst(off, (energy.at(name).number() - value) / expected.work);
+  findings.expect("summary.json: energies at the end over the work of the drive, largest error", off, 0.0, of_paths());
+  findings.expect("summary.json: energy unaccounted for",
+                  energy.at("unaccounted").number() - gained / std::max(std::abs(expected.work), discs.lost), 0.0,
+                  of_paths());
+
+  // The groups by their definitions; two discs that meet have the effective mass m/2.
+  const double contact = 0.5 * std::numbers::pi * (std::sqrt(0.5 * mass / k1) + std::sqrt(0.5 * mass / k2));
+  const double pressure = block_mass * gravity / area,
+               density = mass / (0.25 * std::numbers::pi * std::pow(diameter, 3));
+  double groups = 0.0;
+  for (const auto& [name, value] :
+       {std::pair{"restitution", 0.7}, std::pair{"contact_steps", contact / step},
+        std::pair{"stiffness_number", k1 / (pressure * diameter)},
+        std::pair{"inertial_number", block_speed / mean(depth) * diameter * std::sqrt(density / pressure)},
+        std::pair{"contact_shear", contact * block_speed / mean(depth)},
+        std::pair{"block_over_disc", block_mass / mass},
+        std::pair{"columns_over_wall", static_cast<double>(columns) / wall_discs}})
+    keep_worst(groups, summary.at("groups").at(name).at("value").number() / value - 1.0);
+  findings.expect("summary.json: dimensionless groups, largest relative error", groups, 0.0, of_paths());
+}
+
+void run(Findings& findings, const Setup& setup) {
+  const auto group = findings.in("cell");
+  const TemporaryFolder folder;
+  const VirtualDiscs before = start();
+  folder.write("CNTRL.DAT", control_text(setup));
+  folder.write("RESTART.DAT", restart_text(before, setup));
+  (void)talus_output(folder, {"cell", "CNTRL.DAT", "--units", "SI", "--integrator", "euler_cromer", "--out", "out"});
+  const Expected expected = expected_of(before, setup);
+  findings.count(steps);
+  check_history(folder, expected, findings);
+  check_profile(folder, expected, findings, setup);
+  check_states(folder, expected, findings, setup);
+  check_decks(folder, expected, findings);
+  if (setup.needs("wrong side of their limit")) check_limits(folder, findings, setup);
+  if (setup.needs("animation")) check_player(folder, expected, findings);
+  const Json summary = records::read_json(folder.path() / "out/summary.json");
+  check_summary(Node{summary, "summary.json"}, expected, before, findings);
+  if (setup.coarse) return;
+  const Csv profile = records::read_csv(folder.path() / "out/profile.csv");
+  std::vector<double> heights, velocities;
+  for (std::size_t row = 0; row < profile.rows(); ++row)
+    heights.push_back(profile.number(row, 0) / diameter), velocities.push_back(profile.number(row, 1) / block_speed);
+  Series exact{.label = "reference", .style = Style::lines};
+  for (double y = 0.25; y < heights.back(); y += 0.05)
+    exact.add(layer_of(expected, (y - 0.25) * diameter, (y + 0.25) * diameter, 10)[0] / block_speed, y);
+  findings.figure({.name = "profile",
+                   .title = "A column of profile.csv",
+                   .caption = "Mean velocity along x of discs in layers of half a diameter: rows of the file, and the "
+                              "same of the reference's motion in layers at any height.",
+                   .x = {.label = "velocity over that of the block"},
+                   .y = {.label = "height over D"},
+                   .series = {exact, points("profile.csv", velocities, heights)}});
+}
+
+}  // namespace
+
+Case definition() {
+  return {.id = "cell_files",
+          .title = "The files of a cell",
+          .requirements = {{"G5", {"cell"}}},
+          .main_checks = {"history.csv: means over each LOOP, largest error",
+                          "profile.csv: velocity, temperature and solid fraction, largest error",
+                          "cell.pvd: places, velocities, radii and walls of discs, largest error",
+                          "summary.json: results, largest error"},
+          .source =
+              "Lacy 1989, Data Input and Parameters (files, stresses), Virtual Elements and Periodic Boundaries "
+              "(reference)",
+          .faults = {{"faster_block", "the block of the deck faster by 1e-7 of itself",
+                      "history.csv: means over each LOOP, largest error"},
+                     {"started_later", "an elapsed time in RESTART.DAT that is 1e-9 s longer",
+                      "cell.pvd: places, velocities, radii and walls of discs, largest error"},
+                     {"samples_one_loop_late", "means compared with those of the LOOP before",
+                      "history.csv: means over each LOOP, largest error"},
+                     {"layers_shifted", "layers compared with those a hundredth of their thickness higher",
+                      "profile.csv: velocity, temperature and solid fraction, largest error"},
+                     {"limit_doubled", "steps about twice their limits",
+                      "steps that are accepted or refused on the wrong side of their limit"},
+                     {"state_one_late", "states compared with those one LOOP later",
+                      "cell.pvd: ends, forces and kinds of contacts, largest error"}},
+          .run = run};
+}
+
+}  // namespace talus::verification::problems::cell_files
