@@ -79,8 +79,11 @@ struct ElasticPlastic {
     if (mode == slack) return -elastic;
     if (mode == taut) return std::min(elastic, limit(memory[0]) / stiffness - elastic);
     if (mode == yielding) {
-      const double left = std::min(rupture - memory[0], (strength - yield_force(memory[0])) / stiffness);
-      return left > 0.0 ? x.extent_rate : left;
+      // Within a step the memory stays behind, and so the stretch is that of the elongation. What is left of both limits,
+      // as a share, goes with the rate: one unit for all ends, and through zero where one of them is reached.
+      const double stretch = stretch_at(x, memory);
+      const double left = std::min(1.0 - stretch / rupture, 1.0 - yield_force(stretch) / strength);
+      return left * (left > 0.0 ? x.extent_rate : std::abs(x.extent_rate));
     }
     return 1.0;
   }
@@ -185,9 +188,11 @@ struct ElasticPlastic {
   constexpr double backbone(Piece at, double elongation) const {
     return at.slope == 0.0 ? at.force : at.force + at.slope * (drawn(at, elongation) - at.stretch);
   }
-  constexpr void draw_out(Kinematics x, std::span<double> memory) const {
-    memory[0] = std::max(memory[0], drawn(drawn_piece(x.extent), x.extent));
+  /// Plastic stretch of a cable with this memory once it is drawn out to this elongation [L].
+  constexpr double stretch_at(Kinematics x, std::span<const double> memory) const {
+    return std::max(memory[0], drawn(drawn_piece(x.extent), x.extent));
   }
+  constexpr void draw_out(Kinematics x, std::span<double> memory) const { memory[0] = stretch_at(x, memory); }
   constexpr Reset broken_with(double tension) const { return {broken, 0.5 * tension * tension / stiffness}; }
 };
 

@@ -101,6 +101,24 @@ double speed_kept(double stiffness, double tension, double mass, double speed) {
   return std::sqrt(speed * speed - 2.0 * broken_energy(stiffness, tension) / mass);
 }
 
+double plastic_work(const YieldingCable& cable, double stretch) {
+  demand_sound(cable);
+  demand(stretch >= 0.0, "the plastic stretch must be >= 0");
+  Real50 work = 0;
+  for (std::size_t i = 0; i < cable.points.size(); ++i) {
+    const Piece on = piece(cable, i);
+    const Real50 reached = on.last || stretch < on.end ? Real50(stretch) : on.end, x = reached - on.stretch;
+    if (x > 0) work += x * (on.force + on.slope * x / 2);
+  }
+  return nearest(work);
+}
+
+double speed_kept(const YieldingCable& cable, double mass, double speed, double stretch) {
+  const double taken = plastic_work(cable, stretch) + broken_energy(cable.stiffness, yield_force(cable, stretch));
+  demand(mass > 0.0 && 0.5 * mass * speed * speed > taken, "the mass must draw the cable out so far");
+  return std::sqrt(speed * speed - 2.0 * taken / mass);
+}
+
 double bungee_depth(const Bungee& b) {
   const double hang = b.mass * b.gravity / b.stiffness;
   return hang * (1.0 + std::sqrt(1.0 + 2.0 * b.height / hang));

@@ -48,6 +48,13 @@ struct CableDraw {
 [[nodiscard]] double broken_energy(double stiffness, double tension);
 [[nodiscard]] double speed_kept(double stiffness, double tension, double mass, double speed);
 
+/// Energy that goes into drawing a cable out to this plastic stretch, integral of Y dp from 0 [F L].
+[[nodiscard]] double plastic_work(const YieldingCable& cable, double stretch);
+
+/// Speed that a mass keeps whose cable, not drawn out before, breaks at this plastic stretch: of its energy the cable has
+/// taken the plastic work, and Y^2/(2 k), which it releases. std::invalid_argument unless the mass gets so far.
+[[nodiscard]] double speed_kept(const YieldingCable& cable, double mass, double speed, double stretch);
+
 /// A mass that falls a height before its elastic cable is taut; d_s = m g/k.
 struct Bungee {
   double stiffness{};  ///< k [F/L] > 0

@@ -111,6 +111,26 @@ BOOST_AUTO_TEST_CASE(breaking) {
   BOOST_TEST(ref::speed_kept(8.0, 4.0, 2.0, 3.0) == std::sqrt(8.0));
 }
 
+BOOST_AUTO_TEST_CASE(drawn_out_until_it_breaks) {
+  for (const auto* cable : {&straight, &bent}) {
+    for (const double stretch : {0.0, 0.1, 0.25, 1.3, 4.0}) {
+      const double h = 1e-4;
+      double work = 0.0;
+      for (double p = 0.5 * h; p < stretch; p += h)
+        work += h * plain_yield_force(*cable, p);
+      BOOST_TEST(std::abs(ref::plastic_work(*cable, stretch) - work) < 1e-6);
+      if (stretch == 0.0) continue;
+      // A mass that turns there keeps nothing; what it is faster by, in squares, it keeps.
+      const double turns = std::sqrt(
+          (2.0 * ref::plastic_work(*cable, stretch) + std::pow(ref::yield_force(*cable, stretch), 2) / 8.0) / 1.5);
+      BOOST_TEST(ref::draw(*cable, 1.5, turns).stretch == stretch, boost::test_tools::tolerance(1e-13));
+      BOOST_TEST(ref::speed_kept(*cable, 1.5, std::hypot(turns, 0.7), stretch) == 0.7,
+                 boost::test_tools::tolerance(1e-12));
+      BOOST_CHECK_THROW((void)ref::speed_kept(*cable, 1.5, 0.999 * turns, stretch), std::invalid_argument);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(wrong_cables_are_refused) {
   BOOST_CHECK_THROW((void)ref::draw({8.0, {{0.0, 2.0}, {0.5, 1.0}}, 0.0}, 1.0, 1.0), std::invalid_argument);
   BOOST_CHECK_THROW((void)ref::draw({8.0, {{0.1, 2.0}}, 0.0}, 1.0, 1.0), std::invalid_argument);

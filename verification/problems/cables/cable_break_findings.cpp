@@ -9,6 +9,7 @@
 #include "verification/problems/cables/cable_findings.hpp"
 #include "verification/reference/cable_draw.hpp"
 #include "verification/study/cable_scenes.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -90,6 +91,55 @@ void check_release(Findings& findings, const Setup& setup) {
                   Tolerance::model(0.03,
                                    "half a kick that is not made while the cable is still held to pull: T v h/2, "
                                    "whatever the phase; the next power of the step is 2 % of it"));
+}
+
+/// Cables that are drawn out until they break, at a rupture stretch or where they have hardened to their strength, by
+/// the methods that locate events.
+void check_located_breaks(Findings& findings, const Setup& setup) {
+  constexpr double tolerance = 1e-10, thrown = 2.0;
+  const double off = setup.has("strength_unread") ? 0.998 : 1.0;
+  const reference::YieldingCable flat{stiffness, {{0.0, 0.5}}, 0.0}, line{stiffness, {{0.0, 0.5}}, 0.25},
+      table{stiffness, {{0.0, 0.5}, {0.5, 0.75}, {1.5, 0.75}, {2.0, 1.25}}, 0.1};
+  const std::vector<YieldPoint> points{{0.5, 0.75}, {1.5, 0.75}, {2.0, 1.25}};
+  const struct {
+    const char* name;
+    const reference::YieldingCable& cable;
+    double stretch;  ///< at which it breaks
+    ElasticPlastic law;
+  } breaks[] = {{"rupture, perfectly plastic", flat, 0.1, {.stiffness = stiffness, .yield = 0.5, .rupture = off * 0.1}},
+                {"strength, hardening line",
+                 line,
+                 1.0,
+                 {.stiffness = stiffness, .yield = 0.5, .hardening = 0.25, .strength = off * 0.75}},
+                {"strength, hardening table",
+                 table,
+                 1.75,
+                 {.stiffness = stiffness, .yield = 0.5, .hardening = 0.1, .strength = off * 1.0, .table = points}}};
+  for (const std::string& name : integrator_names()) {
+    const IntegratorTraits method = integrator_traits(name);
+    if (!method.locates_events || !takes_tolerance(method.step_control)) continue;
+    for (const auto& [what, cable, stretch, law] : breaks) {
+      const Scene scene = thrown_mass(law, mass, thrown);
+      const CableRun run =
+          run_cables(scene, scene.initial, make_integrator(name, tolerance), {half_swing, 10.0, true}, findings);
+      const char* const words =
+          "steps whose local errors are below 1e-10 of the distance travelled and the speed, a dozen of them in one "
+          "direction; the event itself is located to round-off";
+      const std::string by = fmt::format(", {}, {}", what, name);
+      findings.in("located_breaks")
+          ->expect("speed kept after a located break" + by, run.end.v[0],
+                   reference::speed_kept(cable, mass, thrown, stretch),
+                   Tolerance::truncation(tolerance * thrown, 3.0, words), "m/s");
+      findings.in("located_breaks")
+          ->expect("stretch at a located break" + by, run.end.z[0], stretch,
+                   Tolerance::round_off(4e-15, "the event is the stretch itself: a difference of lengths up to 10"),
+                   "m");
+      if (!law.table.empty()) continue;  // at its corners the power of yielding jumps, which no event cuts
+      findings.in("located_breaks")
+          ->expect("energy closure after a located break" + by, run.closure, 0.0,
+                   Tolerance::truncation(tolerance * mass * thrown * thrown, 3.0, words), "J");
+    }
+  }
 }
 
 // ---- the hanger ----
@@ -218,6 +268,25 @@ void check_merged(Findings& findings, const Setup& setup) {
       "N");
 }
 
+/// Two cables that were drawn out by different amounts come to one tension as well, over the sum of their lengths.
+void check_merged_plastic(Findings& findings) {
+  constexpr double drawn[] = {0.05, 0.02};
+  const double strength = 0.7 * reference::first_load_peak(pair).load;
+  const reference::HangerBreak exact = reference::break_hanger(pair, strength);
+  const Scene scene = hung_pair(pair, strength);
+  State state = scene.initial;
+  state.z = {drawn[0], drawn[1]};
+  state.q[0] += drawn[0], state.q[1] += drawn[0] + drawn[1];
+  const double step = exact.slack_time / 400.0, end = exact.time + 0.5 * (exact.slack_time - exact.time);
+  const CableRun run = run_cables(scene, state, VelocityVerlet{}, {step, end, false, true}, findings);
+  const double elongation = run.end.q[1] - 2.0 * cable_length - drawn[0] - drawn[1];
+  double apart = std::abs(run.tension.back() - run.second_tension.back());
+  keep_worst(apart, run.tension.back() - exact.merged_stiffness * elongation);
+  findings.expect("tensions of two drawn cables without hanger from that of one cable",
+                  run.hanger_broken ? apart : std::nan(""), 0.0,
+                  Tolerance::round_off(1e-13, "k (l - l0 - p) of lengths of 16: a few roundings, times 5"), "N");
+}
+
 constexpr const char* control_words =
     "steps whose local error is kept below 1e-11; a step across the break is refused until it is so short that the "
     "jump of "
@@ -276,12 +345,14 @@ void draw_hanger(Findings& findings) {
 void check_breaking(Findings& findings, const Setup& setup) {
   check_both_sides(findings, setup);
   check_release(findings, setup);
+  if (!setup.coarse || setup.needs("located break")) check_located_breaks(findings, setup);
 }
 
 void check_hanger(Findings& findings, const Setup& setup) {
   check_hanger_orders(findings, setup);
   check_merged(findings, setup);
   if (setup.coarse) return;
+  check_merged_plastic(findings);
   check_hanger_sides(findings, setup);
   check_hanger_exactly(findings, setup);
   draw_hanger(findings);
