@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "verification/check/case.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/scene_run.hpp"
 #include "verification/study/weak_hangers.hpp"
 
 namespace talus::verification::problems::fence_break {
@@ -58,20 +60,29 @@ void check_ledger(Findings& findings, const Setup& setup) {
                    .slopes = {{1.0, steps[0], closures.errors()[0], "h"}}});
 }
 
-/// Largest distance between the bodies of the half model and the same ones of the full one [ft].
-double half_from_full(const Setup& setup) {
+/// Largest distance between the bodies of the half model and the same ones of the full one [ft], and of tensions [lb].
+struct HalfAndFull {
+  double apart{}, tension{};
+};
+HalfAndFull half_from_full(const Setup& setup) {
   scenes::Fence fence = weak_fence(10000.0);
   const WeakFenceRun half = run_weak_fence(fence, 1e-5, 0.06);
   fence.options.symmetry = scenes::FenceSymmetry::full;
   if (setup.has("other_strength")) fence.options.hanger_strength = 11000.0;
   const WeakFenceRun full = run_weak_fence(fence, 1e-5, 0.06);
-  double largest = 0.0;
+  double largest = 0.0, tension = 0.0;
+  Probe in_half{half.made.scene.model}, in_full{full.made.scene.model};
+  in_half.evaluate(half.end), in_full.evaluate(full.end);
+  for (std::size_t c = 0; c < half.made.scene.model.cables.size(); ++c) {
+    const std::size_t same = index(*find_cable(full.made.scene.model, half.made.scene.model.cables[c].name));
+    keep_worst(tension, in_half.forces().tensions[c] - in_full.forces().tensions[same]);
+  }
   for (const Body& body : half.made.scene.model.bodies) {
     const Pose a = pose(half.made.scene.model, half.end, *find_body(half.made.scene.model, body.name));
     const Pose b = pose(full.made.scene.model, full.end, *find_body(full.made.scene.model, body.name));
     largest = std::max(largest, norm(a.p_WB - b.p_WB));
   }
-  return largest;
+  return {largest, tension};
 }
 
 /// Change of the central column's velocity [ft/s] over a time in which nothing touches it, without a bottom cable.
@@ -124,10 +135,14 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("breaks of a hanger")) check_two_sides(findings, setup);
   if (setup.needs("energy ledger")) check_ledger(findings, setup);
   if (setup.needs("half model")) {
-    findings.expect("half model from the full one after several breaks, largest distance", half_from_full(setup), 0.0,
+    const HalfAndFull found = half_from_full(setup);
+    findings.expect("half model from the full one after several breaks, largest distance", found.apart, 0.0,
                     Tolerance::exact("cables are summed first: T + T is 2 T to the last bit, and behind a broken "
                                      "central hanger nothing pulls in either"),
                     "ft");
+    findings.expect(
+        "tensions of the half model from those of the full one after several breaks, worst", found.tension, 0.0,
+        Tolerance::round_off(1e-5, "k of 8e6 lb/ft times roundings of chains of 20 ft, 4e-15, a hundred"), "lb");
   }
   const Flight flight = free_flight(setup);
   findings.expect(

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include "solver/run/failure_log.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "verification/check/case.hpp"
@@ -71,6 +72,33 @@ void check_carried_cables(Findings& findings, const Setup& setup) {
   }
 }
 
+/// A cable that is drawn out for less than a step is reported all the same, at whatever phase.
+void check_short_yield(Findings& findings) {
+  const double yield = 0.5, speed = 1.0005 * yield;
+  const Scene scene = thrown_mass(ElasticPlastic{.stiffness = stiffness, .yield = yield}, mass, speed);
+  const Dynamics dynamics{scene.model};
+  int drawn = 0, reported = 0, seen_yielding = 0;
+  for (int i = 0; i < 64; ++i) {
+    Scene from = scene;
+    const double step = 0.05;
+    from.initial.q[0] -= (i + 0.5) / 64.0 * step * speed;
+    FailureLog log{dynamics};
+    bool yields = false;
+    const RunEnd run = run_scene(from, VelocityVerlet{}, {step, 5.0, 5.0, false}, findings,
+                                 [&](const State& state, const StepInfo& info) {
+                                   log(state, info);
+                                   yields = yields || state.mode[0] == ElasticPlastic::yielding;
+                                 });
+    drawn += run.state.z[0] > 0.0 ? 1 : 0;
+    reported += log.failures().empty() ? 0 : 1;
+    seen_yielding += yields ? 1 : 0;
+  }
+  findings.expect("reports of a cable that yields, over phases at which it was drawn out", reported, drawn,
+                  Tolerance::exact("counts of 64 phases"));
+  findings.expect_true("phases at which no state is seen to yield", drawn > 0 && seen_yielding < drawn,
+                       "it yields for a fifth of a step");
+}
+
 // ---- the cables of a fence ----
 
 scenes::Fence two_sided_fence() {
@@ -95,9 +123,14 @@ void check_fence_cables(Findings& findings, const Setup& setup) {
   constexpr double hardening = 0.2, rupture = 0.03;
   scenes::Fence fence = two_sided_fence();
   fence.options.hardening = setup.has("other_hardening") ? 0.201 : hardening, fence.options.rupture = rupture;
-  double tangent = 0.0, strain = 0.0;
-  for (const talus::Cable& cable : scenes::fence_scene(fence).scene.model.cables) {
+  double tangent = 0.0, strain = 0.0, strands = 0.0;
+  const Model hard = scenes::fence_scene(fence).scene.model;
+  for (const talus::Cable& cable : hard.cables) {
     const ElasticPlastic& law = law_of(cable);
+    const Vec3 a = reference_point(hard, cable.a), b = reference_point(hard, cable.b);
+    const bool top = cable.name.starts_with("top");
+    const double steel = fence.young * (top ? fence.area_top : 2.0 * fence.area_bottom);
+    keep_worst(strands, law.stiffness * norm(Vec3{b.x - a.x, b.y - a.y, b.z - a.z}) / steel - 1.0);
     const double e = 1.5 * law.yield / law.stiffness, de = 0.5 * e;
     const double slope = (drawn_tension(law, e + de) - drawn_tension(law, e)) / de;
     keep_worst(tangent, slope / (hardening * law.stiffness) - 1.0);
@@ -106,6 +139,7 @@ void check_fence_cables(Findings& findings, const Setup& setup) {
   const Tolerance same = Tolerance::round_off(1e-13, "a dozen operations, and a difference of half of each term");
   findings.expect("tangent stiffness of yielding cables over the fraction of Young's modulus, worst", tangent, 0.0,
                   same);
+  findings.expect("stiffness times length of cables, of both strands below, over E A, worst", strands, 0.0, same);
   findings.expect("rupture of cables as a strain, worst relative error", strain, 0.0, same);
 
   // Yield forces by a table of strains, and what is left of them after an impact.
@@ -220,6 +254,13 @@ void check_two_rocks(Findings& findings, const Setup& setup) {
   keep_worst(
       stiff,
       law("rock1-rock2").stiffness / spring(1.0, together(one.mass, other.mass), stated.penetration * 0.7) - 1.0);
+  // Two layers: the contact of two like columns is made for half the mass of one.
+  scenes::Fence layers = fence;
+  layers.layers = 2, layers.layer_overlap = 0.05;
+  const Model behind = scenes::fence_scene(layers).scene.model;
+  const auto& pair =
+      std::get<LinearSpringDashpot>(behind.contacts[index(*find_contact(behind, "column1-back_column1"))].law);
+  keep_worst(stiff, pair.stiffness / spring(1.0, 0.5 * column.mass, 0.05) - 1.0);
   const Tolerance same = Tolerance::round_off(1e-12, "some thirty operations, and the root of the damping ratio");
   findings.expect("stiffness of each rock's contacts, worst relative error", stiff, 0.0, same);
   findings.expect("dashpot of each rock's contact by the height at which it hits, worst relative error", damped, 0.0,
@@ -283,6 +324,7 @@ void check_summary(Findings& findings, const Setup& setup) {
 
 void run(Findings& findings, const Setup& setup) {
   if (setup.needs("mass")) check_carried_cables(findings, setup);
+  if (setup.needs("phases")) check_short_yield(findings);
   if (setup.needs("cables") || setup.needs("next rock")) check_fence_cables(findings, setup);
   if (setup.needs("each rock")) check_two_rocks(findings, setup);
   if (setup.needs("anchors") || setup.needs("second rock")) check_summary(findings, setup);

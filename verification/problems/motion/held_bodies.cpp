@@ -206,10 +206,10 @@ void check_half(Mobility mobility, Findings& findings, const Setup& setup) {
   findings.in("half_impulses")->expect("impulses and momenta of half and both, " + name, impulses, 0.0, same(1e-12));
 }
 
-/// Velocities of poses against their difference quotients.
+/// Poses at rest against what was given, and their velocities against difference quotients.
 void check_velocities(const std::vector<Mobility>& mobilities, Findings& findings, const Setup& setup) {
   constexpr double h = 1e-5;
-  double worst = 0.0;
+  double worst = 0.0, rest = 0.0;
   for (const Mobility mobility : mobilities) {
     const Scene scene = scene_of(mobility, Bodies::half, setup);
     const auto moved = [&](double by) {
@@ -220,10 +220,18 @@ void check_velocities(const std::vector<Mobility>& mobilities, Findings& finding
     };
     const Pose before = moved(-h), now = moved(0.0), after = moved(h);
     keep_worst(worst, norm((0.5 / h) * (after.p_WB - before.p_WB) - now.v_WB));
+    // What the forces are evaluated at, and what observers see.
+    const Dynamics dynamics{scene.model};
+    const Snapshot seen{dynamics, scene.initial};
+    for (const Pose& at : {now, seen.geometry().poses[1]})
+      keep_worst(rest, norm(at.p_WB - scene.model.bodies[1].p_WB));
+    keep_worst(worst, norm(seen.geometry().poses[1].v_WB - now.v_WB));
     const Rotation turn = before.R_WB;
     const double by = std::asin(turn.cosine * after.R_WB.sine - turn.sine * after.R_WB.cosine);
     keep_worst(worst, 0.5 * by / h - now.w_WB);
   }
+  findings.expect("positions of poses at the start from those given, difference quotients aside", rest, 0.0,
+                  Tolerance::round_off(1e-15, "from the centre to the pin and back: four roundings"));
   findings.expect("velocities of poses from their difference quotients, worst of all mobilities", worst, 0.0,
                   Tolerance::truncation(2e-11, 2.0,
                                         "h^2/6 of a third derivative of 1, and the rounding of a place over 2 h: 1e-16 "
@@ -234,6 +242,7 @@ void check_velocities(const std::vector<Mobility>& mobilities, Findings& finding
 void check_mirrored_impact(Findings& findings, const Setup& setup) {
   constexpr double e = 0.6, m = 1.0, each = 0.75, speed = 2.0;
   ModelBuilder builder;
+  builder.gravity(gravity);
   Body disc{.name = "disc", .mobility = Mobility::sliding_x, .mass = m, .shape = Circle{0.5}, .p_WB = {-1.25, 0.0}};
   const BodyId striker = builder.add(disc);
   disc.name = "pair", disc.mass = each, disc.p_WB = {}, disc.copies = 2;
@@ -244,7 +253,7 @@ void check_mirrored_impact(Findings& findings, const Setup& setup) {
   Scene scene{.title = "Impact on a mirrored disc", .model = builder.build()};
   scene.initial = rest_state(scene.model);
   set_velocity(scene.model, scene.initial, striker, {speed, 0.0}, 0.0);
-  const double common = m * speed / (m + 2.0 * each);
+  const double common = m * speed / (m + 2.0 * each) + gravity.x;  // at the end, after a unit of time
   for (const char* const name : {"exact", "stormer_cowell"}) {
     const bool closed = std::string_view{name} == "exact";
     const RunEnd run = run_scene(scene, closed ? make_integrator(name) : make_integrator(name, 1e-12),
@@ -256,6 +265,10 @@ void check_mirrored_impact(Findings& findings, const Setup& setup) {
                 closed ? Tolerance::round_off(1e-13, "a few roundings of each of some twenty steps, and of the events")
                        : Tolerance::truncation(1e-12 * speed, 3.0,
                                                "local errors below 1e-12 of the speed, a few in one direction"));
+    const std::vector<double> impulses{(m + 2.0 * each) * gravity.x, 0.0, 0.0};
+    expect_each(findings.in("mirrored_impulses"), fmt::format("impulses from outside in the same time, {}", name),
+                {run.state.impulse.begin(), run.state.impulse.end()}, impulses,
+                Tolerance::round_off(1e-13, "a constant force over twenty steps; across, weight and slide cancel"));
   }
 }
 

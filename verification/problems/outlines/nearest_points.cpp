@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
 #include "solver/geometry/gap.hpp"
+#include "solver/geometry/node_depth.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/superellipse.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::nearest_points {
@@ -79,7 +82,76 @@ Tried try_points(double n, double height, std::size_t kind, const Setup& setup) 
   return tried;
 }
 
+/// Distance of a point from a line of segments, each tried.
+double distance_from_line(const std::vector<Vec2>& points, Vec2 p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec2 along = points[i + 1] - points[i];
+    const double part = std::clamp(dot(p - points[i], along) / dot(along, along), 0.0, 1.0);
+    least = std::min(least, norm(p - points[i] - part * along));
+  }
+  return least;
+}
+
+/// Points about a rectangle and uneven ground, inside and outside: depths against each segment, and whether the normal
+/// leads to the outline. The ground has a sharp ridge and a notch; its end pieces reach far beyond the points.
+void check_straight_outlines(Findings& findings, const Setup& setup) {
+  const double a = 1.0, b = 0.4;
+  const std::vector<Vec2> box{{a, b}, {-a, b}, {-a, -b}, {a, -b}, {a, b}};
+  const std::vector<Vec2> line{{-20.0, 1.0}, {-1.0, 0.0}, {-0.2, 1.6}, {0.3, -0.7}, {1.2, 0.4}, {20.0, -2.0}};
+  const auto height = [&](double x) {
+    std::size_t i = 0;
+    while (line[i + 1].x < x)
+      ++i;
+    return line[i].y + (x - line[i].x) / (line[i + 1].x - line[i].x) * (line[i + 1].y - line[i].y);
+  };
+  std::mt19937_64 random{1993};
+  std::uniform_real_distribution<double> across{-2.0, 2.0};
+  double depths = 0.0, feet = 0.0;
+  const auto compare = [&](const Depth& found, const std::vector<Vec2>& outline, Vec2 p, bool inside) {
+    const double distance = distance_from_line(outline, p);
+    keep_worst(depths, found.depth - (inside ? distance : -distance));
+    keep_worst(feet, distance_from_line(outline, p + found.depth * found.normal));
+  };
+  for (int i = 0; i < 2000; ++i) {
+    const Vec2 p{across(random), across(random)};
+    compare(depth_below(Rectangle{setup.has("wider_box") ? a + 1e-9 : a, b}, p), box, p,
+            std::abs(p.x) < a && std::abs(p.y) < b);
+    compare(depth_below(Terrain{line}, p), line, p, p.y < height(p.x));
+  }
+  const char* const words = "a dozen roundings of lengths up to 20, as far as the ends of the ground are";
+  findings.expect("overlaps of points about a rectangle and uneven ground, worst", depths, 0.0,
+                  Tolerance::round_off(2e-14, words));
+  findings.expect("points led to these outlines by overlap and normal, farthest", feet, 0.0,
+                  Tolerance::round_off(2e-14, words));
+}
+
+/// By the rule `centroid_ray` a node inside is as deep as the ray from the centre through it is long up to the outline,
+/// which is sought by halving.
+void check_rays(Findings& findings) {
+  std::mt19937_64 random{1994};
+  std::uniform_real_distribution<double> share{0.05, 0.95};
+  double worst = 0.0;
+  for (const double n : {2.0, 5.0, 20.0}) {
+    const Superquadric shape{1.0, 0.4, n};
+    for (int i = 0; i < 50; ++i) {
+      const Vec2 p = share(random) * boundary_point(shape, 2.0 * std::numbers::pi * share(random));
+      double low = 1.0, high = 100.0;
+      for (int halving = 0; halving < 70; ++halving) {
+        const double s = 0.5 * (low + high);
+        (std::pow(std::abs(s * p.x), n) + std::pow(std::abs(s * p.y) / 0.4, n) < 1.0 ? low : high) = s;
+      }
+      keep_worst(worst, depth_below(CentroidRays{shape}, p).depth - (low - 1.0) * norm(p));
+    }
+  }
+  findings.expect("overlap along the ray from the centre from that by halving, worst", worst, 0.0,
+                  Tolerance::round_off(1e-14, "a power and its root, of the ray's length of 1; some ten roundings"));
+}
+
 void run(Findings& findings, const Setup& setup) {
+  if (setup.needs("along the ray")) check_rays(findings);
+  if (setup.needs("uneven ground") || setup.needs("these outlines")) check_straight_outlines(findings, setup);
+  if (!setup.needs("nearest point")) return;
   Table table{.name = "map",
               .caption =
                   "Points tried (of all four b), those for which the solver's nearest point is not the nearest, and "
@@ -151,6 +223,8 @@ Case definition() {
           .source = "Barr 1981; Alefeld, Potra & Shi 1995, ACM Trans. Math. Softw. 21:327",
           .faults = {{"newton_for_brackets", "Newton's method from the middle of a side",
                       "points whose nearest point is not the nearest, inside a corner"},
+                     {"wider_box", "a rectangle wider by 2e-9",
+                      "overlaps of points about a rectangle and uneven ground, worst"},
                      {"exponent_off", "an exponent .1 % too large",
                       "distance from the nearest point, farthest from brute force, inside a corner"}},
           .run = run};

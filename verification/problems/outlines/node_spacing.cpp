@@ -128,6 +128,22 @@ void check_curvature(Findings& findings, const Setup& setup) {
   }
   findings.expect("curvature at the corner over its formula, farthest of n = 2 to 50, over n", farthest, 0.0,
                   Tolerance::round_off(4.0 * 0x1p-53, "powers enlarge the rounding of x by n; a few of them"));
+  // Away from the diagonal, where the axes differ: against the turn of the outward normal along the outline.
+  double turned = 0.0;
+  for (const double n : {2.0, 3.0, 8.0}) {
+    const Superquadric shape{1.0, 0.4, n};
+    for (const double t : {0.4, 0.7, 1.1}) {
+      constexpr double h = 1e-5;
+      const Vec2 before = boundary_point(shape, t - h), after = boundary_point(shape, t + h);
+      const double turn = std::asin(cross(outward_normal(shape, before), outward_normal(shape, after)));
+      turned =
+          std::max(turned, std::abs(curvature(shape, boundary_point(shape, t)) * norm(after - before) / turn - 1.0));
+    }
+  }
+  findings.expect("curvature of unequal axes over the turn of the normal, farthest", turned, 0.0,
+                  Tolerance::truncation(1e-8, 3.0,
+                                        "h^2 = 1e-10 times the square of the change of the curvature along "
+                                        "the outline, up to 10, and 1e-16 over the turn of 1e-5"));
   if (!setup.coarse) findings.table(table);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/geometry/penetration.hpp"
@@ -53,8 +54,9 @@ WatchedRun watched_run(Scene scene, double step, double end, const WatchRules& r
 }
 
 /// A disc that flies at speed 1 at a fixed one of the same radius, so far before the touch.
-Scene flight(double before, double frequency) {
+Scene flight(double before, double frequency, double pull = 0.0) {
   ModelBuilder builder;
+  builder.gravity({pull, 0.0});
   const BodyId post = builder.add(
       Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{radius}, .p_WB = {2.0 * radius + before, 0.0}});
   const BodyId stone =
@@ -133,6 +135,23 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
                        !beyond.breach.empty() && beyond.end.t == 0.0,
                        "a step may take the disc past the other's middle");
   findings.expect_true("long step: not refused at v h = .9 r", within.breach.empty(), "it is looked at on either side");
+  // A pull adds g h^2/2 to the way of the first step.
+  constexpr double step = 0.8 * radius;
+  const auto pulled = [&](double share) {
+    const double pull = (share * radius - step) * 2.0 / (step * step);
+    return watched_run(flight(20.0, 0.5, pull), step, step, rules, findings).breach;
+  };
+  findings.expect_true("long step: refused where v h + g h^2/2 = 1.05 r, with v h = .8 r", !pulled(1.05).empty(),
+                       "bodies that fall pass each other sooner");
+  findings.expect_true("long step: not refused where v h + g h^2/2 = .95 r", pulled(0.95).empty(), "as without a pull");
+  // Fewer than ten steps in a contact are too few.
+  const auto contact_of = [&](double steps) {
+    const WatchRules by{.instability = Breach::off, .tunnelling = Breach::off, .accuracy = Breach::error};
+    return watched_run(flight(0.05, 2.0 * std::numbers::pi), 0.5 / steps, 1.0, by, findings).breach;
+  };
+  findings.expect_true("long step: a contact of 9.9 steps is refused, one of 10.1 is not",
+                       !contact_of(9.9).empty() && contact_of(10.1).empty(),
+                       "half a period of the spring is half a unit of time");
   const int passes = unseen_passes(4.4 * radius, findings), seen = unseen_passes(3.6 * radius, findings);
   const double phases = static_cast<double>(fewest_phases);
   findings.expect("long step: share of 64 phases that pass unseen without the watch, v h = 1.1 of 4 r", passes / phases,
