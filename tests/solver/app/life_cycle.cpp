@@ -1,6 +1,7 @@
 /// The life cycle of runs by the built program: the same checks for a scene and for a cell.
 #define BOOST_TEST_MODULE life_cycle
 #include <signal.h>
+#include <unistd.h>
 
 #include <boost/test/unit_test.hpp>
 #include <chrono>
@@ -134,7 +135,8 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_the_interrupted_run_is_refused) {
       refused({kind.command}, 2, "SCENE is required, or --resume DIR\nhelp: talus " + kind.command + " --help\n");
       {
         const talus::FolderLock lock{out};
-        const std::string in_use = out + ": another run is writing into it; each run needs a separate folder\n";
+        const std::string in_use = out + ": another run (process " + std::to_string(::getpid()) +
+                                   ") is writing into it; each run needs a separate folder\n";
         refused({kind.command, "--resume", out}, 4, in_use);
         refused(arguments(kind, file, out), 4, in_use);
       }
