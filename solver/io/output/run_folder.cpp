@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "solver/base/error.hpp"
 #include "solver/io/file/atomic_file.hpp"
@@ -83,26 +84,49 @@ constexpr std::array<std::string_view, 12> single{"history.csv", "final_state.js
                                                   "profile.csv", "cell.pvd",         "PIC.DAT",      "RESTART.DAT"};
 bool names_file(std::string_view file) { return std::find(single.begin(), single.end(), file) != single.end(); }
 
-bool names_state(std::string_view file) {
-  constexpr std::string_view before = "cell_", after = ".vtp";
-  if (!file.starts_with(before) || !file.ends_with(after) || file.size() < before.size() + 6 + after.size())
+/// Whether a name is `before`, at least `digits` digits, and ".vtp".
+bool names_vtp(std::string_view file, std::string_view before, std::size_t digits) {
+  constexpr std::string_view after = ".vtp";
+  if (!file.starts_with(before) || !file.ends_with(after) || file.size() < before.size() + digits + after.size())
     return false;
   const std::string_view number = file.substr(before.size(), file.size() - before.size() - after.size());
   return number.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+bool names_state(std::string_view file) { return names_vtp(file, "cell_", 6); }
+
+bool names_geometry(std::string_view file, const std::string& stem) { return names_vtp(file, stem + "_", 8); }
+
 bool ends_with_any(std::string_view name, std::initializer_list<std::string_view> ends) {
   return std::any_of(ends.begin(), ends.end(), [&](std::string_view end) { return name.ends_with(end); });
 }
 
-/// The stem by which the run named its geometry, listing and histories; empty if it left no geometry.
-std::string stem_of(const std::filesystem::path& folder) {
+constexpr std::string_view geometry_ending = "_geometry";
+
+/// The stems by which runs named their geometry, listing and histories: that of the record, and those of folders of
+/// geometry, which a run that was killed leaves without a record.
+std::set<std::string> stems_of(const std::filesystem::path& folder) {
+  std::set<std::string> stems;
   try {
-    return std::filesystem::path{read_run_folder(folder).files.geometry}.stem().string();
-  } catch (const std::exception&) {
-    return {};  // no run, or one that was killed before it wrote its records
+    stems.insert(std::filesystem::path{read_run_folder(folder).files.geometry}.stem().string());
+  } catch (const std::exception&) {  // no record
   }
+  std::error_code none;
+  using Entries = std::filesystem::directory_iterator;
+  for (const std::filesystem::directory_entry& entry : Entries{folder, none}) {
+    const std::string name = entry.path().filename().string();
+    if (!entry.is_directory(none) || !name.ends_with(geometry_ending)) continue;
+    const std::string stem = name.substr(0, name.size() - geometry_ending.size());
+    // Another's folder of this name holds no such file.
+    if (std::any_of(Entries{entry.path(), none}, Entries{},
+                    [&](const auto& file) { return names_geometry(file.path().filename().string(), stem); }))
+      stems.insert(stem);
+  }
+  stems.erase("");
+  return stems;
 }
+
+bool all_names(std::string_view) { return true; }
 
 }  // namespace
 
@@ -111,12 +135,12 @@ std::string cell_state_name(std::size_t place) { return fmt::format("{}/cell_{:0
 void remove_unfinished(const std::filesystem::path& folder) {
   std::error_code none;
   std::filesystem::remove(folder / "summary.json", none);
-  remove_remains(folder, names_file);
-  remove_remains(folder / cell_states_folder, names_state);
+  remove_remains(folder, all_names);
+  remove_remains(folder / cell_states_folder, all_names);
 }
 
 void remove_run(const std::filesystem::path& folder) {
-  const std::string stem = stem_of(folder);
+  const std::set<std::string> stems = stems_of(folder);
   std::error_code none;
   // First what would vouch for the rest.
   std::filesystem::remove(folder / "checkpoint.json", none);
@@ -127,17 +151,23 @@ void remove_run(const std::filesystem::path& folder) {
     std::filesystem::remove(inner, none);
   };
   remove_from(folder / cell_states_folder, names_state);
-  if (!stem.empty()) {
+  if (!stems.empty()) {
     remove_from(folder / "plots", [](std::string_view name) {
       return ends_with_any(name, {".svg", ".pdf", ".ps", ".eps", ".png", ".gif", ".html"});
     });
-    remove_from(folder / (stem + "_geometry"), [](std::string_view name) { return name.ends_with(".vtp"); });
+  }
+  for (const std::string& stem : stems) {
+    const std::filesystem::path geometry = folder / (stem + std::string{geometry_ending});
+    remove_remains(geometry, all_names);
+    remove_from(geometry, [&](std::string_view name) { return names_geometry(name, stem); });
   }
   remove_files(folder, [&](std::string_view name) {
     if (names_file(name)) return name != "RESTART.DAT";
-    return !stem.empty() && name.starts_with(stem) &&
-           (name.substr(stem.size()) == ".pvd" || name.substr(stem.size()) == ".OUT" ||
-            name.substr(stem.size()) == ".history.csv" || name.substr(stem.size()) == ".history.json");
+    return std::any_of(stems.begin(), stems.end(), [&](const std::string& stem) {
+      if (!name.starts_with(stem)) return false;
+      const std::string_view ending = name.substr(stem.size());
+      return ending == ".pvd" || ending == ".OUT" || ending == ".history.csv" || ending == ".history.json";
+    });
   });
 }
 
