@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -30,9 +31,13 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
     }
   };
   {
-    std::vector<std::jthread> others;  // joined also if one of them cannot be started
-    for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t)
-      others.emplace_back(serve);
+    std::vector<std::jthread> others;
+    try {
+      for (std::size_t t = 1; t < std::min<std::size_t>(threads, count); ++t)
+        others.emplace_back(serve);
+    } catch (const std::system_error&) {
+      // The system gives no more threads: those that were started do the work, later.
+    }
     serve();
   }
   if (failure) std::rethrow_exception(failure);

@@ -11,7 +11,7 @@ namespace talus {
 /// calling one is one, and returns when all calls have ended. Whoever is free takes the next i: tasks may last
 /// differently long.
 /// Errors: what work(i) throws, that of the smallest i for any number of threads; no call begins after one has thrown.
-/// std::system_error if a thread cannot be started, after those that were have ended.
+/// Threads that the system cannot start are done without.
 ///
 /// Threads are started by each call, some 20 us each. For stages of a step there is Team (solver/base/team.hpp), whose
 /// threads stay.
