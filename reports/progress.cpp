@@ -34,9 +34,9 @@ void Progress::show(const std::string& what, std::size_t all) {
     const std::string count = all > 1 ? fmt::format(", {} of {}", done_.load(), all) : "";
     const std::string line = fmt::format("{}{}, {} s", what, count, seconds);
     width = std::max(width, line.size());
-    fmt::print(stderr, "\r{:{}}", line, width);
+    std::fputs(fmt::format("\r{:{}}", line, width).c_str(), stderr);
   }
-  if (width > 0) fmt::print(stderr, "\r{:{}}\r", "", width);
+  if (width > 0) std::fputs(fmt::format("\r{:{}}\r", "", width).c_str(), stderr);
 }
 
 }  // namespace talus::reports

@@ -187,7 +187,7 @@ void warn_of_step(const Scene& scene, const StepAdvice& advice, const std::strin
                   std::vector<std::string>& warnings) {
   const auto verdict = step_verdict(scene, advice);
   if (!verdict || !verdict->is_beyond) return;
-  warnings.push_back(step_warning(verdict->text, fmt::format("talus run {} --integrator auto", file)));
+  warnings.push_back(step_warning(verdict->text, fmt::format("talus run {} --integrator auto", shell_word(file))));
   if (scene.initial.q.size() > most_watched_coordinates) {
     warnings.push_back(
         fmt::format("talus run does not give that warning: it computes frequencies up to {} degrees of "

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdio>
 #include <vector>
@@ -109,10 +110,34 @@ int work(const std::vector<Command>& commands) {
   } catch (const IoError& error) {
     return report(io_failed, error.what());
   } catch (const std::system_error& error) {
-    return report(io_failed, fmt::format("standard output: {}", error.what()));
-  } catch (const std::bad_alloc&) {
-    return report(io_failed, "the memory of this machine does not suffice for what was asked");
+    // From a write to stdout, or from the file system or a thread that cannot be started.
+    return report(io_failed, fmt::format("{}{}", std::ferror(stdout) != 0 ? "standard output: " : "", error.what()));
   }
+}
+
+int parse_and_work(int count, const char* const* arguments) {
+  for (int i = 1; i < count; ++i) {
+    if (is_utf8(arguments[i])) continue;
+    return report(bad_input, fmt::format("found \"{}\", which is not UTF-8; what names files and titles must be, since "
+                                         "it is written to JSON and XML",
+                                         as_utf8(arguments[i])));
+  }
+  CLI::App talus{"", "talus"};
+  describe(talus);
+  const std::vector<Command> commands{
+      add_run(talus),     add_check(talus),  add_advise(talus),     add_calibrate(talus),      add_cell(talus),
+      add_convert(talus), add_export(talus), add_plot(talus, draw), add_snapshot(talus, draw), add_animate(talus, draw),
+      add_study(talus),   add_list(talus),   add_new(talus)};
+  for (const Command& command : commands)
+    refuse_empty_values(*command.app);
+  try {
+    talus.parse(count, arguments);
+  } catch (const CLI::Success& help) {
+    return talus.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return report(bad_input, fmt::format("{}\nhelp: {} --help", words(talus, error), full_name(active(talus))));
+  }
+  return work(commands);
 }
 
 }  // namespace
@@ -141,33 +166,30 @@ void print_failure(std::string_view words) {
   }
   // What stdout has must stand before it, and each of both in whole lines, if they go to the same file.
   std::fflush(stdout);
-  fmt::print(stderr, "{}", lines);
+  // A stderr that is closed or full loses the message, not the run.
+  std::fputs(lines.c_str(), stderr);
   std::fflush(stderr);
 }
 
+std::string shell_word(const std::string& word) {
+  const auto is_plain = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte >= 0x80 || std::isalnum(byte) != 0 || std::string_view{"/._-+,:=@%"}.find(c) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
+  std::string quoted = "'";
+  for (const char c : word)
+    quoted += c == '\'' ? "'\\''" : std::string{c};
+  return quoted + "'";
+}
+
 int run_command_line(int count, const char* const* arguments) {
-  for (int i = 1; i < count; ++i) {
-    if (is_utf8(arguments[i])) continue;
-    return report(bad_input, fmt::format("found \"{}\", which is not UTF-8; what names files and titles must be, since "
-                                         "it is written to JSON and XML",
-                                         as_utf8(arguments[i])));
-  }
-  CLI::App talus{"", "talus"};
-  describe(talus);
-  const std::vector<Command> commands{
-      add_run(talus),     add_check(talus),  add_advise(talus),     add_calibrate(talus),      add_cell(talus),
-      add_convert(talus), add_export(talus), add_plot(talus, draw), add_snapshot(talus, draw), add_animate(talus, draw),
-      add_study(talus),   add_list(talus),   add_new(talus)};
-  for (const Command& command : commands)
-    refuse_empty_values(*command.app);
   try {
-    talus.parse(count, arguments);
-  } catch (const CLI::Success& help) {
-    return talus.exit(help);
-  } catch (const CLI::ParseError& error) {
-    return report(bad_input, fmt::format("{}\nhelp: {} --help", words(talus, error), full_name(active(talus))));
+    return parse_and_work(count, arguments);
+  } catch (const std::bad_alloc&) {
+    std::fputs("talus: out of memory\n", stderr);  // without a format, which needs memory
+    return io_failed;
   }
-  return work(commands);
 }
 
 }  // namespace talus::app

@@ -42,6 +42,10 @@ struct Command {
 /// Says what went wrong, or what is to be known, on stderr: in red on a terminal unless NO_COLOR is set.
 void print_failure(std::string_view words);
 
+/// A word of a command that is printed, such that a shell reads it as it is: in quotes where it holds more than letters,
+/// digits, bytes of UTF-8 and `/ . _ - + , : = @ %`.
+[[nodiscard]] std::string shell_word(const std::string& word);
+
 /// The whole program: parses the command line, does the command, turns errors into messages and exit codes.
 [[nodiscard]] int run_command_line(int count, const char* const* arguments);
 

@@ -108,18 +108,34 @@ void write_files(const RunRequest& request, ResumableRun& run, bool resumable) {
   // All at once: one by one they would take longer than the run.
   sync_folder(request.folder);
   write_whole(request.folder / "summary.json", run.summary_json({}));  // last: it says that all is there
-  // Until then an earlier checkpoint is needed.
+}
+
+/// Draws what is made from the files of the run, and removes the checkpoint of a run that has ended, which is needed
+/// until then. Returns why it was not drawn; the run is not lost by that.
+std::string draw(const RunRequest& request, const ResumableRun& run, bool resumable) {
+  try {
+    run.draw();
+  } catch (const IoError& error) {
+    return error.what();
+  }
   std::error_code none;
   if (!resumable) fs::remove(request.folder / checkpoint_name, none);
+  return {};
+}
+
+std::string resume_command(const RunRequest& request) {
+  return fmt::format("talus {} --resume {}", request.command, shell_word(request.folder.string()));
 }
 
 void print_result(const RunRequest& request, ResumableRun& run, bool resumable) {
   const std::string folder = request.folder.string();
-  const std::string resume = resumable ? fmt::format("talus {} --resume {}", request.command, folder) : "";
+  const std::string resume = resumable ? resume_command(request) : "";
   fmt::print("{}", request.json ? run.summary_json(resume) : run.summary_text());
   if (request.json) return;
   if (folder.empty()) return fmt::print("files: none; --out DIR writes {}\n", run.files_of_out());
   std::vector<std::string> files = run.file_names();
+  // Without pictures and pages that could not be drawn.
+  std::erase_if(files, [&](const std::string& name) { return !fs::exists(request.folder / name); });
   files.insert(files.begin(), "summary.json");
   if (resumable) files.emplace_back(checkpoint_name);
   fmt::print("files: {}: {}\n", folder, fmt::join(files, ", "));
@@ -210,26 +226,26 @@ int live(const RunRequest& request, const std::function<std::unique_ptr<Resumabl
   const ResumableRun::Condition interrupted = [&] { return signal() != 0; };
   Outcome outcome = advance(request, *run, interruption);
   const bool resumable = run->finish(outcome, interrupted);
+  std::string undrawn;
   if (lock) {
     write_files(request, *run, resumable);
-    run->draw();
+    undrawn = draw(request, *run, resumable);
   }
   print_result(request, *run, resumable);
   printed = print_warnings(*run, printed);
+  if (!undrawn.empty()) print_failure(undrawn);
   if (!outcome) {
     print_failure(outcome.words);
     return diverged;
   }
-  if (signal() == 0) return ok;
+  if (signal() == 0) return undrawn.empty() ? ok : io_failed;
   const std::string_view name = signal() == SIGINT ? "SIGINT" : "SIGTERM";
   if (outcome.kind == Outcome::Kind::finished) {
     // In time for the repeat of a fence's run, whose summary then reports it.
     print_failure(fmt::format("{} came when the run had finished", name));
   } else {
-    print_failure(fmt::format(
-        "{}: the run was interrupted at t = {:.10g} and saved in {}; resume it by talus {} "
-        "--resume {}",
-        name, outcome.time, (request.folder / checkpoint_name).string(), request.command, request.folder.string()));
+    print_failure(fmt::format("{}: the run was interrupted at t = {:.10g} and saved in {}; resume it by {}", name,
+                              outcome.time, (request.folder / checkpoint_name).string(), resume_command(request)));
   }
   return 128 + signal();
 }

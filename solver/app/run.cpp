@@ -24,7 +24,7 @@ constexpr long most_repeated = 50'000;
 
 /// The command that takes the same run by steps chosen to a tolerance.
 std::string repair_command(const SceneOptions& options) {
-  const std::string scene = options.scene.empty() ? "SCENE" : options.scene;
+  const std::string scene = options.scene.empty() ? "SCENE" : shell_word(options.scene);
   const std::string end = options.end.empty() ? "" : fmt::format(" --end \"{}\"", options.end);
   return fmt::format("talus run {} --integrator auto{}", scene, end);
 }

@@ -14,13 +14,19 @@ using Clock = std::chrono::steady_clock;
 
 bool on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 
+/// Writes over the line of a terminal. A terminal that was closed takes nothing; the run continues.
+void overwrite(std::string_view words, std::size_t width, const char* end = "") {
+  std::fputs(fmt::format("\r{:{}}{}", words, width, end).c_str(), stderr);
+  std::fflush(stderr);
+}
+
 }  // namespace
 
 Progress::Progress()
     : on_terminal_{on_terminal()}, next_{Clock::now() + std::chrono::seconds{1}}, read_{Clock::now()} {}
 
 Progress::~Progress() {
-  if (width_ > 0) fmt::print(stderr, "\r{:{}}\r", "", width_);
+  if (width_ > 0) overwrite("", width_, "\r");
 }
 
 bool Progress::due() {
@@ -39,8 +45,7 @@ bool Progress::due() {
 
 void Progress::show(std::string_view words) {
   width_ = std::max(width_, words.size());
-  fmt::print(stderr, "\r{:{}}", words, width_);
-  std::fflush(stderr);
+  overwrite(words, width_);
 }
 
 ElapsedTime::ElapsedTime(std::string what) {
@@ -53,9 +58,9 @@ ElapsedTime::ElapsedTime(std::string what) {
          ++seconds) {
       const std::string line = fmt::format("{}, {} s", what, seconds);
       width = std::max(width, line.size());
-      fmt::print(stderr, "\r{:{}}", line, width);
+      overwrite(line, width);
     }
-    if (width > 0) fmt::print(stderr, "\r{:{}}\r", "", width);
+    if (width > 0) overwrite("", width, "\r");
   }};
 }
 

@@ -72,7 +72,7 @@ auto with_own_errors(Work&& work) {
 /// Writes to stderr, behind all that was printed: both streams may go to one file.
 void print_warnings(const std::string& warnings) {
   std::fflush(stdout);
-  fmt::print(stderr, "{}", warnings);
+  std::fputs(warnings.c_str(), stderr);
 }
 
 }  // namespace
