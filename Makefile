@@ -1,5 +1,5 @@
 # Thin: each goal is a script, and the scripts install what is missing.
-.PHONY: help verify verify-full test bench bench-discs format clean
+.PHONY: help verify verify-full test faults bench bench-discs format clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile
@@ -12,6 +12,9 @@ verify-full:  ## the same with the full tier: timing charts of this machine as w
 
 test:  ## build everything and run the unit tests, layers, format and headers
 	@scripts/test
+
+faults:  ## kill runs at 100 random times and compare what they continue to with undisturbed ones
+	@scripts/faults
 
 bench:  ## microseconds per step and work-precision tables
 	@scripts/bench
