@@ -201,18 +201,21 @@ double growth(const TemporaryFolder& folder, const std::string& text) {
   return std::min(most, largest / speed);
 }
 
-/// The step that `check` prints as the limit, and its verdict on the scene's step.
+/// The step that `check` prints as the limit, its verdict on the scene's step, and whether it warns of it.
 struct Verdict {
   double limit{};
   bool too_long{};
+  bool warns{};
 };
 Verdict verdict(const TemporaryFolder& folder, const std::string& text) {
   folder.write("scene.toml", text);
-  const std::string printed = talus_output(folder, {"check", "scene.toml"});
+  const ProgramEnd ended = run_talus(folder, {"check", "scene.toml"});
+  const std::string& printed = ended.output;
   const std::string words = "a step of ";
   const std::size_t at = printed.find(words);
-  if (at == std::string::npos) return {std::numeric_limits<double>::quiet_NaN(), false};
-  return {std::stod(printed.substr(at + words.size())), printed.find("TOO LONG") != std::string::npos};
+  if (at == std::string::npos) return {std::numeric_limits<double>::quiet_NaN(), false, false};
+  return {std::stod(printed.substr(at + words.size())), printed.find("TOO LONG") != std::string::npos,
+          ended.messages.find("may grow without bound") != std::string::npos};
 }
 
 void draw_growth(const TemporaryFolder& folder, const std::vector<Vibrating>& scenes, const Method& method,
@@ -268,6 +271,7 @@ void run(Findings& findings, const Setup& setup) {
                     beyond = verdict(folder, scene_text(scene, method, 1.001 * longest, true));
       keep_worst(printed, below.limit / longest - 1.0);
       wrong_checks += (below.too_long ? 1.0 : 0.0) + (beyond.too_long ? 0.0 : 1.0);
+      wrong_checks += (below.warns ? 1.0 : 0.0) + (beyond.warns ? 0.0 : 1.0);
       if (!method.grows_fast) continue;
       folder.write("watched.toml", scene_text(scene, method, 0.999 * longest, true));
       wrong_runs += run_talus(folder, {"run", "watched.toml"}).exit_code == 0 ? 0.0 : 1.0;
