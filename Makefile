@@ -1,5 +1,5 @@
 # Thin: each goal is a script, and the scripts install what is missing.
-.PHONY: help verify verify-full test faults bench bench-discs format clean
+.PHONY: help verify verify-full test faults mutants nightly bench bench-discs format clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile
@@ -15,6 +15,12 @@ test:  ## build everything and run the unit tests, layers, format and headers
 
 faults:  ## kill runs at 100 random times and compare what they continue to with undisturbed ones
 	@scripts/faults
+
+mutants:  ## compile small bugs into a copy of the solver and run the cases with each of them
+	@scripts/mutants
+
+nightly:  ## what is too long for every change: other builds, sanitizers, coverage, the next part of all mutants
+	@scripts/nightly
 
 bench:  ## microseconds per step and work-precision tables
 	@scripts/bench

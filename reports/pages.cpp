@@ -7,6 +7,7 @@
 #include "reports/appendix.hpp"
 #include "reports/comparisons.hpp"
 #include "reports/coverage.hpp"
+#include "reports/mutants_page.hpp"
 #include "reports/page_cells.hpp"
 #include "reports/summary.hpp"
 
@@ -49,14 +50,19 @@ std::string front(const Results& results, const std::filesystem::path& templates
   return filled(templates / "front.mustache", values);
 }
 
-std::string back(const Results& results, const Drawn& drawn, const std::filesystem::path& templates,
-                 const std::string& references, const std::string& tools) {
+std::string back(const Results& results, const Trials& trials, const Drawn& drawn,
+                 const std::filesystem::path& templates, const std::string& references, const std::string& tools) {
   mustache::data values;
   values.set("provenance", provenance(results));
   std::string details;
   for (std::size_t i = 0; i < results.records.size(); ++i)
     details += fmt::format("{}\n", case_details(results.records[i], i + 1, drawn, templates));
   values.set("details", details);
+  values.set("rounding", trials.rounded.empty()
+                             ? "The cases were not run under other roundings in this run: `make verify-full` does so.\n"
+                             : rounding_text(results, trials.rounded));
+  values.set("mutants", trials.mutants ? mutants_text(*trials.mutants, results)
+                                       : "The cases were not run with mutants in this run: `make mutants` does so.\n");
   values.set("traceability", traceability(results));
   values.set("references", references.empty() ? "None.\n" : references);
   values.set("tools", tools);
@@ -66,13 +72,14 @@ std::string back(const Results& results, const Drawn& drawn, const std::filesyst
 
 }  // namespace
 
-std::string report_markdown(const Results& results, const Drawn& drawn, const std::filesystem::path& templates,
-                            const std::string& references, const std::string& tools) {
+std::string report_markdown(const Results& results, const Trials& trials, const Drawn& drawn,
+                            const std::filesystem::path& templates, const std::string& references,
+                            const std::string& tools) {
   std::string text = front(results, templates);
   for (std::size_t i = 0; i < results.records.size(); ++i) {
     text += fmt::format("\n{}", case_page(results.records[i], i + 1, drawn, templates));
   }
-  return fmt::format("{}\n{}", text, back(results, drawn, templates, references, tools));
+  return fmt::format("{}\n{}", text, back(results, trials, drawn, templates, references, tools));
 }
 
 }  // namespace talus::reports

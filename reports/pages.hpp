@@ -3,9 +3,12 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "reports/record.hpp"
+#include "reports/rounding.hpp"
+#include "verification/record/mutants.hpp"
 
 namespace talus::reports {
 
@@ -33,10 +36,16 @@ struct Drawn {
 [[nodiscard]] std::string case_details(const Record& record, std::size_t chapter, const Drawn& drawn,
                                        const std::filesystem::path& templates);
 
+/// What is measured of the cases apart from the run that the report is about; absent if it was not.
+struct Trials {
+  std::optional<records::Mutants> mutants{};  ///< the cases with mutants
+  RoundedResults rounded{};                   ///< the cases under other roundings
+};
+
 /// The whole report as Markdown, pictures linked as figures/<stem>.svg. `templates` is the folder of the Mustache
 /// templates; `references` is the list of references as Markdown, empty if there are none; `tools` is a line naming the
 /// tools' versions. Throws OutputError when a template is missing or wrong.
-[[nodiscard]] std::string report_markdown(const Results& results, const Drawn& drawn,
+[[nodiscard]] std::string report_markdown(const Results& results, const Trials& trials, const Drawn& drawn,
                                           const std::filesystem::path& templates, const std::string& references,
                                           const std::string& tools);
 

@@ -9,6 +9,7 @@
 #include "reports/error.hpp"
 #include "reports/file.hpp"
 #include "reports/gnuplot_script.hpp"
+#include "reports/mutants_page.hpp"
 #include "reports/page_script.hpp"
 #include "reports/pages.hpp"
 #include "reports/process.hpp"
@@ -27,9 +28,16 @@ void in_parallel(const std::vector<std::function<void()>>& tasks, unsigned jobs)
 
 bool broke_off(const Record& record) { return !finished(record.status); }
 
-/// One script for each case and one for the margin chart.
-std::vector<Drawing> drawings_of(const Results& results, const fs::path& verify, const Canvas& canvas, Drawn& drawn) {
+/// One script for each case, one for the margin chart, and one for the mutants.
+std::vector<Drawing> drawings_of(const Results& results, const Trials& trials, const fs::path& verify,
+                                 const Canvas& canvas, Drawn& drawn) {
   std::vector<Drawing> drawings{{"the margin chart", margin_script(results, canvas, "margins")}};
+  if (trials.mutants) {
+    std::string script;
+    for (const Figure& figure : mutants_figures(*trials.mutants))
+      script += figure_script(plot_of(figure), canvas, "mutants-" + figure.name);
+    if (!script.empty()) drawings.push_back({"the mutants", script});
+  }
   Canvas small = canvas;
   small.width = page_figure_wide;
   small.height = 4.8;
@@ -58,6 +66,17 @@ std::vector<Drawing> drawings_of(const Results& results, const fs::path& verify,
     if (!script.empty()) drawings.push_back({"case " + record.id, script});
   }
   return drawings;
+}
+
+/// Reads verify/mutants.json and verify/rounding/MODE/results.json, those that are there.
+Trials read_trials(const fs::path& verify) {
+  Trials trials;
+  if (fs::exists(verify / "mutants.json")) trials.mutants = records::read_mutants(verify / "mutants.json");
+  for (const char* rounding : {"upward", "downward", "toward_zero"}) {
+    const fs::path file = verify / "rounding" / rounding / "results.json";
+    if (fs::exists(file)) trials.rounded.emplace(rounding, records::read_results(file));
+  }
+  return trials;
 }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -92,12 +111,13 @@ fs::path find_resources() {
 
 std::string make_report(const fs::path& verify, const fs::path& report, const Workplace& workplace) {
   const Results results = records::read_results(verify / "results.json");
+  const Trials trials = read_trials(verify);
   const Workshop workshop(report);
   const fs::path figures = workshop.folder() / "figures";
   fs::create_directory(figures);
   const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", figures, {"pdf", "svg"}};
   Drawn drawn;
-  const std::vector<Drawing> drawings = drawings_of(results, verify, canvas, drawn);
+  const std::vector<Drawing> drawings = drawings_of(results, trials, verify, canvas, drawn);
 
   const Document document{workshop.folder(), "verification", "Talus verification report",
                           workplace.resources / "pandoc", records::epoch_seconds(results.provenance.date)};
@@ -105,7 +125,7 @@ std::string make_report(const fs::path& verify, const fs::path& report, const Wo
   const std::string references =
       results.bibliography.empty() ? std::string{} : references_of(results.bibliography, document);
   records::write_whole(workshop.folder() / "verification.md",
-                       report_markdown(results, drawn, workplace.resources / "templates", references, tools));
+                       report_markdown(results, trials, drawn, workplace.resources / "templates", references, tools));
   std::string html_warnings;
   std::string latex_warnings;
   std::string picture_warnings;

@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cfenv>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <new>
 #include <optional>
@@ -39,8 +41,12 @@ struct Options {
   bool list = false;
   bool quick = false;
   bool full = false;
+  std::string rounding = "nearest";
   BaselineOptions baseline;
 };
+
+const std::map<std::string, int> rounding_modes{
+    {"nearest", FE_TONEAREST}, {"upward", FE_UPWARD}, {"downward", FE_DOWNWARD}, {"toward_zero", FE_TOWARDZERO}};
 
 void declare_baseline(CLI::App& app, BaselineOptions& options) {
   constexpr const char* group = "Comparison with a baseline";
@@ -51,7 +57,7 @@ void declare_baseline(CLI::App& app, BaselineOptions& options) {
           ->group(group);
   app.add_option("--compare", options.compare, "Run nothing: compare this results.json with --baseline")
       ->needs(baseline)
-      ->excludes("--quick", "--full", "--jobs", "--list")
+      ->excludes("--quick", "--full", "--jobs", "--list", "--rounding")
       ->group(group);
   app.add_option("--tolerance", options.tolerances,
                  "Measured values may change by X times the error bound of their check (an exact check: times its "
@@ -91,6 +97,11 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--list", options.list, "List the cases and end");
   auto* const quick = app.add_flag("--quick", options.quick, "The quick tier (default)");
   app.add_flag("--full", options.full, "The long studies as well")->excludes(quick);
+  app.add_option("--rounding", options.rounding,
+                 "Rounding of floating-point numbers while cases run: nearest, upward, downward or toward_zero. Other "
+                 "than nearest it shows which bounds rest on rounding; checks of the same bits may then fail")
+      ->check(CLI::IsMember(rounding_modes))
+      ->capture_default_str();
   declare_baseline(app, options.baseline);
   app.footer(
       "Exit status: 0 every check holds and every control turned red, 1 not so, 2 wrong command line, catalogue, "
@@ -239,6 +250,7 @@ int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Option
   const auto selection = chosen(cases, options.only, tier);
   Results results;
   results.provenance = provenance();
+  if (options.rounding != "nearest") results.provenance.flags += " --rounding " + options.rounding;
   results.tier = tier;
   results.registered = ids_of(cases);
   results.selected = ids_of(selection);
@@ -257,7 +269,8 @@ int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Option
   Terminal terminal(selection.size());
   const unsigned jobs = options.jobs == 0 ? std::max(1u, results.provenance.cores) : options.jobs;
   auto reserve = std::make_unique_for_overwrite<char[]>(reserve_size);
-  results.records = records_of(selection, cases, catalogue, {out, jobs, tier}, terminal);
+  results.records =
+      records_of(selection, cases, catalogue, {out, jobs, tier, rounding_modes.at(options.rounding)}, terminal);
   write_results_within_memory(results, catalogue, out, std::move(reserve));
   terminal.summarise(results, (out / "results.json").string());
   if (gate) return compared(*gate, out, holds(results));

@@ -41,7 +41,7 @@ struct Child {
 };
 
 /// The child's side: does not return. What the case prints goes to output.txt, not between the driver's lines.
-[[noreturn]] void run_in_child(const Case& verification_case, const fs::path& folder, Tier tier) {
+[[noreturn]] void run_in_child(const Case& verification_case, const fs::path& folder, const RunPlan& plan) {
   // A crash ends the child as a crash, whatever handlers the parent has installed.
   for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV})
     ::signal(signal, SIG_DFL);
@@ -56,7 +56,10 @@ struct Child {
   std::ofstream("/proc/self/oom_score_adj") << 1000;
   int status = 0;
   try {
-    write_record(run_case(verification_case, tier), folder);
+    std::fesetround(plan.rounding);
+    const Record record = run_case(verification_case, plan.tier);
+    std::fesetround(FE_TONEAREST);
+    write_record(record, folder);
   } catch (const std::bad_alloc&) {
     std::fputs("out of memory (std::bad_alloc)\n", stderr);
     status = exit_io;
@@ -77,7 +80,7 @@ std::optional<Child> start(const Case& verification_case, std::size_t index, con
   std::fflush(nullptr);
   const pid_t pid = ::fork();
   if (pid < 0) return std::nullopt;
-  if (pid == 0) run_in_child(verification_case, folder, plan.tier);
+  if (pid == 0) run_in_child(verification_case, folder, plan);
   ::setpgid(pid, pid);  // By both sides: whichever comes first.
   return Child{index, pid, Clock::now()};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cfenv>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -14,6 +15,7 @@ struct RunPlan {
   std::filesystem::path out;  ///< Each case writes into out/ID.
   unsigned jobs = 1;          ///< Cases at once, each in its own process.
   Tier tier = Tier::quick;
+  int rounding = FE_TONEAREST;  ///< Rounding of the floating-point unit while a case runs (<cfenv>).
 };
 
 /// Told when a case ends (its record) and which cases are still running.

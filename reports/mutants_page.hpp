@@ -1,0 +1,19 @@
+/// The report's chapter on mutants: which small bugs the cases notice.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/record.hpp"
+#include "verification/record/mutants.hpp"
+
+namespace talus::reports {
+
+/// Its figures: the matrix of mutants and cases, the score against the number of cases, and against the tolerance; the
+/// last two only of a whole matrix. They are drawn as figures/mutants-NAME.
+[[nodiscard]] std::vector<Figure> mutants_figures(const records::Mutants& mutants);
+
+/// The chapter without its heading, as Markdown.
+[[nodiscard]] std::string mutants_text(const records::Mutants& mutants, const Results& results);
+
+}  // namespace talus::reports

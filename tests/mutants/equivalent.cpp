@@ -1,0 +1,17 @@
+#include "tests/mutants/equivalent.hpp"
+
+#include "tests/mutants/strict_table.hpp"
+
+namespace talus::mutants {
+
+std::vector<Equivalent> equivalent_mutants(const std::filesystem::path& file) {
+  std::vector<Equivalent> all;
+  const toml::table table = parsed(file);
+  for (const toml::table* each : tables_of(table, "equivalent", {"file", "operation", "line", "new", "reason"})) {
+    all.push_back({words(*each, "file"), words(*each, "operation"), words(*each, "line"), words(*each, "new", true),
+                   words(*each, "reason")});
+  }
+  return all;
+}
+
+}  // namespace talus::mutants
