@@ -49,7 +49,9 @@ std::set<std::uint32_t> declared_in(const std::string& header) {
 /// LaTeX's own inputenc knows Latin-1, most of Latin Extended-A, and the marks of typography.
 bool known_to_latex(std::uint32_t code) {
   static const std::set<std::uint32_t> marks{0x2013, 0x2014, 0x2018, 0x2019, 0x201C, 0x201D, 0x2026, 0x2022, 0x20AC};
-  return code < 0x80U || (code >= 0xA0U && code <= 0x17EU && code != 0xB5U) || marks.count(code) > 0;
+  // A control character ends LaTeX with an error.
+  if (code < 0x20U) return code == 0x09U || code == 0x0AU;
+  return code < 0x7FU || (code >= 0xA0U && code <= 0x17EU && code != 0xB5U) || marks.count(code) > 0;
 }
 
 std::map<std::string, std::string> fixed_time(const Document& document) {

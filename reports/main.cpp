@@ -24,7 +24,8 @@ struct Options {
 void describe(CLI::App& app, Options& options) {
   app.description(
       "Writes verification.md, verification.html and verification.pdf from the records of a verification run,\n"
-      "or the pictures of one run (--plot). Exit codes: 0 written, 2 wrong usage or record, 4 a file or tool failed.");
+      "or the pictures of one run (--plot). Exit codes: 0 written, 2 wrong usage or record, 4 a file or tool failed\n"
+      "or a tool is missing; what can be made without it is there.");
   app.add_option("verify", options.verify, "folder with results.json and the cases' folders (build/verify)");
   app.add_option("report", options.report, "folder to write the report to (build/report)");
   app.add_option("--plot", options.plot, "a run's folder: draw the figures of its plot.json");
@@ -43,13 +44,17 @@ void complain(const std::string& words) {
   std::fputs(words.c_str(), stderr);  // a stderr that takes nothing costs the message only
 }
 
-void print(const talus::reports::Made& made) {
+/// Prints the files and what could not be made; returns the exit code.
+int print(const talus::reports::Made& made) {
   complain(made.warnings);
   for (const auto& file : made.files)
     fmt::print("{}\n", file.string());
+  if (made.unmade.empty()) return 0;
+  complain("talus_report: " + made.unmade);
+  return 4;
 }
 
-void work(const Options& options) {
+int work(const Options& options) {
   const talus::reports::Workplace workplace{talus::reports::find_resources(), options.jobs};
   if (!options.plot.empty()) {
     const std::set<std::string> formats(options.formats.begin(), options.formats.end());
@@ -58,9 +63,7 @@ void work(const Options& options) {
     return print(talus::reports::make_plots(run, target, formats, workplace));
   }
   if (!options.sheet.empty()) return print(talus::reports::make_sheet(options.sheet, workplace));
-  const std::string warnings = talus::reports::make_report(options.verify, options.report, workplace);
-  complain(warnings);
-  fmt::print("{0}/verification.md\n{0}/verification.html\n{0}/verification.pdf\n", options.report);
+  return print(talus::reports::make_report(options.verify, options.report, workplace));
 }
 
 }  // namespace
@@ -80,8 +83,7 @@ int main(int argc, char** argv) {
     return app.exit(wrong) == 0 ? 0 : 2;
   }
   try {
-    work(options);
-    return 0;
+    return work(options);
   } catch (const talus::reports::RecordError& wrong) {
     complain(fmt::format("talus_report: {}\n", wrong.what()));
     return 2;

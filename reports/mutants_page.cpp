@@ -221,7 +221,7 @@ std::vector<Figure> mutants_figures(const Mutants& mutants) {
   return figures;
 }
 
-std::string mutants_text(const Mutants& mutants, const Results& results) {
+std::string mutants_text(const Mutants& mutants, const Results& results, bool pictures) {
   const auto sample = generated(mutants);
   const auto bugs = written(mutants);
   const Score score = score_of(sample);
@@ -238,8 +238,10 @@ std::string mutants_text(const Mutants& mutants, const Results& results) {
   text +=
       score_table("operation", scores_by(sample, [](const MutantRecord& mutant) { return mutant.operation; }), score);
   text += "\n";
-  for (const Figure& figure : mutants_figures(mutants))
-    text += figure_link(figure);
+  if (pictures) {
+    for (const Figure& figure : mutants_figures(mutants))
+      text += figure_link(figure);
+  }
   if (mutants.whole_matrix) text += who_kills(mutants, results);
   if (!bugs.empty()) text += "## Bugs written by hand\n\n" + bug_table(mutants, results) + "\n";
   const std::string survived = list_of(mutants, MutantStatus::survived);

@@ -13,7 +13,7 @@ namespace talus::reports {
 /// last two only of a whole matrix. They are drawn as figures/mutants-NAME.
 [[nodiscard]] std::vector<Figure> mutants_figures(const records::Mutants& mutants);
 
-/// The chapter without its heading, as Markdown.
-[[nodiscard]] std::string mutants_text(const records::Mutants& mutants, const Results& results);
+/// The chapter without its heading, as Markdown; with its figures if there are `pictures`.
+[[nodiscard]] std::string mutants_text(const records::Mutants& mutants, const Results& results, bool pictures);
 
 }  // namespace talus::reports

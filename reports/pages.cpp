@@ -7,6 +7,7 @@
 #include "reports/appendix.hpp"
 #include "reports/comparisons.hpp"
 #include "reports/coverage.hpp"
+#include "reports/markdown.hpp"
 #include "reports/mutants_page.hpp"
 #include "reports/page_cells.hpp"
 #include "reports/summary.hpp"
@@ -61,10 +62,11 @@ std::string back(const Results& results, const Trials& trials, const Drawn& draw
   values.set("rounding", trials.rounded.empty()
                              ? "The cases were not run under other roundings in this run: `make verify-full` does so.\n"
                              : rounding_text(results, trials.rounded));
-  values.set("mutants", trials.mutants ? mutants_text(*trials.mutants, results)
+  values.set("mutants", trials.mutants ? mutants_text(*trials.mutants, results, drawn.no_pictures.empty())
                                        : "The cases were not run with mutants in this run: `make mutants` does so.\n");
   values.set("traceability", traceability(results));
   values.set("references", references.empty() ? "None.\n" : references);
+  if (!drawn.no_pictures.empty()) values.set("no_pictures", markdown::words(drawn.no_pictures));
   values.set("tools", tools);
   values.set("date", results.provenance.date);
   return filled(templates / "back.mustache", values);

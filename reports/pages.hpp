@@ -20,6 +20,7 @@ inline constexpr double page_figure_wide = 10.4;
 
 /// What is known of the pictures when the text is written.
 struct Drawn {
+  std::string no_pictures;                     ///< why there are none at all; empty if there are
   std::map<std::string, std::string> undrawn;  ///< "case/figure" -> why there is no picture of it
   std::map<std::string, std::size_t> hidden;   ///< "case/figure" -> points that a log axis cannot show
 };

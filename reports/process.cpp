@@ -82,10 +82,18 @@ void drain(Pipe& out, Pipe& err, Finished& finished) {
   }
 }
 
+/// Debian's packages of the programs that reports and pictures need.
+const std::map<std::string, std::string> packages{
+    {"gnuplot", "gnuplot-nox"}, {"pandoc", "pandoc"}, {"pdflatex", "texlive-latex-recommended and lmodern"}};
+
 OutputError cannot_start(const std::string& program, int failure) {
-  return OutputError(fmt::format(
-      "{}: cannot be started: {}{}", program, std::strerror(failure),
-      failure == ENOENT ? " (is it installed? scripts/setup installs what reports and pictures need)" : ""));
+  const auto package = packages.find(program);
+  const std::string debian = package == packages.end() ? "" : " Debian's packages: " + package->second + ";";
+  return OutputError(fmt::format("{}: cannot be started: {}{}", program, std::strerror(failure),
+                                 failure != ENOENT ? ""
+                                                   : fmt::format(" (is it installed?{} scripts/setup installs what "
+                                                                 "reports and pictures need)",
+                                                                 debian)));
 }
 
 pid_t start(const Command& command, Pipe& out, Pipe& err) {

@@ -83,11 +83,33 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 
 std::string tool_versions() {
   const auto version = [](const char* tool) {
-    return first_line(run_or_throw({tool, {"--version"}, {}, {}}, "--version").output);
+    try {
+      return first_line(run_or_throw({tool, {"--version"}, {}, {}}, "--version").output);
+    } catch (const OutputError&) {
+      return fmt::format("no {}", tool);
+    }
   };
   const std::string gnuplot = version("gnuplot");
   const std::string pandoc = version("pandoc");
   return fmt::format("Tools: {}; {}; {}.", gnuplot, pandoc, version("pdflatex"));
+}
+
+/// Why a part of the report could not be made, a line; empty if it was. Errors other than those of tools are thrown.
+std::string failure_of(const std::function<void()>& make) {
+  try {
+    make();
+  } catch (const OutputError& wrong) {
+    return fmt::format("{}\n", wrong.what());
+  }
+  return {};
+}
+
+/// Without gnuplot: every figure is named with the reason in its place.
+void undraw_all(const Results& results, const std::string& why, Drawn& drawn) {
+  drawn.no_pictures = why;
+  for (const Record& record : results.records)
+    for (const Figure& figure : record.figures)
+      drawn.undrawn.insert({record.id + "/" + figure.name, why});
 }
 
 void date_pictures(const fs::path& folder, long long epoch) {
@@ -109,7 +131,7 @@ fs::path find_resources() {
                                 TALUS_REPORTS_SOURCE));
 }
 
-std::string make_report(const fs::path& verify, const fs::path& report, const Workplace& workplace) {
+Made make_report(const fs::path& verify, const fs::path& report, const Workplace& workplace) {
   const Results results = records::read_results(verify / "results.json");
   const Trials trials = read_trials(verify);
   const Workshop workshop(report);
@@ -122,25 +144,50 @@ std::string make_report(const fs::path& verify, const fs::path& report, const Wo
   const Document document{workshop.folder(), "verification", "Talus verification report",
                           workplace.resources / "pandoc", records::epoch_seconds(results.provenance.date)};
   const std::string tools = tool_versions();
-  const std::string references =
-      results.bibliography.empty() ? std::string{} : references_of(results.bibliography, document);
-  records::write_whole(workshop.folder() / "verification.md",
-                       report_markdown(results, trials, drawn, workplace.resources / "templates", references, tools));
-  std::string html_warnings;
-  std::string latex_warnings;
-  std::string picture_warnings;
+  std::string references;
+  if (!results.bibliography.empty() &&
+      !failure_of([&] { references = references_of(results.bibliography, document); }).empty())
+    references = fmt::format("```\n{}\n```\n", results.bibliography);
+  const auto write_markdown = [&] {
+    records::write_whole(workshop.folder() / "verification.md",
+                         report_markdown(results, trials, drawn, workplace.resources / "templates", references, tools));
+  };
+  std::string html_warnings, latex_warnings, picture_warnings, undrawn, no_latex, no_pdf, no_html;
+  const auto write_latex = [&] { no_latex = failure_of([&] { latex_warnings = make_latex(document); }); };
+  write_markdown();
   // LaTeX source needs no pictures, HTML and PDF do.
-  in_parallel({[&] { latex_warnings = make_latex(document); },
+  in_parallel({write_latex,
                [&] {
-                 picture_warnings = draw(drawings, workshop.folder(), workplace.jobs);
-                 date_pictures(figures, document.epoch);
+                 undrawn = failure_of([&] {
+                   picture_warnings = draw(drawings, workshop.folder(), workplace.jobs);
+                   date_pictures(figures, document.epoch);
+                 });
                }},
               workplace.jobs);
+  if (!undrawn.empty()) {
+    undraw_all(results, first_line(undrawn), drawn);
+    write_markdown();
+    write_latex();
+  }
   const Progress progress("writing HTML and PDF", 0);
-  in_parallel({[&] { make_pdf(document); }, [&] { html_warnings = make_html(document); }}, workplace.jobs);
-  for (const char* name : {"figures", "verification.md", "verification.html", "verification.pdf"})
-    workshop.publish(name);
-  return picture_warnings + html_warnings + latex_warnings;
+  in_parallel({[&] { no_pdf = no_latex.empty() ? failure_of([&] { make_pdf(document); }) : no_latex; },
+               [&] { no_html = failure_of([&] { html_warnings = make_html(document); }); }},
+              workplace.jobs);
+  Made made{{}, picture_warnings + html_warnings + latex_warnings, undrawn + no_html};
+  if (no_pdf != no_html) made.unmade += no_pdf;
+  const auto publish = [&](const std::string& name, bool was_made) {
+    if (was_made) {
+      workshop.publish(name);
+      if (name != "figures") made.files.push_back(report / name);
+    } else {
+      fs::remove_all(report / name);  // of an earlier report
+    }
+  };
+  publish("figures", undrawn.empty());
+  publish("verification.md", true);
+  publish("verification.html", no_html.empty());
+  publish("verification.pdf", no_pdf.empty());
+  return made;
 }
 
 }  // namespace talus::reports

@@ -20,24 +20,26 @@ struct Workplace {
 /// the source tree it was built from. Throws OutputError when neither holds them.
 [[nodiscard]] std::filesystem::path find_resources();
 
-/// Makes report/verification.md, .html, .pdf and report/figures/ from verify/results.json and the CSV files in
-/// verify/<id>/. All appear together at the end, or none. Returns the warnings of the tools. Throws RecordError
-/// when a record is wrong, OutputError when a file or tool is.
-///
-/// A figure that cannot be drawn is an error, except in a case that broke off (error, timeout, missing): there the
-/// page says why.
-std::string make_report(const std::filesystem::path& verify, const std::filesystem::path& report,
-                        const Workplace& workplace);
-
-/// Files that were made, and the warnings of the tools that made them.
+/// Files that were made, the warnings of the tools that made them, and a line for each tool that is missing or failed,
+/// without which the other files were not made.
 struct Made {
   std::vector<std::filesystem::path> files;
   std::string warnings;
+  std::string unmade;
 };
 
+/// Makes report/verification.md, .html, .pdf and report/figures/ from verify/results.json and the CSV files in
+/// verify/<id>/. All appear together at the end, or none. What needs a tool that is missing or fails is left out, and an
+/// earlier one removed: pictures without gnuplot (text and tables then say so), HTML and PDF without pandoc, PDF
+/// without pdflatex. Throws RecordError when a record is wrong, OutputError when a folder is, FileError.
+///
+/// A figure that cannot be drawn is an error, except in a case that broke off (error, timeout, missing): there the
+/// page says why.
+Made make_report(const std::filesystem::path& verify, const std::filesystem::path& report, const Workplace& workplace);
+
 /// Draws into `target`: figures and pages in each of the formats (ps, pdf, svg, png), films as GIF, players as HTML.
-/// Throws RecordError as demand_sound() and plot_of() do, OutputError when a tool fails, FileError when a file cannot
-/// be written.
+/// Players need no tool: without gnuplot they are made alone. Throws RecordError as demand_sound() and plot_of() do,
+/// OutputError when a tool fails and nothing is made, FileError when a file cannot be written.
 Made make_pictures(Pictures pictures, const std::filesystem::path& target, const std::set<std::string>& formats,
                    const Workplace& workplace);
 
@@ -45,7 +47,8 @@ Made make_pictures(Pictures pictures, const std::filesystem::path& target, const
 Made make_plots(const std::filesystem::path& run, const std::filesystem::path& target,
                 const std::set<std::string>& formats, const Workplace& workplace);
 
-/// Makes run/sheet.pdf and run/sheet.html, one page each, from run/sheet.json. Throws as make_report() does.
+/// Makes run/sheet.pdf and run/sheet.html, one page each, from run/sheet.json; without gnuplot both without pictures,
+/// without pdflatex the HTML alone. Throws as make_report() does.
 Made make_sheet(const std::filesystem::path& run, const Workplace& workplace);
 
 /// Throws OutputError unless the programs that make_sheet() starts are in PATH.

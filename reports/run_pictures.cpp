@@ -78,7 +78,14 @@ Made make_pictures(Pictures pictures, const fs::path& target, const std::set<std
   const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", workshop.folder(), formats};
   std::vector<std::string> names;
   const std::vector<Drawing> drawings = drawings_of(pictures, canvas, names);
-  Made made{{}, draw(drawings, workshop.folder(), workplace.jobs)};
+  Made made;
+  try {
+    made.warnings = draw(drawings, workshop.folder(), workplace.jobs);
+  } catch (const OutputError& wrong) {
+    if (pictures.players.empty()) throw;
+    made.unmade = fmt::format("{}\n", wrong.what());
+    names.clear();
+  }
   for (const Player& player : pictures.players) {
     names.push_back(player.name + ".html");
     records::write_whole(workshop.folder() / names.back(), player_page(player, workplace.resources));

@@ -6,6 +6,7 @@
 
 #include "reports/document.hpp"
 #include "reports/drawing.hpp"
+#include "reports/error.hpp"
 #include "reports/file.hpp"
 #include "reports/process.hpp"
 #include "reports/report.hpp"
@@ -217,27 +218,43 @@ Made make_sheet(const fs::path& run, const Workplace& workplace) {
     const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", folder, {format}};
     return Drawing{"the sheet", sheet_script(record, canvas, stem, medium)};
   };
-  Made made{{},
-            draw({drawing(SheetMedium::paper, "pdf", "drawing"), drawing(SheetMedium::screen, "svg", "drawing"),
-                  drawing(SheetMedium::phone, "svg", "phone")},
-                 folder, workplace.jobs)};
-  // A run has no date of its own; the same numbers give the same bytes.
-  date_picture(folder / "drawing.pdf", 0);
+  Made made;
+  const auto attempt = [&](auto&& make) {
+    try {
+      make();
+      return true;
+    } catch (const OutputError& wrong) {
+      made.unmade += fmt::format("{}\n", wrong.what());
+      return false;
+    }
+  };
+  const bool drawn = attempt([&] {
+    made.warnings = draw({drawing(SheetMedium::paper, "pdf", "drawing"), drawing(SheetMedium::screen, "svg", "drawing"),
+                          drawing(SheetMedium::phone, "svg", "phone")},
+                         folder, workplace.jobs);
+    // A run has no date of its own; the same numbers give the same bytes.
+    date_picture(folder / "drawing.pdf", 0);
+  });
+  const auto picture = [&](const char* name) { return drawn ? records::read_whole(folder / name) : std::string{}; };
 
   const fs::path templates = workplace.resources / "templates";
   records::write_whole(folder / "sheet.html", rendered(templates / "sheet.html.mustache", record, html_text, html_table,
-                                                       records::read_whole(folder / "drawing.svg"),
-                                                       records::read_whole(folder / "phone.svg")));
-  const std::string latex = rendered(templates / "sheet.tex.mustache", record, latex_text, latex_table, "drawing.pdf");
+                                                       picture("drawing.svg"), picture("phone.svg")));
+  const std::string latex = rendered(templates / "sheet.tex.mustache", record, latex_text, latex_table,
+                                     drawn ? "\\includegraphics[width=\\linewidth]{drawing.pdf}" : "");
   records::write_whole(folder / "sheet.tex",
                        printable(latex, records::read_whole(workplace.resources / "pandoc" / "header.tex")));
-  make_pdf({.folder = folder,
-            .stem = "sheet",
-            .title = record.title,
-            .resources = workplace.resources,
-            .epoch = 0,
-            .has_contents = false});
+  const bool set = attempt([&] {
+    make_pdf({.folder = folder,
+              .stem = "sheet",
+              .title = record.title,
+              .resources = workplace.resources,
+              .epoch = 0,
+              .has_contents = false});
+  });
+  fs::remove(run / "sheet.pdf");  // an earlier one, if this one could not be made
   for (const char* name : {"sheet.html", "sheet.pdf"}) {
+    if (!set && std::string{name} == "sheet.pdf") continue;
     workshop.publish(name);
     made.files.push_back(run / name);
   }

@@ -117,7 +117,8 @@ int run(const SceneOptions& options) {
   if (const auto code = report_ended_run(options, others)) return *code;
   const SceneRequest request = scene_request(options);
   const long last = last_step(options, request);
-  if (request.sheet) find_sheet_tools();  // missing tools must not cost a run
+  // Missing tools must not cost a run; one that was begun with them ends.
+  if (request.sheet && !request.run.resumes()) find_sheet_tools();
   return live(request.run, [&] { return std::make_unique<RequestedScene>(options, request, last); });
 }
 

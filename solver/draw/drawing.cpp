@@ -75,6 +75,11 @@ void print_warnings(const std::string& warnings) {
   std::fputs(warnings.c_str(), stderr);
 }
 
+/// The error for pictures or pages that were not made beside those that were.
+void throw_unmade(const reports::Made& made) {
+  if (!made.unmade.empty()) throw IoError{made.unmade.substr(0, made.unmade.size() - 1)};
+}
+
 }  // namespace
 
 void draw(DrawingRequest request) {
@@ -88,13 +93,17 @@ void draw(DrawingRequest request) {
   print_warnings(made.warnings);
   for (const fs::path& file : made.files)
     fmt::print("{}\n", file.string());
+  throw_unmade(made);
 }
 
 void draw_sheet(const fs::path& run) {
   try {
-    print_warnings(with_own_errors([&] { return reports::make_sheet(run, workplace()); }).warnings);
+    const reports::Made made = with_own_errors([&] { return reports::make_sheet(run, workplace()); });
+    print_warnings(made.warnings);
+    throw_unmade(made);
   } catch (const std::runtime_error& error) {
-    throw IoError{fmt::format("{}: the sheet was not made: {}", (run / "sheet.json").string(), error.what())};
+    throw IoError{fmt::format("{}: the sheet is not complete; talus_report --sheet makes it from this file: {}",
+                              (run / "sheet.json").string(), error.what())};
   }
 }
 

@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(wilsons_interval) {
 }
 
 BOOST_AUTO_TEST_CASE(the_chapter_names_survivors_and_bugs) {
-  const std::string text = mutants_text(some(), {});
+  const std::string text = mutants_text(some(), {}, true);
   const auto holds = [&](const char* part) { return text.find(part) != std::string::npos; };
   BOOST_TEST(holds("3 of 4 generated mutants were killed: 75.0 %"));
   BOOST_TEST(holds("## Survivors"));

@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE reports_report
 #include "reports/report.hpp"
 
+#include <algorithm>
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -168,11 +169,53 @@ BOOST_AUTO_TEST_CASE(missing_tools_and_wrong_usage_have_their_exit_codes) {
   const Scratch scratch("report");
   const Finished bare = program({(data / "pass").string(), scratch.folder.string()}, {{"PATH", "/nowhere"}});
   BOOST_TEST(bare.status == 4);
-  BOOST_TEST(contains(bare.messages, "gnuplot: cannot be started"));
+  for (const char* words :
+       {"gnuplot: cannot be started: No such file or directory (is it installed? Debian's packages: gnuplot-nox; ",
+        "Debian's packages: pandoc; "})
+    BOOST_TEST(contains(bare.messages, words), bare.messages);
+  BOOST_TEST(bare.output == (scratch.folder / "verification.md").string() + "\n");
   BOOST_TEST(program({(data / "pass").string()}).status == 2);
   BOOST_TEST(program({"--format", "gif", "--plot", "x"}).status == 2);
   BOOST_TEST(program({(data / "none").string(), scratch.folder.string()}).status == 4);
   BOOST_TEST(program({"--help"}).status == 0);
+}
+
+// A PATH with all tools but one: what does not need it is made, and an earlier report's file of a kind that cannot be
+// made goes.
+BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
+  const Scratch scratch("tools");
+  const std::vector<std::string> tools{"gnuplot", "pandoc", "pdflatex"};
+  for (const auto& [missing, package, made] :
+       {std::tuple{"gnuplot", "gnuplot-nox", std::vector<std::string>{"verification.html", "verification.pdf"}},
+        {"pandoc", "pandoc", {"figures"}},
+        {"pdflatex", "texlive-latex-recommended and lmodern", {"figures", "verification.html"}}}) {
+    const fs::path bin = scratch.folder / missing / "bin", report = scratch.folder / missing / "report";
+    fs::create_directories(bin), fs::create_directories(report);
+    for (const std::string& tool : tools) {
+      if (tool == missing) continue;
+      write_whole(bin / tool, "#!/bin/sh\nPATH=/usr/local/bin:/usr/bin:/bin\nexec " + tool + " \"$@\"\n");
+      fs::permissions(bin / tool, fs::perms::owner_all);
+    }
+    fs::create_directory(report / "figures");
+    for (const char* earlier : {"verification.html", "verification.pdf", "figures/earlier.svg"})
+      write_whole(report / earlier, "earlier");
+    const Finished finished = program({(data / "pass").string(), report.string()}, {{"PATH", bin.string()}});
+    BOOST_TEST(finished.status == 4);
+    BOOST_TEST(contains(finished.messages, std::string("talus_report: ") + missing + ": cannot be started"),
+               finished.messages);
+    BOOST_TEST(contains(finished.messages, std::string("Debian's packages: ") + package + ";"), finished.messages);
+    std::vector<std::string> expected = made, found;
+    expected.push_back("verification.md");
+    for (const auto& entry : fs::directory_iterator(report))
+      found.push_back(entry.path().filename().string());
+    std::sort(expected.begin(), expected.end()), std::sort(found.begin(), found.end());
+    BOOST_TEST(found == expected, boost::test_tools::per_element());
+    BOOST_TEST(!fs::exists(report / "figures/earlier.svg"));
+    const std::string text = read_whole(report / "verification.md");
+    BOOST_TEST(contains(text, "is not drawn: gnuplot: cannot be started") == (missing == tools[0]));
+    BOOST_TEST(contains(text, "](figures/") == (missing != tools[0]));
+    BOOST_TEST(contains(text, std::string("no ") + missing), "the colophon");
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_run_is_plotted_in_each_format) {

@@ -154,6 +154,54 @@ BOOST_AUTO_TEST_CASE(the_same_record_gives_the_same_pages) {
              before[0].substr(0, read_whole(scratch.folder / "sheet.pdf").size()));
 }
 
+// Without gnuplot both pages without pictures, without pdflatex the HTML alone.
+BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
+  const Scratch scratch("sheet");
+  write_whole(scratch.folder / "sheet.json", read_whole(record_file));
+  for (const bool draws : {false, true}) {
+    const fs::path bin = scratch.folder / (draws ? "draws" : "sets");
+    fs::create_directory(bin);
+    const std::string tool = draws ? "gnuplot" : "pdflatex", missing = draws ? "pdflatex" : "gnuplot";
+    write_whole(bin / tool, "#!/bin/sh\nPATH=/usr/local/bin:/usr/bin:/bin\nexec " + tool + " \"$@\"\n");
+    fs::permissions(bin / tool, fs::perms::owner_all);
+    const Finished made =
+        run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {{"PATH", bin.string()}}});
+    BOOST_TEST(made.status == 4);
+    BOOST_TEST(contains(made.messages, missing + ": cannot be started: "), made.messages);
+    BOOST_TEST(fs::exists(scratch.folder / "sheet.pdf") != draws);
+    const std::string html = read_whole(scratch.folder / "sheet.html");
+    BOOST_TEST(contains(html, "Hangers"));
+    BOOST_TEST(contains(html, "<svg") == draws);
+  }
+}
+
+// What a title may hold means something to HTML, LaTeX, gnuplot, a shell or a template.
+BOOST_AUTO_TEST_CASE(a_title_is_text_in_every_format) {
+  const Scratch scratch("sheet");
+  const std::string title =
+      "<script>alert(1)</script> $x$ $(touch pwned) `touch pwned` \\\\input{/etc/passwd} \\\\write18{touch pwned} % # "
+      "_ ^ ~ & { } "
+      "\\\"; system 'touch pwned' \\u0007 {{title}} <%title%> \\n\\n'quit' @x";
+  const std::string record = read_whole(record_file);
+  const std::size_t place = record.find("\"title\": \"") + 10, end = record.find('"', place);
+  const std::size_t name = record.find("top1");
+  BOOST_REQUIRE((end != std::string::npos && name != std::string::npos && name > end));
+  std::string text = record;
+  for (std::size_t at = text.rfind("top1"); at != std::string::npos && at > end; at = text.rfind("top1", at - 1))
+    text.replace(at, 4, "<b>`touch pwned` $ \\\\x % #");
+  text.replace(place, end - place, title);
+  write_whole(scratch.folder / "sheet.json", text);
+  const Finished made = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, scratch.folder, {}});
+  BOOST_TEST(made.status == 0, made.messages);
+  BOOST_TEST(made.messages == "");
+  const std::string html = read_whole(scratch.folder / "sheet.html");
+  BOOST_TEST(contains(html, "<title>&lt;script&gt;alert(1)&lt;/script&gt; $x$ $(touch pwned) `touch pwned` "));
+  BOOST_TEST(contains(html, "{{title}}"));
+  BOOST_TEST((!contains(html, "<script>") && !contains(html, "<b>`")));
+  for (const auto& entry : fs::recursive_directory_iterator(scratch.folder))
+    BOOST_TEST(!contains(entry.path().filename().string(), "pwned"));
+}
+
 BOOST_AUTO_TEST_CASE(records_that_are_wrong) {
   const Scratch scratch("sheet");
   const std::string good = read_whole(record_file);

@@ -307,7 +307,8 @@ BOOST_AUTO_TEST_CASE(drawing_that_fails_says_why_and_leaves_nothing) {
   BOOST_REQUIRE(talus_ran({"plot", run, "--format", "svg", "--out", pictures}).code == 0);
   const auto before = files(pictures);
   const std::string missing =
-      "talus: gnuplot: cannot be started: No such file or directory (is it installed? scripts/setup installs what "
+      "talus: gnuplot: cannot be started: No such file or directory (is it installed? Debian's packages: "
+      "gnuplot-nox; scripts/setup installs what "
       "reports and pictures need)\n";
   const auto refused = [&](const std::vector<std::string>& command, const char* path, int code,
                            const std::string& words) {
