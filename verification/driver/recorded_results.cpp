@@ -15,6 +15,8 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
+#include "verification/record/error.hpp"
+#include "verification/record/json_depth.hpp"
 #include "verification/record/names.hpp"
 
 namespace talus::verification {
@@ -267,7 +269,10 @@ RecordedResults read_results(const fs::path& file) {
   if (text.empty()) throw InputError(file.string() + ": is empty; it must be a results.json that talus_verify wrote");
   nlohmann::json json;
   try {
+    records::demand_shallow_json(text, file);
     json = nlohmann::json::parse(text);
+  } catch (const records::RecordError& fault) {
+    throw InputError(fault.what());
   } catch (const nlohmann::json::exception& fault) {
     const std::string words = fault.what();  // "[json.exception.parse_error.101] parse error at line 1, ..."
     const auto start = words.find("] ");

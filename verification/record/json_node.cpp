@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "verification/record/json_depth.hpp"
 #include "verification/record/json_number.hpp"
 #include "verification/record/whole_file.hpp"
 
@@ -14,6 +15,7 @@ namespace talus::records {
 Json read_json(const std::filesystem::path& file) {
   const std::string text = read_whole(file);
   if (text.empty()) throw RecordError(file.string() + ": is empty");
+  demand_shallow_json(text, file);
   try {
     return Json::parse(text);
   } catch (const Json::exception& fault) {

@@ -15,7 +15,7 @@ namespace talus::records {
 /// Keys keep the order of the file.
 using Json = nlohmann::ordered_json;
 
-/// The JSON document in a file. FileError if the file cannot be read; RecordError if it is empty or not JSON.
+/// The JSON document in a file. FileError if the file cannot be read; RecordError if empty, too deep or not JSON.
 [[nodiscard]] Json read_json(const std::filesystem::path& file);
 
 /// A JSON value and its place, e.g. "results.json: results.cases[0].checks[2]". Each access throws RecordError with the

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "solver/base/error.hpp"
-#include "solver/io/file/toml_document.hpp"
+#include "solver/io/file/json_text.hpp"
 #include "verification/record/json_number.hpp"
 
 namespace talus {
@@ -120,7 +120,7 @@ std::string checkpoint_text(const Checkpoint& checkpoint, std::string_view progr
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file, std::string_view program) {
-  const std::string content = read_text(file);
+  const std::string content = read_json_text(file);
   const nlohmann::json json = nlohmann::json::parse(content, nullptr, false);
   if (!json.is_object()) {
     throw InputError{

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/base/error.hpp"
-#include "solver/io/file/toml_document.hpp"
+#include "solver/io/file/json_text.hpp"
 
 namespace talus {
 
@@ -13,9 +13,10 @@ std::vector<scenes::StretchedCable> read_stretched_cables(const std::filesystem:
                                                           const UnitSystem& units) {
   using Json = nlohmann::json;
   const std::filesystem::path file = folder / "final_state.json";
+  const std::string text = read_json_text(file);
   std::vector<scenes::StretchedCable> stretched;
   try {
-    const Json state = Json::parse(read_text(file));
+    const Json state = Json::parse(text);
     if (const std::string system = state.at("units").at("system"); system != units.name) {
       throw InputError{fmt::format("units: found \"{}\"; they must be \"{}\", the fence's", system, units.name)};
     }
