@@ -11,6 +11,7 @@
 #include "solver/app/interruption.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/folder_lock.hpp"
+#include "solver/io/file/json_text.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "solver/io/file/utf8.hpp"
 #include "solver/io/output/run_folder.hpp"
@@ -32,7 +33,12 @@ void resume(RunRequest& request, const RunOptions& options, const GivenOptions& 
     if (given) throw kept_option(name);
   if (options.folder.empty()) request.folder = request.from;
   if (options.scene.empty()) request.scene = request.saved.scene_file;
-  request.text = read_text(request.scene);
+  try {
+    request.text = read_text(request.scene);
+  } catch (const IoError& error) {
+    if (!options.scene.empty()) throw;
+    throw IoError{fmt::format("{}: scene_file: {}", file.string(), error.what())};
+  }
   if (const std::string hash = fnv1a(request.text); hash != request.saved.scene_fnv1a)
     throw InputError{
         fmt::format("{}: scene_fnv1a: found {}, but {} has {}; the scene must be as it was when the run was "
@@ -158,7 +164,7 @@ std::optional<int> report_ended_run(const RunOptions& options, const GivenOption
   if (folder.empty() || fs::exists(folder / checkpoint_name, none)) return {};
   std::string summary, kind, failure;
   try {
-    summary = read_text(folder / "summary.json");
+    summary = read_json_text(folder / "summary.json");
     const auto outcome = nlohmann::json::parse(summary).at("outcome");
     outcome.at("kind").get_to(kind);
     if (kind == "diverged") outcome.at("words").get_to(failure);
@@ -166,6 +172,8 @@ std::optional<int> report_ended_run(const RunOptions& options, const GivenOption
     return {};  // no run ended here; the missing checkpoint is reported where it is read
   } catch (const nlohmann::json::exception&) {
     return {};  // the same for a file of another program
+  } catch (const InputError&) {
+    return {};  // and for one that is nested too deeply
   }
   if (kind != "diverged" && kind != "finished") return {};
   for (const auto& [name, given] : others)

@@ -96,9 +96,14 @@ SceneRequest scene_request(const SceneOptions& options) {
     const Checkpoint& saved = request.run.saved;
     request.sheet = holds_sheet(saved.memory);
     if (options.sheet && !request.sheet) throw kept_option("--sheet");
-    scene.integrator = make_integrator(saved.integrator, saved.tolerance);
-    scene.plan.step = saved.step;
-    scene.plan.end = saved.end;
+    try {
+      scene.integrator = make_integrator(saved.integrator, saved.tolerance);
+      scene.plan.step = saved.step;
+      scene.plan.end = saved.end;
+      check_step_count(scene.plan);
+    } catch (const InputError& error) {
+      throw InputError{fmt::format("{}: {}", (request.run.from / checkpoint_name).string(), error.what())};
+    }
   }
   check_step_count(scene.plan);
   return request;

@@ -106,6 +106,13 @@ std::vector<CellObjection> objections(const ShearCell& cell) {
                        ShearCell::most_discs / static_cast<std::size_t>(cell.columns), cell.columns,
                        ShearCell::most_discs));
   }
+  // Frequency and damping ratio of a contact hold the root of this product.
+  constexpr double least = std::numeric_limits<double>::min();
+  if (found.empty() && !(cell.mass * cell.stiffness() >= least)) {
+    demand(false, "stiffness", cell.stiffness(),
+           fmt::format("at least {:.3g}: its product with the mass, {}, must be at least {:.3g}", least / cell.mass,
+                       cell.mass, least));
+  }
   return found;
 }
 

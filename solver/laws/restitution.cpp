@@ -52,6 +52,10 @@ double restitution(double damping_ratio, EndRule rule) {
 
 double damping_ratio(double e, EndRule rule) {
   if (!(e > 0.0 && e <= 1.0)) throw InputError{fmt::format("restitution is {}; it must be in (0, 1]", e)};
+  // Beyond the smallest normal number the damping ratio of the clamped rule, about 1/(2 sqrt(e)), overflows in its square.
+  if (!(e >= std::numeric_limits<double>::min()))
+    throw InputError{
+        fmt::format("restitution is {}; it must be at least {:.3g}", e, std::numeric_limits<double>::min())};
   const double wanted = -std::log(e);
   if (rule == EndRule::attractive) return wanted / std::sqrt(std::numbers::pi * std::numbers::pi + wanted * wanted);
   if (wanted == 0.0) return 0.0;

@@ -49,7 +49,8 @@ FailureLog::FailureLog(const Dynamics& dynamics) {
 
 bool FailureLog::has_changed(const State& state) {
   const auto same = [](const auto& kept, const auto& now) {
-    return kept.size() == now.size() && std::memcmp(kept.data(), now.data(), now.size() * sizeof(now[0])) == 0;
+    if (kept.size() != now.size() || now.empty()) return kept.size() == now.size();
+    return std::memcmp(kept.data(), now.data(), now.size() * sizeof(now[0])) == 0;
   };
   const auto may_yield = [](const Watch& watch) { return watch.yielding && !watch.seen; };
   const bool same_modes = !state.mode.empty() && same(modes_, state.mode);

@@ -56,6 +56,20 @@ bool is_braced(std::string_view text) {
   return false;
 }
 
+/// Refuses a line that is not UTF-8, or so long that std::regex, which calls itself for each character, would overflow
+/// the stack.
+void demand_plain_lines(const std::string& text, std::string_view name) {
+  constexpr std::size_t longest_line = 4000;
+  std::istringstream lines{text};
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    if (!is_utf8(line)) throw InputError{fmt::format("{}:{}: the line is not UTF-8", name, number)};
+    if (line.size() > longest_line)
+      throw InputError{
+          fmt::format("{}:{}: found {} bytes; a line must have at most {}", name, number, line.size(), longest_line)};
+  }
+}
+
 /// Reads a .bib file line by line.
 class BibReader {
  public:
@@ -182,7 +196,7 @@ bool Bibliography::has(std::string_view key) const {
 }
 
 Bibliography parse_bibliography(std::string text, std::string_view name) {
-  if (!is_utf8(text)) throw InputError{fmt::format("{}: it is not UTF-8", name)};
+  demand_plain_lines(text, name);
   std::vector<Reference> works = BibReader{name}.works(text);
   return {std::move(text), std::move(works)};
 }

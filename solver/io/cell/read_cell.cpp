@@ -206,7 +206,7 @@ void read_law(SceneTable& table, double mass, L& law) {
     else
       table.read_field(law, field);
   }
-  if (restitution) law.set_restitution(*restitution, 0.5 * mass);
+  if (restitution) table.placed([&] { law.set_restitution(*restitution, 0.5 * mass); });
 }
 
 /// Reports an objection; where it found what the file has in other units, that stands before it.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -33,7 +32,7 @@ class VtkFile {
 
   pugi::xml_node part(const char* path) const {
     const pugi::xml_node found = document_.first_element_by_path(path);
-    if (!found) complain(fmt::format("it holds no {}; `talus run` writes VTK poly data", path));
+    if (!found) complain(fmt::format("{}: it is missing; `talus run` writes VTK poly data", path));
     return found;
   }
 
@@ -42,7 +41,7 @@ class VtkFile {
   std::vector<Number> array(const char* section, const char* name) const {
     const pugi::xml_node found =
         part("VTKFile/PolyData/Piece").child(section).find_child_by_attribute("DataArray", "Name", name);
-    if (!found) complain(fmt::format("{} holds no array '{}'", section, name));
+    if (!found) complain(fmt::format("{}: array '{}': it is missing", section, name));
     std::string_view rest{found.text().get()};
     std::vector<Number> numbers;
     for (;;) {
@@ -63,6 +62,13 @@ class VtkFile {
   pugi::xml_document document_;
 };
 
+/// The place of the disc that a point stands for, from its number; the image of a disc has the negative of its number.
+/// Beyond all discs for 0.
+std::size_t disc_of(long number) {
+  const auto size = static_cast<std::size_t>(number);
+  return (number < 0 ? 0 - size : size) - 1;
+}
+
 }  // namespace
 
 std::vector<GeometryFile> read_geometry_index(const std::filesystem::path& file) {
@@ -76,7 +82,7 @@ std::vector<GeometryFile> read_geometry_index(const std::filesystem::path& file)
     }
     files.push_back({value, file.parent_path() / set.attribute("file").value()});
   }
-  if (files.empty()) index.complain("it names no file: the run left no geometry");
+  if (files.empty()) index.complain("Collection: it names no file: the run left no geometry");
   return files;
 }
 
@@ -91,17 +97,19 @@ GeometryFrame read_geometry(const GeometryFile& file) {
   const auto tensions = vtk.array<double>("CellData", "tension");
   const auto slacks = vtk.array<int>("CellData", "slack");
   for (const std::size_t count : {bodies.size(), cables.size(), tensions.size(), slacks.size()}) {
-    if (count != offsets.size()) vtk.complain(fmt::format("found {} values for {} lines", count, offsets.size()));
+    if (count != offsets.size())
+      vtk.complain(fmt::format("CellData: found {} values for {} lines", count, offsets.size()));
   }
   GeometryFrame frame{file.time, {}};
   std::size_t begin = 0;
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     GeometryLine line{bodies[i], cables[i], tensions[i], slacks[i] != 0, {}, {}};
     if (offsets[i] < begin || offsets[i] > connectivity.size())
-      vtk.complain(fmt::format("line {} has a wrong offset", i));
+      vtk.complain(fmt::format("Lines: offsets: line {} has a wrong offset", i));
     for (; begin < offsets[i]; ++begin) {
       const std::size_t at = connectivity[begin];
-      if (at >= point_bodies.size() || 3 * at + 2 >= points.size()) vtk.complain(fmt::format("it has no point {}", at));
+      if (at >= point_bodies.size() || 3 * at + 2 >= points.size())
+        vtk.complain(fmt::format("Lines: connectivity: found point {}, which is not there", at));
       line.points.push_back({points[3 * at], points[3 * at + 1], points[3 * at + 2]});
       line.bodies.push_back(point_bodies[at]);
     }
@@ -120,7 +128,7 @@ DiscFrame read_discs(const GeometryFile& file) {
   const auto ends = vtk.array<std::size_t>("Lines", "connectivity");
   const auto forces = vtk.array<double>("CellData", "force");
   for (const std::size_t count : {points.size() / 3, radii.size(), velocities.size() / 3, walls.size()}) {
-    if (count != ids.size()) vtk.complain(fmt::format("found {} values for {} points", count, ids.size()));
+    if (count != ids.size()) vtk.complain(fmt::format("PointData: found {} values for {} points", count, ids.size()));
   }
   DiscFrame frame{file.time, {}, {}};
   // The discs by their numbers, then images of some of them.
@@ -129,20 +137,18 @@ DiscFrame read_discs(const GeometryFile& file) {
         {{points[3 * i], points[3 * i + 1]}, radii[i], {velocities[3 * i], velocities[3 * i + 1]}, walls[i] != 0});
   }
   const std::size_t discs = frame.discs.size(), lines = ends.size() / 2;
-  if (discs == 0) vtk.complain("it holds no disc");
+  if (discs == 0) vtk.complain("PointData: array 'id': found no disc, which is numbered from 1");
   if (forces.size() != discs + lines) {
-    vtk.complain(fmt::format("found {} values for {} discs and {} lines", forces.size(), discs, lines));
+    vtk.complain(
+        fmt::format("CellData: array 'force': found {} values for {} discs and {} lines", forces.size(), discs, lines));
   }
   for (std::size_t k = 0; k < lines; ++k) {
     const std::size_t a = ends[2 * k], b = ends[2 * k + 1];
-    if (a >= discs || b >= ids.size() || static_cast<std::size_t>(std::abs(ids[b])) - 1 >= discs) {
-      vtk.complain(fmt::format("line {} joins no two of its {} discs", k, discs));
+    if (a >= discs || b >= ids.size() || disc_of(ids[b]) >= discs) {
+      vtk.complain(fmt::format("Lines: connectivity: line {} joins no two of its {} discs", k, discs));
     }
-    frame.contacts.push_back({a,
-                              static_cast<std::size_t>(std::abs(ids[b])) - 1,
-                              frame.discs[a].p,
-                              {points[3 * b], points[3 * b + 1]},
-                              forces[discs + k]});
+    frame.contacts.push_back(
+        {a, disc_of(ids[b]), frame.discs[a].p, {points[3 * b], points[3 * b + 1]}, forces[discs + k]});
   }
   return frame;
 }

@@ -10,8 +10,8 @@
 
 #include "solver/base/error.hpp"
 #include "solver/io/file/atomic_file.hpp"
+#include "solver/io/file/json_text.hpp"
 #include "solver/io/file/shown_title.hpp"
-#include "solver/io/file/toml_document.hpp"
 
 namespace talus {
 namespace {
@@ -26,6 +26,14 @@ void read_bodies(const nlohmann::json& geometry, const std::filesystem::path& fi
   }
   files.cables = geometry.at("cables").get<std::vector<std::string>>();
   files.mirrored = geometry.at("mirrored").get<bool>();
+}
+
+UnitSystem known_units(const std::string& name, const std::filesystem::path& file) {
+  try {
+    return unit_system(name);
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("{}: units: {}", file.string(), error.what())};
+  }
 }
 
 nlohmann::ordered_json geometry_json(const RunFiles& files) {
@@ -51,13 +59,13 @@ nlohmann::ordered_json run_folder_json(const std::string& title, const std::opti
 
 RunFolder read_run_folder(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "plot.json";
-  const std::string text = read_text(file);
+  const std::string text = read_json_text(file);
   RunFolder run{folder, {}, si, {}};
   try {
     const auto json = nlohmann::json::parse(text);
     run.title = shown_title(json.at("title").get<std::string>(), folder);
     const auto& units = json.at("units");
-    run.units = units.is_null() ? std::optional<UnitSystem>{} : unit_system(units.get<std::string>());
+    run.units = units.is_null() ? std::optional<UnitSystem>{} : known_units(units.get<std::string>(), file);
     run.files.histories = json.at("histories").get<std::vector<std::string>>();
     const auto& geometry = json.at("geometry");
     run.files.geometry = geometry.at("index").get<std::string>();

@@ -28,7 +28,7 @@ void read_law(SceneTable& table, SceneContact& read) {
       if (rule == RestitutionRule::eq_21) {
         read.restitution = e;
       } else {
-        law.set_every_restitution(e);
+        table.placed([&] { law.set_every_restitution(e); });
       }
     } else {
       table.refuse("restitution_rule",

@@ -80,15 +80,16 @@ BOOST_AUTO_TEST_CASE(damaged_geometry_is_named) {
     return complaint([&] { static_cast<void>(read_geometry_index(folder.file("x.pvd", text))); });
   };
   BOOST_TEST(holds(index("<VTKFile>\n<Coll"), "x.pvd:2: not XML: "));
-  BOOST_TEST(holds(index("<VTKFile/>"), "x.pvd: it holds no VTKFile/Collection; "));
-  BOOST_TEST(holds(index("<VTKFile><Collection/></VTKFile>"), "x.pvd: it names no file: the run left no geometry"));
+  BOOST_TEST(holds(index("<VTKFile/>"), "x.pvd: VTKFile/Collection: it is missing; "));
+  BOOST_TEST(holds(index("<VTKFile><Collection/></VTKFile>"),
+                   "x.pvd: Collection: it names no file: the run left no geometry"));
   BOOST_TEST(holds(index("<VTKFile><Collection><DataSet timestep=\"now\"/></Collection></VTKFile>"),
                    "x.pvd: timestep: found \"now\"; it must be a number"));
   const auto piece = [&](const std::string& text) {
     const fs::path file = folder.file("x.vtp", "<VTKFile><PolyData><Piece>" + text + "</Piece></PolyData></VTKFile>");
     return complaint([&] { static_cast<void>(read_geometry({0.0, file})); });
   };
-  BOOST_TEST(holds(piece(""), "x.vtp: Points holds no array 'Points'"));
+  BOOST_TEST(holds(piece(""), "x.vtp: Points: array 'Points': it is missing"));
   BOOST_TEST(holds(piece("<Points><DataArray Name=\"Points\">0 1 a</DataArray></Points>"),
                    "x.vtp: Points: array 'Points': found \"a\"; it must be a number"));
   BOOST_CHECK_THROW(static_cast<void>(read_geometry({0.0, folder.path / "none.vtp"})), IoError);
@@ -139,13 +140,13 @@ BOOST_AUTO_TEST_CASE(damaged_discs_are_named) {
     text.replace(text.find(from), from.size(), to);
     return complaint([&] { static_cast<void>(read_discs({0.0, folder.file("x.vtp", text)})); });
   };
-  BOOST_TEST(holds(wrong("Name=\"id\"", "Name=\"no\""), "x.vtp: PointData holds no array 'id'"));
+  BOOST_TEST(holds(wrong("Name=\"id\"", "Name=\"no\""), "x.vtp: PointData: array 'id': it is missing"));
   BOOST_TEST(holds(wrong("\n0.5 ", "\n"), " values for "));
-  BOOST_TEST(holds(wrong("\n1 2 3 ", "\n2 1 3 "), "x.vtp: it holds no disc"));
+  BOOST_TEST(holds(wrong("\n1 2 3 ", "\n2 1 3 "), "x.vtp: PointData: array 'id': found no disc"));
   const std::size_t lines = good.find("<Lines>");
   const std::size_t first = good.find('\n', good.find("connectivity", lines)) + 1;
   BOOST_TEST(holds(wrong(good.substr(lines, first - lines), good.substr(lines, first - lines) + "9999"),
-                   "x.vtp: line 0 joins no two of its 22 discs"));
+                   "x.vtp: Lines: connectivity: line 0 joins no two of its 22 discs"));
 }
 
 BOOST_AUTO_TEST_CASE(histories_are_read_with_their_units) {

@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(lines_of_another_form_are_refused) {
   BOOST_TEST(complaint("@misc{a,\n title = {{T}},\n") ==
              "r.bib:3: a: the end of the file; the entry must end with a line }");
   BOOST_TEST(complaint("@string{a = {x}}\n@string{a = {y}}") == "r.bib:2: string 'a' is given twice");
-  BOOST_TEST(complaint("% \xff") == "r.bib: it is not UTF-8");
+  BOOST_TEST(complaint("% \xff") == "r.bib:1: the line is not UTF-8");
 }
 
 BOOST_AUTO_TEST_CASE(unknown_names_are_refused_with_the_nearest) {
