@@ -1,5 +1,5 @@
 # Thin: each goal is a script, and the scripts install what is missing.
-.PHONY: help verify verify-full test faults mutants nightly bench bench-discs format clean
+.PHONY: help verify verify-full test fuzz faults mutants nightly bench bench-discs format clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile
@@ -21,6 +21,9 @@ mutants:  ## compile small bugs into a copy of the solver and run the cases with
 
 nightly:  ## what is too long for every change: other builds, sanitizers, coverage, the next part of all mutants
 	@scripts/nightly
+
+fuzz:  ## mutated files for every reader, with the sanitizers; an hour (scripts/fuzz 1000 for less)
+	@scripts/fuzz
 
 bench:  ## microseconds per step and work-precision tables
 	@scripts/bench

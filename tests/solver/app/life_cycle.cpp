@@ -152,7 +152,8 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_the_interrupted_run_is_refused) {
       // A scene file that was moved is named again.
       const std::string moved = folder.path / ("moved_" + kind.file);
       fs::rename(file, moved);
-      refused({kind.command, "--resume", out}, 4, checkpoint + ": scene_file: " + file + ": No such file or directory\n");
+      refused({kind.command, "--resume", out}, 4,
+              checkpoint + ": scene_file: " + file + ": No such file or directory\n");
       const Ended resumed = talus_ran({kind.command, moved, "--resume", out});
       BOOST_TEST(resumed.code == 0, resumed.err);
     }

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "tests/solver/io/complete_files.hpp"
+#include "tests/solver/io/file_tables.hpp"
 
 // The catalogue against the readers: the fields that each reader knows, and those that it requires.
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 
-#include "tests/solver/io/complete_files.hpp"
+#include "tests/solver/io/file_tables.hpp"
 
 // Independent mistakes in different tables of one file are reported at once, and nothing else.
 

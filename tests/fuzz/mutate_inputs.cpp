@@ -1,0 +1,173 @@
+/// talus_mutate_inputs: lets the readers of Talus read mutated files; a crash, a hang, a lack of memory and an error
+/// without a place are findings.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/fuzz/input_campaign.hpp"
+
+/// Of the address sanitizer: a request for more memory throws std::bad_alloc, as without it.
+extern "C" const char* __asan_default_options() {
+  return "allocator_may_return_null=1:max_allocation_size_mb=2048:detect_leaks=0";
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace talus::fuzz;
+
+struct Options {
+  CampaignPlan plan;
+  std::vector<std::string> readers;
+  std::string json, corpus, replay;
+  bool list{};
+};
+
+/// A folder for files of this process, removed at the end.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "talus_inputs_XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::system_error{errno, std::generic_category(), name};
+    path_ = name;
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    std::error_code none;
+    fs::remove_all(path_, none);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// The chosen readers, or all.
+std::vector<Reader> chosen(std::vector<Reader> readers, const std::vector<std::string>& names) {
+  const auto named = [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (const std::string& name : names)
+    if (std::none_of(readers.begin(), readers.end(), [&](const Reader& reader) { return reader.name == name; }))
+      throw CLI::ValidationError{"--readers", fmt::format("reader '{}' is not known; --list names all", name)};
+  if (!names.empty()) std::erase_if(readers, [&](const Reader& reader) { return !named(reader.name); });
+  return readers;
+}
+
+void write_corpus(const std::vector<Reader>& readers, const fs::path& folder) {
+  for (const Reader& reader : readers) {
+    fs::create_directories(folder / reader.name);
+    for (std::size_t i = 0; i < reader.corpus.size(); ++i)
+      std::ofstream{folder / reader.name / std::to_string(i), std::ios::binary} << reader.corpus[i];
+  }
+}
+
+/// Lets one reader read one file in this process.
+int replay(const Reader& reader, const fs::path& file, const fs::path& scratch) {
+  std::ifstream in{file, std::ios::binary};
+  const std::string text{std::istreambuf_iterator<char>{in}, {}};
+  const Reading reading = read(reader, put(reader, text, scratch));
+  constexpr const char* endings[] = {"accepted", "refused", "cut short"};
+  fmt::print("{}: {}\n{}{}\n", reader.name, endings[static_cast<int>(reading.ending)], reading.message,
+             reading.flaw.empty() ? "" : "\nfinding: " + reading.flaw);
+  return reading.flaw.empty() ? 0 : 1;
+}
+
+nlohmann::ordered_json json_of(const Tally& tally) {
+  auto findings = nlohmann::ordered_json::array();
+  for (const Finding& finding : tally.findings)
+    findings.push_back({{"input", finding.input}, {"what", finding.what}, {"file", finding.file.string()}});
+  return {{"reader", tally.reader},   {"inputs", tally.inputs},       {"accepted", tally.accepted},
+          {"refused", tally.refused}, {"cut_short", tally.cut_short}, {"seconds", tally.seconds},
+          {"findings", findings},     {"messages", tally.messages}};
+}
+
+/// Writes JSON to a temporary file, then renames it.
+void write_json(const std::vector<Tally>& tallies, const CampaignPlan& plan, const fs::path& file) {
+  auto readers = nlohmann::ordered_json::array();
+  for (const Tally& tally : tallies)
+    readers.push_back(json_of(tally));
+  const nlohmann::ordered_json all{{"schema", 1}, {"seed", plan.seed}, {"readers", readers}};
+  const fs::path unfinished = file.string() + ".unfinished";
+  std::ofstream{unfinished} << all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  fs::rename(unfinished, file);
+}
+
+int run(const std::vector<Reader>& readers, const Options& options, const fs::path& scratch) {
+  fmt::print("{:<18}{:>10}{:>10}{:>10}{:>11}{:>10}{:>10}\n", "reader", "inputs", "accepted", "refused", "cut short",
+             "seconds", "findings");
+  std::vector<Tally> tallies;
+  std::size_t findings = 0;
+  for (const Reader& reader : readers) {
+    if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "{} ...\r", reader.name);
+    const Tally& tally = tallies.emplace_back(run_inputs(reader, options.plan, scratch));
+    fmt::print("{:<18}{:>10}{:>10}{:>10}{:>11}{:>10.1f}{:>10}\n", tally.reader, tally.inputs, tally.accepted,
+               tally.refused, tally.cut_short, tally.seconds, tally.findings.size());
+    for (const Finding& finding : tally.findings)
+      if (!finding.file.empty() || options.plan.findings.empty())
+        fmt::print("  {}: {} {}\n", finding.input, finding.what, finding.file.string());
+    for (const auto& [pattern, count] : tally.messages)
+      fmt::print("  {:>7} {}\n", count, pattern);
+    std::fflush(stdout);
+    findings += tally.findings.size();
+    if (!options.json.empty()) write_json(tallies, options.plan, options.json);
+  }
+  return findings == 0 ? 0 : 1;
+}
+
+void describe(CLI::App& app, Options& options) {
+  app.description(
+      "Lets the readers of Talus read mutated files, in child processes.\n"
+      "Exit codes: 0 no finding, 1 findings, 2 wrong usage, 4 a file or process failed.");
+  app.add_option("--inputs", options.plan.inputs, "inputs of a reader; a quarter of them for one that runs models")
+      ->check(CLI::Range(1L, 1'000'000'000L));
+  app.add_option("--seed", options.plan.seed, "the same inputs for the same seed");
+  app.add_option("--readers", options.readers, "names of the readers; default: all")->delimiter(',');
+  app.add_option("--seconds", options.plan.cpu_seconds, "processor time that an input may take [s]")
+      ->check(CLI::Range(1L, 3600L));
+  app.add_option("--findings", options.plan.findings, "folder in which inputs that are findings are kept");
+  app.add_option("--json", options.json, "file for the table's numbers, all findings and messages");
+  app.add_flag("--messages", options.plan.messages,
+               "list the distinct errors of each reader, without numbers and names");
+  app.add_option("--corpus", options.corpus, "write the sound files into this folder, one folder a reader, and end");
+  app.add_option("--replay", options.replay,
+                 "let the one reader of --readers read this file, in this process, and end");
+  app.add_flag("--list", options.list, "list the readers and end");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app;
+  Options options;
+  describe(app, options);
+  try {
+    app.parse(argc, argv);
+    const Scratch scratch;
+    const std::vector<Reader> readers = chosen(all_readers(scratch.path()), options.readers);
+    if (options.list) {
+      for (const Reader& reader : readers)
+        fmt::print("{}\n", reader.name);
+      return 0;
+    }
+    if (!options.corpus.empty()) return write_corpus(readers, options.corpus), 0;
+    if (!options.replay.empty()) {
+      if (readers.size() != 1) throw CLI::ValidationError{"--replay", "it requires one name in --readers"};
+      return replay(readers.front(), options.replay, scratch.path());
+    }
+    return run(readers, options, scratch.path());
+  } catch (const CLI::ParseError& wrong) {
+    return app.exit(wrong) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "talus_mutate_inputs: {}\n", error.what());
+    return 4;
+  }
+}
