@@ -59,9 +59,10 @@ std::string back(const Results& results, const Trials& trials, const Drawn& draw
   for (std::size_t i = 0; i < results.records.size(); ++i)
     details += fmt::format("{}\n", case_details(results.records[i], i + 1, drawn, templates));
   values.set("details", details);
-  values.set("rounding", trials.rounded.empty()
-                             ? "The cases were not run under other roundings in this run: `scripts/nightly rounding` does so.\n"
-                             : rounding_text(results, trials.rounded));
+  values.set("rounding",
+             trials.rounded.empty()
+                 ? "The cases were not run under other roundings in this run: `scripts/nightly rounding` does so.\n"
+                 : rounding_text(results, trials.rounded));
   values.set("mutants", trials.mutants ? mutants_text(*trials.mutants, results, drawn.no_pictures.empty())
                                        : "The cases were not run with mutants in this run: `make mutants` does so.\n");
   values.set("traceability", traceability(results));
