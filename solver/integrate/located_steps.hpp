@@ -12,6 +12,7 @@
 #include "solver/integrate/concepts.hpp"
 #include "solver/integrate/event_search.hpp"
 #include "solver/integrate/hybrid_system.hpp"
+#include "solver/integrate/internal_steps.hpp"
 #include "solver/state/state_memory.hpp"
 
 namespace talus {
@@ -109,7 +110,11 @@ class LocatedSteps {
 
   void advance(HybridSystem& system, State& state, double h) {
     const double t = state.t + h;
-    while (failure_.empty() && end_.t < t) {
+    for (long steps = 0; failure_.empty() && end_.t < t; ++steps) {
+      if (steps == most_internal_steps) {
+        failure_ = internal_steps_failure(end_.t);
+        break;
+      }
       if (needs_restart_) begin_segment(system, h);
       take_step(system, t);
     }

@@ -17,6 +17,7 @@
 #include <variant>
 
 #include "solver/base/error.hpp"
+#include "solver/integrate/internal_steps.hpp"
 
 namespace talus {
 namespace {
@@ -167,10 +168,11 @@ struct OdeintStepper::Method {
 
 namespace {
 
-/// Steps under control over the interval h. `Method` is OdeintStepper's own.
+/// Steps under control over the interval h; returns why they cannot reach its end, or nothing. `Method` is
+/// OdeintStepper's own.
 template <class Stepper, class Method>
-void controlled_steps(Stepper& stepper, Method& method, const OdeintStepper::Derivative& derivative,
-                      const OdeintStepper::Accepted& accepted, Vector& x, double t, double h) {
+std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepper::Derivative& derivative,
+                             const OdeintStepper::Accepted& accepted, Vector& x, double t, double h) {
   const auto try_step = [&](double& attempt) {
     if constexpr (keeps_derivative<Stepper>) {
       return stepper.try_step(std::cref(derivative), x, method.last_derivative, t, attempt) == odeint::success;
@@ -182,7 +184,8 @@ void controlled_steps(Stepper& stepper, Method& method, const OdeintStepper::Der
   if constexpr (std::is_same_v<Stepper, BulirschStoer>) stepper.reset();
   const double end = t + h;
   double dt = method.internal_step == 0.0 ? h : std::min(method.internal_step, h);
-  while (t < end) {
+  for (long steps = 0; t < end; ++steps) {
+    if (steps == most_internal_steps) return internal_steps_failure(t);
     const bool last = t + dt * (1.0 + 1e-12) >= end;
     double attempt = last ? end - t : dt;
     const double wanted = attempt;
@@ -195,12 +198,14 @@ void controlled_steps(Stepper& stepper, Method& method, const OdeintStepper::Der
       dt = attempt;
     }
     if (dt < least_share * h || !std::isfinite(wanted)) {
-      x.assign(x.size(), std::nan(""));  // the run is over: the caller sees a state that is not finite
-      accepted(x, end);
-      return;
+      return fmt::format(
+          "no step is short enough for the tolerance at t = {:.6g}; a larger tolerance, or a method of fixed step, may "
+          "do",
+          t);
     }
   }
   method.internal_step = dt;
+  return {};
 }
 
 }  // namespace
@@ -216,9 +221,10 @@ OdeintStepper& OdeintStepper::operator=(const OdeintStepper& other) {
 OdeintStepper::OdeintStepper(OdeintStepper&&) noexcept = default;
 OdeintStepper& OdeintStepper::operator=(OdeintStepper&&) noexcept = default;
 
-void OdeintStepper::advance(const Derivative& derivative, const Accepted& accepted, Vector& x, double t, double h) {
-  std::visit(
-      [&]<class Stepper>(Stepper& stepper) {
+std::string OdeintStepper::advance(const Derivative& derivative, const Accepted& accepted, Vector& x, double t,
+                                   double h) {
+  return std::visit(
+      [&]<class Stepper>(Stepper& stepper) -> std::string {
         if constexpr (keeps_derivative<Stepper>) {
           if (method_->last_derivative.empty()) {
             method_->last_derivative.resize(x.size());
@@ -228,7 +234,7 @@ void OdeintStepper::advance(const Derivative& derivative, const Accepted& accept
         if constexpr (requires(Vector & v, double& time, double& dt) {
                         stepper.try_step(std::cref(derivative), v, time, dt);
                       }) {
-          controlled_steps(stepper, *method_, derivative, accepted, x, t, h);
+          return controlled_steps(stepper, *method_, derivative, accepted, x, t, h);
         } else {
           if constexpr (keeps_derivative<Stepper>) {
             stepper.do_step(std::cref(derivative), x, method_->last_derivative, t, h);
@@ -236,6 +242,7 @@ void OdeintStepper::advance(const Derivative& derivative, const Accepted& accept
             stepper.do_step(std::cref(derivative), x, t, h);
           }
           accepted(x, t + h);
+          return {};
         }
       },
       method_->stepper);

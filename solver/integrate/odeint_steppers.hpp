@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -56,8 +57,9 @@ class OdeintStepper {
   OdeintStepper(OdeintStepper&&) noexcept;
   OdeintStepper& operator=(OdeintStepper&&) noexcept;
 
-  /// Advances x from t to t + h, by one step or by as many as the step control takes.
-  void advance(const Derivative& derivative, const Accepted& accepted, Vector& x, double t, double h);
+  /// Advances x from t to t + h, by one step or by as many as the step control takes; returns why it cannot, or nothing.
+  [[nodiscard]] std::string advance(const Derivative& derivative, const Accepted& accepted, Vector& x, double t,
+                                    double h);
 
   /// Names what is carried to the next advance(), of vectors of `size` numbers.
   void remember(Memory& memory, std::size_t size);
@@ -109,8 +111,11 @@ class Odeint {
       pack(state, x);
     };
     // By reference: functions that hold so much would take memory at each step.
-    stepper_->advance(std::cref(derivative), std::cref(accepted), x_, state.t, h);
+    failure_ = stepper_->advance(std::cref(derivative), std::cref(accepted), x_, state.t, h);
   }
+
+  /// Why there are no more steps; empty while there are.
+  const std::string& failure() const { return failure_; }
 
   void remember(Memory& memory, const State& like) {
     if (memory.puts_back()) prepare(like);
@@ -120,6 +125,7 @@ class Odeint {
  private:
   void prepare(const State& like) {
     stepper_.emplace(method, tolerance);
+    failure_.clear();
     scratch_ = like;
     rates_ = Rates{like};
     pack(like, x_);
@@ -129,6 +135,7 @@ class Odeint {
   State scratch_;
   Rates rates_;
   OdeintStepper::Vector x_;
+  std::string failure_;
 };
 
 }  // namespace talus

@@ -225,6 +225,33 @@ BOOST_AUTO_TEST_CASE(step_control_repeats_steps_that_overflow) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(step_control_gives_up_after_a_million_steps) {
+  // x'' = -w^2 x with w = 1e9 over a time of 1 takes hundreds of millions of steps.
+  struct Fast : Duffing {
+    void derivative(const State& state, Rates& out) { out.v[0] = -1e18 * state.q[0]; }
+    void kick(State& state, double h) {
+      Rates rates{state};
+      derivative(state, rates);
+      kick_velocities(state, rates, h);
+    }
+    void evaluate(State& state, Rates& out) { derivative(state, out); }
+  };
+  for (Integrator integrator : controlled_integrators(1e-6)) {
+    const std::string failure = std::visit(
+        [](auto& method) -> std::string {
+          Fast system;
+          State state = start();
+          method.start(system, state, 1.0);
+          method.step(system, state, 1.0);
+          if constexpr (requires { method.failure(); }) return method.failure();
+          return {};
+        },
+        integrator);
+    BOOST_TEST(failure.starts_with("more than 1000000 steps of the method's step control in one time step, at t = "),
+               name(integrator) << ": " << failure);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(linear_motion_is_exact) {
   // x = e^(-.15 t) (cos w t + (.25 + .15)/w sin w t), w^2 = 4 - .15^2; energy x'^2/2 + 2 x^2.
   const double t = 20.0, w = std::sqrt(4.0 - 0.0225), b = 0.4 / w, decay = std::exp(-0.15 * t);

@@ -1,0 +1,14 @@
+#include "solver/integrate/internal_steps.hpp"
+
+#include <fmt/format.h>
+
+namespace talus {
+
+std::string internal_steps_failure(double t) {
+  return fmt::format(
+      "more than {} steps of the method's step control in one time step, at t = {:.6g}; a shorter time step, a larger "
+      "tolerance, or a method of fixed step, may do",
+      most_internal_steps, t);
+}
+
+}  // namespace talus
