@@ -317,8 +317,10 @@ void demand_known(const records::Mutants& mutants, const std::vector<std::string
   }
 }
 
+/// `save` is called now and then with what is known so far: mutants that still run are pending.
+template <class Save>
 void run_mutants(records::Mutants& mutants, const std::vector<Unchanged>& unchanged, const Options& options,
-                 records::Tier tier, unsigned jobs) {
+                 records::Tier tier, unsigned jobs, Save&& save) {
   std::vector<Passage> passages;
   for (MutantRecord& mutant : mutants.mutants) {
     if (mutant.status != MutantStatus::pending) continue;
@@ -328,41 +330,52 @@ void run_mutants(records::Mutants& mutants, const std::vector<Unchanged>& unchan
     for (const Unchanged& one : unchanged) {
       if (one.reached.count(mutant.number) > 0) mutant.covered_by.push_back(one.one->id);
     }
-    mutant.status = passage.cases.empty() ? MutantStatus::unreached : MutantStatus::survived;
-    passages.push_back(std::move(passage));
+    if (passage.cases.empty())
+      mutant.status = MutantStatus::unreached;
+    else
+      passages.push_back(std::move(passage));
   }
   const auto start = Clock::now();
-  std::size_t first = 0;
+  Clock::time_point saved = start;
   std::size_t ended = 0;
   Progress progress;
-  // Mutants begin in their order; one after the other until places are full, each going through its cases one by one.
+  // The shortest of all next cases comes first: most mutants are soon killed, and a run that is stopped has missed only
+  // the longest cases of those that were not.
   run_side_by_side(
       jobs,
       [&](std::size_t& task) -> std::optional<Request> {
-        while (first < passages.size() && passages[first].ended(options.matrix) && !passages[first].busy)
-          ++first;
-        for (std::size_t i = first; i < passages.size(); ++i) {
-          Passage& passage = passages[i];
+        Passage* first = nullptr;
+        for (Passage& passage : passages) {
           if (passage.busy || passage.ended(options.matrix)) continue;
-          passage.busy = true;
-          task = i;
-          const Unchanged& one = *passage.cases[passage.next++];
-          return Request{.one = one.one,
-                         .number = passage.mutant->number,
-                         .seconds = 10.0 * one.seconds + 3.0,
-                         .reached = {},
-                         .tier = tier};
+          if (first == nullptr || passage.cases[passage.next]->seconds < first->cases[first->next]->seconds)
+            first = &passage;
         }
-        return std::nullopt;
+        if (first == nullptr) return std::nullopt;
+        first->busy = true;
+        task = static_cast<std::size_t>(first - passages.data());
+        const Unchanged& one = *first->cases[first->next++];
+        return Request{.one = one.one,
+                       .number = first->mutant->number,
+                       .seconds = 10.0 * one.seconds + 3.0,
+                       .reached = {},
+                       .tier = tier};
       },
       [&](std::size_t task, const Outcome& outcome) {
         Passage& passage = passages[task];
         passage.busy = false;
         passage.mutant->trials.push_back(outcome.trial);
         if (records::kills(outcome.trial)) passage.mutant->status = MutantStatus::killed;
-        if (passage.ended(options.matrix)) ++ended;
+        if (passage.ended(options.matrix)) {
+          ++ended;
+          if (passage.mutant->status == MutantStatus::pending) passage.mutant->status = MutantStatus::survived;
+        }
+        const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+        if (Clock::now() - saved > std::chrono::seconds(60)) {
+          mutants.run_seconds = elapsed;
+          save();
+          saved = Clock::now();
+        }
         if (progress.due()) {
-          const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
           const double share = static_cast<double>(ended) / static_cast<double>(passages.size());
           progress.show(fmt::format("{} of {} mutants, {}", ended, passages.size(), time_left_text(elapsed, share)));
         }
@@ -444,8 +457,9 @@ int run(const Options& options) {
   mutants.build_seconds = options.build_seconds;
   for (const Unchanged& one : unchanged)
     mutants.cases.push_back({one.one->id, one.one->family, one.seconds});
-  run_mutants(mutants, unchanged, options, tier, jobs);
-  records::write_mutants(mutants, out);
+  const auto save = [&] { records::write_mutants(mutants, out); };
+  run_mutants(mutants, unchanged, options, tier, jobs, save);
+  save();
   records::write_whole(out.parent_path() / "report.json", schema_report(mutants, options.root));
   const records::Score score = print(mutants);
   const bool enough = score.share() >= options.least_score;
