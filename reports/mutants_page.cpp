@@ -109,14 +109,14 @@ Figure matrix_figure(const Mutants& mutants) {
   figure.name = "matrix";
   figure.title = "Mutants and cases";
   figure.caption = fmt::format(
-      "A row is a mutant (in the order of its file), a column a case (in the order of the report). Small: the case "
-      "evaluates the mutated code{}; large: the case turned red.",
+      "A row is a mutant or bug (in the order of the files), a column a case (in the order of the report). Diamonds: "
+      "the case evaluates the mutated code{}; crosses: the case turned red.",
       mutants.whole_matrix ? "" : " (each mutant was tried until the first case was red)");
   figure.x = {
       .label = "case", .unit = "1", .log = false, .min = 0.0, .max = static_cast<double>(mutants.cases.size() + 1)};
   std::vector<const MutantRecord*> rows;
   for (const MutantRecord& mutant : mutants.mutants) {
-    if (mutant.status != MutantStatus::equivalent) rows.push_back(&mutant);
+    if (mutant.status != MutantStatus::equivalent && mutant.status != MutantStatus::pending) rows.push_back(&mutant);
   }
   std::stable_sort(rows.begin(), rows.end(), [](const MutantRecord* a, const MutantRecord* b) {
     return std::pair{a->file, a->range.line} < std::pair{b->file, b->range.line};
@@ -155,15 +155,15 @@ std::string change_of(const MutantRecord& mutant) {
     text.erase(std::unique(text.begin(), text.end(), [](char a, char b) { return a == ' ' && b == ' '; }), text.end());
     return text.size() > 60 ? text.substr(0, 57) + "..." : text;
   };
-  return markdown::code(shortened(mutant.original)) + " -> " +
-         (mutant.replacement.empty() ? "left out" : markdown::code(shortened(mutant.replacement)));
+  return markdown::code(shortened(mutant.original)) + "\\\n  " +
+         (mutant.replacement.empty() ? "is left out" : "becomes " + markdown::code(shortened(mutant.replacement)));
 }
 
 std::string list_of(const Mutants& mutants, MutantStatus status) {
   std::string text;
   for (const MutantRecord* mutant : generated(mutants)) {
     if (mutant->status != status) continue;
-    text += fmt::format("- {} {}: {}{}\n", place_of(*mutant), cell(mutant->operation), change_of(*mutant),
+    text += fmt::format("- {}, {}: {}{}\n", place_of(*mutant), cell(mutant->operation), change_of(*mutant),
                         mutant->reason.empty() ? "" : ". " + markdown::words(mutant->reason));
   }
   return text;
@@ -234,6 +234,8 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
       "interval, 95 %). **Of {} bugs written by hand {} were killed.** Building took {:.0f} s, the runs {:.0f} s.\n\n",
       score.killed, score.counted(), percent(score.share()), score.equivalent, mutants.candidates, mutants.seed,
       percent(range.low), percent(range.high), bugs.size(), of_bugs.killed, mutants.build_seconds, mutants.run_seconds);
+  const auto pending = std::ranges::count(mutants.mutants, MutantStatus::pending, &MutantRecord::status);
+  if (pending > 0) text += fmt::format("{} mutants and bugs were not tried to the end, and do not count.\n\n", pending);
   text += score_table("folder", scores_by(sample, folder_of), score) + "\n";
   text +=
       score_table("operation", scores_by(sample, [](const MutantRecord& mutant) { return mutant.operation; }), score);
