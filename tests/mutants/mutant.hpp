@@ -27,7 +27,7 @@ struct Mutant {
   std::string operation{};           ///< mutation operator, or "bug"
   std::string words{};               ///< what is wrong, for a reader
   std::vector<Edit> edits{};         ///< one place; written bugs may have several
-  std::vector<std::string> cases{};  ///< that must turn red, of a written bug; otherwise empty
+  std::vector<std::string> cases{};  ///< of which one must turn red, of a written bug; "*": all that evaluate it
 };
 
 }  // namespace talus::mutants

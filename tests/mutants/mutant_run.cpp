@@ -280,6 +280,11 @@ std::vector<Unchanged> run_unchanged(const std::vector<Case>& cases, records::Ti
   return all;
 }
 
+/// Whether every case that evaluates the mutant must turn red.
+bool concerns_every_case(const MutantRecord& mutant) {
+  return std::find(mutant.cases.begin(), mutant.cases.end(), "*") != mutant.cases.end();
+}
+
 /// One mutant on its way through the cases that evaluate it.
 struct Passage {
   MutantRecord* mutant{};
@@ -288,7 +293,8 @@ struct Passage {
   bool busy{};
 
   [[nodiscard]] bool ended(bool matrix) const {
-    return next == cases.size() || (!matrix && mutant->status == MutantStatus::killed);
+    const bool all = matrix || concerns_every_case(*mutant);
+    return next == cases.size() || (!all && mutant->status == MutantStatus::killed);
   }
 };
 
@@ -412,11 +418,19 @@ records::Score print(const records::Mutants& mutants) {
   return all;
 }
 
-/// A bug must turn a case red that it names. Returns whether all did.
+/// A bug must turn a case red that it names, or every case that evaluates it. Returns whether all did.
 bool demand_named(const records::Mutants& mutants) {
   bool all = true;
   for (const MutantRecord& mutant : mutants.mutants) {
     if (mutant.operation != "bug" || mutant.status == MutantStatus::pending) continue;
+    if (concerns_every_case(mutant)) {
+      for (const Trial& trial : mutant.trials) {
+        if (records::kills(trial)) continue;
+        all = false;
+        fmt::print("bug {}: case {} stays green\n", mutant.id, trial.case_id);
+      }
+      continue;
+    }
     const bool named = std::any_of(mutant.trials.begin(), mutant.trials.end(), [&](const Trial& trial) {
       return records::kills(trial) &&
              std::find(mutant.cases.begin(), mutant.cases.end(), trial.case_id) != mutant.cases.end();
@@ -450,7 +464,8 @@ int run(const Options& options) {
   demand_known(mutants, options.only);
   const fs::path out = options.out.empty() ? options.list.parent_path() / "killed.json" : options.out;
   const auto cases = chosen_cases(options, tier);
-  const fs::path folder = options.list.parent_path() / "reached";
+  // Absolute: programs that cases start run in other folders.
+  const fs::path folder = fs::absolute(options.list).parent_path() / "reached";
   fs::create_directories(folder);
   const auto unchanged = run_unchanged(cases, tier, jobs, folder);
   mutants.whole_matrix = options.matrix;

@@ -69,7 +69,7 @@ struct MutantRecord {
   SourceRange range{};               ///< of what it replaces
   std::string original{};            ///< what it replaces
   std::string replacement{};         ///< by what; empty: left out
-  std::vector<std::string> cases{};  ///< that must turn red (bugs)
+  std::vector<std::string> cases{};  ///< of which one must turn red (bugs); "*": all that evaluate it must
   MutantStatus status{};
   std::string reason{};                   ///< why it is equivalent
   std::vector<std::string> covered_by{};  ///< cases that evaluate it

@@ -38,13 +38,13 @@ RunEnd run_scene(const Scene& scene, Integrator integrator, const RunPlan& plan,
                  const Watcher& watch, const Until& until) {
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics, plan.ledger};
-  RunEnd end{.state = scene.initial};
+  RunEnd end{.state = State{scene.initial}};
   std::vector<Observer> observers;
   if (watch) observers.emplace_back(watch);
   RegimeRecorder regimes{scene.model};
   if (is_recording_use())
     observers.emplace_back([&](const Snapshot&, const StepInfo& info) { regimes.see(*info.held); });
-  end.finished = static_cast<bool>(simulate(system, integrator, end.state, plan, observers, until));
+  end.finished = static_cast<bool>(simulate(system, integrator, end.state, RunPlan{plan}, observers, until));
   if (!end.finished) {
     end.state.q.assign(end.state.q.size(), not_a_number);
     end.state.v.assign(end.state.v.size(), not_a_number);
