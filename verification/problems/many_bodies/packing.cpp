@@ -1,0 +1,295 @@
+#include "solver/granular/packing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/base/error.hpp"
+#include "verification/check/case.hpp"
+
+namespace talus::verification::problems::packing {
+namespace {
+
+constexpr double diameter = 0.3, mass = 2.0;
+
+PackingPlan plan_of(std::size_t discs, double fraction, double spread, bool walls, double aspect) {
+  return {.discs = discs,
+          .diameter = diameter,
+          .spread = spread,
+          .mass = mass,
+          .solid_fraction = fraction,
+          .aspect = aspect,
+          .walls = walls,
+          .seed = 5};
+}
+
+struct Plan {
+  std::string name;
+  Packing (*make)(const PackingPlan&);
+  PackingPlan plan;
+};
+
+std::vector<Plan> plans() {
+  return {{"scattered in a periodic box", &scatter, plan_of(400, 0.45, 0.0, false, 1.5)},
+          {"scattered between walls", &scatter, plan_of(300, 0.4, 0.3, true, 0.5)},
+          {"grown in a periodic box", &grow, plan_of(150, 0.75, 0.2, false, 1.5)},
+          {"grown between walls", &grow, plan_of(120, 0.7, 0.2, true, 1.0)}};
+}
+
+bool is_free(const Packing& packing, std::size_t i) { return packing.shapes.wall[i] == DiscShapes::free; }
+
+/// The least distance of two centres over the sum of the radii, by all pairs and images.
+double least_distance(const Packing& packing) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < packing.discs.size(); ++i) {
+    for (std::size_t j = i + 1; j < packing.discs.size(); ++j) {
+      if (!is_free(packing, i) && !is_free(packing, j)) continue;
+      const double dx = std::remainder(packing.discs.x[j] - packing.discs.x[i], packing.width);
+      double dy = packing.discs.y[j] - packing.discs.y[i];
+      if (packing.box.repeats_y()) dy = std::remainder(dy, packing.height);
+      least = std::min(least, std::hypot(dx, dy) / (packing.shapes.radius[i] + packing.shapes.radius[j]));
+    }
+  }
+  return least;
+}
+
+/// Sums over the free discs of a packing.
+struct Sums {
+  double discs{}, area{}, farthest{}, wrong_mass{}, moving{}, size{}, square{}, x{}, y{};
+
+  explicit Sums(const Packing& packing, bool walls) {
+    for (std::size_t i = 0; i < packing.discs.size(); ++i) {
+      if (!is_free(packing, i)) continue;
+      const double ratio = 2.0 * packing.shapes.radius[i] / diameter;
+      discs += 1.0, area += 0.25 * std::numbers::pi * ratio * ratio * diameter * diameter;
+      size += ratio, square += ratio * ratio;
+      wrong_mass = std::max(wrong_mass, std::abs(1.0 / packing.shapes.inverse_mass[i] / (mass * ratio * ratio) - 1.0));
+      if (packing.discs.vx[i] != 0.0 || packing.discs.vy[i] != 0.0) moving += 1.0;
+      const double room = packing.height - (walls ? 0.6 * 2.0 * packing.shapes.radius[i] : 0.0);
+      farthest = std::max({farthest, 2.0 * std::abs(packing.discs.x[i]) / packing.width,
+                           2.0 * std::abs(packing.discs.y[i]) / room});
+      x += packing.discs.x[i] / packing.width, y += packing.discs.y[i] / packing.height;
+    }
+  }
+};
+
+/// Wall discs that are not where a row of touching discs below or above the rectangle has them, or not of its mass, wall
+/// and radius.
+double displaced_wall_discs(const Packing& packing, std::size_t free) {
+  const std::size_t row = (packing.discs.size() - free) / 2;
+  double wrong = std::abs(static_cast<double>(row) - packing.width / diameter) > 1e-9 ? 1.0 : 0.0;
+  for (std::size_t k = 0; k < 2 * row; ++k) {
+    const std::size_t i = free + k;
+    const double x = (static_cast<double>(k % row) + 0.5) * diameter - 0.5 * packing.width;
+    const double y = (k < row ? -0.5 : 0.5) * (packing.height + diameter);
+    const bool holds = std::hypot(packing.discs.x[i] - x, packing.discs.y[i] - y) < 1e-12 &&
+                       packing.shapes.inverse_mass[i] == 0.0 && packing.shapes.wall[i] == (k < row ? 1u : 2u) &&
+                       std::abs(packing.shapes.radius[i] - 0.5 * diameter) < 1e-15;
+    if (!holds) wrong += 1.0;
+  }
+  return wrong;
+}
+
+Figure centres(const Packing& packing) {
+  Figure figure{.name = "centres",
+                .title = "Centres of a packing grown between walls",
+                .caption = "Discs of a spread of 0.2 at the solid fraction 0.7, between rows of discs of the middle size.",
+                .x = {.label = "x/d"},
+                .y = {.label = "y/d"}};
+  Series free{.label = "free discs", .style = Style::points}, walls{.label = "walls", .style = Style::crosses};
+  for (std::size_t i = 0; i < packing.discs.size(); ++i)
+    (is_free(packing, i) ? free : walls).add(packing.discs.x[i] / diameter, packing.discs.y[i] / diameter);
+  figure.series = {std::move(free), std::move(walls)};
+  return figure;
+}
+
+void expect_as_planned(Findings& findings, const Setup& setup, const Plan& each, Table& table) {
+  const PackingPlan& plan = each.plan;
+  Packing packing = each.make(plan);
+  if (setup.has("one_disc_overlaps")) packing.discs.x[7] = packing.discs.x[8], packing.discs.y[7] = packing.discs.y[8];
+  const Sums sums{packing, plan.walls};
+  const double n = static_cast<double>(plan.discs);
+  const auto name = [&](const char* what) { return fmt::format("{}, {}", what, each.name); };
+  findings.expect(name("free discs"), sums.discs, n, Tolerance::exact("a count"));
+  findings.expect(name("solid fraction"), sums.area / (packing.width * packing.height), plan.solid_fraction,
+                  Tolerance::round_off(n * 2.3e-16, "a sum over the discs, each rounded"));
+  findings.expect(name("height over width"), packing.height / packing.width, plan.aspect,
+                  plan.walls ? Tolerance::model(plan.aspect * diameter / packing.width,
+                                                "the width is a whole number of diameters, half of one off at most, "
+                                                "and the height makes up for it")
+                             : Tolerance::round_off(1e-15, "two roots and quotients"));
+  findings.expect(name("largest error of a mass"), sums.wrong_mass, 0.0,
+                  Tolerance::round_off(1e-15, "mass as area: five operations"));
+  findings.expect(name("discs that move"), sums.moving, 0.0, Tolerance::exact("they are at rest"));
+  const double least = least_distance(packing);
+  findings.expect_between(name("least distance over the sum of radii"), least, 1.0, plan.walls ? 1.02 : 1.05,
+                          "no disc overlaps another; of so many some are close to touching", "1");
+  findings.expect(name("the same by the neighbour list"), closest(packing), least,
+                  Tolerance::round_off(1e-14, "differences of coordinates of up to 30 diameters"));
+  // Of wholly random places the mean has the deviation 1/sqrt(12 n) of the width.
+  const double spread_of_mean = 4.0 / std::sqrt(12.0 * n);
+  findings.expect(name("mean place along x over the width"), sums.x / n, 0.0,
+                  Tolerance::model(spread_of_mean, "four standard deviations of the mean of random places"));
+  findings.expect(name("mean place along y over the height"), sums.y / n, 0.0,
+                  Tolerance::model(spread_of_mean, "four standard deviations of the mean of random places"));
+  findings.expect_between(name("largest coordinate over half the rectangle"), sums.farthest, 0.9, 1.0 + 1e-12,
+                          "all of the rectangle is used, and nothing beyond; a disc may stand 0.4 radii into a gap "
+                          "between two discs of a wall");
+  if (plan.spread > 0.0) {
+    const double mean = sums.size / n, variance = sums.square / n - mean * mean;
+    findings.expect(name("mean diameter over the middle one"), mean, 1.0,
+                    Tolerance::model(4.0 * plan.spread / std::sqrt(3.0 * n), "four standard deviations"));
+    findings.expect(name("variance of diameters over that of even ones"), variance / (plan.spread * plan.spread / 3.0),
+                    1.0,
+                    Tolerance::model(4.0 * std::sqrt(0.8 / n),
+                                     "four standard deviations: the fourth moment of an even distribution is 9/5 of "
+                                     "the square of the second"));
+  }
+  if (plan.walls) {
+    findings.expect(name("wall discs that are displaced"), displaced_wall_discs(packing, plan.discs), 0.0,
+                    Tolerance::exact("two gapless rows"));
+  }
+  if (each.name == "grown between walls" && !setup.coarse) findings.figure(centres(packing));
+  table.rows.push_back({each.name, fmt::format("{}", plan.discs), fmt::format("{:g}", plan.solid_fraction),
+                 fmt::format("{:.2f} x {:.2f}", packing.width / diameter, packing.height / diameter),
+                 fmt::format("{:.6f}", least)});
+}
+
+/// Velocities of a temperature: discs of unequal masses, with walls that stay at rest.
+void expect_agitated(Findings& findings, const Setup& setup) {
+  constexpr double temperature = 3.0;
+  constexpr std::size_t count = 2000;
+  Packing packing = scatter(plan_of(count, 0.1, 0.5, true, 1.0));
+  agitate(packing, temperature, 9);
+  double px = 0.0, py = 0.0, largest = 0.0, along_x = 0.0, along_y = 0.0, fourth = 0.0, of_walls = 0.0, of_small = 0.0,
+         small = 0.0;
+  for (std::size_t i = 0; i < packing.discs.size(); ++i) {
+    const double vx = packing.discs.vx[i], vy = packing.discs.vy[i];
+    if (!is_free(packing, i)) {
+      of_walls += std::abs(vx) + std::abs(vy);
+      continue;
+    }
+    const double m = setup.has("equal_masses") ? mass : 1.0 / packing.shapes.inverse_mass[i];
+    px += m * vx, py += m * vy, largest += m * (std::abs(vx) + std::abs(vy));
+    along_x += m * vx * vx / count, along_y += m * vy * vy / count;
+    fourth += 0.5 * m * m * (vx * vx * vx * vx + vy * vy * vy * vy) / count;
+    if (m < mass) of_small += 0.5 * m * (vx * vx + vy * vy), small += 1.0;
+  }
+  findings.expect("temperature", 0.5 * (along_x + along_y), temperature,
+                  Tolerance::round_off(count * 2.3e-16, "a sum over the discs, each rounded").relative(), "N m");
+  findings.expect("momentum over the sum of its sizes", (std::abs(px) + std::abs(py)) / largest, 0.0,
+                  Tolerance::round_off(1e-14, "the mean is taken off each velocity, which rounds it"));
+  // The variance of a sum of squares of 2000 nearly Gaussian numbers is 2/2000 of its square.
+  const double scatter_of_mean = 4.0 * std::sqrt(2.0 / count);
+  findings.expect("temperature along x over that along y", along_x / along_y, 1.0,
+                  Tolerance::model(std::sqrt(2.0) * scatter_of_mean, "four standard deviations of a quotient"));
+  findings.expect("temperature of the lighter half of the discs", of_small / small, temperature,
+                  Tolerance::model(scatter_of_mean, "four standard deviations: the energy does not depend on the mass")
+                      .relative(),
+                  "N m");
+  findings.expect("fourth moment over the square of the second", fourth / (temperature * temperature), 2.9,
+                  Tolerance::model(4.0 * std::sqrt(24.0 / (2.0 * count)),
+                                   "3 - 6/5/12 of a sum of twelve even numbers; four standard deviations"));
+  findings.expect("velocity of the walls", of_walls, 0.0, Tolerance::exact("they are held"), "m/s");
+}
+
+std::string refusal(const PackingPlan& plan, Packing (*make)(const PackingPlan&) = &scatter) {
+  try {
+    static_cast<void>(make(plan));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// What is refused, and its neighbour on the other side of the limit, which is not.
+void expect_refusals(Findings& findings) {
+  const auto changed = [](auto&& change) {
+    PackingPlan plan = plan_of(20, 0.1, 0.0, false, 1.0);
+    change(plan);
+    return refusal(plan);
+  };
+  const std::vector<std::string> refused{
+      changed([](PackingPlan& plan) { plan.discs = 0; }),
+      changed([](PackingPlan& plan) { plan.diameter = 0.0; }),
+      changed([](PackingPlan& plan) { plan.spread = std::nextafter(0.9, 1.0); }),
+      changed([](PackingPlan& plan) { plan.spread = -1e-300; }),
+      changed([](PackingPlan& plan) { plan.mass = 0.0; }),
+      changed([](PackingPlan& plan) { plan.solid_fraction = std::nextafter(0.9, 1.0); }),
+      changed([](PackingPlan& plan) { plan.solid_fraction = 0.0; }),
+      changed([](PackingPlan& plan) { plan.aspect = 0.0; })};
+  findings.expect("values out of range that are refused",
+                  static_cast<double>(std::count_if(refused.begin(), refused.end(),
+                                                    [](const std::string& text) {
+                                                      return text.find("of a packing: found") != std::string::npos;
+                                                    })),
+                  static_cast<double>(refused.size()), Tolerance::exact("one each"));
+  // One disc in a square of the side d sqrt(pi/(4 f)): 1.0005 d, and 0.9995 d.
+  const auto alone = [](double side) {
+    return refusal(plan_of(1, 0.25 * std::numbers::pi / (side * side), 0.0, false, 1.0));
+  };
+  findings.expect_true("a disc may be as large as its rectangle",
+                       alone(1.0005).empty() && alone(0.9995).find("own image") != std::string::npos,
+                       "a rectangle of 1.0005 diameters is accepted, one of 0.9995 refused");
+  findings.expect_true("walls are looked at along x alone",
+                       refusal(plan_of(6, 0.5, 0.0, true, 0.01)).find("own image") == std::string::npos,
+                       "between walls no disc meets its image above");
+  findings.expect_true("what finds no room is refused",
+                       refusal(plan_of(200, 0.6, 0.0, false, 1.0)).find("has no room") != std::string::npos,
+                       "random sequential adsorption ends at 0.547 (Feder 1980)");
+  findings.expect_true("what cannot be pushed apart is refused",
+                       refusal(plan_of(12, 0.9, 0.2, false, 1.0), &grow).find("still overlap") != std::string::npos,
+                       "unequal discs do not reach 0.9");
+  Packing one = scatter(plan_of(1, 0.5, 0.0, false, 1.0));
+  std::string warm;
+  try {
+    agitate(one, 3.0, 1);
+  } catch (const InputError& error) {
+    warm = error.what();
+  }
+  agitate(one, 0.0, 1);
+  findings.expect_true("one disc alone has no temperature",
+                       warm.find("fewer than two") != std::string::npos && one.discs.vx[0] == 0.0,
+                       "without momentum it is at rest");
+}
+
+void run(Findings& findings, const Setup& setup) {
+  Table table{.name = "packings",
+              .caption = "The packings compared; distance of two centres over the sum of their radii.",
+              .columns = {"packing", "discs", "solid fraction", "width x height, diameters", "least distance"}};
+  {
+    const auto group = findings.in("packings");
+    for (const Plan& each : plans()) {
+      if (setup.needs(each.name)) expect_as_planned(findings, setup, each, table);
+    }
+  }
+  findings.table(table);
+  {
+    const auto group = findings.in("velocities");
+    expect_agitated(findings, setup);
+  }
+  expect_refusals(findings);
+}
+
+}  // namespace
+
+Case definition() {
+  return {.id = "packing",
+          .title = "Discs packed at random",
+          .family = "F: many bodies",
+          .requirements = {{"F9", {"packings", "velocities"}}},
+          .main_checks = {"least distance over the sum of radii, grown in a periodic box", "temperature"},
+          .source = "Feder 1980 (random sequential adsorption); Lubachevsky & Stillinger 1990 (growing discs)",
+          .faults = {{"one_disc_overlaps", "one disc is put on another",
+                      "least distance over the sum of radii, grown in a periodic box"},
+                     {"equal_masses", "the temperature is summed with equal masses", "temperature"}},
+          .run = run};
+}
+
+}  // namespace talus::verification::problems::packing
