@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -125,7 +128,68 @@ void expect_stripes(Findings& findings, const Setup& setup) {
   }
 }
 
+/// Two rough discs of unlike size and mass that meet obliquely, and turn: what they lose of their energy of motion is
+/// what contacts have kept, and what is said of the contact half-way is what places and velocities make of it.
+template <class System>
+void expect_losses(Findings& findings, const Setup& setup, const std::string& engine) {
+  const LinearSpringDashpot law{1e4, 8.0};
+  const CoulombFriction friction{0.3, 6e3};
+  record_use(law);
+  const std::array masses{1.0, 0.5}, radii{0.5, 0.4};
+  DiscShapes shapes;
+  Discs discs;
+  for (std::size_t i = 0; i < 2; ++i)
+    shapes.add(radii[i], 1.0 / masses[i]);
+  discs.add(0.0, 0.0, 0.3, 0.4), discs.add(0.72, 0.561, -1.1, -0.7);
+  discs.spin = {3.0, -2.0};
+  System system{shapes, {}, law, skin, friction};
+  if constexpr (requires { system.keep_work(); }) system.keep_work();
+  system.begin(discs);
+  const auto energy = [&] {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double turning = 0.5 * masses[i] * radii[i] * radii[i];
+      sum += 0.5 * masses[i] * (discs.vx[i] * discs.vx[i] + discs.vy[i] * discs.vy[i]) +
+             0.5 * turning * discs.spin[i] * discs.spin[i];
+    }
+    return sum;
+  };
+  const double before = energy(), contact_time = std::numbers::pi / std::sqrt(law.stiffness * 3.0);
+  constexpr long per_contact = 4000;
+  const double h = contact_time / static_cast<double>(per_contact);
+  double reports = 0.0, wrong = 0.0;
+  for (long n = 0; n < 2 * per_contact; ++n) {
+    system.kick(discs, h), system.drift(discs, h);
+    system.for_each_contact(discs, [&](const DiscContact& contact) {
+      const double dx = discs.x[1] - discs.x[0], dy = discs.y[1] - discs.y[0], distance = std::hypot(dx, dy);
+      const double approach = -((discs.vx[1] - discs.vx[0]) * dx + (discs.vy[1] - discs.vy[0]) * dy) / distance;
+      const double depth = radii[0] + radii[1] - distance;
+      const double force = std::max(0.0, law.stiffness * depth + law.damping * approach);
+      reports += 1.0;
+      wrong = std::max({wrong, std::abs(contact.depth - depth) / radii[0], std::abs(contact.force - force) / 1e3});
+    });
+  }
+  const double lost = before - energy(), kept = discs.dissipated() * (setup.has("loss_off") ? 1.002 : 1.0);
+  findings.count(system.evaluations());
+  const auto group = findings.in("losses");
+  findings.expect_between("steps in contact over those of an undamped one, " + engine,
+                          reports / static_cast<double>(per_contact), 0.8, 1.1,
+                          "the dashpot shortens the clamped contact, by less than a fifth");
+  findings.expect("what is said of the contact beside places and velocities, " + engine, wrong, 0.0,
+                  Tolerance::round_off(1e-14,
+                                       "differences of places of about 1; a force of a thousandth of that times "
+                                       "the stiffness 1e4, over 1000"));
+  findings.expect(
+      "energy that contacts have kept over what is lost, " + engine, kept / lost, 1.0,
+      Tolerance::truncation(contact_time * std::sqrt(law.stiffness * 3.0) / static_cast<double>(per_contact), 1.0,
+                            "powers are those at the beginning of each step: first order in w h"));
+}
+
 void run(Findings& findings, const Setup& setup) {
+  if (setup.needs("contact")) {
+    expect_losses<DiscSystem<LinearSpringDashpot, CoulombFriction>>(findings, setup, "plain engine");
+    expect_losses<FastDiscSystem<LinearSpringDashpot, CoulombFriction>>(findings, setup, "fast engine");
+  }
   if (setup.needs("loop over all pairs")) expect_edges(findings, setup);
   if (setup.needs("threads")) expect_stripes(findings, setup);
 }
@@ -134,9 +198,9 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "disc_lists",
-          .title = "Neighbour lists to their edges, and stripes with walls and friction",
+          .title = "Neighbour lists to their edges, stripes with walls and friction, losses of an impact",
           .family = "the shear cell",
-          .requirements = {{"F3", {"edges", "stripes"}}},
+          .requirements = {{"F3", {"edges", "stripes", "losses"}}},
           .main_checks = {"numbers that differ from a loop over all pairs, plain engine",
                           "numbers that differ from a loop over all pairs, fast engine",
                           "numbers that differ from the plain engine's with 5 threads"},
@@ -144,7 +208,9 @@ Case definition() {
           .faults = {{"found_a_step_late", "the reference lets discs overlap for a step before they push",
                       "numbers that differ from a loop over all pairs, plain engine"},
                      {"one_disc_off", "one velocity of the fast engine 1e-15 of itself larger",
-                      "numbers that differ from the plain engine's with 5 threads"}},
+                      "numbers that differ from the plain engine's with 5 threads"},
+                     {"loss_off", "two thousandths more kept",
+                      "energy that contacts have kept over what is lost, fast engine"}},
           .run = run};
 }
 

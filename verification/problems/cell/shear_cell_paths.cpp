@@ -152,6 +152,26 @@ void expect_mirror(Findings& findings, const Setup& setup) {
                        "no sum along y sees the mirror");
 }
 
+/// Rough discs carry spins and the stretch of friction's springs as well.
+void expect_rough_restart(Findings& findings, ShearCell cell, CellPlan plan) {
+  cell.friction = CoulombFriction{0.5, 14214.0};
+  plan.end = 0.5 * plan.end, plan.every = plan.end;
+  CellRun whole{cell, plan, lively(cell)};
+  while (2 * whole.steps() < whole.last_step())
+    whole.advance();
+  Memory saved;
+  whole.remember(saved);
+  CellRun rest{cell, plan};
+  Memory putting_back{saved.items()};
+  rest.remember(putting_back);
+  run_to_end(whole), run_to_end(rest);
+  const std::vector<double> spins = whole.discs().spin;
+  findings.expect_true(
+      "a run of rough discs taken on from its memory ends in the same bits",
+      whole.discs() == rest.discs() && std::any_of(spins.begin(), spins.end(), [](double spin) { return spin != 0.0; }),
+      "spins and what friction remembers are put back, too");
+}
+
 void expect_restart(Findings& findings, const Setup& setup) {
   const ShearCell cell = ice_cell(8e3, 5e3);
   const CellPlan plan = cell_plan(cell, setup.coarse ? 2e-3 : 6e-3, 20.0, 1);
@@ -181,6 +201,7 @@ void expect_restart(Findings& findings, const Setup& setup) {
                        whole.discs() == rest.discs() &&
                            whole.mean(CellQuantity::top_shear).value == rest.mean(CellQuantity::top_shear).value,
                        "all that a step reads is remembered");
+  expect_rough_restart(findings, cell, plan);
   const CellScene scene{.title = "", .units = {}, .cell = cell, .plan = plan};
   const CellOutcome outcome{.finished = true, .words = "", .warnings = {}};
   double differ = cell_history_csv(scene, whole) == cell_history_csv(scene, rest) ? 0.0 : 1.0;
