@@ -1,0 +1,192 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "solver/dynamics/effective_mass.hpp"
+#include "solver/model/model_builder.hpp"
+#include "solver/stability/step_advice.hpp"
+#include "verification/check/case.hpp"
+#include "verification/study/scene_run.hpp"
+
+namespace talus::verification::problems::effective_masses {
+namespace {
+
+constexpr double mass = 1.7, inertia = 0.45, stiffness = 250.0, damping = 3.0;
+constexpr Vec2 at{0.5, 0.6}, pin_of_body{0.3, -0.2};
+constexpr double tilt = 0.35;
+
+/// Two points of the body, and where the cables from them end.
+struct Line {
+  Vec2 point;   ///< in body coordinates [L]
+  Vec2 anchor;  ///< world [L]
+};
+constexpr std::array lines{Line{{-0.5, 0.2}, {-1.4, 2.1}}, Line{{0.4, 0.3}, {1.9, -1.2}}};
+
+/// Where the centre of mass is and how the body is turned, for coordinates that start from zero: written down here, for
+/// each way to be held, from what the pin and the guide allow.
+struct Place {
+  Vec2 centre;
+  double angle{};
+};
+
+std::size_t coordinates_of(Mobility mobility) {
+  return (has_x(mobility) ? 1u : 0u) + (has_y(mobility) ? 1u : 0u) + (turns(mobility) ? 1u : 0u);
+}
+
+Vec2 turned(Vec2 p, double angle) {
+  return {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
+}
+
+Place place_of(Mobility mobility, const std::vector<double>& q) {
+  Place place{at, tilt};
+  std::size_t next = 0;
+  if (has_x(mobility)) place.centre.x += q[next++];
+  if (has_y(mobility)) place.centre.y += q[next++];
+  if (turns(mobility)) place.angle += q[next];
+  const Vec2 pin = at + turned(pin_of_body, tilt), arm = turned(pin_of_body, place.angle);
+  if (mobility == Mobility::pinned) place.centre = pin - arm;
+  if (mobility == Mobility::guided_x) place.centre.y = pin.y - arm.y;
+  if (mobility == Mobility::guided_y) place.centre.x = pin.x - arm.x;
+  return place;
+}
+
+Vec2 direction(const Line& line) {
+  const Vec2 along = line.anchor - (at + turned(line.point, tilt));
+  return (1.0 / norm(along)) * along;
+}
+
+/// Velocity of the point on one line, along it, for a unit impulse on another: sum of g_1 g_2/M over the coordinates, with
+/// the derivatives g of the points and those of the kinetic energy by central differences of the place.
+double mobility_between(Mobility mobility, const Line& one, const Line& two) {
+  constexpr double step = 1e-5;
+  double sum = 0.0;
+  const std::size_t count = coordinates_of(mobility);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<double> q(count, 0.0);
+    q[i] = step;
+    const Place after = place_of(mobility, q);
+    q[i] = -step;
+    const Place before = place_of(mobility, q);
+    const auto change = [&](const Line& line) {
+      const Vec2 moved =
+          after.centre + turned(line.point, after.angle) - before.centre - turned(line.point, before.angle);
+      return dot(moved, direction(line)) / (2.0 * step);
+    };
+    const Vec2 centre = (0.5 / step) * (after.centre - before.centre);
+    const double turn = (0.5 / step) * (after.angle - before.angle);
+    sum += change(one) * change(two) / (mass * dot(centre, centre) + inertia * turn * turn);
+  }
+  return sum;
+}
+
+/// A body that is held by one cable, or by both.
+Scene scene_of(Mobility mobility, std::size_t cables, const Setup& setup) {
+  ModelBuilder builder;
+  Body body{.name = "body", .mobility = mobility, .mass = mass, .inertia = inertia, .shape = Rectangle{0.7, 0.35}};
+  body.p_WB = at, body.angle = tilt, body.p_BPin = pin_of_body;
+  if (setup.has("pin_forgotten")) body.p_BPin = {};
+  const BodyId id = builder.add(body);
+  for (std::size_t c = 0; c < cables; ++c) {
+    const Line& line = lines[c];
+    builder.add(Cable{.name = fmt::format("cable_{}", c),
+                      .a = {{}, {line.anchor.x, line.anchor.y}},
+                      .b = {id, {line.point.x, line.point.y}},
+                      .rest_length = norm(line.anchor - (at + turned(line.point, tilt))) - 0.1,
+                      .law = TensionOnly{stiffness, damping}});
+  }
+  Scene scene{.title = "Held body", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  return scene;
+}
+
+const Tolerance by_differences =
+    Tolerance::truncation(2e-11, 3.0,
+                          "central differences of places of about 1 by 1e-5: h^2/6 = 1.7e-11 of third derivatives, and 1e-16/h "
+                          "of rounding")
+        .relative();
+
+void check(Mobility mobility, Findings& findings, const Setup& setup, Table& table) {
+  const std::string name{name_of(mobility)};
+  const Scene scene = scene_of(mobility, 2, setup);
+  record_use(scene.model);
+  const Dynamics dynamics{scene.model};
+  const PointMobility points{scene.model};
+  const Pose now = pose(scene.model, scene.initial, BodyId{});
+  const auto line = [&](const Line& of) { return ImpulseLine{at + turned(of.point, tilt), direction(of)}; };
+  const std::array<std::array<double, 2>, 2> exact{
+      {{mobility_between(mobility, lines[0], lines[0]), mobility_between(mobility, lines[0], lines[1])},
+       {mobility_between(mobility, lines[1], lines[0]), mobility_between(mobility, lines[1], lines[1])}}};
+  const auto group = findings.in(fmt::format("mobility.{}", name));
+  findings.in("impulses")->expect(fmt::format("mobility along a line, {}", name),
+                                  points.between(BodyId{}, now, line(lines[0]), line(lines[0])), exact[0][0],
+                                  by_differences, "1/kg");
+  findings.in("impulses")->expect(
+      fmt::format("mobility between two lines, {}", name), points.between(BodyId{}, now, line(lines[0]), line(lines[1])),
+      exact[0][1],
+      Tolerance::truncation(2e-11, 3.0, "central differences by 1e-5, as along one line"), "1/kg");
+  const StepAdvice advice = advise_step(dynamics, scene.initial);
+  for (std::size_t c = 0; c < 2; ++c) {
+    const SpringAdvice& spring = advice.springs[c];
+    findings.in("springs")->expect(fmt::format("frequency of {}, {}", spring.name, name), spring.frequency,
+                                   std::sqrt(stiffness * exact[c][c]), by_differences, "rad/s");
+    findings.in("springs")->expect(fmt::format("damping ratio of {}, {}", spring.name, name), spring.damping_ratio,
+                                   0.5 * damping * std::sqrt(exact[c][c] / stiffness), by_differences);
+  }
+  // The modes of two springs: eigenvalues of k times the matrix of mobilities between them; no more than coordinates.
+  const double trace = exact[0][0] + exact[1][1], determinant = exact[0][0] * exact[1][1] - exact[0][1] * exact[1][0];
+  const double root = std::sqrt(std::max(0.0, 0.25 * trace * trace - determinant));
+  const double fast = std::sqrt(stiffness * (0.5 * trace + root));
+  findings.in("modes")->expect(fmt::format("natural modes, {}", name), static_cast<double>(advice.modes.size()),
+                               static_cast<double>(std::min<std::size_t>(2, coordinates_of(mobility))),
+                               Tolerance::exact("two springs, and no more modes than coordinates"));
+  findings.in("modes")->expect(fmt::format("fastest mode, {}", name), advice.modes.back().frequency, fast,
+                               by_differences, "rad/s");
+  if (coordinates_of(mobility) > 1) {
+    findings.in("modes")->expect(fmt::format("slowest mode, {}", name), advice.modes.front().frequency,
+                                 std::sqrt(stiffness * (0.5 * trace - root)), by_differences, "rad/s");
+  }
+  // What the forces make of it: pulled by one cable alone, the point starts with its tension times the mobility.
+  const Scene pulled = scene_of(mobility, 1, setup);
+  constexpr double h = 1e-5;
+  const RunEnd run = run_steps(pulled, make_integrator("rk4"), h, 1, findings);
+  const Pose then = pose(pulled.model, run.state, BodyId{});
+  const Vec2 arm = turned(lines[0].point, tilt);
+  const double started = dot(then.v_WB + cross(then.w_WB, arm), direction(lines[0])) / h;
+  findings.in("forces")->expect(
+      fmt::format("first acceleration under a tension, {}", name), started, 0.1 * stiffness * exact[0][0],
+      Tolerance::truncation(0.5 * damping * exact[0][0] * h + 2e-11, 3.0,
+                            "the dashpot takes c h/(2 m_eff) of it within the first step")
+          .relative(),
+      "m/s^2");
+  table.rows.push_back({name, fmt::format("{:.6f}", 1.0 / exact[0][0]), fmt::format("{:.6f}", 1.0 / exact[1][1]),
+                        fmt::format("{:.4f}", advice.modes.front().frequency),
+                        fmt::format("{:.4f}", advice.modes.back().frequency)});
+}
+
+void run(Findings& findings, const Setup& setup) {
+  Table table{.name = "masses",
+              .caption = "Effective masses [kg] of the two cables' lines, slowest and fastest mode [rad/s] of both.",
+              .columns = {"mobility", "first cable", "second cable", "slowest", "fastest"}};
+  for (const Mobility mobility : {Mobility::free, Mobility::particle, Mobility::pinned, Mobility::sliding_x,
+                                  Mobility::sliding_y, Mobility::guided_x, Mobility::guided_y})
+    check(mobility, findings, setup, table);
+  findings.table(table);
+}
+
+}  // namespace
+
+Case definition() {
+  return {.id = "effective_masses",
+          .title = "Effective masses and modes of bodies held in seven ways",
+          .requirements = {{"A9", {"impulses", "springs", "modes", "forces"}}},
+          .main_checks = {"frequency of cable_0, guided_x", "fastest mode, pinned"},
+          .source = "Lagrange's equations, derived here",
+          .faults = {{"pin_forgotten", "the pin at the centre of mass", "frequency of cable_0, guided_x"}},
+          .run = run};
+}
+
+}  // namespace talus::verification::problems::effective_masses
