@@ -104,9 +104,10 @@ Scene scene_of(Mobility mobility, std::size_t cables, const Setup& setup) {
 }
 
 const Tolerance by_differences =
-    Tolerance::truncation(2e-11, 3.0,
-                          "central differences of places of about 1 by 1e-5: h^2/6 = 1.7e-11 of third derivatives, and 1e-16/h "
-                          "of rounding")
+    Tolerance::truncation(
+        2e-11, 3.0,
+        "central differences of places of about 1 by 1e-5: h^2/6 = 1.7e-11 of third derivatives, and 1e-16/h "
+        "of rounding")
         .relative();
 
 void check(Mobility mobility, Findings& findings, const Setup& setup, Table& table) {
@@ -121,13 +122,13 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
       {{mobility_between(mobility, lines[0], lines[0]), mobility_between(mobility, lines[0], lines[1])},
        {mobility_between(mobility, lines[1], lines[0]), mobility_between(mobility, lines[1], lines[1])}}};
   const auto group = findings.in(fmt::format("mobility.{}", name));
-  findings.in("impulses")->expect(fmt::format("mobility along a line, {}", name),
-                                  points.between(BodyId{}, now, line(lines[0]), line(lines[0])), exact[0][0],
-                                  by_differences, "1/kg");
-  findings.in("impulses")->expect(
-      fmt::format("mobility between two lines, {}", name), points.between(BodyId{}, now, line(lines[0]), line(lines[1])),
-      exact[0][1],
-      Tolerance::truncation(2e-11, 3.0, "central differences by 1e-5, as along one line"), "1/kg");
+  findings.in("impulses")
+      ->expect(fmt::format("mobility along a line, {}", name),
+               points.between(BodyId{}, now, line(lines[0]), line(lines[0])), exact[0][0], by_differences, "1/kg");
+  findings.in("impulses")
+      ->expect(fmt::format("mobility between two lines, {}", name),
+               points.between(BodyId{}, now, line(lines[0]), line(lines[1])), exact[0][1],
+               Tolerance::truncation(2e-11, 3.0, "central differences by 1e-5, as along one line"), "1/kg");
   const StepAdvice advice = advise_step(dynamics, scene.initial);
   for (std::size_t c = 0; c < 2; ++c) {
     const SpringAdvice& spring = advice.springs[c];
@@ -156,12 +157,12 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
   const Pose then = pose(pulled.model, run.state, BodyId{});
   const Vec2 arm = turned(lines[0].point, tilt);
   const double started = dot(then.v_WB + cross(then.w_WB, arm), direction(lines[0])) / h;
-  findings.in("forces")->expect(
-      fmt::format("first acceleration under a tension, {}", name), started, 0.1 * stiffness * exact[0][0],
-      Tolerance::truncation(0.5 * damping * exact[0][0] * h + 2e-11, 3.0,
-                            "the dashpot takes c h/(2 m_eff) of it within the first step")
-          .relative(),
-      "m/s^2");
+  findings.in("forces")->expect(fmt::format("first acceleration under a tension, {}", name), started,
+                                0.1 * stiffness * exact[0][0],
+                                Tolerance::truncation(0.5 * damping * exact[0][0] * h + 2e-11, 3.0,
+                                                      "the dashpot takes c h/(2 m_eff) of it within the first step")
+                                    .relative(),
+                                "m/s^2");
   table.rows.push_back({name, fmt::format("{:.6f}", 1.0 / exact[0][0]), fmt::format("{:.6f}", 1.0 / exact[1][1]),
                         fmt::format("{:.4f}", advice.modes.front().frequency),
                         fmt::format("{:.4f}", advice.modes.back().frequency)});

@@ -36,6 +36,8 @@ constexpr std::array failures{
             "snatch: least of k x + c v where the cable has let go, over c e v0"},
     Failure{"change of step", check_changed_step, "", "step_kept", "the step kept",
             "changed step: energy gained by a step doubled half-way, over that at touch"},
+    Failure{"overflow", check_overflow, "", "soft_spring", "a stiffness and speed of 1",
+            "overflow: ended because no step is short enough, stormer_cowell"},
     Failure{"tunnelling by step", check_long_step, "", "not_watched", "no watch",
             "long step: refused before the run at v h = 1.1 r, 20 r before the touch"},
     Failure{"tunnelling by overlap", check_deep_overlap, "", "not_watched_either", "no watch",

@@ -24,6 +24,7 @@ struct FailureFound {
 [[nodiscard]] FailureFound check_jump_at_touch(Findings& findings, const Setup& setup);
 [[nodiscard]] FailureFound check_snatch(Findings& findings, const Setup& setup);
 [[nodiscard]] FailureFound check_changed_step(Findings& findings, const Setup& setup);
+[[nodiscard]] FailureFound check_overflow(Findings& findings, const Setup& setup);
 
 // Shapes (failure_passing.cpp, failure_shapes.cpp).
 [[nodiscard]] FailureFound check_long_step(Findings& findings, const Setup& setup);

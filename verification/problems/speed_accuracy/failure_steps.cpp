@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
+#include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/model/model_builder.hpp"
+#include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
 #include "verification/study/cable_scenes.hpp"
@@ -199,6 +202,43 @@ FailureFound check_changed_step(Findings& findings, const Setup& setup) {
   return {fmt::format("h doubled at the turn: {:+.2f} % of the energy", 200.0 * (leaves - 0.5)),
           fmt::format("kept: {:.1g}; cut at events: {:.1g}",
                       std::abs(2.0 * (kept_energy(kept.state, radius, first) - 0.5)), std::abs(loss))};
+}
+
+/// A spring so stiff, hit so fast, that its force is beyond all numbers half-way: no step ends well, however short. Each
+/// kind of method must say so, and stop.
+FailureFound check_overflow(Findings& findings, const Setup& setup) {
+  const double huge = setup.has("soft_spring") ? 1.0 : 1e300;
+  const auto outcome = [&](const char* method, double tolerance, double size) {
+    const Scene scene = scenes::bouncing_disc(
+        {.radius = 8.0, .gap = 0.3 * size, .speed = size, .contact = LinearSpringDashpot{size, 0.0, EndRule::clamped}});
+    record_use(scene.model);
+    const Dynamics dynamics{scene.model};
+    RigidBodySystem system{dynamics};
+    Integrator integrator = make_integrator(method, tolerance);
+    State state = scene.initial;
+    const Outcome end =
+        simulate(system, integrator, state, {.step = 0.01, .end = 1.0, .interval = 0.01, .ledger = false});
+    findings.count(system.evaluations());
+    return end;
+  };
+  const Outcome fixed = outcome("velocity_verlet", 0.0, huge), located = outcome("stormer_cowell", 1e-10, huge),
+                embedded = outcome("odeint_dopri5", 1e-10, huge);
+  const auto gives_up = [](const Outcome& end) {
+    return end.kind == Outcome::Kind::diverged && end.words.starts_with("no step is short enough") && end.time < 1.0;
+  };
+  findings.expect_true("overflow: ended with the body's name, velocity Verlet",
+                       fixed.kind == Outcome::Kind::diverged && fixed.words.find("disc") != std::string::npos,
+                       "the force at 0.3 of the way in is 1e600");
+  findings.expect_true("overflow: ended because no step is short enough, stormer_cowell", gives_up(located),
+                       "a step that fails is repeated shorter, and not for ever");
+  findings.expect_true("overflow: ended because no step is short enough, odeint_dopri5", gives_up(embedded),
+                       "as by the solver's own method with step control");
+  bool finished = true;
+  for (const char* method : {"velocity_verlet", "stormer_cowell", "odeint_dopri5"})
+    finished = finished && outcome(method, method[0] == 'v' ? 0.0 : 1e-10, 1.0).kind == Outcome::Kind::finished;
+  findings.expect_true("overflow: nothing of the kind at a stiffness and speed of 1", finished, "the same scene");
+  return {fmt::format("k = v = 1e300: diverged at {:.1g}, {:.1g} and {:.1g}", fixed.time, located.time, embedded.time),
+          "k = v = 1: to the end"};
 }
 
 }  // namespace talus::verification::problems
