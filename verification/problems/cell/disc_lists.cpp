@@ -9,6 +9,7 @@
 
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
+#include "solver/granular/list_skin.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/reference/all_pairs.hpp"
@@ -185,7 +186,25 @@ void expect_losses(Findings& findings, const Setup& setup, const std::string& en
                             "powers are those at the beginning of each step: first order in w h"));
 }
 
+/// A list is made with the skin that was best for the nearest of the solid fractions and decades that were timed: on
+/// either side of the middle between two of them another one.
+void expect_skins(Findings& findings) {
+  double wrong = 0.0;
+  const auto demand = [&](std::size_t discs, double fraction, std::size_t like, double of) {
+    if (list_skin(discs, fraction) != list_skin(like, of)) wrong += 1.0;
+  };
+  demand(100, 0.39, 100, 0.3), demand(100, 0.41, 100, 0.5), demand(100, 0.1, 100, 0.3), demand(100, 1.2, 100, 0.9);
+  demand(316, 0.3, 100, 0.3), demand(317, 0.3, 1000, 0.3), demand(1, 0.3, 100, 0.3), demand(900000, 0.3, 100000, 0.3);
+  demand(31622, 0.84, 10000, 0.84), demand(31623, 0.84, 100000, 0.84);
+  const bool differ = list_skin(100, 0.3) < list_skin(100, 0.5) && list_skin(1000, 0.3) > list_skin(100, 0.3) &&
+                      list_skin(10000, 0.84) > list_skin(100000, 0.84) && list_skin(100, 0.9) < list_skin(100, 0.3);
+  findings.expect(
+      "skins that are not those of the nearest fraction and decade", wrong + (differ ? 0.0 : 1.0), 0.0,
+      Tolerance::exact("a table of what was fastest; thin gases take a thick skin, dense flows a thin one"));
+}
+
 void run(Findings& findings, const Setup& setup) {
+  if (setup.needs("skins")) expect_skins(findings);
   if (setup.needs("contact")) {
     expect_losses<DiscSystem<LinearSpringDashpot, CoulombFriction>>(findings, setup, "plain engine");
     expect_losses<FastDiscSystem<LinearSpringDashpot, CoulombFriction>>(findings, setup, "fast engine");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/model/model_builder.hpp"
+#include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/speed_accuracy/exact_motions.hpp"
 #include "verification/problems/speed_accuracy/fence_exit.hpp"
@@ -220,8 +221,29 @@ void check_grazing(Findings& findings) {
       "m");
 }
 
+/// A contact of half a period of pi passes within a third of an output: who chooses its own steps leaves it with the
+/// speed 1, all others miss it.
+void check_choice(Findings& findings) {
+  const Scene scene = scenes::bouncing_disc(
+      {.radius = 8.0, .gap = 0.3, .speed = 1.0, .contact = LinearSpringDashpot{1.0, 0.0, EndRule::clamped}});
+  std::vector<Integrator> methods{make_integrator("odeint_dopri5", 1e-9)};
+  for (const std::string& name : integrator_names())
+    methods.push_back(make_integrator(name, needs_tolerance(name) ? 1e-9 : 0.0));
+  double wrong = 0.0, choosing = 0.0;
+  for (const Integrator& method : methods) {
+    const RunEnd end = run_steps(scene, method, 10.0, 2, findings);
+    const bool followed = std::abs(end.state.v[1] - 1.0) < 1e-6;
+    if (followed != chooses_steps(method)) wrong += 1.0;
+    choosing += followed ? 1.0 : 0.0;
+  }
+  findings.expect_between("methods that follow a contact between two outputs", choosing, 4.0,
+                          static_cast<double>(methods.size()) - 5.0, "some of each kind are in the list");
+  findings.expect("methods said to choose their steps that do not, or the other way round", wrong, 0.0,
+                  Tolerance::exact("by what they do"));
+}
+
 void run(Findings& findings, const Setup& setup) {
-  if (!setup.coarse) check_grazing(findings);
+  if (!setup.coarse) check_grazing(findings), check_choice(findings);
   Table table{.name = "evaluations",
               .caption =
                   "Evaluations to reach an error; their factor for a tenth of the tolerance, the last two "
