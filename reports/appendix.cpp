@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "reports/markdown.hpp"
 #include "reports/page_cells.hpp"
@@ -44,6 +45,37 @@ std::size_t check_count(const Requirement& requirement) {
 }
 
 }  // namespace
+
+std::string perturbed_references(const Results& results) {
+  struct Count {
+    std::size_t either{}, one{};
+  };
+  std::map<std::string, Count> counts;
+  Count all;
+  for (const Record& record : results.records) {
+    for (const Check& check : record.checks) {
+      if (!check.pass) continue;
+      // |error -+ 1.5 bounds| is beyond the bound in both directions where the error is less than half of it.
+      const bool either = check.bound == 0.0 || check.margin < 0.5;
+      Count& of_kind = counts[name_of(check.kind)];
+      for (Count* const count : {&of_kind, &all})
+        ++(either ? count->either : count->one);
+    }
+  }
+  Rows rows;
+  const auto row = [&](const std::string& name, const Count& count) {
+    rows.push_back({name, fmt::format("{}", count.either + count.one), fmt::format("{}", count.either),
+                    fmt::format("{}", count.one)});
+  };
+  for (const auto& [kind, count] : counts)
+    row(cell(kind), count);
+  row("**all**", all);
+  return "A reference that is wrong by 1.5 bounds turns a check red in either direction where the error is less than "
+         "half of the bound, else in the direction away from what was measured.\n\n" +
+         markdown::table(
+             {{"kind of bound"}, {"checks that hold", true}, {"red either way", true}, {"red one way", true}}, rows,
+             "");
+}
 
 std::string provenance(const Results& results) {
   const Provenance& p = results.provenance;

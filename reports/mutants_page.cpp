@@ -237,6 +237,7 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
   const auto pending = std::ranges::count(mutants.mutants, MutantStatus::pending, &MutantRecord::status);
   if (pending > 0) text += fmt::format("{} mutants and bugs were not tried to the end, and do not count.\n\n", pending);
   text += score_table("folder", scores_by(sample, folder_of), score) + "\n";
+  text += score_table("file", scores_by(sample, [](const MutantRecord& mutant) { return mutant.file; }), score) + "\n";
   text +=
       score_table("operation", scores_by(sample, [](const MutantRecord& mutant) { return mutant.operation; }), score);
   text += "\n";

@@ -65,6 +65,7 @@ std::string back(const Results& results, const Trials& trials, const Drawn& draw
                  : rounding_text(results, trials.rounded));
   values.set("mutants", trials.mutants ? mutants_text(*trials.mutants, results, drawn.no_pictures.empty())
                                        : "The cases were not run with mutants in this run: `make mutants` does so.\n");
+  values.set("perturbed", perturbed_references(results));
   values.set("traceability", traceability(results));
   values.set("references", references.empty() ? "None.\n" : references);
   if (!drawn.no_pictures.empty()) values.set("no_pictures", markdown::words(drawn.no_pictures));
