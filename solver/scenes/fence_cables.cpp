@@ -86,6 +86,7 @@ void FenceMaker::add_layer(int layer) {
       if (side < sides) {
         Column column{.number = fmt::format("{}{}", side == 1 ? "-" : "", i + 1)};
         column.along = (side == 1 ? -1 : 1) * (inner + i * fence_.spacing);
+        column.height = made.p_WB.y;
         column.mass = made.mass, column.inertia = made.inertia, column.copies = made.copies;
         column.place = i;
         column.struck = std::ranges::any_of(fence_.rocks, [&](const FenceElement& r) { return meets(r, column); });

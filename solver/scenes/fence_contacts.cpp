@@ -42,9 +42,7 @@ Contact FenceMaker::contact(std::string name, BodyId a, BodyId b, FenceContactLa
 /// the column, which hangs free for as long as the impact takes, at the height of the rock.
 double FenceMaker::damped_mass(std::size_t rock, const Column& column) const {
   if (fence_.options.calibration == FenceCalibration::particles) return reduced_mass(rock_masses_[rock], column.mass);
-  const FenceMember& struck = *std::ranges::find_if(
-      made_.members, [&](const FenceMember& m) { return m.body && m.layer > 0 && m.body == column.body; });
-  const double arm = fence_.rocks[rock].position.y - struck.position.y;
+  const double arm = fence_.rocks[rock].position.y - column.height;
   return effective_mass(ContactSide{rock_masses_[rock], {}, 0.0, false},
                         ContactSide{column.mass, column.inertia, arm, false});
 }

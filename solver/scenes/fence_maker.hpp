@@ -31,6 +31,7 @@ class FenceMaker {
     std::string number;  ///< in names: its place from 1, with a minus on the other side
     int place{};         ///< from the centre outwards, from 0
     double along{};      ///< its place along the fence [L]
+    double height{};     ///< of its centroid, y [L]
     double mass{};       ///< of the body: twice its own where one stands for two
     double inertia{};
     int copies{1};
