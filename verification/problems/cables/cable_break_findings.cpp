@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "solver/integrate/integrator_list.hpp"
+#include "solver/run/snapshot.hpp"
 #include "verification/check/convergence.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
 #include "verification/reference/cable_draw.hpp"
@@ -285,6 +286,13 @@ void check_merged_plastic(Findings& findings) {
   findings.expect("tensions of two drawn cables without hanger from that of one cable",
                   run.hanger_broken ? apart : std::nan(""), 0.0,
                   Tolerance::round_off(1e-13, "k (l - l0 - p) of lengths of 16: a few roundings, times 5"), "N");
+  // The point between the cables, where the first one ends: beyond its length by what the tension stretches it.
+  const Dynamics dynamics{scene.model};
+  const Snapshot seen{dynamics, run.end};
+  const double place = seen.geometry().joints.p_WP(dynamics.cables().ends()[0].b).x;
+  findings.expect("end of the first of two drawn cables without hanger", place,
+                  cable_length + drawn[0] + exact.merged_stiffness * elongation / pair.stiffness_1,
+                  Tolerance::round_off(1e-14, "a few roundings of lengths of 8"), "m");
 }
 
 constexpr const char* control_words =
@@ -302,6 +310,18 @@ void check_hanger_exactly(Findings& findings, const Setup& setup) {
                   exact.lost, Tolerance::truncation(2e-8, 1.0, control_words), "J");
   findings.expect("exit speed of the mass on the one cable under step control", -run.end.v[1], exact.exit_speed_c,
                   Tolerance::truncation(2e-9, 1.0, control_words), "m/s");
+  // Where it is located it makes no difference that another hanger comes first, which holds.
+  Scene scene = hung_pair(pair, strength);
+  scene.model.hangers.insert(scene.model.hangers.begin(), Hanger{"holds", *find_body(scene.model, "c"), {}, 1e9});
+  scene.initial.mode.push_back(Mode{0});
+  const CableRun located = run_cables(scene, scene.initial, make_integrator("stormer_cowell", 1e-11),
+                                      {exact.slack_time / 4.0, 1.1 * exact.slack_time, false}, findings);
+  const Tolerance located_words = Tolerance::truncation(
+      1e-10, 1.0, "local errors below 1e-11 of speed and distance travelled, some ten in one direction");
+  findings.expect("energy lost by the located break of the second of two hangers",
+                  booked(located.end, Mechanism::hanger_break), exact.lost, located_words, "J");
+  findings.expect("exit speed of the mass behind the located break of the second of two hangers", -located.end.v[1],
+                  exact.exit_speed_c, located_words, "m/s");
 }
 
 void draw_hanger(Findings& findings) {

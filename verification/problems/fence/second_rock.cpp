@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include "solver/base/memory.hpp"
 #include "solver/run/failure_log.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
@@ -261,6 +262,11 @@ void check_two_rocks(Findings& findings, const Setup& setup) {
   const auto& pair =
       std::get<LinearSpringDashpot>(behind.contacts[index(*find_contact(behind, "column1-back_column1"))].law);
   keep_worst(stiff, pair.stiffness / spring(1.0, 0.5 * column.mass, 0.05) - 1.0);
+  layers.layer_overlap = 0.0;
+  const Model by_width = scenes::fence_scene(layers).scene.model;
+  const auto& usual =
+      std::get<LinearSpringDashpot>(by_width.contacts[index(*find_contact(by_width, "column1-back_column1"))].law);
+  keep_worst(stiff, usual.stiffness / spring(1.0, 0.5 * column.mass, stated.penetration * stated.column.a) - 1.0);
   const Tolerance same = Tolerance::round_off(1e-12, "some thirty operations, and the root of the damping ratio");
   findings.expect("stiffness of each rock's contacts, worst relative error", stiff, 0.0, same);
   findings.expect("dashpot of each rock's contact by the height at which it hits, worst relative error", damped, 0.0,
@@ -279,12 +285,33 @@ void check_summary(Findings& findings, const Setup& setup) {
   fence.rocks.push_back(other);
   const scenes::FenceScene made = scenes::fence_scene(fence);
   const Dynamics dynamics{made.scene.model};
-  scenes::FenceWatch watch{fence, made, dynamics};
-  constexpr double step = 2e-5, end = 0.045;
+  // The second watch resumes from what the first one saves behind the second rock's passage.
+  scenes::FenceWatch watch{fence, made, dynamics}, resumed{fence, made, dynamics};
+  MemoryItems saved;
+  constexpr double step = 2e-5, end = 0.045, stop = 0.03;
   const State start = first_state(made.scene);
   const RunEnd run = run_scene(made.scene, VelocityVerlet{}, {step, end, end, true}, findings,
-                               [&](const Snapshot& seen, const StepInfo& info) { watch(seen, info); });
-  const scenes::FenceSummary& summary = watch.summary();
+                               [&](const Snapshot& seen, const StepInfo& info) {
+                                 watch(seen, info);
+                                 if (!saved.empty()) return resumed(seen, info);
+                                 if (seen.state().t < stop) return;
+                                 Memory saving;
+                                 watch.remember(saving), saved = saving.items();
+                                 Memory loading{saved};
+                                 resumed.remember(loading);
+                               });
+  const scenes::FenceSummary &summary = watch.summary(), &later = resumed.summary();
+  findings.expect_true("the second rock's verdict in a summary resumed behind its passage",
+                       later.rocks[1].verdict == scenes::Verdict::passed_over &&
+                           later.rocks[1].passed_time == summary.rocks[1].passed_time,
+                       "the passage was before the stop");
+  double farthest = 0.0;
+  for (const scenes::ColumnRecord& column : summary.columns) {
+    const auto x = [&](const State& state) { return pose(made.scene.model, state, column.body).p_WB.x; };
+    farthest = std::max(farthest, std::abs(x(summary.at_travel) - x(start)));
+  }
+  findings.expect("largest travel of the columns in the state recorded for it", farthest, summary.travel,
+                  Tolerance::exact("the same difference of two numbers"), "ft");
   findings.expect_true("the second rock passes over the fence, from behind",
                        summary.rocks[1].verdict == scenes::Verdict::passed_over && !summary.rocks[1].touched,
                        "it flies 8 ft above the columns, against the first rock");
@@ -322,12 +349,37 @@ void check_summary(Findings& findings, const Setup& setup) {
                   norm(of_column + Vec2{0.0, on_column * end} - hanger) / norm(hanger), 0.0, sums(words));
 }
 
+/// A rock that hits the lower end of a column and passes below it: with hangers that hold, cannot break, and break.
+void check_verdicts(Findings& findings, const Setup& setup) {
+  const auto verdict_of = [&](double strength) {
+    scenes::Fence fence = two_sided_fence();
+    fence.connections = 1, fence.options.hanger_strength = strength;
+    fence.limit_top = 1e9;
+    fence.ground.position.y = -20.0, fence.rocks[0].position.y = -4.5;
+    const scenes::FenceScene made = scenes::fence_scene(fence);
+    const Dynamics dynamics{made.scene.model};
+    scenes::FenceWatch watch{fence, made, dynamics};
+    (void)run_scene(made.scene, VelocityVerlet{}, {2e-5, 0.1, 0.1, false}, findings,
+                    [&](const Snapshot& seen, const StepInfo& info) { watch(seen, info); });
+    const scenes::RockPassage& rock = watch.summary().rocks[0];
+    return rock.touched ? rock.verdict : scenes::Verdict::undecided;
+  };
+  using scenes::Verdict;
+  findings.expect_true("a rock that hits the lower end of a column passes under the fence",
+                       verdict_of(0.0) == Verdict::passed_under && verdict_of(1e9) == Verdict::passed_under,
+                       "the cable has no limit that is reached, and the hangers none or one of 1e9 lb");
+  findings.expect_true("the same rock with hangers of 1.2 times a column's weight breaks through",
+                       verdict_of(setup.has("hangers_hold") ? 1e9 : 580.0) == Verdict::broke_through,
+                       "the struck column pulls at its hanger with more");
+}
+
 void run(Findings& findings, const Setup& setup) {
   if (setup.needs("mass")) check_carried_cables(findings, setup);
   if (setup.needs("phases")) check_short_yield(findings);
   if (setup.needs("cables") || setup.needs("next rock")) check_fence_cables(findings, setup);
   if (setup.needs("each rock")) check_two_rocks(findings, setup);
   if (setup.needs("anchors") || setup.needs("second rock")) check_summary(findings, setup);
+  if (setup.needs("rock with hangers")) check_verdicts(findings, setup);
 }
 
 }  // namespace
@@ -353,6 +405,8 @@ Case definition() {
                       "tangent stiffness of yielding cables over the fraction of Young's modulus, worst"},
                      {"denser_rock", "the second rock is denser by a thousandth",
                       "stiffness of each rock's contacts, worst relative error"},
+                     {"hangers_hold", "hangers that never break",
+                      "the same rock with hangers of 1.2 times a column's weight breaks through"},
                      {"one_anchor_alone", "the impulse on one anchor alone",
                       "momentum across the fence and impulse on the anchors"}},
           .run = run};

@@ -272,6 +272,76 @@ void check_mirrored_impact(Findings& findings, const Setup& setup) {
   }
 }
 
+/// A disc hits the side of a box at an angle to the slide on which the box moves: the impulse is (1 + e) u m_e with
+/// 1/m_e = 1/m + n_s^2/M, n_s the component of the normal along the slide.
+void check_slides(Findings& findings) {
+  constexpr double e = 0.6, m = 1.0, other = 1.75, angle = 0.6;
+  const Vec2 n{std::cos(angle), std::sin(angle)}, across{-n.y, n.x}, thrown = 2.0 * n + 0.5 * across;
+  for (const Mobility mobility : {Mobility::sliding_x, Mobility::sliding_y}) {
+    ModelBuilder builder;
+    const BodyId disc = builder.add(
+        Body{.name = "disc", .mobility = Mobility::particle, .mass = m, .shape = Circle{0.5}, .p_WB = -2.0 * n});
+    const BodyId box = builder.add(
+        Body{.name = "box", .mobility = mobility, .mass = other, .shape = Rectangle{0.6, 4.0}, .angle = angle});
+    LinearSpringDashpot law{300.0, 0.0, EndRule::clamped};
+    law.set_every_restitution(e);
+    builder.add(Contact{.name = "touch", .a = disc, .b = box, .law = law});
+    Scene scene{.title = "Impact on a slide", .model = builder.build()};
+    scene.initial = rest_state(scene.model);
+    set_velocity(scene.model, scene.initial, disc, thrown, 0.0);
+    const RunEnd run = run_scene(scene, make_integrator("stormer_cowell", 1e-12), {0.1, 1.5, 1.5, false}, findings);
+    const double along = mobility == Mobility::sliding_x ? n.x : n.y;
+    const double impulse = (1.0 + e) * dot(thrown, n) / (1.0 / m + along * along / other);
+    const Vec2 after = thrown - impulse / m * n;
+    expect_each(
+        findings, "speeds after an impact oblique to a slide, " + name_of_mobility(mobility), run.state.v,
+        {after.x, after.y, impulse * along / other},
+        Tolerance::truncation(1e-12 * 2.0, 3.0, "local errors below 1e-12 of the speed, a few in one direction"));
+  }
+}
+
+/// Equal discs hit a resting one at the same time from all around, each as if it were a wall: their impulses cancel on it.
+/// They touch from the start, so that all impacts begin in one evaluation.
+void check_ring(Findings& findings) {
+  constexpr double e = 0.6, m = 1.0, middle = 0.5, speed = 2.0, overlap = 1e-10;
+  for (const int count : {2, 12}) {
+    ModelBuilder builder;
+    const BodyId struck =
+        builder.add(Body{.name = "middle", .mobility = Mobility::particle, .mass = middle, .shape = Circle{3.0}});
+    LinearSpringDashpot law{300.0, 0.0, EndRule::clamped};
+    law.set_every_restitution(e);
+    std::vector<BodyId> ring;
+    std::vector<Vec2> out;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / count;
+      out.push_back({std::cos(angle), std::sin(angle)});
+      ring.push_back(builder.add(Body{.name = fmt::format("disc{}", i),
+                                      .mobility = Mobility::particle,
+                                      .mass = m,
+                                      .shape = Circle{0.5},
+                                      .p_WB = (3.5 - overlap) * out.back()}));
+      const bool first = i % 2 == 0;
+      builder.add(Contact{.name = fmt::format("touch{}", i),
+                          .a = first ? ring.back() : struck,
+                          .b = first ? struck : ring.back(),
+                          .law = law});
+    }
+    Scene scene{.title = "Discs from all around", .model = builder.build()};
+    scene.initial = rest_state(scene.model);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      set_velocity(scene.model, scene.initial, ring[i], -speed * out[i], 0.0);
+    const RunEnd run = run_scene(scene, make_integrator("stormer_cowell", 1e-12), {0.1, 1.0, 1.0, false}, findings);
+    std::vector<double> exact{0.0, 0.0};
+    for (const Vec2 direction : out)
+      exact.insert(exact.end(), {e * speed * direction.x, e * speed * direction.y});
+    expect_each(findings, fmt::format("speeds after {} impacts at one time on a disc between them", count), run.state.v,
+                exact,
+                Tolerance::model(2e-9,
+                                 "the overlap at the start: c of 5.6 takes 5.6e-10 less from the speed, and the "
+                                 "spring sqrt(k/m) of 17 times 1e-10 more, which ends as less than that"));
+  }
+}
+
 void run(Findings& findings, const Setup& setup) {
   std::vector<Mobility> mobilities;
   for (std::size_t i = 0; i < Names<Mobility>::list.size(); ++i)
@@ -289,6 +359,8 @@ void run(Findings& findings, const Setup& setup) {
   }
   if (setup.needs("difference quotients")) check_velocities(mobilities, findings, setup);
   if (setup.needs("stands for two")) check_mirrored_impact(findings, setup);
+  if (setup.needs("a slide")) check_slides(findings);
+  if (setup.needs("between them")) check_ring(findings);
 }
 
 }  // namespace

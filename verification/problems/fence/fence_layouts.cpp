@@ -1,0 +1,426 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/base/error.hpp"
+#include "solver/geometry/shape.hpp"
+#include "solver/integrate/affine_piece.hpp"
+#include "solver/scenes/fence_plausibility.hpp"
+#include "solver/scenes/fence_scene.hpp"
+#include "verification/check/case.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/fence_table.hpp"
+#include "verification/study/scene_run.hpp"
+
+namespace talus::verification::problems::fence_layouts {
+namespace {
+
+using scenes::EvenCentre;
+using scenes::FenceSymmetry;
+
+/// The fence of Table 2 by the methods of today.
+scenes::Fence fence_of_today() {
+  scenes::Fence fence = published_fence("table_2.DAT");
+  fence.options = scenes::current_options();
+  fence.options.integrator = "velocity_verlet";
+  fence.options.tolerance = 0.0;
+  return fence;
+}
+
+/// Third columns that are longer, heavier and hung elsewhere than the others.
+constexpr scenes::ChangedColumn third{3, 1.0, 4.6, 0.8, 7.3, -4.5};
+
+/// Mass of a solid cylinder of that half-width and half-height [M].
+double cylinder_mass(double a, double b, double density) { return 2.0 * std::numbers::pi * a * a * b * density; }
+double mass_of_others(const scenes::Fence& fence) {
+  return cylinder_mass(fence.column.a, fence.column.b, fence.column.density);
+}
+double mass_of_third() { return cylinder_mass(third.a, third.b, third.density); }
+
+struct Layout {
+  int columns{};
+  FenceSymmetry symmetry{};
+  EvenCentre centre{EvenCentre::pair};
+};
+
+/// Layouts in which every option of the construction is used: two layers, unlike columns, a bottom cable with an end.
+std::vector<scenes::Fence> fences(const Setup& setup) {
+  std::vector<scenes::Fence> all;
+  for (const Layout layout : {Layout{13, FenceSymmetry::half}, Layout{13, FenceSymmetry::full},
+                              Layout{12, FenceSymmetry::half, EvenCentre::doubled}, Layout{12, FenceSymmetry::half},
+                              Layout{12, FenceSymmetry::full, EvenCentre::doubled}}) {
+    for (const bool changed : {false, true}) {
+      scenes::Fence fence = fence_of_today();
+      fence.columns = layout.columns, fence.layers = 2;
+      fence.options.symmetry = layout.symmetry, fence.options.even_centre = layout.centre;
+      fence.options.bottom_end = scenes::BottomEnd::anchored;
+      if (changed) fence.changed_columns = {third};
+      if (setup.has("denser_third") && changed) fence.changed_columns[0].density *= 1.0 + 1e-6;
+      all.push_back(fence);
+    }
+  }
+  return all;
+}
+
+bool is_column(const Body& body) { return body.name.find("column") != std::string::npos; }
+bool is_third(const Body& body) { return body.name.ends_with("column3") || body.name.ends_with("column-3"); }
+bool is_top(const Cable& cable) { return cable.name.find("top") != std::string::npos; }
+double stiffness(const Cable& cable) { return std::get<ElasticPlastic>(cable.law).stiffness; }
+
+/// A cable between its ends in space, in a scene at rest.
+struct Segment {
+  Segment(const Model& model, const Cable& cable) {
+    const Vec3 a = reference_point(model, cable.a), b = reference_point(model, cable.b);
+    line = {b.x - a.x, b.y - a.y, b.z - a.z}, length = norm(line);
+    tension = std::max(0.0, stiffness(cable) * (length - cable.rest_length));
+  }
+  Vec3 line;         ///< from end A to end B [L]
+  double length{};   ///< [L]
+  double tension{};  ///< [F]
+};
+
+/// What the cables of a model pull up on one body of each name, and along the fence [F].
+struct Pulls {
+  std::vector<double> up, along;
+};
+Pulls pulls_of(const Model& model) {
+  Pulls pulls{std::vector<double>(model.bodies.size(), 0.0), std::vector<double>(model.bodies.size(), 0.0)};
+  for (const Cable& cable : model.cables) {
+    const Segment segment{model, cable};
+    for (const auto& [end, sign] : {std::pair{&cable.a, 1.0}, {&cable.b, -1.0}}) {
+      if (!end->body) continue;
+      const std::size_t body = index(*end->body);
+      const double share = static_cast<double>(cable.copies) / model.bodies[body].copies;
+      const double pull = sign * share * segment.tension / segment.length;
+      pulls.up[body] += pull * segment.line.y, pulls.along[body] += pull * segment.line.z;
+    }
+  }
+  return pulls;
+}
+
+// ---- how fences hang ----
+
+void check_hanging(Findings& findings, const Setup& setup) {
+  double balance = 0.0, sideways = 0.0, horizontal = 0.0, sag = 0.0, span = 0.0, slack = 0.0, mass = 0.0;
+  for (const scenes::Fence& fence : fences(setup)) {
+    const Model model = scenes::fence_scene(fence).scene.model;
+    const bool changed = !fence.changed_columns.empty();
+    const double usual = mass_of_others(fence), odd_one = changed ? mass_of_third() : usual;
+    const Pulls pulls = pulls_of(model);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+      const Body& body = model.bodies[i];
+      if (!is_column(body)) continue;
+      const double stands_for = static_cast<double>(body.copies) * body.mass / (is_third(body) ? odd_one : usual);
+      keep_worst(balance, pulls.up[i] / (body.mass * fence.gravity) - 1.0);
+      // The half model has the other side's pull as a mirror image only.
+      if (fence.options.symmetry == FenceSymmetry::full)
+        keep_worst(sideways, pulls.along[i] / (body.mass * fence.gravity));
+      sum += stands_for;
+    }
+    keep_worst(mass, sum / (fence.layers * fence.columns) - 1.0);
+    // Moments about an end of half the top cable: weights and the sag give the horizontal tension.
+    double moment = 0.0;
+    for (int i = 0; i < fence.columns; ++i) {
+      const double along = std::abs(i - 0.5 * (fence.columns - 1)) * fence.spacing;
+      const bool is_third_of_side = std::abs(along - (fence.columns % 2 == 0 ? 2.5 : 2.0) * fence.spacing) < 1e-9;
+      moment += 0.5 * (is_third_of_side ? odd_one : usual) * fence.gravity * (0.5 * fence.span - along);
+    }
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, farthest = 0.0;
+    for (const Cable& cable : model.cables) {
+      const Segment segment{model, cable};
+      if (!is_top(cable)) {
+        keep_worst(slack, cable.rest_length - segment.length - fence.slack);
+        continue;
+      }
+      keep_worst(horizontal, segment.tension * std::abs(segment.line.z) / segment.length / (moment / fence.sag) - 1.0);
+      for (const CableEnd& end : {cable.a, cable.b}) {
+        const Vec3 p = reference_point(model, end);
+        lowest = std::min(lowest, p.y), highest = std::max(highest, p.y), farthest = std::max(farthest, std::abs(p.z));
+      }
+    }
+    keep_worst(sag, highest - lowest - fence.sag), keep_worst(span, 2.0 * farthest - fence.span);
+  }
+  const Tolerance by_lengths = Tolerance::round_off(1e-8,
+                                                    "a tension of 2e4 lb is 9e6 lb/ft times a difference of lengths of "
+                                                    "2.5 to 12.5 ft: 1e-8 lb, of weights of 480 lb; "
+                                                    "a hundred of these");
+  findings.expect("pulls on columns of every layout over their weight, worst", balance, 0.0, by_lengths);
+  findings.expect("pulls along the fence on columns of full layouts over their weight, worst", sideways, 0.0,
+                  by_lengths);
+  findings.expect("horizontal tension of every segment over that by moments, worst", horizontal, 0.0, by_lengths);
+  const Tolerance lengths = Tolerance::round_off(1e-13, "sums of up to seven lengths of 55 ft");
+  findings.expect("sag of the top cables less the given one, worst", sag, 0.0, lengths, "ft");
+  findings.expect("span of the top cables less the given one, worst", span, 0.0, lengths, "ft");
+  findings.expect("slack of the bottom cables less the given one, worst", slack, 0.0, lengths, "ft");
+  findings.expect("number of columns by their masses over the given one, worst", mass, 0.0,
+                  Tolerance::round_off(1e-14, "sums of up to 26 quotients"));
+}
+
+/// Stretched cables hang as low wherever the fence is.
+void check_raised(Findings& findings) {
+  constexpr double raised = 100.0;  // [ft]
+  const auto made = [](double by) {
+    scenes::Fence fence = fence_of_today();
+    fence.stretched_cables = {{"top1", 0.004}, {"top2", 0.012}};
+    fence.column.position.y += by;
+    return scenes::fence_scene(fence).scene.model;
+  };
+  const Model low = made(0.0), high = made(raised);
+  double apart = 0.0;
+  for (std::size_t i = 0; i < low.bodies.size(); ++i)
+    if (is_column(low.bodies[i])) keep_worst(apart, high.bodies[i].p_WB.y - raised - low.bodies[i].p_WB.y);
+  findings.expect("columns on stretched cables, of a fence raised by 100 ft, less 100 ft, worst", apart, 0.0,
+                  Tolerance::round_off(1e-9,
+                                       "Newton's method ends at 1e-9 of a weight of 480 lb; the segments hold a column "
+                                       "with some 2 T/l = 2e4 lb/ft, seven of them in a row with a thirtieth of it"),
+                  "ft");
+}
+
+/// Springs of the linearization that act on a column along y, for one of its mass, against two segments in space.
+void check_linearization(Findings& findings) {
+  double worst = 0.0;
+  for (const FenceSymmetry symmetry : {FenceSymmetry::half, FenceSymmetry::full}) {
+    scenes::Fence fence = fence_of_today();
+    fence.options.symmetry = symmetry;
+    fence.rocks[0].position.x += 1.0;  // it touches nothing
+    const Model model = scenes::fence_scene(fence).scene.model;
+    const Dynamics dynamics{model};
+    Workspace work = dynamics.workspace();
+    State state = rest_state(model);
+    dynamics.update(state, work), dynamics.settle(state, work);
+    AffinePiece piece;
+    dynamics.linearization(state, work, piece);
+    for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+      const Body& body = model.bodies[i];
+      if (!is_column(body)) continue;
+      double exact = 0.0, found = 0.0;
+      for (const Cable& cable : model.cables) {
+        if (!is_top(cable)) continue;
+        const Segment segment{model, cable};
+        const double sine = segment.line.y / segment.length;
+        // Of the half model's central column the second segment is the mirror image of the first.
+        const double both = symmetry == FenceSymmetry::half && body.name == "column1" ? 2.0 : 1.0;
+        for (const CableEnd& end : {cable.a, cable.b})
+          if (end.body && index(*end.body) == i) exact += both * stiffness(cable) * sine * sine / body.mass;
+      }
+      const std::size_t y = dynamics.layout().first[i] + 1;
+      for (const AffinePiece::Term& term : piece.terms)
+        if (term.row == y && term.column == y) found += term.stiffness;
+      keep_worst(worst, found / exact - 1.0);
+    }
+  }
+  findings.expect("stiffness of segments on each column in the linearization, half and full, worst relative error",
+                  worst, 0.0,
+                  Tolerance::round_off(1e-9,
+                                       "the slope of the law is a difference over 1e-6 of the elongation, which "
+                                       "makes 1e-10 of a rounding of 1e-16"));
+}
+
+// ---- hangers, starts, contacts ----
+
+/// Each column hangs by one hanger at its top joint; the heaviest one decides which strength is enough.
+void check_hangers(Findings& findings) {
+  scenes::Fence fence = fence_of_today();
+  fence.changed_columns = {third};
+  double missing = 0.0;
+  for (const FenceSymmetry symmetry : {FenceSymmetry::half, FenceSymmetry::full}) {
+    fence.options.symmetry = symmetry, fence.options.hanger_strength = 1e9;
+    const scenes::FenceScene made = scenes::fence_scene(fence);
+    const Model& model = made.scene.model;
+    for (const scenes::FenceMember& member : made.members) {
+      if (!member.body || member.layer == 0) continue;
+      const Body& body = model.bodies[index(*member.body)];
+      const bool right = member.hanger && model.hangers[index(*member.hanger)].body == *member.body &&
+                         model.hangers[index(*member.hanger)].p.y == (is_third(body) ? third.y_top : fence.y_top);
+      missing += right ? 0.0 : 1.0;
+    }
+    missing += model.hangers.size() == (symmetry == FenceSymmetry::half ? 7 : 13) ? 0.0 : 1.0;
+  }
+  findings.expect("columns without their hanger at the top joint", missing, 0.0, Tolerance::exact("a count"));
+  fence.options.symmetry = FenceSymmetry::half;
+  const auto error = [&](double share) -> std::string {
+    fence.options.hanger_strength = share * mass_of_third() * fence.gravity;
+    try {
+      (void)scenes::fence_scene(fence);
+    } catch (const InputError& found) {
+      return found.what();
+    }
+    return "";
+  };
+  findings.expect_true("hangers of .999 of the heaviest column's weight: the error names it",
+                       error(0.999).find("'hanger3'") != std::string::npos,
+                       "the others carry two thirds of that weight");
+  findings.expect_true("hangers of 1.001 of the heaviest column's weight are enough", error(1.001).empty(),
+                       "each hanger carries its column's weight");
+}
+
+/// Columns that move at the start, and what sleeps after three steps.
+void check_start(Findings& findings, const Setup& setup) {
+  scenes::Fence fence = fence_of_today();
+  fence.options.symmetry = FenceSymmetry::full, fence.layers = 2;
+  scenes::Fence moving = fence;
+  moving.column.velocity = {1.5, -0.25};
+  double velocity = 0.0;
+  const scenes::FenceScene made = scenes::fence_scene(moving);
+  for (std::size_t i = 0; i < made.scene.model.bodies.size(); ++i) {
+    if (!is_column(made.scene.model.bodies[i])) continue;
+    const Pose at = pose(made.scene.model, made.scene.initial, static_cast<BodyId>(i));
+    keep_worst(velocity, norm(at.v_WB - moving.column.velocity)), keep_worst(velocity, at.w_WB);
+  }
+  findings.expect("velocities of columns at the start less the given one, worst", velocity, 0.0,
+                  Tolerance::exact("numbers handed on"), "ft/s");
+  constexpr int steps = 3;
+  const scenes::FenceScene still = scenes::fence_scene(fence);
+  const RunEnd run = run_steps(still.scene, VelocityVerlet{}, 1e-5, setup.has("late_look") ? 10 : steps, findings);
+  const talus::Layout layout{still.scene.model};
+  const auto awake = std::count(run.state.mode.begin() + static_cast<std::ptrdiff_t>(layout.first_sleeper),
+                                run.state.mode.end(), Mode{1});
+  findings.expect("columns awake after three steps", static_cast<double>(awake), 1.0 + 2.0 * steps,
+                  Tolerance::exact("the rock touches the central one; in each step the motion reaches one more on "
+                                   "either side"));
+}
+
+double dashpot(const Model& model, const std::string& name) {
+  return std::get<LinearSpringDashpot>(model.contacts[index(*find_contact(model, name))].law).damping;
+}
+
+/// What a rock that hits a column at the rock's height feels of both [M].
+double felt_mass(const scenes::Fence& fence, const Model& model, const std::string& column) {
+  const double a = fence.column.a, b = fence.column.b, mass = mass_of_others(fence);
+  const double arm = fence.rocks[0].position.y - model.bodies[index(*find_body(model, column))].p_WB.y;
+  const double rock = model.bodies[index(*find_body(model, "rock1"))].mass;
+  return 1.0 / (1.0 / rock + 1.0 / mass + arm * arm / (mass * (3.0 * a * a + 4.0 * b * b) / 12.0));
+}
+
+/// Rocks that hit the third columns of both sides and the central one at one height.
+void check_sides(Findings& findings, const Setup& setup) {
+  scenes::Fence fence = fence_of_today();
+  fence.options.symmetry = FenceSymmetry::full, fence.options.contact = scenes::FenceContact::nodes;
+  fence.layers = 2;
+  fence.rocks[0].along = 2.0 * fence.spacing, fence.rocks[0].position.y = 1.7;
+  fence.rocks.push_back(fence.rocks[0]);
+  fence.rocks[1].along *= -1.0;
+  fence.rocks.push_back(fence.rocks[0]);
+  fence.rocks[2].along = 0.0;
+  if (setup.has("one_rock_higher")) fence.rocks[1].position.y += 0.01;
+  const Model model = scenes::fence_scene(fence).scene.model;
+  double apart = 0.0;
+  for (const char* const column : {"column", "back_column"})
+    keep_worst(
+        apart,
+        dashpot(model, fmt::format("rock2-{}-3", column)) / dashpot(model, fmt::format("rock1-{}3", column)) - 1.0);
+  findings.expect("dashpots of two rocks on the two sides of the fence, worst difference", apart, 0.0,
+                  Tolerance::exact("the same numbers on either side"));
+  const double ratio = dashpot(model, "rock1-column3") / dashpot(model, "rock3-column1");
+  findings.expect("square of the ratio of dashpots, third column over central one, over that of the masses felt",
+                  ratio * ratio * felt_mass(fence, model, "column1") / felt_mass(fence, model, "column3"), 1.0,
+                  Tolerance::round_off(1e-14, "two dozen operations: c = 2 xi sqrt(k m) with the same k and xi"));
+}
+
+/// Rock and ground: outlines by a power, and ground that is not level.
+void check_outlines(Findings& findings) {
+  scenes::Fence fence = fence_of_today();
+  scenes::FenceElement& rock = fence.rocks[0];
+  rock.power = 1.0;
+  const auto outline = [&](scenes::FenceContact contact) {
+    fence.options.contact = contact;
+    const Model model = scenes::fence_scene(fence).scene.model;
+    return model.bodies[index(*find_body(model, "rock"))].shape;
+  };
+  // The nodes of 1993: at the middles of twelve equal angles.
+  const std::vector<Vec2> nodes = boundary_nodes(outline(scenes::FenceContact::nodes), 12);
+  double apart = nodes.size() == 12 ? 0.0 : std::nan("");
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double angle = (static_cast<double>(i) + 0.5) * std::numbers::pi / 6.0;
+    keep_worst(apart, norm(nodes[i] - rock.a * Vec2{std::cos(angle), std::sin(angle)}) / rock.a);
+  }
+  findings.expect("nodes of a round outline by its power, from the middles of twelve equal angles", apart, 0.0,
+                  Tolerance::round_off(1e-15, "a sine or cosine, a product, the root of a square"));
+  findings.expect_true("a round outline by its power is a circle where one force acts for a pair",
+                       std::holds_alternative<Circle>(outline(scenes::FenceContact::resultant)),
+                       "whose gaps are closed forms");
+  fence.ground.angle = 0.3;  // of the level surface, in whose place the profile is
+  fence.ground_profile = {{-50.0, -6.0}, {50.0, -2.0}};
+  fence.options.contact = scenes::FenceContact::resultant;
+  const Scene scene = scenes::fence_scene(fence).scene;
+  Probe probe{scene.model};
+  probe.evaluate(first_state(scene));
+  const double slope = 4.0 / 100.0, over = rock.position.y - (-4.0 + slope * rock.position.x);
+  findings.expect("distance of the rock from ground along a line in the world",
+                  -probe.overlap(index(*find_contact(scene.model, "rock-ground"))),
+                  over / std::hypot(1.0, slope) - rock.a,
+                  Tolerance::round_off(1e-14, "a dozen operations on lengths of 50 ft"), "ft");
+}
+
+// ---- warnings ----
+
+void check_warnings(Findings& findings) {
+  const scenes::Fence fence = fence_of_today();
+  const auto geometry = [](const scenes::Fence& of) {
+    return scenes::implausible_geometry(of, scenes::fence_scene(of));
+  };
+  scenes::Fence deep = fence;
+  deep.sag = 1.001 * deep.span;
+  const auto only = [](const std::vector<std::string>& found, const char* text) {
+    return found.size() == 1 && found[0].starts_with(text);
+  };
+  findings.expect("warnings of the fence of Table 2", static_cast<double>(geometry(fence).size()), 0.0,
+                  Tolerance::exact("nothing overlaps, and it hangs down by a tenth of its span"));
+  findings.expect_true("a fence that hangs down by more than its span gives one warning", only(geometry(deep), "sag: "),
+                       "only its sag is changed");
+  const auto motion = [&](double spans) {
+    scenes::FenceSummary summary;
+    summary.layers.resize(1);
+    summary.layers[0].top.start = 10.0;
+    summary.rocks.resize(1);
+    scenes::RockPassage& rock = summary.rocks[0];
+    rock.name = "rock", rock.touched = true, rock.highest = 5.0, rock.distance = spans * fence.span;
+    return scenes::implausible_motion(fence, summary);
+  };
+  findings.expect("warnings of a rock 4.999 spans from the fence", static_cast<double>(motion(4.999).size()), 0.0,
+                  Tolerance::exact("five spans are where warnings begin"));
+  findings.expect_true("a rock 5.001 spans from the fence gives one warning", only(motion(5.001), "'rock' is 275.1 ft"),
+                       "five spans of 55 ft are 275 ft");
+}
+
+void run(Findings& findings, const Setup& setup) {
+  check_hanging(findings, setup);
+  check_raised(findings);
+  check_linearization(findings);
+  check_hangers(findings);
+  check_start(findings, setup);
+  check_sides(findings, setup);
+  check_outlines(findings);
+  check_warnings(findings);
+}
+
+}  // namespace
+
+Case definition() {
+  return {
+      .id = "fence_layouts",
+      .title = "Fences of every layout",
+      .family = "the fence",
+      .requirements = {{"Eq. 14", {"horizontal tension of every segment over that by moments, worst"}}},
+      .main_checks = {"pulls on columns of every layout over their weight, worst",
+                      "number of columns by their masses over the given one, worst",
+                      "slack of the bottom cables less the given one, worst",
+                      "dashpots of two rocks on the two sides of the fence, worst difference"},
+      .source = "Mustoe & Huttelmaier 1993, sections 2.4, 3.1 and 3.5",
+      .faults = {{"denser_third", "changed columns that are denser by a millionth",
+                  "number of columns by their masses over the given one, worst"},
+                 {"one_rock_higher", "of two rocks one hits higher by a hundredth of a foot",
+                  "dashpots of two rocks on the two sides of the fence, worst difference"},
+                 {"late_look", "columns counted after ten steps in place of three", "columns awake after three steps"}},
+      .run = run};
+}
+
+}  // namespace talus::verification::problems::fence_layouts
