@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <span>
 
-#include "solver/base/memory.hpp"
 #include "solver/run/failure_log.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "verification/check/case.hpp"
+#include "verification/problems/fence/watched_summary.hpp"
 #include "verification/reference/cable_draw.hpp"
 #include "verification/study/cable_scenes.hpp"
 #include "verification/study/expectations.hpp"
@@ -285,26 +286,17 @@ void check_summary(Findings& findings, const Setup& setup) {
   fence.rocks.push_back(other);
   const scenes::FenceScene made = scenes::fence_scene(fence);
   const Dynamics dynamics{made.scene.model};
-  // The second watch resumes from what the first one saves behind the second rock's passage.
-  scenes::FenceWatch watch{fence, made, dynamics}, resumed{fence, made, dynamics};
-  MemoryItems saved;
-  constexpr double step = 2e-5, end = 0.045, stop = 0.03;
+  WatchedSummary watch{fence, made, dynamics, 0.03};  // resumed behind the second rock's passage
+  constexpr double step = 2e-5, end = 0.045;
   const State start = first_state(made.scene);
-  const RunEnd run = run_scene(made.scene, VelocityVerlet{}, {step, end, end, true}, findings,
-                               [&](const Snapshot& seen, const StepInfo& info) {
-                                 watch(seen, info);
-                                 if (!saved.empty()) return resumed(seen, info);
-                                 if (seen.state().t < stop) return;
-                                 Memory saving;
-                                 watch.remember(saving), saved = saving.items();
-                                 Memory loading{saved};
-                                 resumed.remember(loading);
-                               });
-  const scenes::FenceSummary &summary = watch.summary(), &later = resumed.summary();
+  const RunEnd run = run_scene(made.scene, VelocityVerlet{}, {step, end, end, true}, findings, std::ref(watch));
+  const scenes::FenceSummary &summary = watch.summary(), &later = watch.resumed();
   findings.expect_true("the second rock's verdict in a summary resumed behind its passage",
                        later.rocks[1].verdict == scenes::Verdict::passed_over &&
                            later.rocks[1].passed_time == summary.rocks[1].passed_time,
                        "the passage was before the stop");
+  findings.expect("numbers of that summary that differ from those of the one that watched on",
+                  watch.resumed_differences(), 0.0, Tolerance::exact("what is carried on is saved to the last bit"));
   double farthest = 0.0;
   for (const scenes::ColumnRecord& column : summary.columns) {
     const auto x = [&](const State& state) { return pose(made.scene.model, state, column.body).p_WB.x; };
@@ -349,28 +341,62 @@ void check_summary(Findings& findings, const Setup& setup) {
                   norm(of_column + Vec2{0.0, on_column * end} - hanger) / norm(hanger), 0.0, sums(words));
 }
 
-/// A rock that hits the lower end of a column and passes below it: with hangers that hold, cannot break, and break.
+/// A rock that hits the lower end of a column and passes below it: with hangers that hold, cannot break, and break. The
+/// ground slopes, and the third columns hang otherwise.
 void check_verdicts(Findings& findings, const Setup& setup) {
-  const auto verdict_of = [&](double strength) {
+  using scenes::Verdict;
+  double resumed = 0.0, heights = 0.0, tensions = 0.0;
+  constexpr double step = 2e-5;
+  double touch = 0.0, limits = 0.0;
+  const auto verdict_of = [&](double strength, int connections, double stop) {
     scenes::Fence fence = two_sided_fence();
-    fence.connections = 1, fence.options.hanger_strength = strength;
-    fence.limit_top = 1e9;
-    fence.ground.position.y = -20.0, fence.rocks[0].position.y = -4.5;
+    fence.connections = connections, fence.options.hanger_strength = strength;
+    fence.limit_top = fence.limit_bottom = 1e9, fence.options.strength_top = 5e8;
+    fence.ground.position = {1.0, -20.0}, fence.ground.angle = 0.03, fence.rocks[0].position.y = -4.5;
+    fence.changed_columns = {
+        {7, fence.column.a, fence.column.b, fence.column.density, fence.y_top - 0.3, fence.y_bottom + 0.4}};
     const scenes::FenceScene made = scenes::fence_scene(fence);
     const Dynamics dynamics{made.scene.model};
-    scenes::FenceWatch watch{fence, made, dynamics};
-    (void)run_scene(made.scene, VelocityVerlet{}, {2e-5, 0.1, 0.1, false}, findings,
-                    [&](const Snapshot& seen, const StepInfo& info) { watch(seen, info); });
+    WatchedSummary watch{fence, made, dynamics, stop};
+    (void)run_scene(made.scene, VelocityVerlet{}, {step, 0.1, 0.01, false}, findings, std::ref(watch));
+    resumed += watch.resumed_differences();
+    keep_worst(heights, watch.height_error()), keep_worst(tensions, watch.tension_error());
+    for (const scenes::SegmentRecord& segment : watch.summary().segments)
+      keep_worst(limits, segment.limit - (segment.top ? 5e8 : 1e9));
     const scenes::RockPassage& rock = watch.summary().rocks[0];
-    return rock.touched ? rock.verdict : scenes::Verdict::undecided;
+    touch = rock.touch_time;
+    return rock.touched ? rock.verdict : Verdict::undecided;
   };
-  using scenes::Verdict;
-  findings.expect_true("a rock that hits the lower end of a column passes under the fence",
-                       verdict_of(0.0) == Verdict::passed_under && verdict_of(1e9) == Verdict::passed_under,
-                       "the cable has no limit that is reached, and the hangers none or one of 1e9 lb");
   findings.expect_true("the same rock with hangers of 1.2 times a column's weight breaks through",
-                       verdict_of(setup.has("hangers_hold") ? 1e9 : 580.0) == Verdict::broke_through,
+                       verdict_of(setup.has("hangers_hold") ? 1e9 : 580.0, 2, 0.02) == Verdict::broke_through,
                        "the struck column pulls at its hanger with more");
+  // Resumed at the step before the touch, and while the rock pushes the column on.
+  const double before = touch - 1.5 * step, within = touch + 5.0 * step;
+  findings.expect_true(
+      "a rock that hits the lower end of a column passes under the fence",
+      verdict_of(0.0, 2, before) == Verdict::passed_under && verdict_of(1e9, 1, within) == Verdict::passed_under,
+      "the cables have no limit that is reached, and the hangers none or one of 1e9 lb");
+  // A light rock that flies back: resumed between its turn and its exit.
+  scenes::Fence fence = two_sided_fence();
+  fence.rocks[0].density *= 0.05;
+  const scenes::FenceScene made = scenes::fence_scene(fence);
+  const Dynamics dynamics{made.scene.model};
+  WatchedSummary watch{fence, made, dynamics, 1.6e-3};
+  (void)run_scene(made.scene, VelocityVerlet{}, {step, 5e-3, 1e-3, false}, findings, std::ref(watch));
+  resumed += watch.resumed_differences();
+  const scenes::RockPassage& light = watch.summary().rocks[0];
+  findings.expect_true("a light rock is stopped, turns before the resumed part and leaves after it",
+                       light.verdict == Verdict::stopped && light.turned && light.braking_time < 1.6e-3 && light.left &&
+                           light.exit_time > 1.6e-3,
+                       "of the contact, pi .06 ft/65 ft/s = 2.9 ms without a dashpot, a little more than a third");
+  findings.expect("tensions at which cables yield or break, worst error", limits, 0.0,
+                  Tolerance::exact("the smaller of two numbers"), "lb");
+  findings.expect("numbers of a resumed summary that differ from those of one that watched on", resumed, 0.0,
+                  Tolerance::exact("what is carried on is saved to the last bit"));
+  findings.expect("heights of the lowest top joint, the highest bottom joint and the rock, worst error", heights, 0.0,
+                  Tolerance::round_off(1e-13, "a dozen operations on lengths of 25 ft"), "ft");
+  findings.expect("largest tensions of top and bottom cable in the rows of the history, worst error", tensions, 0.0,
+                  Tolerance::exact("the same tensions"), "lb");
 }
 
 void run(Findings& findings, const Setup& setup) {

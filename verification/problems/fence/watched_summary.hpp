@@ -1,0 +1,40 @@
+#pragma once
+
+#include "solver/base/memory.hpp"
+#include "solver/scenes/fence_summary.hpp"
+
+/// A fence's summary beside what it should say, for the case `second_rock`.
+namespace talus::verification::problems {
+
+/// Observes a run of a fence with one layer: its summary, a second one that is resumed on the way, and heights, taken
+/// here from poses.
+class WatchedSummary {
+ public:
+  /// The second summary is resumed at the first step from `stop` [T] on. All other arguments must outlive it.
+  WatchedSummary(const scenes::Fence& fence, const scenes::FenceScene& made, const Dynamics& dynamics, double stop);
+
+  void operator()(const Snapshot& seen, const StepInfo& info);
+
+  [[nodiscard]] const scenes::FenceSummary& summary() const { return watch_.summary(); }
+  [[nodiscard]] const scenes::FenceSummary& resumed() const { return resumed_.summary(); }
+  /// Numbers of the resumed summary and its history that differ from those of the first one; NaN if none was resumed.
+  [[nodiscard]] double resumed_differences() const;
+  /// Worst error of the layer's heights and the times of their extremes, and of the first rock's largest height and its
+  /// distance from the fence [L or T].
+  [[nodiscard]] double height_error() const;
+  /// Worst error of the largest tensions in the history's rows [F].
+  [[nodiscard]] double tension_error() const { return tension_error_; }
+
+ private:
+  void take_heights(const Snapshot& seen);
+
+  const scenes::Fence* fence_;
+  const Model* model_;
+  scenes::FenceWatch watch_, resumed_;
+  double stop_{}, tension_error_{}, at_resume_{}, rock_height_{}, rock_distance_{};
+  MemoryItems saved_;
+  scenes::LayerRecord heights_;
+  bool begun_{false};
+};
+
+}  // namespace talus::verification::problems
