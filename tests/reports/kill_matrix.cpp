@@ -102,13 +102,25 @@ BOOST_AUTO_TEST_CASE(wilsons_interval) {
   BOOST_TEST(wilson(0, 0).high == 1.0);
 }
 
+BOOST_AUTO_TEST_CASE(what_was_not_tried_to_the_end_does_not_count) {
+  Mutants stopped = some();
+  stopped.mutants[3].status = MutantStatus::pending;
+  const std::string text = mutants_text(stopped, {}, true);
+  BOOST_TEST(text.find("3 of 3 generated mutants were killed: 100.0 %") != std::string::npos);
+  BOOST_TEST(text.find("1 mutants and bugs were not tried to the end, and do not count.") != std::string::npos);
+  const auto rows = [](const Mutants& of) { return mutants_figures(of)[0].y.max; };
+  BOOST_TEST(*rows(stopped) == *rows(some()) - 1.0);
+}
+
 BOOST_AUTO_TEST_CASE(the_chapter_names_survivors_and_bugs) {
   const std::string text = mutants_text(some(), {}, true);
   const auto holds = [&](const char* part) { return text.find(part) != std::string::npos; };
   BOOST_TEST(holds("3 of 4 generated mutants were killed: 75.0 %"));
   BOOST_TEST(holds("## Survivors"));
-  BOOST_TEST(holds("`a + b` -> `a - b`"));
+  BOOST_TEST(holds("factor: `a + b`\\\n  becomes `a - b`\n"));
   BOOST_TEST(holds("Of 1 bugs written by hand 1 were killed"));
+  BOOST_TEST(holds("| solver/laws/hertz.hpp | 3 | 1 | 0 | 1 | 75.0 % |"));
+  BOOST_TEST(!holds("not tried to the end"));
   const auto figures = mutants_figures(some());
   BOOST_REQUIRE(figures.size() == 3u);
   BOOST_TEST(figures[1].series[0].y.back() == 75.0);
