@@ -141,9 +141,11 @@ void expect_losses(Findings& findings, const Setup& setup, const std::string& en
   Discs discs;
   for (std::size_t i = 0; i < 2; ++i)
     shapes.add(radii[i], 1.0 / masses[i]);
-  discs.add(0.0, 0.0, 0.3, 0.4), discs.add(0.72, 0.561, -1.1, -0.7);
+  // Across both borders of the box.
+  const PeriodicBox box{.width = 5.0, .height = 3.0};
+  discs.add(2.3, 1.3, 0.3, 0.4), discs.add(3.02 - box.width, 1.861 - box.height, -1.1, -0.7);
   discs.spin = {3.0, -2.0};
-  System system{shapes, {}, law, skin, friction};
+  System system{shapes, box, law, skin, friction};
   if constexpr (requires { system.keep_work(); }) system.keep_work();
   system.begin(discs);
   const auto energy = [&] {
@@ -162,7 +164,8 @@ void expect_losses(Findings& findings, const Setup& setup, const std::string& en
   for (long n = 0; n < 2 * per_contact; ++n) {
     system.kick(discs, h), system.drift(discs, h);
     system.for_each_contact(discs, [&](const DiscContact& contact) {
-      const double dx = discs.x[1] - discs.x[0], dy = discs.y[1] - discs.y[0], distance = std::hypot(dx, dy);
+      const double dx = std::remainder(discs.x[1] - discs.x[0], box.width);
+      const double dy = std::remainder(discs.y[1] - discs.y[0], box.height), distance = std::hypot(dx, dy);
       const double approach = -((discs.vx[1] - discs.vx[0]) * dx + (discs.vy[1] - discs.vy[0]) * dy) / distance;
       const double depth = radii[0] + radii[1] - distance;
       const double force = std::max(0.0, law.stiffness * depth + law.damping * approach);
