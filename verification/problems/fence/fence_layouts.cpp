@@ -10,22 +10,17 @@
 #include <vector>
 
 #include "solver/base/error.hpp"
-#include "solver/geometry/shape.hpp"
 #include "solver/integrate/affine_piece.hpp"
-#include "solver/scenes/fence_plausibility.hpp"
 #include "solver/scenes/fence_scene.hpp"
+#include "solver/scenes/fence_summary.hpp"
 #include "verification/check/case.hpp"
+#include "verification/problems/fence/fence_layouts.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/fence_table.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems::fence_layouts {
-namespace {
 
-using scenes::EvenCentre;
-using scenes::FenceSymmetry;
-
-/// The fence of Table 2 by the methods of today.
 scenes::Fence fence_of_today() {
   scenes::Fence fence = published_fence("table_2.DAT");
   fence.options = scenes::current_options();
@@ -34,8 +29,10 @@ scenes::Fence fence_of_today() {
   return fence;
 }
 
-/// A column that is longer, heavier and hung elsewhere than the others; its place is given where it is used.
-constexpr scenes::ChangedColumn unlike{3, 1.0, 4.6, 0.8, 7.3, -4.5};
+namespace {
+
+using scenes::EvenCentre;
+using scenes::FenceSymmetry;
 
 /// Mass of a solid cylinder of that half-width and half-height [M].
 double cylinder_mass(double a, double b, double density) { return 2.0 * std::numbers::pi * a * a * b * density; }
@@ -205,6 +202,31 @@ void check_raised(Findings& findings) {
                   "ft");
 }
 
+/// Cables so much longer than the first ones that the columns hang many sags lower. Nothing but the first guess can come
+/// there: Newton's method moves them by a tenth of the sag at a time, a hundred times.
+void check_long_cables(Findings& findings) {
+  scenes::Fence fence = fence_of_today();
+  fence.layers = 2, fence.connections = 1;
+  fence.sag = 0.1, fence.limit_top = 1e9;
+  for (const char* const layer : {"", "back_"})
+    for (int i = 1; i <= 7; ++i)
+      fence.stretched_cables.push_back({fmt::format("{}top{}", layer, i), 0.4 + 0.05 * i});
+  const Model model = scenes::fence_scene(fence).scene.model;
+  const Pulls pulls = pulls_of(model);
+  double balance = 0.0, highest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+    if (!is_column(model.bodies[i])) continue;
+    keep_worst(balance, pulls.up[i] / (model.bodies[i].mass * fence.gravity) - 1.0);
+    if (model.bodies[i].name.ends_with("column1")) highest = std::max(highest, model.bodies[i].p_WB.y);
+  }
+  findings.expect("pulls on columns over their weight, hung on cables longer by 4 ft in a half, worst", balance, 0.0,
+                  Tolerance::round_off(1e-8,
+                                       "as of every layout: the tension of 1e4 lb or less is 9e6 lb/ft times a "
+                                       "difference of lengths"));
+  findings.expect_true("central columns of both layers hang more than ten sags lower",
+                       highest < fence.column.position.y - 10.0 * fence.sag, "half of a cable is 31 ft on 27.5 ft");
+}
+
 /// Springs of the linearization that act on a column along y, for one of its mass, against two segments in space.
 void check_linearization(Findings& findings) {
   double worst = 0.0;
@@ -298,6 +320,24 @@ void check_hangers(Findings& findings) {
     }
     missing += model.hangers.size() == (symmetry == FenceSymmetry::half ? 7 : 13) ? 0.0 : 1.0;
   }
+  // Strengths that differ, and a single hanger: each column's record has the strength of its hanger.
+  double limits = 0.0;
+  for (const int columns : {13, 1}) {
+    fence.columns = columns, fence.changed_columns.clear();
+    scenes::FenceScene made = scenes::fence_scene(fence);
+    for (std::size_t i = 0; i < made.scene.model.hangers.size(); ++i)
+      made.scene.model.hangers[i].strength = 1e5 * static_cast<double>(i + 1);
+    const Dynamics dynamics{made.scene.model};
+    const scenes::FenceWatch watch{fence, made, dynamics};
+    double listed = 0.0;
+    for (const scenes::ColumnRecord& column : watch.summary().columns)
+      for (const Hanger& hanger : made.scene.model.hangers)
+        if (hanger.body == column.body) listed += 1.0, keep_worst(limits, column.limit / hanger.strength - 1.0);
+    if (listed != columns) limits = std::nan("");
+  }
+  findings.expect("strength of its hanger in the record of each column, worst relative error", limits, 0.0,
+                  Tolerance::exact("numbers handed on"));
+  fence = fence_of_today(), fence.changed_columns = {unlike};
   findings.expect("columns without their hanger at the top joint", missing, 0.0, Tolerance::exact("a count"));
   fence.options.symmetry = FenceSymmetry::half;
   const auto error = [&](double share) -> std::string {
@@ -316,6 +356,36 @@ void check_hangers(Findings& findings) {
                        "each hanger carries its column's weight");
 }
 
+/// Constant forces and a moment of elements, beside the weight and the cables' balance.
+void check_given_forces(Findings& findings, scenes::Fence fence) {
+  fence.rocks[0].position.x += 1.0;  // it touches nothing
+  fence.rocks[0].force = {120.0, -40.0}, fence.rocks[0].moment = 15.0;
+  fence.column.force = {30.0, -20.0};
+  const Scene scene = scenes::fence_scene(fence).scene;
+  const Dynamics dynamics{scene.model};
+  State state = first_state(scene);
+  Workspace work = dynamics.workspace();
+  Rates rates{state};
+  dynamics.evaluate(state, work, rates, false);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < scene.model.bodies.size(); ++i) {
+    const Body& body = scene.model.bodies[i];
+    const std::size_t first = dynamics.layout().first[i];
+    if (is_column(body)) {
+      const double mass = mass_of_others(fence);
+      keep_worst(worst, (mass * rates.v[first] - 30.0) / 20.0),
+          keep_worst(worst, (mass * rates.v[first + 1] + 20.0) / 20.0);
+    } else if (body.name == "rock") {
+      const double a = fence.rocks[0].a, mass = 4.0 / 3.0 * std::numbers::pi * a * a * a * fence.rocks[0].density;
+      keep_worst(worst, (mass * rates.v[first] - 120.0) / 20.0);
+      keep_worst(worst, (mass * (rates.v[first + 1] + fence.gravity) + 40.0) / 20.0);
+      keep_worst(worst, (0.4 * mass * a * a * rates.v[first + 2] - 15.0) / 20.0);
+    }
+  }
+  findings.expect("accelerations at the start by the forces and the moment given, worst error over 20 lb", worst, 0.0,
+                  Tolerance::round_off(1e-12, "pulls of 2e4 lb, rounded to 4e-12 lb, sum up to the weight"));
+}
+
 /// Columns that move at the start, and what sleeps after three steps.
 void check_start(Findings& findings, const Setup& setup) {
   scenes::Fence fence = fence_of_today();
@@ -331,6 +401,7 @@ void check_start(Findings& findings, const Setup& setup) {
   }
   findings.expect("velocities of columns at the start less the given one, worst", velocity, 0.0,
                   Tolerance::exact("numbers handed on"), "ft/s");
+  check_given_forces(findings, fence);
   constexpr int steps = 3;
   const scenes::FenceScene still = scenes::fence_scene(fence);
   const RunEnd run = run_steps(still.scene, VelocityVerlet{}, 1e-5, setup.has("late_look") ? 10 : steps, findings);
@@ -379,123 +450,11 @@ void check_sides(Findings& findings, const Setup& setup) {
                   Tolerance::round_off(1e-14, "two dozen operations: c = 2 xi sqrt(k m) with the same k and xi"));
 }
 
-/// Rock and ground: outlines by a power, and ground that is not level.
-void check_outlines(Findings& findings) {
-  scenes::Fence fence = fence_of_today();
-  scenes::FenceElement& rock = fence.rocks[0];
-  rock.power = 1.0;
-  const auto outline = [&](scenes::FenceContact contact) {
-    fence.options.contact = contact;
-    const Model model = scenes::fence_scene(fence).scene.model;
-    return model.bodies[index(*find_body(model, "rock"))].shape;
-  };
-  // The nodes of 1993: at the middles of twelve equal angles.
-  const std::vector<Vec2> nodes = boundary_nodes(outline(scenes::FenceContact::nodes), 12);
-  double apart = nodes.size() == 12 ? 0.0 : std::nan("");
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const double angle = (static_cast<double>(i) + 0.5) * std::numbers::pi / 6.0;
-    keep_worst(apart, norm(nodes[i] - rock.a * Vec2{std::cos(angle), std::sin(angle)}) / rock.a);
-  }
-  findings.expect("nodes of a round outline by its power, from the middles of twelve equal angles", apart, 0.0,
-                  Tolerance::round_off(1e-15, "a sine or cosine, a product, the root of a square"));
-  findings.expect_true("a round outline by its power is a circle where one force acts for a pair",
-                       std::holds_alternative<Circle>(outline(scenes::FenceContact::resultant)),
-                       "whose gaps are closed forms");
-  fence.ground.angle = 0.3;  // of the level surface, in whose place the profile is
-  fence.ground_profile = {{-50.0, -6.0}, {50.0, -2.0}};
-  fence.options.contact = scenes::FenceContact::resultant;
-  const Scene scene = scenes::fence_scene(fence).scene;
-  Probe probe{scene.model};
-  probe.evaluate(first_state(scene));
-  const double slope = 4.0 / 100.0, over = rock.position.y - (-4.0 + slope * rock.position.x);
-  findings.expect("distance of the rock from ground along a line in the world",
-                  -probe.overlap(index(*find_contact(scene.model, "rock-ground"))),
-                  over / std::hypot(1.0, slope) - rock.a,
-                  Tolerance::round_off(1e-14, "a dozen operations on lengths of 50 ft"), "ft");
-}
-
-// ---- warnings ----
-
-/// Changes of a sound fence a little beyond and a little within where each warning begins: which warnings they give.
-void check_warnings(Findings& findings) {
-  const scenes::Fence sound = fence_of_today();
-  struct Change {
-    const char* begins;  ///< of the one warning beyond the limit
-    void (*make)(scenes::Fence& fence, double limits);
-  };
-  static constexpr std::array changes{
-      Change{"sag: ", [](scenes::Fence& f, double limits) { f.sag = limits * f.span; }},
-      Change{"spacing: ", [](scenes::Fence& f, double limits) { f.spacing = 2.0 * f.column.a / limits; }},
-      Change{"changed_column: ",
-             [](scenes::Fence& f, double limits) {
-               f.spacing = 3.0, f.changed_columns = {unlike}, f.changed_columns[0].b = f.column.b;
-               f.changed_columns[0].y_top = f.y_top;
-               f.changed_columns[0].a = limits * 1.75;  // beside a half-width of 1.25
-             }},
-      Change{"layer_spacing: ",
-             [](scenes::Fence& f, double limits) { f.layers = 2, f.layer_spacing = 2.0 * f.column.a / limits; }},
-      Change{"ground: ", [](scenes::Fence& f, double limits) { f.ground.position.y = -5.0 + 0.5 * limits; }}};
-  double wrong = 0.0;
-  const auto count = [&](const std::vector<std::string>& within, const std::vector<std::string>& beyond,
-                         const std::string& begins) {
-    wrong += within.empty() && beyond.size() == 1 && beyond[0].starts_with(begins) ? 0.0 : 1.0;
-  };
-  for (const Change& change : changes) {
-    const auto warnings = [&](double limits) {
-      scenes::Fence fence = sound;
-      change.make(fence, limits);
-      return scenes::implausible_geometry(fence, scenes::fence_scene(fence));
-    };
-    count(warnings(0.9999), warnings(1.0001), change.begins);
-  }
-  const auto motion = [&](double heights, double spans, bool touched) {
-    scenes::FenceSummary summary;
-    summary.layers.resize(1), summary.rocks.resize(1);
-    summary.layers[0].top.start = 10.0;
-    scenes::RockPassage& rock = summary.rocks[0];
-    rock.name = "rock", rock.touched = touched, rock.highest = heights * 10.0, rock.distance = spans * sound.span;
-    return scenes::implausible_motion(sound, summary);
-  };
-  count(motion(4.9999, 4.9999, true), motion(5.0001, 4.9999, true), "'rock' flies away: ");
-  count(motion(4.9999, 4.9999, true), motion(4.9999, 5.0001, true), "'rock' is 275 ft ");
-  count(motion(1.0, 1.0, true), motion(1.0, 1.0, false), "'rock' never touches ");
-  findings.expect("limits of the fence's warnings with another warning than theirs, on either side", wrong, 0.0,
-                  Tolerance::exact("of eight; a ten-thousandth to either side"));
-}
-
-/// Runs that end by the rocks: behind a place, or at rest.
-void check_ends(Findings& findings) {
-  constexpr double step = 1e-4, exit = -7.003;
-  scenes::Fence fence = fence_of_today();
-  fence.rocks[0].position.y = 30.0;
-  fence.options.end = scenes::FenceEnd::exit, fence.options.exit_x = exit;
-  const scenes::FenceScene made = scenes::fence_scene(fence);
-  const RunEnd run =
-      run_scene(made.scene, VelocityVerlet{}, {step, 1.0, 1.0, false}, findings, {},
-                [&](const State& state) { return reached(*made.scene.early_end, made.scene.model, state); });
-  findings.expect_between("time at which a rock over the fence has passed the exit",
-                          run.state.t - (fence.rocks[0].position.x - exit) / 65.0, 0.0, step,
-                          "the first step behind it", "s");
-  fence.options.end = scenes::FenceEnd::rest;
-  scenes::FenceElement slow = fence.rocks[0];
-  slow.velocity = {-3.0, 4.0}, slow.position.x += 5.0;
-  fence.rocks.push_back(slow);
-  const scenes::FenceScene resting = scenes::fence_scene(fence);
-  const auto ends = [&](double first, double second) {
-    State state = resting.scene.initial;
-    set_velocity(resting.scene.model, state, *find_body(resting.scene.model, "rock1"), {0.0, first}, 0.0);
-    set_velocity(resting.scene.model, state, *find_body(resting.scene.model, "rock2"), {second, 0.0}, 0.0);
-    return reached(*resting.scene.early_end, resting.scene.model, state);
-  };
-  findings.expect_true(
-      "a run ends at rest when both rocks are slower than a thousandth of the faster one's first speed",
-      ends(0.0649, 0.0649) && !ends(0.0651, 0.0) && !ends(0.0, 0.0651), "65 ft/s and 5 ft/s at first");
-}
-
 void run(Findings& findings, const Setup& setup) {
   check_hanging(findings, setup);
   check_numbers(findings, setup);
   check_raised(findings);
+  check_long_cables(findings);
   check_linearization(findings);
   check_hangers(findings);
   check_start(findings, setup);

@@ -158,6 +158,16 @@ void check_solver_formulas(Findings& findings) {
                                        "of two units: 8 eps, twice that for the worst of 400"));
   findings.expect("solver's restitution of a damping ratio, relative", direct, 0.0,
                   Tolerance::round_off(32.0 * eps, "an exponent up to 5.3 turns its 4 roundings into 5.3 x 4 eps"));
+  double rebounds = 0.0;
+  bool sticks = true;
+  for (const double xi : {1.0, 1.25, 3.0}) {
+    rebounds += talus::restitution(xi, EndRule::attractive);
+    sticks = sticks && std::isinf(dashpot_of(xi, 3e5, 0.7, EndRule::attractive).contact_time(0.7));
+  }
+  findings.expect("solver's restitution of an attractive end from critical damping on", rebounds, 0.0,
+                  Tolerance::exact("the overlap falls to zero, and never comes to it: no rebound"));
+  findings.expect_true("solver's contact time of an attractive end from critical damping on is infinite", sticks,
+                       "1, 1.25 and 3 times the critical damping");
   findings.expect("solver's contact time, relative", time, 0.0,
                   Tolerance::round_off(32.0 * eps,
                                        "xi from c, k, m by 4 roundings, magnified by xi^2/(1 - xi^2) <= 2.9 "

@@ -335,6 +335,58 @@ void check_length(Findings& findings, const Setup& setup, Table& table) {
   findings.figure(figure);
 }
 
+/// Moves one column at a time: the guards of its cables are those without any left out, wherever they are in the row.
+void check_guards(Findings& findings, const Setup& setup) {
+  const scenes::FenceScene made = long_fence(41, Sag::share_of_span, Sleep::off);
+  const Model& model = made.scene.model;
+  const Dynamics dynamics{model};
+  RigidBodySystem system{dynamics, true};
+  EveryPair all{dynamics};
+  std::vector<double> guards, every;
+  double missing = 0.0, compared = 0.0;
+  for (std::size_t body = 0; body < model.bodies.size(); ++body) {
+    if (model.bodies[body].name.find("column") == std::string::npos) continue;
+    State state = rest_state(model);
+    set_velocity(model, state, static_cast<BodyId>(body), {0.0, setup.has("columns_at_rest") ? 0.0 : 100.0}, 0.0);
+    system.settle(state), system.settle(state);  // by the lines of the modes that the first one sets
+    (void)system.guards(state, true, 0.1, guards);
+    (void)all.guards(state, true, 0.1, every);
+    for (std::size_t c = 0; c < model.cables.size(); ++c) {
+      const talus::Cable& cable = model.cables[c];
+      if (cable.name.find("top") == std::string::npos) continue;
+      if (cable.a.body != static_cast<BodyId>(body) && cable.b.body != static_cast<BodyId>(body)) continue;
+      const std::size_t slot = dynamics.layout().cable_slots[c].mode;
+      compared += 1.0, missing += guards[slot] == every[slot] && std::isfinite(guards[slot]) ? 0.0 : 1.0;
+    }
+  }
+  findings.expect(
+      "guards ahead: cables at a moving column, of 41, without that of their law", missing, 0.0,
+      Tolerance::exact("a column that comes 10 ft further takes its cables off the linear branches of their laws"));
+  // Rough discs that come nearer: friction cannot begin before the normal law.
+  ModelBuilder builder;
+  const BodyId a = builder.add(Body{.name = "a", .mass = 1.0, .inertia = 1.0, .shape = Circle{1.0}});
+  const BodyId b =
+      builder.add(Body{.name = "b", .mass = 1.0, .inertia = 1.0, .shape = Circle{1.0}, .p_WB = {2.25, 0.0}});
+  builder.add(Contact{.name = "ab",
+                      .a = a,
+                      .b = b,
+                      .law = LinearSpringDashpot{1.0, 0.0, EndRule::clamped},
+                      .friction = CoulombFriction{.coefficient = 0.5, .stiffness = 1.0}});
+  const Model pair = builder.build();
+  const Dynamics discs{pair};
+  State state = rest_state(pair);
+  set_velocity(pair, state, b, {-1.0, 0.0}, 0.0);
+  RigidBodySystem approach{discs, true};
+  approach.settle(state);
+  (void)approach.guards(state, true, 1.0, guards);
+  findings.expect("guards ahead: of the normal law of rough discs that come nearer",
+                  guards[discs.layout().contact_slots[0].mode], 0.25, Tolerance::exact("the gap"));
+  findings.expect_true("guards ahead: friction of discs that do not touch has none",
+                       std::isinf(guards[discs.layout().friction_slots[0].mode]), "it begins with the normal force");
+  findings.expect("guards ahead: cables compared", compared, 41.0,
+                  Tolerance::exact("21 columns, the central one with one"));
+}
+
 void run(Findings& findings, const Setup& setup) {
   Table table{.name = "visited",
               .caption =
@@ -345,6 +397,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("columns awake")) check_length(findings, setup, table);
   if (setup.needs("with every pair") || setup.needs("with every guard")) check_contacts(findings, setup, table);
   if (setup.needs("tensions of rows") || setup.needs("without ledger")) check_rows(findings, setup, table);
+  if (setup.needs("guards ahead")) check_guards(findings, setup);
   findings.table(table);
 }
 
@@ -377,6 +430,8 @@ Case definition() {
                   "yard: state at the end from that with every pair, largest difference"},
                  {"no_time_ahead", "located events without the guards of what does not act yet",
                   "yard, located events: state from that with every guard, largest difference"},
+                 {"columns_at_rest", "columns that do not move, whose cables stay on their lines",
+                  "guards ahead: cables at a moving column, of 41, without that of their law"},
                  {"line_of_another", "one cable's law stiffer by 1e-15",
                   "tensions of rows of cables from those of the laws, one by one, largest difference over a run"},
                  {"paths_of_another", "the run with ledger of a fence one of whose cables is stiffer by 1e-15",

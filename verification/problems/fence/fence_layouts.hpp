@@ -1,0 +1,20 @@
+#pragma once
+
+#include "solver/scenes/fence.hpp"
+#include "verification/check/case.hpp"
+
+/// What the parts of the case `fence_layouts` share.
+namespace talus::verification::problems::fence_layouts {
+
+/// The fence of Table 2 by the methods of today.
+[[nodiscard]] scenes::Fence fence_of_today();
+
+/// A column that is longer, heavier and hung elsewhere than the others; its place is given where it is used.
+inline constexpr scenes::ChangedColumn unlike{3, 1.0, 4.6, 0.8, 7.3, -4.5};
+
+void check_outlines(Findings& findings);  // fence_outlines.cpp
+// fence_warnings.cpp
+void check_warnings(Findings& findings);
+void check_ends(Findings& findings);
+
+}  // namespace talus::verification::problems::fence_layouts

@@ -1,0 +1,50 @@
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <variant>
+#include <vector>
+
+#include "solver/geometry/shape.hpp"
+#include "solver/scenes/fence_scene.hpp"
+#include "verification/problems/fence/fence_layouts.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/scene_run.hpp"
+
+namespace talus::verification::problems::fence_layouts {
+
+/// Rock and ground: outlines by a power, and ground that is not level.
+void check_outlines(Findings& findings) {
+  scenes::Fence fence = fence_of_today();
+  scenes::FenceElement& rock = fence.rocks[0];
+  rock.power = 1.0;
+  const auto outline = [&](scenes::FenceContact contact) {
+    fence.options.contact = contact;
+    const Model model = scenes::fence_scene(fence).scene.model;
+    return model.bodies[index(*find_body(model, "rock"))].shape;
+  };
+  // The nodes of 1993: at the middles of twelve equal angles.
+  const std::vector<Vec2> nodes = boundary_nodes(outline(scenes::FenceContact::nodes), 12);
+  double apart = nodes.size() == 12 ? 0.0 : std::nan("");
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const double angle = (static_cast<double>(i) + 0.5) * std::numbers::pi / 6.0;
+    keep_worst(apart, norm(nodes[i] - rock.a * Vec2{std::cos(angle), std::sin(angle)}) / rock.a);
+  }
+  findings.expect("nodes of a round outline by its power, from the middles of twelve equal angles", apart, 0.0,
+                  Tolerance::round_off(1e-15, "a sine or cosine, a product, the root of a square"));
+  findings.expect_true("a round outline by its power is a circle where one force acts for a pair",
+                       std::holds_alternative<Circle>(outline(scenes::FenceContact::resultant)),
+                       "whose gaps are closed forms");
+  fence.ground.angle = 0.3;  // of the level surface, in whose place the profile is
+  fence.ground_profile = {{-50.0, -6.0}, {50.0, -2.0}};
+  fence.options.contact = scenes::FenceContact::resultant;
+  const Scene scene = scenes::fence_scene(fence).scene;
+  Probe probe{scene.model};
+  probe.evaluate(first_state(scene));
+  const double slope = 4.0 / 100.0, over = rock.position.y - (-4.0 + slope * rock.position.x);
+  findings.expect("distance of the rock from ground along a line in the world",
+                  -probe.overlap(index(*find_contact(scene.model, "rock-ground"))),
+                  over / std::hypot(1.0, slope) - rock.a,
+                  Tolerance::round_off(1e-14, "a dozen operations on lengths of 50 ft"), "ft");
+}
+
+}  // namespace talus::verification::problems::fence_layouts

@@ -1,0 +1,104 @@
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/scenes/fence_plausibility.hpp"
+#include "solver/scenes/fence_scene.hpp"
+#include "verification/problems/fence/fence_layouts.hpp"
+#include "verification/study/expectations.hpp"
+#include "verification/study/scene_run.hpp"
+
+namespace talus::verification::problems::fence_layouts {
+
+/// Changes of a sound fence a little beyond and a little within where each warning begins: which warnings they give.
+void check_warnings(Findings& findings) {
+  const scenes::Fence sound = fence_of_today();
+  struct Change {
+    const char* begins;  ///< of the one warning beyond the limit
+    void (*make)(scenes::Fence& fence, double limits);
+  };
+  static constexpr std::array changes{
+      Change{"sag: ", [](scenes::Fence& f, double limits) { f.sag = limits * f.span; }},
+      Change{"spacing: ", [](scenes::Fence& f, double limits) { f.spacing = 2.0 * f.column.a / limits; }},
+      Change{"changed_column: ",
+             [](scenes::Fence& f, double limits) {
+               f.spacing = 3.0, f.changed_columns = {unlike}, f.changed_columns[0].b = f.column.b;
+               f.changed_columns[0].y_top = f.y_top;
+               f.changed_columns[0].a = limits * 1.75;  // beside a half-width of 1.25
+             }},
+      Change{"layer_spacing: ",
+             [](scenes::Fence& f, double limits) { f.layers = 2, f.layer_spacing = 2.0 * f.column.a / limits; }},
+      Change{"ground: ", [](scenes::Fence& f, double limits) { f.ground.position.y = -5.0 + 0.5 * limits; }}};
+  double wrong = 0.0;
+  const auto count = [&](const std::vector<std::string>& within, const std::vector<std::string>& beyond,
+                         const std::string& begins) {
+    wrong += within.empty() && beyond.size() == 1 && beyond[0].starts_with(begins) ? 0.0 : 1.0;
+  };
+  for (const Change& change : changes) {
+    const auto warnings = [&](double limits) {
+      scenes::Fence fence = sound;
+      change.make(fence, limits);
+      return scenes::implausible_geometry(fence, scenes::fence_scene(fence));
+    };
+    count(warnings(0.9999), warnings(1.0001), change.begins);
+  }
+  const auto motion = [&](double heights, double spans, bool touched) {
+    scenes::FenceSummary summary;
+    summary.layers.resize(1), summary.rocks.resize(1);
+    summary.layers[0].top.start = 10.0;
+    scenes::RockPassage& rock = summary.rocks[0];
+    rock.name = "rock", rock.touched = touched, rock.highest = heights * 10.0, rock.distance = spans * sound.span;
+    return scenes::implausible_motion(sound, summary);
+  };
+  count(motion(4.9999, 4.9999, true), motion(5.0001, 4.9999, true), "'rock' flies away: ");
+  count(motion(4.9999, 4.9999, true), motion(4.9999, 5.0001, true), "'rock' is 275 ft ");
+  count(motion(1.0, 1.0, true), motion(1.0, 1.0, false), "'rock' never touches ");
+  // A column alone has no neighbour; warnings report overlaps as numbers.
+  scenes::Fence single = sound;
+  single.columns = 1, single.spacing = 1.0, single.changed_columns = {unlike};
+  single.changed_columns[0] = {1, 1.75, sound.column.b, sound.column.density, sound.y_top, sound.y_bottom};
+  const std::vector<std::string> alone = scenes::implausible_geometry(single, scenes::fence_scene(single));
+  findings.expect("warnings of a single column wider than the spacing", static_cast<double>(alone.size()), 0.0,
+                  Tolerance::exact("a count"));
+  scenes::Fence tight = sound;
+  tight.layers = 2, tight.spacing = 2.0, tight.layer_spacing = 1.75;
+  const std::vector<std::string> said = scenes::implausible_geometry(tight, scenes::fence_scene(tight));
+  findings.expect_true(
+      "overlaps of neighbours and of layers in the warnings",
+      said.size() == 2 && said[0].ends_with("overlap by 0.5 ft") && said[1].ends_with("overlap by 0.75 ft"),
+      "of columns of a width of 2.5 ft, 2 ft and 1.75 ft apart");
+  findings.expect("limits of the fence's warnings with another warning than theirs, on either side", wrong, 0.0,
+                  Tolerance::exact("of eight; a ten-thousandth to either side"));
+}
+
+/// Runs that end by the rocks: behind a place, or at rest.
+void check_ends(Findings& findings) {
+  constexpr double step = 1e-4, exit = -7.003;
+  scenes::Fence fence = fence_of_today();
+  fence.rocks[0].position.y = 30.0;
+  fence.options.end = scenes::FenceEnd::exit, fence.options.exit_x = exit;
+  const scenes::FenceScene made = scenes::fence_scene(fence);
+  const RunEnd run =
+      run_scene(made.scene, VelocityVerlet{}, {step, 1.0, 1.0, false}, findings, {},
+                [&](const State& state) { return reached(*made.scene.early_end, made.scene.model, state); });
+  findings.expect_between("time at which a rock over the fence has passed the exit",
+                          run.state.t - (fence.rocks[0].position.x - exit) / 65.0, 0.0, step,
+                          "the first step behind it", "s");
+  fence.options.end = scenes::FenceEnd::rest;
+  scenes::FenceElement slow = fence.rocks[0];
+  slow.velocity = {-3.0, 4.0}, slow.position.x += 5.0;
+  fence.rocks.push_back(slow);
+  const scenes::FenceScene resting = scenes::fence_scene(fence);
+  const auto ends = [&](double first, double second) {
+    State state = resting.scene.initial;
+    set_velocity(resting.scene.model, state, *find_body(resting.scene.model, "rock1"), {0.0, first}, 0.0);
+    set_velocity(resting.scene.model, state, *find_body(resting.scene.model, "rock2"), {second, 0.0}, 0.0);
+    return reached(*resting.scene.early_end, resting.scene.model, state);
+  };
+  findings.expect_true(
+      "a run ends at rest when both rocks are slower than a thousandth of the faster one's first speed",
+      ends(0.0649, 0.0649) && !ends(0.0651, 0.0) && !ends(0.0, 0.0651), "65 ft/s and 5 ft/s at first");
+}
+
+}  // namespace talus::verification::problems::fence_layouts
