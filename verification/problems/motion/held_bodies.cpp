@@ -118,7 +118,10 @@ Missed missed_by(Mobility mobility, Findings& findings, const Setup& setup) {
   const Accounts before = ledger(start);
   const double impulse = norm(first.momentum) + 3.0 * end * norm(gravity), arm = norm(Vec2{1.6, 2.1});
   Missed missed;
+  constexpr double interval = 0.05;
+  long states = 0;
   const Watcher watch = [&](const State& seen, const StepInfo&) {
+    ++states;
     State state = seen;
     if (setup.has("reaction_not_recorded")) state.impulse[2] *= 1.0 - 1e-6;
     if (setup.has("loss_not_recorded")) state.work[static_cast<std::size_t>(Mechanism::friction)] *= 1.0 - 1e-6;
@@ -140,8 +143,9 @@ Missed missed_by(Mobility mobility, Findings& findings, const Setup& setup) {
           (accounts.angular_momentum_closure - (now.angular - first.angular - state.impulse[2])) / (arm * impulse)})
       keep_worst(missed.reported, off);
   };
-  if (!run_scene(scene, make_integrator("stormer_cowell", 1e-13), {0.05, end, end, true}, findings, watch).finished)
-    missed.energy = std::nan("");
+  const RunEnd run =
+      run_scene(scene, make_integrator("stormer_cowell", 1e-13), {interval, end, end, true}, findings, watch);
+  if (!run.finished || states != std::lround(end / interval) + 1) missed.energy = std::nan("");
   return missed;
 }
 
