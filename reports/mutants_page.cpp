@@ -169,17 +169,17 @@ std::string list_of(const Mutants& mutants, MutantStatus status) {
   return text;
 }
 
-std::string bug_table(const Mutants& mutants, const Results& results) {
-  Rows rows;
+std::string bug_list(const Mutants& mutants, const Results& results) {
+  std::string text;
   for (const MutantRecord* bug : written(mutants)) {
     std::vector<std::string> red;
     for (const Trial& trial : bug->trials) {
       if (kills(trial)) red.push_back(trial.case_id);
     }
-    rows.push_back(
-        {cell(bug->id), cell(bug->words), place_of(*bug), red.empty() ? "**none**" : joined_links(results, red)});
+    text += fmt::format("- {}, {}: {} Red: {}.\n", cell(bug->id), place_of(*bug), markdown::words(bug->words),
+                        red.empty() ? "**none**" : joined_links(results, red));
   }
-  return markdown::table({{"bug"}, {"what is wrong"}, {"where"}, {"case that turned red"}}, rows, "");
+  return text;
 }
 
 std::string figure_link(const Figure& figure) {
@@ -234,8 +234,14 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
       "interval, 95 %). **Of {} bugs written by hand {} were killed.** Building took {:.0f} s, the runs {:.0f} s.\n\n",
       score.killed, score.counted(), percent(score.share()), score.equivalent, mutants.candidates, mutants.seed,
       percent(range.low), percent(range.high), bugs.size(), of_bugs.killed, mutants.build_seconds, mutants.run_seconds);
-  const auto pending = std::ranges::count(mutants.mutants, MutantStatus::pending, &MutantRecord::status);
-  if (pending > 0) text += fmt::format("{} mutants and bugs were not tried to the end, and do not count.\n\n", pending);
+  const auto pending = static_cast<std::size_t>(
+      std::ranges::count(sample, MutantStatus::pending, [](const MutantRecord* mutant) { return mutant->status; }));
+  if (pending > 0) {
+    text += fmt::format(
+        "{} generated mutants were not tried to the end, and do not count. If none of them is killed the score is "
+        "{}.\n\n",
+        pending, percent(static_cast<double>(score.killed) / static_cast<double>(score.counted() + pending)));
+  }
   text += score_table("folder", scores_by(sample, folder_of), score) + "\n";
   text += score_table("file", scores_by(sample, [](const MutantRecord& mutant) { return mutant.file; }), score) + "\n";
   text +=
@@ -246,7 +252,7 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
       text += figure_link(figure);
   }
   if (mutants.whole_matrix) text += who_kills(mutants, results);
-  if (!bugs.empty()) text += "## Bugs written by hand\n\n" + bug_table(mutants, results) + "\n";
+  if (!bugs.empty()) text += "## Bugs written by hand\n\n" + bug_list(mutants, results) + "\n";
   const std::string survived = list_of(mutants, MutantStatus::survived);
   if (!survived.empty()) text += "## Survivors\n\nCases evaluate them, and stay green.\n\n" + survived + "\n";
   const std::string unreached = list_of(mutants, MutantStatus::unreached);
