@@ -232,7 +232,7 @@ Made make_sheet(const fs::path& run, const Workplace& workplace) {
     made.warnings = draw({drawing(SheetMedium::paper, "pdf", "drawing"), drawing(SheetMedium::screen, "svg", "drawing"),
                           drawing(SheetMedium::phone, "svg", "phone")},
                          folder, workplace.jobs);
-    // A run has no date of its own; the same numbers give the same bytes.
+    // A run has no date: the same numbers give the same bytes.
     date_picture(folder / "drawing.pdf", 0);
   });
   const auto picture = [&](const char* name) { return drawn ? records::read_whole(folder / name) : std::string{}; };

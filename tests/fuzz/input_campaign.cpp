@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 
 /// Inputs that one child process reads.
 constexpr long batch = 2000;
-/// Address space of a child; the address sanitizer reserves far more, and has a limit of its own (mutate_inputs.cpp).
+/// Address space of a child; the address sanitizer reserves far more, and is limited elsewhere (mutate_inputs.cpp).
 constexpr rlim_t most_memory = rlim_t{3} << 30U;
 /// Exit code of a child that found a flaw.
 constexpr int flawed = 77;
@@ -126,7 +126,7 @@ struct BatchFiles {
 }
 
 /// What a child left on its standard error: a line that says what went wrong, and the first frame in our sources.
-std::string told(const fs::path& errors) {
+std::string text_of(const fs::path& errors) {
   std::ifstream in{errors};
   std::string what, frame;
   for (std::string line; std::getline(in, line);) {
@@ -140,7 +140,7 @@ std::string told(const fs::path& errors) {
 }
 
 std::string how_it_ended(int status, const fs::path& errors, long seconds) {
-  const std::string text = told(errors);
+  const std::string text = text_of(errors);
   if (WIFEXITED(status))
     return WEXITSTATUS(status) == flawed ? text : fmt::format("exit code {}: {}", WEXITSTATUS(status), text);
   const int signal = WTERMSIG(status);

@@ -13,6 +13,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/reference/all_pairs.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::disc_lists {
@@ -170,7 +171,7 @@ void expect_losses(Findings& findings, const Setup& setup, const std::string& en
       const double depth = radii[0] + radii[1] - distance;
       const double force = std::max(0.0, law.stiffness * depth + law.damping * approach);
       reports += 1.0;
-      wrong = std::max({wrong, std::abs(contact.depth - depth) / radii[0], std::abs(contact.force - force) / 1e3});
+      keep_worst(wrong, (contact.depth - depth) / radii[0]), keep_worst(wrong, (contact.force - force) / 1e3);
     });
   }
   const double lost = before - energy(), kept = discs.dissipated() * (setup.has("loss_off") ? 1.002 : 1.0);

@@ -152,6 +152,15 @@ void expect_mirror(Findings& findings, const Setup& setup) {
                        "no sum along y sees the mirror");
 }
 
+/// A second run continues from what the first remembers; both go to their ends.
+void resume(CellRun& whole, CellRun& rest) {
+  Memory saved;
+  whole.remember(saved);
+  Memory putting_back{saved.items()};
+  rest.remember(putting_back);
+  run_to_end(whole), run_to_end(rest);
+}
+
 /// Rough discs carry spins and the stretch of friction's springs as well.
 void expect_rough_restart(Findings& findings, ShearCell cell, CellPlan plan) {
   cell.friction = CoulombFriction{0.5, 14214.0};
@@ -159,15 +168,11 @@ void expect_rough_restart(Findings& findings, ShearCell cell, CellPlan plan) {
   CellRun whole{cell, plan, lively(cell)};
   while (2 * whole.steps() < whole.last_step())
     whole.advance();
-  Memory saved;
-  whole.remember(saved);
   CellRun rest{cell, plan};
-  Memory putting_back{saved.items()};
-  rest.remember(putting_back);
-  run_to_end(whole), run_to_end(rest);
+  resume(whole, rest);
   const std::vector<double> spins = whole.discs().spin;
   findings.expect_true(
-      "a run of rough discs taken on from its memory ends in the same bits",
+      "a resumed run of rough discs ends in the same bits",
       whole.discs() == rest.discs() && std::any_of(spins.begin(), spins.end(), [](double spin) { return spin != 0.0; }),
       "spins and what friction remembers are put back, too");
 }
@@ -178,9 +183,6 @@ void expect_restart(Findings& findings, const Setup& setup) {
   CellRun whole{cell, plan, lively(cell)};
   while (3 * whole.steps() < whole.last_step())
     whole.advance();
-  Memory saved;
-  whole.remember(saved);
-  CellRun rest{cell, plan};
   if (setup.has("restart_of_1989")) {
     // Discs alone; the block too is put back, so that contacts' memory is all that is missing.
     FilledCell discs =
@@ -194,9 +196,8 @@ void expect_restart(Findings& findings, const Setup& setup) {
                          "planted");
     return;
   }
-  Memory putting_back{saved.items()};
-  rest.remember(putting_back);
-  run_to_end(whole), run_to_end(rest);
+  CellRun rest{cell, plan};
+  resume(whole, rest);
   findings.expect_true("a run taken on from its memory ends in the same bits",
                        whole.discs() == rest.discs() &&
                            whole.mean(CellQuantity::top_shear).value == rest.mean(CellQuantity::top_shear).value,

@@ -12,6 +12,7 @@
 
 #include "solver/base/error.hpp"
 #include "verification/check/case.hpp"
+#include "verification/study/expectations.hpp"
 
 namespace talus::verification::problems::packing {
 namespace {
@@ -69,7 +70,7 @@ struct Sums {
       const double ratio = 2.0 * packing.shapes.radius[i] / diameter;
       discs += 1.0, area += 0.25 * std::numbers::pi * ratio * ratio * diameter * diameter;
       size += ratio, square += ratio * ratio;
-      wrong_mass = std::max(wrong_mass, std::abs(1.0 / packing.shapes.inverse_mass[i] / (mass * ratio * ratio) - 1.0));
+      keep_worst(wrong_mass, 1.0 / packing.shapes.inverse_mass[i] / (mass * ratio * ratio) - 1.0);
       if (packing.discs.vx[i] != 0.0 || packing.discs.vy[i] != 0.0) moving += 1.0;
       const double room = packing.height - (walls ? 0.6 * 2.0 * packing.shapes.radius[i] : 0.0);
       farthest = std::max(
@@ -130,7 +131,7 @@ void expect_as_planned(Findings& findings, const Setup& setup, const Plan& each,
   findings.expect(name("discs that move"), sums.moving, 0.0, Tolerance::exact("they are at rest"));
   const double least = least_distance(packing);
   findings.expect_between(name("least distance over the sum of radii"), least, 1.0, plan.walls ? 1.02 : 1.05,
-                          "no disc overlaps another; of so many some are close to touching", "1");
+                          "no disc overlaps another; of a hundred and more some nearly touch", "1");
   findings.expect(name("the same by the neighbour list"), closest(packing), least,
                   Tolerance::round_off(1e-14, "differences of coordinates of up to 30 diameters"));
   // Of wholly random places the mean has the deviation 1/sqrt(12 n) of the width.
