@@ -11,4 +11,11 @@ std::string internal_steps_failure(double t) {
       most_internal_steps, t);
 }
 
+std::string short_step_failure(double tolerance, double t) {
+  return fmt::format(
+      "no step is short enough for the tolerance {:g} at t = {:.6g}; a larger tolerance, or a method of fixed step, "
+      "may do",
+      tolerance, t);
+}
+
 }  // namespace talus

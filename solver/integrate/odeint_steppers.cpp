@@ -164,6 +164,7 @@ struct OdeintStepper::Method {
   AnyStepper stepper;
   double internal_step{};    ///< the step that step control would take next; 0 before the first
   Vector last_derivative{};  ///< of a method whose last stage is the first of its next step; empty before the first
+  double tolerance{};        ///< relative and absolute error of a step; 0: fixed steps
 };
 
 namespace {
@@ -197,12 +198,7 @@ std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepp
     } else {
       dt = attempt;
     }
-    if (dt < least_share * h || !std::isfinite(wanted)) {
-      return fmt::format(
-          "no step is short enough for the tolerance at t = {:.6g}; a larger tolerance, or a method of fixed step, may "
-          "do",
-          t);
-    }
+    if (dt < least_share * h || !std::isfinite(wanted)) return short_step_failure(method.tolerance, t);
   }
   method.internal_step = dt;
   return {};
@@ -211,7 +207,7 @@ std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepp
 }  // namespace
 
 OdeintStepper::OdeintStepper(OdeintMethod method, double tolerance)
-    : method_{std::make_unique<Method>(Method{make_stepper(method, tolerance)})} {}
+    : method_{std::make_unique<Method>(Method{.stepper = make_stepper(method, tolerance), .tolerance = tolerance})} {}
 OdeintStepper::~OdeintStepper() = default;
 OdeintStepper::OdeintStepper(const OdeintStepper& other) : method_{std::make_unique<Method>(*other.method_)} {}
 OdeintStepper& OdeintStepper::operator=(const OdeintStepper& other) {

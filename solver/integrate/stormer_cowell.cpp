@@ -13,6 +13,7 @@
 #include "solver/base/error.hpp"
 #include "solver/base/pack.hpp"
 #include "solver/base/rows.hpp"
+#include "solver/integrate/internal_steps.hpp"
 
 namespace talus {
 namespace {
@@ -149,10 +150,7 @@ std::string PolynomialMotion::advance(HybridSystem& system, const State& begin, 
     shorten(h, found);
     h = step_;
   }
-  return fmt::format(
-      "no step is short enough for the tolerance {:g} at t = {:.6g}; a larger tolerance, or a method of fixed step, "
-      "may do",
-      tolerance_, begin.t);
+  return short_step_failure(tolerance_, begin.t);
 }
 
 /// Whether springs and dashpots that act are faster than steps of this length can follow with a low order.
