@@ -18,9 +18,10 @@
 
 namespace talus {
 
-/// Eight numbers that are worked out side by side, each as it would be alone.
-using Pack [[gnu::vector_size(64)]] = double;
-inline constexpr std::size_t pack_size = 8;
+/// Four numbers that are computed side by side, each as it would be alone. Not eight: where a processor has registers of
+/// four, gcc 12 keeps packs of eight on the stack and copies them by twos.
+using Pack [[gnu::vector_size(32)]] = double;
+inline constexpr std::size_t pack_size = 4;
 
 /// The next numbers of a row of which `left` are left; nought in lanes beyond its end.
 [[gnu::always_inline]] inline void load(Pack& pack, const double* row, std::size_t left = pack_size) {
@@ -58,7 +59,7 @@ template <class Visit>
 
 /// The largest size in each lane so far. Sizes have the order of their bits as whole numbers, in which what is not a
 /// number is above all others, and stays.
-using Sizes [[gnu::vector_size(64)]] = std::int64_t;
+using Sizes [[gnu::vector_size(32)]] = std::int64_t;
 
 [[gnu::always_inline]] inline void raise(Sizes& most, const Sizes& other) { most = other > most ? other : most; }
 [[gnu::always_inline]] inline void raise(Sizes& most, const Pack& x) {
@@ -67,26 +68,24 @@ using Sizes [[gnu::vector_size(64)]] = std::int64_t;
   raise(most, bits & std::numeric_limits<std::int64_t>::max());
 }
 
-/// A byte for each lane, the first lowest: all of its bits are set where the lane is true, all of whose bits are.
-using Bytes [[gnu::vector_size(8)]] = std::uint8_t;
-[[gnu::always_inline]] inline std::uint64_t bytes_of(const Sizes& is) {
-  return std::bit_cast<std::uint64_t>(__builtin_convertvector(is, Bytes));
+/// The bits that are set in any lane.
+[[gnu::always_inline]] inline std::int64_t bits_of_all(const Sizes& bits) {
+  const Sizes all = bits | __builtin_shufflevector(bits, bits, 2, 3, 0, 1);
+  return all[0] | all[1];
 }
-[[gnu::always_inline]] inline bool any(const Sizes& is) { return bytes_of(is) != 0; }  ///< whether a lane is true
-
 /// Whether any bit is set in any lane.
-[[gnu::always_inline]] inline bool any_bit(const Sizes& bits) {
-  Sizes all = bits | __builtin_shufflevector(bits, bits, 4, 5, 6, 7, 0, 1, 2, 3);
-  all |= __builtin_shufflevector(all, all, 2, 3, 0, 1, 6, 7, 4, 5);
-  return (all[0] | all[1]) != 0;
+[[gnu::always_inline]] inline bool any_bit(const Sizes& bits) { return bits_of_all(bits) != 0; }
+
+/// A bit for each lane, the first lowest: set where the lane is true, all of whose bits are set.
+[[gnu::always_inline]] inline std::size_t bits_of(const Sizes& is) {
+  return static_cast<std::size_t>(bits_of_all(is & Sizes{1, 2, 4, 8}));
 }
 
 /// The largest of all lanes.
 [[gnu::always_inline]] inline double largest(const Sizes& sizes) {
   Sizes most = sizes;
-  raise(most, __builtin_shufflevector(most, most, 4, 5, 6, 7, 0, 1, 2, 3));
-  raise(most, __builtin_shufflevector(most, most, 2, 3, 0, 1, 6, 7, 4, 5));
-  raise(most, __builtin_shufflevector(most, most, 1, 0, 3, 2, 5, 4, 7, 6));
+  raise(most, __builtin_shufflevector(most, most, 2, 3, 0, 1));
+  raise(most, __builtin_shufflevector(most, most, 1, 0, 3, 2));
   return std::bit_cast<double>(static_cast<std::int64_t>(most[0]));
 }
 

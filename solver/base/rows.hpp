@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-/// What is done to every number of a row, eight at a time.
+/// What is done to every number of a row, a pack at a time.
 namespace talus {
 
 /// out = x + h rate; out may be x.

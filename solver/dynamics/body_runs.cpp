@@ -11,31 +11,31 @@
 namespace talus {
 namespace {
 
-/// From (x, y, angle) of eight bodies, one after the other, to eight of each.
+/// From (x, y, angle) of neighbouring bodies, one after the other, to a pack of each.
 [[gnu::always_inline]] inline void part(const double* threes, Pack& x, Pack& y, Pack& angle) {
   Pack a, b, c;
-  load(a, threes), load(b, threes + 8), load(c, threes + 16);
-  const Pack x_ab = __builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, 0, 0);
-  const Pack y_ab = __builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 0, 0, 0);
-  const Pack angle_ab = __builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 0, 0, 0);
-  x = __builtin_shufflevector(x_ab, c, 0, 1, 2, 3, 4, 5, 10, 13);
-  y = __builtin_shufflevector(y_ab, c, 0, 1, 2, 3, 4, 8, 11, 14);
-  angle = __builtin_shufflevector(angle_ab, c, 0, 1, 2, 3, 4, 9, 12, 15);
+  load(a, threes), load(b, threes + pack_size), load(c, threes + 2 * pack_size);
+  const Pack x_ab = __builtin_shufflevector(a, b, 0, 3, 6, 0);
+  const Pack y_ab = __builtin_shufflevector(a, b, 1, 4, 7, 0);
+  const Pack angle_ab = __builtin_shufflevector(a, b, 2, 5, 0, 0);
+  x = __builtin_shufflevector(x_ab, c, 0, 1, 2, 5);
+  y = __builtin_shufflevector(y_ab, c, 0, 1, 2, 6);
+  angle = __builtin_shufflevector(angle_ab, c, 0, 1, 4, 7);
 }
 
 /// The other way round.
 [[gnu::always_inline]] inline void join(const Pack& x, const Pack& y, const Pack& angle, double* threes) {
-  const Pack first = __builtin_shufflevector(x, y, 0, 8, 0, 1, 9, 0, 2, 10);
-  const Pack middle = __builtin_shufflevector(x, y, 0, 3, 11, 0, 4, 12, 0, 5);
-  const Pack last = __builtin_shufflevector(x, y, 13, 0, 6, 14, 0, 7, 15, 0);
-  store(__builtin_shufflevector(first, angle, 0, 1, 8, 3, 4, 9, 6, 7), threes);
-  store(__builtin_shufflevector(middle, angle, 10, 1, 2, 11, 4, 5, 12, 7), threes + 8);
-  store(__builtin_shufflevector(last, angle, 0, 13, 2, 3, 14, 5, 6, 15), threes + 16);
+  const Pack first = __builtin_shufflevector(x, y, 0, 4, 0, 1);
+  const Pack middle = __builtin_shufflevector(x, y, 5, 0, 2, 6);
+  const Pack last = __builtin_shufflevector(x, y, 0, 3, 7, 0);
+  store(__builtin_shufflevector(first, angle, 0, 1, 4, 3), threes);
+  store(__builtin_shufflevector(middle, angle, 0, 5, 2, 3), threes + pack_size);
+  store(__builtin_shufflevector(last, angle, 6, 1, 2, 7), threes + 2 * pack_size);
 }
 
-/// Accelerations of eight free bodies, at `place` among them.
-[[gnu::always_inline]] inline void accelerate_eight(std::size_t place, std::size_t body, const BodyConstants& constants,
-                                                    const Wrenches& wrenches, double* a) {
+/// Accelerations of a pack of free bodies, at `place` among them.
+[[gnu::always_inline]] inline void accelerate_pack(std::size_t place, std::size_t body, const BodyConstants& constants,
+                                                   const Wrenches& wrenches, double* a) {
   Pack inverse_mass, inverse_inertia, load_x, load_y, applied, x, y, moment;
   load(inverse_mass, constants.inverse_mass.at(place)), load(inverse_inertia, constants.inverse_inertia.at(place));
   load(load_x, constants.load_x.at(place)), load(load_y, constants.load_y.at(place));
@@ -44,8 +44,8 @@ namespace {
   join(inverse_mass * (x + load_x), inverse_mass * (y + load_y), inverse_inertia * (moment + applied), a);
 }
 
-/// Places of eight bodies, or of as many as there are.
-[[gnu::always_inline]] inline void place_eight(const double* q, std::size_t body, const Sizes& are, Poses& poses) {
+/// Places of a pack of bodies, or of as many as there are.
+[[gnu::always_inline]] inline void place_pack(const double* q, std::size_t body, const Sizes& are, Poses& poses) {
   Pack x, y, angle;
   part(q, x, y, angle);
   put(poses.x.at(body), are, x), put(poses.y.at(body), are, y);
@@ -54,7 +54,7 @@ namespace {
   Sizes beyond, lost{};
   ask_lanes(beyond, [&](std::size_t i) { return !within_series(angles[i]); });
   beyond &= are;
-  if (any(beyond)) {
+  if (any_bit(beyond)) {
     ask_lanes(lost, [&](std::size_t i) {
       const Turned turned = rotation_by_quarter_turns(angles[i]);
       cosine[i] = turned.rotation.cosine, sine[i] = turned.rotation.sine;
@@ -70,7 +70,7 @@ namespace {
   Pack cosines, sines;
   cosine.get(cosines), sine.get(sines);
   put(poses.cosine.at(body), are, cosines), put(poses.sine.at(body), are, sines);
-  if (!any(lost)) return;
+  if (!any_bit(lost)) return;
   for (std::size_t i = 0; i < pack_size; ++i) {
     if (lost[i] == 0) continue;
     const Rotation turned = rotation_by_any_angle(angles[i]);
@@ -78,10 +78,10 @@ namespace {
   }
 }
 
-/// Calls visit(threes, body, are) for each eight of neighbouring bodies, with their three numbers each, and which of
-/// the eight there are. Some may be visited twice.
+/// Calls visit(threes, body, are) for each pack of neighbouring bodies, with their three numbers each, and which of its
+/// lanes there are. Some bodies may be visited twice.
 template <class Visit>
-[[gnu::always_inline]] inline void for_eights(const BodyRun& run, const double* threes, Visit&& visit) {
+[[gnu::always_inline]] inline void for_body_packs(const BodyRun& run, const double* threes, Visit&& visit) {
   if (run.count < pack_size) {
     // Behind the last body nothing may be read.
     std::array<double, 3 * pack_size> few{};
@@ -90,7 +90,7 @@ template <class Visit>
     between(are, 0, static_cast<std::ptrdiff_t>(run.count));
     return visit(few.data(), run.body, are);
   }
-  constexpr Sizes all{-1, -1, -1, -1, -1, -1, -1, -1};
+  constexpr Sizes all{-1, -1, -1, -1};
   std::size_t i = 0;
   for (; i + pack_size <= run.count; i += pack_size)
     visit(threes + 3 * i, run.body + i, all);
@@ -102,14 +102,14 @@ template <class Visit>
 }  // namespace
 
 TALUS_CLONES void place_bodies(const BodyRun& run, const double* q, Poses& poses) {
-  for_eights(
+  for_body_packs(
       run, q, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
-        place_eight(threes, body, are, poses);
+        place_pack(threes, body, are, poses);
       });
 }
 
 TALUS_CLONES void place_velocities(const BodyRun& run, const double* v, Poses& poses) {
-  for_eights(
+  for_body_packs(
       run, v, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
         Pack vx, vy, w;
         part(threes, vx, vy, w);
@@ -146,15 +146,15 @@ TALUS_CLONES void accelerate_bodies(const BodyRun& run, const BodyConstants& con
                                     double* a) {
   if (run.count < pack_size) {
     std::array<double, 3 * pack_size> few;
-    accelerate_eight(run.place, run.body, constants, wrenches, few.data());
+    accelerate_pack(run.place, run.body, constants, wrenches, few.data());
     std::copy_n(few.begin(), 3 * run.count, a);
     return;
   }
-  // The last eight first, some of which come once more: who reads the packs from the start finds each as it was stored.
+  // The last pack first, some of which come once more: who reads the packs from the start finds each as it was stored.
   const std::size_t last = run.count - pack_size;
-  if (last % pack_size != 0) accelerate_eight(run.place + last, run.body + last, constants, wrenches, a + 3 * last);
+  if (last % pack_size != 0) accelerate_pack(run.place + last, run.body + last, constants, wrenches, a + 3 * last);
   for (std::size_t i = 0; i + pack_size <= run.count; i += pack_size)
-    accelerate_eight(run.place + i, run.body + i, constants, wrenches, a + 3 * i);
+    accelerate_pack(run.place + i, run.body + i, constants, wrenches, a + 3 * i);
 }
 
 TALUS_CLONES void box_depths(const Row& x, const Row& y, std::size_t first, std::size_t count, const Placement& A_in_B,

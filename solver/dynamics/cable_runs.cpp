@@ -6,8 +6,8 @@
 namespace talus {
 namespace {
 
-/// Eight joints of a row: where they are and, if that is asked for, how they move.
-struct Eight {
+/// A pack of joints of a row: where they are and, if that is asked for, how they move.
+struct PackOfJoints {
   Pack x, y, vx, vy;
   Pack arm_x, arm_y;
   Sizes on_body;
@@ -15,8 +15,8 @@ struct Eight {
 
 /// Those of a row from its joint `first` on; those that are on no body stay where they are.
 template <bool told, class Joints>
-[[gnu::always_inline]] inline void place_eight(Eight& at, const CableRun& run, std::size_t first,
-                                               const CableConstants& constants, const Poses& poses, Joints& joints) {
+[[gnu::always_inline]] inline void place_joints(PackOfJoints& at, const CableRun& run, std::size_t first,
+                                                const CableConstants& constants, const Poses& poses, Joints& joints) {
   const auto from = static_cast<std::ptrdiff_t>(run.from), to = static_cast<std::ptrdiff_t>(run.to);
   const auto begin = static_cast<std::ptrdiff_t>(first);
   Sizes& on_body = at.on_body;
@@ -54,7 +54,7 @@ template <bool told, class Joints>
 
 /// Each lane's next; of the last, the first of the pack after.
 [[gnu::always_inline]] inline void ahead(Pack& next, const Pack& pack, const Pack& after) {
-  next = __builtin_shufflevector(pack, after, 1, 2, 3, 4, 5, 6, 7, 8);
+  next = __builtin_shufflevector(pack, after, 1, 2, 3, 4);
 }
 
 /// All in one pass, in registers from the poses to the pulls: written and read again between one stage and the next,
@@ -65,13 +65,13 @@ template <bool told, class Joints>
   const auto count = static_cast<std::ptrdiff_t>(run.count);
   Sizes left{};
   Pack before_x{}, before_y{};  // what the cables before pull at their ends B
-  Eight here;
-  place_eight<told>(here, run, 0, constants, poses, joints);
+  PackOfJoints here;
+  place_joints<told>(here, run, 0, constants, poses, joints);
   for (std::ptrdiff_t block = 0; block <= count; block += pack_size) {
-    Eight next{};
+    PackOfJoints next{};
     const auto first = static_cast<std::size_t>(block);
     if (block + static_cast<std::ptrdiff_t>(pack_size) <= count)
-      place_eight<told>(next, run, first + pack_size, constants, poses, joints);
+      place_joints<told>(next, run, first + pack_size, constants, poses, joints);
     const std::size_t cable = run.cable + first, joint = run.a + first;
     Sizes is;
     between(is, 0, count - block);
@@ -115,8 +115,8 @@ template <bool told, class Joints>
     Pack share_a, share_b;
     load(share_a, constants.share_a.at(cable)), load(share_b, constants.share_b.at(cable));
     const Pack end_x = share_b * force_x, end_y = share_b * force_y;
-    const Pack x_B = __builtin_shufflevector(before_x, end_x, 7, 8, 9, 10, 11, 12, 13, 14);
-    const Pack y_B = __builtin_shufflevector(before_y, end_y, 7, 8, 9, 10, 11, 12, 13, 14);
+    const Pack x_B = __builtin_shufflevector(before_x, end_x, 3, 4, 5, 6);
+    const Pack y_B = __builtin_shufflevector(before_y, end_y, 3, 4, 5, 6);
     const Pack joint_x = share_a * force_x - x_B, joint_y = share_a * force_y - y_B;
     if constexpr (told) {
       between(is, 0, count + 1 - block);
@@ -131,7 +131,7 @@ template <bool told, class Joints>
     before_x = end_x, before_y = end_y;
     here = next;
   }
-  return !any(left);
+  return !any_bit(left);
 }
 
 }  // namespace
@@ -190,7 +190,7 @@ TALUS_CLONES bool stay_straight(std::size_t first, std::size_t count, const Row&
     between(is, 0, static_cast<std::ptrdiff_t>(count - i));
     left |= off & is;
   }
-  return !any(left);
+  return !any_bit(left);
 }
 
 TALUS_CLONES void load_bodies(const JointRun& run, const JointPoints& joints, Wrenches& wrenches) {

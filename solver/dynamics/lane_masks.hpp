@@ -10,9 +10,9 @@
 
 namespace talus {
 
-/// Those of eight lanes whose number is from .. to - 1; numbers may be below nought. From a table, and choices are made
+/// Those of a pack's lanes whose number is from .. to - 1; numbers may be below nought. From a table, and choices are made
 /// between whole numbers: gcc 12 makes a jump for each lane of compares of packs and of choices between them.
-inline constexpr std::array<std::int64_t, 2 * pack_size> ones_then_noughts{-1, -1, -1, -1, -1, -1, -1, -1};
+inline constexpr std::array<std::int64_t, 2 * pack_size> ones_then_noughts{-1, -1, -1, -1};
 [[gnu::always_inline]] inline void between(Sizes& is, std::ptrdiff_t from, std::ptrdiff_t to) {
   constexpr auto size = static_cast<std::ptrdiff_t>(pack_size);
   const auto below = [&](Sizes& lanes, std::ptrdiff_t end) {
@@ -47,7 +47,7 @@ template <class Visit>
     visit(lane);
 }
 
-/// Numbers of eight neighbours by lanes.
+/// Numbers of neighbours by lanes.
 struct alignas(sizeof(Pack)) Lanes {
   std::array<double, pack_size> number;
 
@@ -57,7 +57,7 @@ struct alignas(sizeof(Pack)) Lanes {
   [[gnu::always_inline]] void set(const Pack& pack) { store(pack, number.data()); }
 };
 
-/// Of eight lanes, those for which ask(lane) is so.
+/// Those lanes for which ask(lane) is so.
 template <class Ask>
 [[gnu::always_inline]] inline void ask_lanes(Sizes& is, Ask&& ask) {
   alignas(sizeof(Pack)) std::array<std::int64_t, pack_size> answer;

@@ -15,7 +15,7 @@
 /// The stage of a sweep in which the law acts: what contacts do to their discs.
 namespace talus::stages {
 
-/// Eight contacts at a time.
+/// A pack of contacts at a time.
 template <class L, class F>
 class ContactLanes {
  public:
@@ -30,7 +30,7 @@ class ContactLanes {
         second_{w_.pairs->second.data()},
         radii_{w_.pairs->radii.empty() ? nullptr : w_.pairs->radii.data()} {}
 
-  /// Forces on the second discs of eight touching pairs, of which so many count; the others are the last of them again.
+  /// Forces on the second discs of a pack of touching pairs, of which so many count; the others are the last of them again.
   /// at: which of the contacts the first is; from: which they were before.
   [[gnu::always_inline]] void push(const std::uint32_t* pairs, std::size_t count, std::size_t at,
                                    const std::uint32_t* from, const Pushes& out) {
@@ -52,7 +52,7 @@ class ContactLanes {
     find_overlaps(overlap, overlaps);
     keep_where(force, overlaps);
     if constexpr (remembers) {
-      if (any(~overlaps)) [[unlikely]] {
+      if (any_bit(~overlaps)) [[unlikely]] {
         for (std::size_t l = 0; l < count; ++l)
           if (overlaps[l] == 0) part(w_, w_.pairs->number_in_list(pairs[l]), largest[l], 0.0);
       }

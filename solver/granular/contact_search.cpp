@@ -13,13 +13,13 @@ TALUS_CLONES std::size_t find_near(const DiscSweep& sweep, double nearer, std::s
   const double* const sums = sweep.pairs->radii.empty() ? nullptr : sweep.pairs->radii.data();
   const double* const places = sweep.places;
   // In two passes, for in one each pack would wait for where the last one's numbers end: half as long again.
-  std::array<std::uint64_t, sweep_block / pack_size> near;
+  std::array<std::uint8_t, sweep_block / pack_size> near;
   Pack within = Pack{} + (sweep.equal_radii + nearer);
   for (std::size_t k = from; k < to; k += pack_size) {
     Pack x, y;
     listed_differences(x, y, places, first + k, second + k);
     if (sums != nullptr) load(within, sums + k), within += nearer;
-    near[(k - from) / pack_size] = bytes_of(x * x + y * y < within * within);
+    near[(k - from) / pack_size] = static_cast<std::uint8_t>(bits_of(x * x + y * y < within * within));
   }
   std::size_t count = 0;
   for (std::size_t k = from; k < to; k += pack_size)

@@ -17,9 +17,9 @@ TALUS_CLONES void move(const DiscSweep& w, std::size_t from, std::size_t to, Siz
   // Of the discs of two packs, side by side.
   const auto raise_speeds = [&](const Pack& p, const Pack& q, const Pack& v_p, const Pack& v_q)
       __attribute__((always_inline)) {
-    const Pack y = __builtin_shufflevector(p, q, 1, 9, 3, 11, 5, 13, 7, 15);
-    const Pack v_x = __builtin_shufflevector(v_p, v_q, 0, 8, 2, 10, 4, 12, 6, 14);
-    const Pack v_y = __builtin_shufflevector(v_p, v_q, 1, 9, 3, 11, 5, 13, 7, 15);
+    const Pack y = __builtin_shufflevector(p, q, 1, 5, 3, 7);
+    const Pack v_x = __builtin_shufflevector(v_p, v_q, 0, 4, 2, 6);
+    const Pack v_y = __builtin_shufflevector(v_p, v_q, 1, 5, 3, 7);
     const Pack own_x = v_x - (flow.x + flow.rate * y), own_y = v_y - flow.y;
     raise(most, own_x * own_x + own_y * own_y);
   };

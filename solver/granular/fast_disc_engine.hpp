@@ -22,7 +22,7 @@ namespace talus {
 ///
 /// How it comes to the same bits. A velocity is a sum of impulses, and rounds as their order says; in both the order is
 /// that of the pairs, by the number of the first disc, then of the second. All else is worked out for each pair, or
-/// each disc, alone, by the same expressions; whether that is done one by one or eight side by side, by which thread,
+/// each disc, alone, by the same expressions; whether that is done one by one or side by side, by which thread,
 /// and how many of the pairs that do not touch are looked at, rounds nothing.
 ///
 /// What makes it fast.
@@ -39,7 +39,7 @@ namespace talus {
 ///        d/ds (T + rho s + c P w/s) = 0,   s = sqrt(c P w/rho).
 ///    Where that would save little, as in jammed states, all listed pairs are near, and no near list is made. Of the
 ///    near pairs each step takes those that touch, of which alone the law is asked.
-/// 3. Lanes. Whether pairs are near, touch, and how they push is worked out eight pairs at a time; the two coordinates
+/// 3. Lanes. Whether pairs are near, touch, and how they push is computed for four pairs at a time; the two coordinates
 ///    of a disc lie side by side and are fetched at once. Pairs across a border have a ghost as second disc: one more
 ///    place, that of the disc's image.
 /// 4. Memory of contacts that touch only, as a list in the order of their pairs: a sweep that finds the touching pairs

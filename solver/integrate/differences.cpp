@@ -85,26 +85,28 @@ TALUS_CLONES std::array<double, 3> largest_sums(const double* x, const double* o
 /// H_i^q q/(q + 1), and t - t_i at least h.
 TALUS_CLONES void integrate_basis(const double* times, double t, std::size_t terms, Differences::Basis* out) {
   // The last of most + 1 terms is integrated twice: the first needs most + 3 of its integrals.
-  static_assert(Differences::most + 3 <= 2 * pack_size);
+  constexpr std::size_t packs = whole_packs(Differences::most + 3) / pack_size;
   static constexpr auto inverse_factorials = [] {
-    std::array<double, 2 * pack_size> made{1.0};
+    std::array<double, packs * pack_size> made{1.0};
     for (std::size_t q = 1; q < made.size(); ++q)
       made[q] = made[q - 1] / static_cast<double>(q);
     return made;
   }();
   const double h = t - times[0];
-  Pack low, high;
-  load(low, inverse_factorials.data()), load(high, inverse_factorials.data() + pack_size);
-  const Pack q = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
-  const Pack low_factor = h * q, high_factor = h * (q + 8.0);
+  std::array<Pack, packs + 1> integrals{};  // and zeros behind the last
+  std::array<Pack, packs> factors;
+  for (std::size_t p = 0; p < packs; ++p) {
+    load(integrals[p], inverse_factorials.data() + p * pack_size);
+    factors[p] = h * (Pack{0.0, 1.0, 2.0, 3.0} + static_cast<double>(p * pack_size));
+  }
   for (std::size_t i = 0;; ++i) {
-    out[i] = {low[0], h * low[1], h * h * low[2]};
+    out[i] = {integrals[0][0], h * integrals[0][1], h * h * integrals[0][2]};
     if (i + 1 == terms) return;
     const double back = t - times[i];
-    const Pack next_low = __builtin_shufflevector(low, high, 1, 2, 3, 4, 5, 6, 7, 8);
-    const Pack next_high = __builtin_shufflevector(high, Pack{}, 1, 2, 3, 4, 5, 6, 7, 8);
-    low = back * low - low_factor * next_low;
-    high = back * high - high_factor * next_high;
+    for (std::size_t p = 0; p < packs; ++p) {
+      const Pack next = __builtin_shufflevector(integrals[p], integrals[p + 1], 1, 2, 3, 4);
+      integrals[p] = back * integrals[p] - factors[p] * next;
+    }
   }
 }
 

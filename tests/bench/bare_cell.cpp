@@ -157,7 +157,7 @@ TALUS_CLONES std::size_t BareCell::push() {
     keep_where(largest, overlaps);
     talus::store(largest, largest_of + k);
     store_places(force * (x / distance), force * (y / distance), forces + 2 * k);
-    count += number_lanes(bytes_of(overlaps), k, touching + count);
+    count += number_lanes(bits_of(overlaps), k, touching + count);
   }
   return count;
 }

@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE(a_row_that_ends_within_a_pack_is_left_alone_behind_its_end)
 BOOST_AUTO_TEST_CASE(the_largest_size_of_all_lanes) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   const auto of = [](double special, std::size_t lane) {
-    Pack pack{0.5, -1.5, 1e-310, -0.0, 0.0, 1.25, -1.0, 1.0};
+    Pack pack{0.5, -1.5, -0.0, 1.25};
     pack[lane] = special;
     Sizes most{};
     raise(most, Pack{} + 0.25);
@@ -42,12 +42,12 @@ BOOST_AUTO_TEST_CASE(the_largest_size_of_all_lanes) {
 }
 
 BOOST_AUTO_TEST_CASE(whether_a_lane_is_true_or_a_bit_is_set) {
-  BOOST_TEST(!any(Sizes{}));
   BOOST_TEST(!any_bit(Sizes{}));
   for (std::size_t lane = 0; lane < pack_size; ++lane) {
     Sizes is{};
     is[lane] = -1;
-    BOOST_TEST(any(is));
+    BOOST_TEST(bits_of(is) == std::size_t{1} << lane);
+    BOOST_TEST(bits_of(~is) == 15U - (std::size_t{1} << lane));
     for (const int bit : {0, 31, 63}) {
       is[lane] = static_cast<std::int64_t>(std::uint64_t{1} << bit);
       BOOST_TEST(any_bit(is));
