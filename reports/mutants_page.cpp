@@ -228,12 +228,14 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
   const Score of_bugs = score_of(bugs);
   const Interval range = wilson(score.killed, score.counted());
   std::string text = fmt::format(
-      "Small bugs were compiled into a copy of the solver, one switched on at a time, and the cases of the quick tier "
-      "run (their right setups, without controls). **{} of {} generated mutants were killed: {}** ({} equivalent ones "
+      "Small bugs were compiled into a copy of the solver, one switched on at a time, and {} cases of the quick "
+      "tier run (their right setups, without controls). **{} of {} generated mutants were killed: {}** ({} equivalent "
+      "ones "
       "do not count). They are a sample of {} candidates (seed {}), whose score lies between {} and {} (Wilson "
       "interval, 95 %). **Of {} bugs written by hand {} were killed.** Building took {:.0f} s, the runs {:.0f} s.\n\n",
-      score.killed, score.counted(), percent(score.share()), score.equivalent, mutants.candidates, mutants.seed,
-      percent(range.low), percent(range.high), bugs.size(), of_bugs.killed, mutants.build_seconds, mutants.run_seconds);
+      mutants.cases.size(), score.killed, score.counted(), percent(score.share()), score.equivalent, mutants.candidates,
+      mutants.seed, percent(range.low), percent(range.high), bugs.size(), of_bugs.killed, mutants.build_seconds,
+      mutants.run_seconds);
   const auto pending = static_cast<std::size_t>(
       std::ranges::count(sample, MutantStatus::pending, [](const MutantRecord* mutant) { return mutant->status; }));
   if (pending > 0) {
@@ -256,7 +258,7 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
   const std::string survived = list_of(mutants, MutantStatus::survived);
   if (!survived.empty()) text += "## Survivors\n\nCases evaluate them, and stay green.\n\n" + survived + "\n";
   const std::string unreached = list_of(mutants, MutantStatus::unreached);
-  if (!unreached.empty()) text += "## Unreached\n\nNo case of the tier evaluates them.\n\n" + unreached + "\n";
+  if (!unreached.empty()) text += "## Unreached\n\nNone of these cases evaluates them.\n\n" + unreached + "\n";
   const std::string equivalent = list_of(mutants, MutantStatus::equivalent);
   if (!equivalent.empty()) text += "## Equivalent\n\nThey change no result.\n\n" + equivalent + "\n";
   return text;

@@ -51,6 +51,7 @@ struct Options {
   unsigned jobs = 0;
   double build_seconds = 0.0;
   double least_score = 0.0;
+  double longest = std::numeric_limits<double>::infinity();
   bool matrix = false;
   bool full = false;
   std::vector<std::string> only;
@@ -467,7 +468,8 @@ int run(const Options& options) {
   // Absolute: programs that cases start run in other folders.
   const fs::path folder = fs::absolute(options.list).parent_path() / "reached";
   fs::create_directories(folder);
-  const auto unchanged = run_unchanged(cases, tier, jobs, folder);
+  auto unchanged = run_unchanged(cases, tier, jobs, folder);
+  std::erase_if(unchanged, [&](const Unchanged& one) { return one.seconds > options.longest; });
   mutants.whole_matrix = options.matrix;
   mutants.build_seconds = options.build_seconds;
   for (const Unchanged& one : unchanged)
@@ -501,6 +503,9 @@ int main(int argc, char** argv) {
                  "Fail if a smaller share of the generated mutants that count is killed")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+  app.add_option("--longest", options.longest,
+                 "Only cases that take at most so many seconds of the processor without a mutant")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--matrix", options.matrix, "Run all cases that evaluate a mutant, not only until the first is red");
   app.add_flag("--full", options.full, "The long studies as well");
   app.add_option("--only", options.only, "Only these mutants: ID[,ID...]")->delimiter(',');
