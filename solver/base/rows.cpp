@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include "solver/base/pack.hpp"
 
@@ -20,7 +21,8 @@ TALUS_CLONES void add_scaled(double* out, const double* x, double h, const doubl
 }
 
 TALUS_CLONES bool all_finite(const double* x, const double* y, std::size_t count) {
-  // A finite number less itself is nought, without a bit set; any other is not.
+  // A finite number less itself is zero, -0 where sums are rounded downward: no bit is set but the sign's. Any other is
+  // not a number.
   Sizes found{};
   std::size_t i = 0;
   for (; i + pack_size <= count; i += pack_size) {
@@ -34,7 +36,8 @@ TALUS_CLONES bool all_finite(const double* x, const double* y, std::size_t count
   std::uint64_t rest = 0;
   for (; i < count; ++i)
     rest |= std::bit_cast<std::uint64_t>(x[i] - x[i]) | std::bit_cast<std::uint64_t>(y[i] - y[i]);
-  return rest == 0 && !any_bit(found);
+  constexpr std::int64_t sign = std::numeric_limits<std::int64_t>::min();
+  return (static_cast<std::int64_t>(rest) & ~sign) == 0 && !any_bit(found & ~sign);
 }
 
 TALUS_CLONES void take_extremes(const double* x, double time, std::size_t count, double* least, double* least_time,

@@ -2,6 +2,7 @@
 #include "solver/base/rows.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cfenv>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -36,6 +37,18 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_is_found_wherever_it_is) {
           (*row)[i] = kept;
         }
       }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(finite_numbers_are_finite_however_sums_are_rounded) {
+  const std::vector<double> x(21, 1.5), y(21, -1e-310);
+  for (const int rounding : {FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
+    for (std::size_t count = 0; count <= x.size(); ++count) {
+      std::fesetround(rounding);
+      const bool finite = all_finite(x.data(), y.data(), count);
+      std::fesetround(FE_TONEAREST);
+      BOOST_TEST(finite);
     }
   }
 }
