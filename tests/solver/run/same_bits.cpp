@@ -5,41 +5,60 @@
 #include <boost/test/unit_test.hpp>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "solver/cell/cell_run.hpp"
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/integrator_list.hpp"
+#include "solver/io/read_scene_file.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "solver/scenes/pendulum.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "solver/scenes/two_cable.hpp"
+#include "tests/solver/cell/cell_runs.hpp"
 
 using namespace talus;
 
 namespace {
 
-/// FNV-1a over the bits of a state's numbers.
+/// FNV-1a over the bits of numbers.
+class Fingerprint {
+ public:
+  void add(double value) {
+    for (std::uint64_t bits = std::bit_cast<std::uint64_t>(value), i = 0; i < 8; ++i, bits >>= 8)
+      hash_ = (hash_ ^ (bits & 0xFF)) * 1099511628211ULL;
+  }
+  void add(std::span<const double> values) {
+    for (const double value : values)
+      add(value);
+  }
+  std::uint64_t hash() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 14695981039346656037ULL;
+};
+
 std::uint64_t fingerprint(const State& state) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  const auto add = [&hash](double value) {
-    for (std::uint64_t bits = std::bit_cast<std::uint64_t>(value), i = 0; i < 8; ++i, bits >>= 8) {
-      hash = (hash ^ (bits & 0xFF)) * 1099511628211ULL;
-    }
-  };
-  add(state.t);
-  for (const double value : state.q)
-    add(value);
-  for (const double value : state.v)
-    add(value);
+  Fingerprint found;
+  found.add(state.t);
+  found.add(state.q), found.add(state.v);
   // What takes nothing adds nothing: a new mechanism of loss moves no fingerprint.
   for (const double value : state.work) {
-    if (value != 0.0) add(value);
+    if (value != 0.0) found.add(value);
   }
-  for (const double value : state.impulse)
-    add(value);
-  return hash;
+  found.add(state.impulse);
+  return found.hash();
+}
+
+std::uint64_t fingerprint(const Discs& discs) {
+  Fingerprint found;
+  for (const std::vector<double>* const numbers : {&discs.x, &discs.y, &discs.vx, &discs.vy, &discs.spin})
+    found.add(*numbers);
+  return found.hash();
 }
 
 std::uint64_t fingerprint_after(const Scene& scene, const std::string& integrator, double step, double end) {
@@ -60,6 +79,29 @@ BOOST_AUTO_TEST_CASE(busy_runs_keep_their_bits) {
   BOOST_TEST(fingerprint_after(cables, "velocity_verlet", 1e-4, 6.0) == 11486823219985779728ULL);
   BOOST_TEST(fingerprint_after(cables, "odeint_dopri5", 1e-3, 6.0) == 14574491308656528655ULL);
   BOOST_TEST(fingerprint_after(swing, "euler_cromer", 1e-3, 10.0) == 6521606193200252689ULL);
+}
+
+/// Rows of columns and cables, two layers and many rocks: what packs of lanes compute.
+BOOST_AUTO_TEST_CASE(fences_keep_their_bits) {
+  const std::map<std::string, std::uint64_t> known{{"table_2", 10125187800089106335ULL},
+                                                   {"appendix_nine_rocks", 11773401334372128861ULL}};
+  for (const auto& [name, expected] : known) {
+    const Scene scene = read_scene_file(TALUS_CASES "/fence/" + name + ".toml").scene;
+    const std::uint64_t found =
+        fingerprint_after(scene, std::string{talus::name(scene.integrator)}, scene.plan.step, scene.plan.end);
+    BOOST_TEST(found == expected, "{\"" << name << "\", " << found << "ULL}");
+  }
+}
+
+/// Each law of discs, smooth and rough.
+BOOST_AUTO_TEST_CASE(cells_of_discs_keep_their_bits) {
+  Fingerprint found;
+  for (const ShearCell& cell : cells()) {
+    CellRun cell_run{cell, plan(cell, 40.0)};
+    const Discs discs = run(cell_run).discs();
+    found.add(std::bit_cast<double>(fingerprint(discs)));
+  }
+  BOOST_TEST(found.hash() == 8672277651701611610ULL);
 }
 
 BOOST_AUTO_TEST_CASE(every_integrator_keeps_its_bits) {
