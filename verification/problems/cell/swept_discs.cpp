@@ -93,6 +93,45 @@ void expect_same(Findings& findings, const Setup& setup, const std::string& name
                           0.2 * static_cast<double>(steps), "contacts must be carried from list to list");
 }
 
+/// Kicks, drifts and evaluations by themselves, of discs that the caller has changed since: half-way all is reversed,
+/// and later one disc is put elsewhere.
+void expect_single_calls(Findings& findings, const Setup& setup) {
+  const std::string name = "numbers that differ after single calls, discs changed in between";
+  if (!setup.needs(name)) return;
+  const Packing start = sheared_packing(count);
+  DiscSystem plain{start.shapes, start.box, clamped, 0.4, rough};
+  FastDiscSystem fast{start.shapes, start.box, clamped, 0.4, rough};
+  fast.keep_work();
+  Discs of_plain = start.discs, of_fast = start.discs;
+  plain.begin(of_plain), fast.begin(of_fast);
+  const auto reverse = [](Discs& discs) {
+    for (std::vector<double>* const numbers : {&discs.vx, &discs.vy, &discs.spin})
+      for (double& number : *numbers)
+        number = -number;
+  };
+  DiscRates rates_of_plain{of_plain}, rates_of_fast{of_fast};
+  double differ = 0.0;
+  const auto evaluate = [&] {
+    plain.evaluate(of_plain, rates_of_plain), fast.evaluate(of_fast, rates_of_fast);
+    for (const auto numbers : {&DiscRates::vx, &DiscRates::vy, &DiscRates::spin})
+      for (std::size_t i = 0; i < count; ++i)
+        differ += (rates_of_plain.*numbers)[i] == (rates_of_fast.*numbers)[i] ? 0.0 : 1.0;
+    differ += static_cast<double>(differing(of_plain, of_fast));
+  };
+  constexpr long steps = 400;
+  for (long n = 0; n < steps; ++n) {
+    plain.kick(of_plain, step), fast.kick(of_fast, step);
+    if (n == steps / 2) reverse(of_plain), reverse(of_fast);
+    plain.drift(of_plain, step), fast.drift(of_fast, step);
+    if (n == steps / 4) reverse(of_plain), reverse(of_fast);
+  }
+  evaluate();
+  of_plain.x[7] += 0.02, of_fast.x[7] += 0.02;
+  evaluate();
+  findings.count(plain.evaluations() + fast.evaluations());
+  findings.in("engines")->expect(name, differ, 0.0, Tolerance::exact("the same sums of the same numbers"));
+}
+
 /// Few steps: where there are fewer processors than threads, they wait for each other.
 void expect_threads(Findings& findings, const Setup& setup) {
   if (!setup.needs("threads")) return;
@@ -182,6 +221,7 @@ void run(Findings& findings, const Setup& setup) {
   expect_same(findings, setup, "spring and dashpot", clamped, Frictionless{});
   expect_same(findings, setup, "spring and dashpot, friction", clamped, rough);
   expect_same(findings, setup, "attractive end, friction", attractive, rough);
+  expect_single_calls(findings, setup);
   expect_threads(findings, setup);
   if (setup.needs("a loop over all pairs")) expect_all_pairs(findings, setup);
   if (!setup.coarse) show_order(findings);
