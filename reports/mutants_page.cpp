@@ -51,22 +51,21 @@ Figure greedy_figure(const Mutants& mutants) {
   Figure figure;
   figure.name = "greedy";
   figure.title = "Score against the number of cases";
-  figure.caption =
-      "Cases in greedy order: each is the one that kills most mutants that those before it leave. The first ten are "
-      "named.";
   figure.x = {.label = "cases"};
   figure.y = {.label = "mutants killed", .unit = "%", .log = false, .min = 0.0, .max = 100.0};
   Series killed{.label = "killed by the first cases"};
+  std::vector<std::string> first;
   std::size_t sum = 0;
   for (const Greedy& each : greedy_order(mutants, of)) {
     sum += each.more;
     killed.add(static_cast<double>(killed.x.size() + 1), 100.0 * static_cast<double>(sum) / counted);
-    if (killed.x.size() <= 10) {
-      figure.marks.push_back({killed.x.back() + 0.5, killed.y.back() - 4.0, each.case_id});
-    }
+    if (first.size() < 10) first.push_back(each.case_id);
   }
   figure.series.push_back(std::move(killed));
   figure.lines.push_back({'y', 90.0, "90 %"});
+  figure.caption = fmt::format(
+      "Cases in greedy order: each is the one that kills most mutants that those before it leave. First: {}.",
+      fmt::join(first, ", "));
   return figure;
 }
 
@@ -89,7 +88,7 @@ Figure tolerance_figure(const Mutants& mutants) {
       "all cases, and by those of one family alone. Checks that have no size (same bits, a refused scene) and cases "
       "that "
       "break off kill at any tolerance.";
-  figure.x = {.label = "bounds multiplied by", .unit = "1", .log = true};
+  figure.x = {.label = "bounds multiplied by", .unit = "1", .log = false, .min = 0.0, .max = 10.5};
   figure.y = {.label = "mutants killed", .unit = "%", .log = false, .min = 0.0, .max = 100.0};
   const auto add = [&](const std::string& label, const std::string& family) {
     Series series{.label = label};
