@@ -10,6 +10,7 @@
 #include "solver/io/output/checkpoint.hpp"
 #include "solver/run/run_state.hpp"
 #include "solver/run/simulate.hpp"
+#include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
 #include "verification/study/lively_scenes.hpp"
 #include "verification/study/moved_scene.hpp"
@@ -153,6 +154,9 @@ void run(Findings& findings, const Setup& setup) {
   const scenes::FenceScene fence = scenes::fence_scene(rough_fence());
   for (const char* name : {"velocity_verlet", "lagged_central_difference"})
     check_restart(findings, setup, "fence", fence.scene, {name, make_integrator(name)}, 2e-5, 3000, table);
+  // In a contact, whose piece the exact method follows.
+  const Scene pressed = scenes::bouncing_disc({.contact = LinearSpringDashpot{1e4, 20.0}});
+  check_restart(findings, setup, "pressed disc", pressed, {"exact", make_integrator("exact")}, step, 30, table);
   bool same_cost = true;
   for (const auto& row : table.rows)
     same_cost = same_cost && row[2] == row[3];
