@@ -15,6 +15,7 @@ inline constexpr scenes::ChangedColumn unlike{3, 1.0, 4.6, 0.8, 7.3, -4.5};
 void check_outlines(Findings& findings);  // fence_outlines.cpp
 // fence_warnings.cpp
 void check_warnings(Findings& findings);
+void check_counts(Findings& findings);
 void check_ends(Findings& findings);
 
 }  // namespace talus::verification::problems::fence_layouts

@@ -1,8 +1,14 @@
+#include <fmt/format.h>
+
 #include <array>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "solver/base/error.hpp"
+#include "solver/io/scene/read_scene.hpp"
 #include "solver/scenes/fence_plausibility.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "verification/problems/fence/fence_layouts.hpp"
@@ -70,6 +76,47 @@ void check_warnings(Findings& findings) {
       "of columns of a width of 2.5 ft, 2 ft and 1.75 ft apart");
   findings.expect("limits of the fence's warnings with another warning than theirs, on either side", wrong, 0.0,
                   Tolerance::exact("of eight; a ten-thousandth to either side"));
+}
+
+/// Whole numbers of a fence's file at both ends of their ranges and one beyond: which are refused, by their name.
+void check_counts(Findings& findings) {
+  std::ifstream file{TALUS_CASES "/fence/table_2.toml"};
+  const std::string sound{std::istreambuf_iterator<char>{file}, {}};
+  const auto refusal = [&](const std::string& field, long value) -> std::string {
+    const std::size_t from = sound.find("\n" + field + " = "), to = sound.find('\n', from + 1);
+    const std::string text = sound.substr(0, from) + fmt::format("\n{} = {}", field, value) + sound.substr(to);
+    try {
+      static_cast<void>(read_scene_file(text, "table_2.toml"));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  struct Range {
+    const char* field;
+    long least, most;
+  };
+  static constexpr std::array ranges{Range{"steps", 1, 1'000'000'000},
+                                     Range{"print_every", 1, 1'000'000'000},
+                                     Range{"history_every", 1, 1'000'000'000},
+                                     Range{"gravity_sign", -1, 1},
+                                     Range{"connections", 1, 2},
+                                     Range{"columns", 1, 1000},
+                                     Range{"layers", 1, 2}};
+  double wrong = refusal("gravity_sign", 0).empty() ? 1.0 : 0.0;
+  const auto refused = [&](const Range& range, long value) {
+    const std::string says = fmt::format("{}: found {}; it must be ", range.field, value);
+    return refusal(range.field, value).find(says) != std::string::npos;
+  };
+  for (const Range& range : ranges) {
+    for (const long value : {range.least - 1, range.most + 1})
+      wrong += refused(range, value) ? 0.0 : 1.0;
+    // A thousand columns are refused for their width instead.
+    for (const long value : {range.least, range.most})
+      wrong += refused(range, value) ? 1.0 : 0.0;
+  }
+  findings.expect("whole numbers at or beyond the ends of their ranges that are wrongly accepted or refused", wrong,
+                  0.0, Tolerance::exact("of 29"));
 }
 
 /// Runs that end by the rocks: behind a place, or at rest.
