@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/granular/disc_method.hpp"
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/list_skin.hpp"
@@ -207,7 +208,48 @@ void expect_skins(Findings& findings) {
       Tolerance::exact("a table of what was fastest; thin gases take a thick skin, dense flows a thin one"));
 }
 
+/// Two discs that never meet, by every method that steps discs: states are reported at the time of their velocities,
+/// also of methods that hold places half a step later.
+template <class System>
+void expect_flight(Findings& findings, const std::string& engine) {
+  constexpr double h = 0.1;
+  constexpr int steps = 10;
+  const PeriodicBox box{.width = 12.0, .height = 12.0, .shear_rate = 0.05};
+  DiscShapes shapes;
+  Discs start;
+  for (const double side : {-1.0, 1.0}) {
+    shapes.add(radius, 1.0);
+    start.add(2.5 * side, 1.5 * side, -0.3 * side, 0.25 * side);
+  }
+  double worst = 0.0;
+  for (const std::string& name : disc_method_names()) {
+    System system{shapes, box, LinearSpringDashpot{0.5, 0.0}, skin};
+    Discs discs = start;
+    system.begin(discs);
+    DiscMethod any = make_disc_method(name);
+    const Discs end = std::visit(
+        [&](auto& method) {
+          method.start(system, discs, h);
+          for (int n = 0; n < steps; ++n)
+            method.step(system, discs, h);
+          return synchronized(method, system, discs, h);
+        },
+        any);
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      keep_worst(worst, end.x[i] - (start.x[i] + steps * h * start.vx[i]));
+      keep_worst(worst, end.y[i] - (start.y[i] + steps * h * start.vy[i]));
+    }
+    keep_worst(worst, end.slid - steps * h * box.sliding());
+  }
+  findings.in("flight")->expect("places in free flight by every method, largest error, " + engine, worst, 0.0,
+                                Tolerance::round_off(1e-14, "eleven additions to numbers of up to 3"));
+}
+
 void run(Findings& findings, const Setup& setup) {
+  if (setup.needs("places in free flight")) {
+    expect_flight<DiscSystem<LinearSpringDashpot>>(findings, "plain engine");
+    expect_flight<FastDiscSystem<LinearSpringDashpot>>(findings, "fast engine");
+  }
   if (setup.needs("skins")) expect_skins(findings);
   if (setup.needs("contact")) {
     expect_losses<DiscSystem<LinearSpringDashpot, CoulombFriction>>(findings, setup, "plain engine");
@@ -223,7 +265,7 @@ Case definition() {
   return {.id = "disc_lists",
           .title = "Neighbour lists to their edges, stripes with walls and friction, losses of an impact",
           .family = "the shear cell",
-          .requirements = {{"F3", {"edges", "stripes", "losses"}}},
+          .requirements = {{"F3", {"edges", "stripes", "losses", "flight"}}},
           .main_checks = {"numbers that differ from a loop over all pairs, plain engine",
                           "numbers that differ from a loop over all pairs, fast engine",
                           "numbers that differ from the plain engine's with 5 threads"},
