@@ -168,7 +168,46 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
                         fmt::format("{:.4f}", advice.modes.back().frequency)});
 }
 
+/// Friction between two discs that touch, both free: 1/m = 1/m_1 + 1/m_2 + r_1^2/I_1 + r_2^2/I_2 along the tangent.
+void check_friction(Findings& findings) {
+  constexpr double k_s = 180.0, c_s = 2.5;
+  constexpr std::array<double, 2> masses{1.7, 0.6}, inertias{0.45, 0.08}, radii{0.7, 0.4};
+  const Vec2 along{std::cos(0.9), std::sin(0.9)};
+  ModelBuilder builder;
+  std::array<BodyId, 2> discs;
+  for (std::size_t i = 0; i < 2; ++i) {
+    Body body{.name = fmt::format("disc_{}", i),
+              .mobility = Mobility::free,
+              .mass = masses[i],
+              .inertia = inertias[i],
+              .shape = Circle{radii[i]}};
+    body.p_WB = at + (i == 0 ? 0.0 : radii[0] + radii[1]) * along;
+    discs[i] = builder.add(body);
+  }
+  builder.add(Contact{.name = "touch",
+                      .a = discs[0],
+                      .b = discs[1],
+                      .law = LinearSpringDashpot{stiffness, damping},
+                      .friction = CoulombFriction{0.5, k_s, c_s}});
+  Scene scene{.title = "Two discs", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  record_use(scene.model);
+  const Dynamics dynamics{scene.model};
+  double inverse = 0.0;
+  for (std::size_t i = 0; i < 2; ++i)
+    inverse += 1.0 / masses[i] + radii[i] * radii[i] / inertias[i];
+  for (const SpringAdvice& spring : advise_step(dynamics, scene.initial).springs) {
+    if (spring.name != "touch friction") continue;
+    const auto rounding = Tolerance::round_off(1e-14, "a sum of four quotients, of places of about 1").relative();
+    findings.in("springs")->expect("frequency of friction between two discs", spring.frequency,
+                                   std::sqrt(k_s * inverse), rounding, "rad/s");
+    findings.in("springs")->expect("damping ratio of friction between two discs", spring.damping_ratio,
+                                   0.5 * c_s * std::sqrt(inverse / k_s), rounding);
+  }
+}
+
 void run(Findings& findings, const Setup& setup) {
+  check_friction(findings);
   Table table{.name = "masses",
               .caption = "Effective masses [kg] of the two cables' lines, slowest and fastest mode [rad/s] of both.",
               .columns = {"mobility", "first cable", "second cable", "slowest", "fastest"}};
@@ -184,7 +223,8 @@ Case definition() {
   return {.id = "effective_masses",
           .title = "Effective masses and modes of bodies held in seven ways",
           .requirements = {{"A9", {"impulses", "springs", "modes", "forces"}}},
-          .main_checks = {"frequency of cable_0, guided_x", "fastest mode, pinned"},
+          .main_checks = {"frequency of cable_0, guided_x", "fastest mode, pinned",
+                          "frequency of friction between two discs"},
           .source = "Lagrange's equations, derived here",
           .faults = {{"pin_forgotten", "the pin at the centre of mass", "frequency of cable_0, guided_x"}},
           .run = run};
