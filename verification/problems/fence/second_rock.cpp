@@ -345,7 +345,7 @@ void check_summary(Findings& findings, const Setup& setup) {
 /// ground slopes, and the third columns hang otherwise.
 void check_verdicts(Findings& findings, const Setup& setup) {
   using scenes::Verdict;
-  double resumed = 0.0, heights = 0.0, tensions = 0.0;
+  double resumed = 0.0, heights = 0.0, tensions = 0.0, hangers = 0.0;
   constexpr double step = 2e-5;
   double touch = 0.0, limits = 0.0;
   const auto verdict_of = [&](double strength, int connections, double stop) {
@@ -361,6 +361,7 @@ void check_verdicts(Findings& findings, const Setup& setup) {
     (void)run_scene(made.scene, VelocityVerlet{}, {step, 0.1, 0.01, false}, findings, std::ref(watch));
     resumed += watch.resumed_differences();
     keep_worst(heights, watch.height_error()), keep_worst(tensions, watch.tension_error());
+    keep_worst(hangers, watch.hanger_error());
     for (const scenes::SegmentRecord& segment : watch.summary().segments)
       keep_worst(limits, segment.limit - (segment.top ? 5e8 : 1e9));
     const scenes::RockPassage& rock = watch.summary().rocks[0];
@@ -397,6 +398,8 @@ void check_verdicts(Findings& findings, const Setup& setup) {
                   Tolerance::round_off(1e-13, "a dozen operations on lengths of 25 ft"), "ft");
   findings.expect("largest tensions of top and bottom cable in the rows of the history, worst error", tensions, 0.0,
                   Tolerance::exact("the same tensions"), "lb");
+  findings.expect("largest hanger force in the rows of the history, worst error", hangers, 0.0,
+                  Tolerance::exact("the same sums of pulls"), "lb");
 }
 
 void run(Findings& findings, const Setup& setup) {

@@ -78,6 +78,7 @@ void WatchedSummary::operator()(const Snapshot& seen, const StepInfo& info) {
     }
     const std::vector<double>& row = watch_.history().rows.back();
     keep_worst(tension_error_, row[row.size() - 2] - top), keep_worst(tension_error_, row.back() - bottom);
+    keep_worst(hanger_error_, row[row.size() - 3] - largest_hanger(seen));
   }
   if (!saved_.empty()) return resumed_(seen, info);
   if (seen.state().t < stop_) return;
@@ -86,6 +87,18 @@ void WatchedSummary::operator()(const Snapshot& seen, const StepInfo& info) {
   Memory loading{saved_};
   resumed_.remember(loading);
   at_resume_ = differences(Numbers{summary()}.all, Numbers{resumed()}.all);
+}
+
+/// The largest pull of the top cable on a column, at the joint that is there over its centre.
+double WatchedSummary::largest_hanger(const Snapshot& seen) const {
+  const std::vector<Joint>& joints = seen.dynamics().cables().joints();
+  const Workspace& pulled = seen.pulls();
+  double largest = 0.0;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const bool broken = !pulled.rigging.broken.empty() && pulled.rigging.broken[j];
+    if (joints[j].on_body && joints[j].p.y > 0.0 && !broken) largest = std::max(largest, norm(pulled.joints.force(j)));
+  }
+  return largest;
 }
 
 /// Of the lowest top joint and the highest bottom joint over the plane of the ground, and of the rock.

@@ -22,16 +22,18 @@ class WatchedSummary {
   /// Worst error of the layer's heights and the times of their extremes, and of the first rock's largest height and its
   /// distance from the fence [L or T].
   [[nodiscard]] double height_error() const;
-  /// Worst error of the largest tensions in the history's rows [F].
+  /// Worst error of the largest tensions, and of the largest hanger force, in the history's rows [F].
   [[nodiscard]] double tension_error() const { return tension_error_; }
+  [[nodiscard]] double hanger_error() const { return hanger_error_; }
 
  private:
   void take_heights(const Snapshot& seen);
+  double largest_hanger(const Snapshot& seen) const;
 
   const scenes::Fence* fence_;
   const Model* model_;
   scenes::FenceWatch watch_, resumed_;
-  double stop_{}, tension_error_{}, at_resume_{}, rock_height_{}, rock_distance_{};
+  double stop_{}, tension_error_{}, hanger_error_{}, at_resume_{}, rock_height_{}, rock_distance_{};
   MemoryItems saved_;
   scenes::LayerRecord heights_;
   bool begun_{false};
