@@ -503,8 +503,7 @@ int main(int argc, char** argv) {
                  "Fail if a smaller share of the generated mutants that count is killed")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  app.add_option("--longest", options.longest,
-                 "Only cases that take at most so many seconds of the processor without a mutant")
+  app.add_option("--longest", options.longest, "Only cases that take at most this processor time without a mutant [s]")
       ->check(CLI::PositiveNumber);
   app.add_flag("--matrix", options.matrix, "Run all cases that evaluate a mutant, not only until the first is red");
   app.add_flag("--full", options.full, "The long studies as well");
