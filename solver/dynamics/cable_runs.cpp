@@ -14,7 +14,7 @@ struct PackOfJoints {
 };
 
 /// Those of a row from its joint `first` on; those that are on no body stay where they are.
-template <bool told, class Joints>
+template <bool recorded, class Joints>
 [[gnu::always_inline]] inline void place_joints(PackOfJoints& at, const CableRun& run, std::size_t first,
                                                 const CableConstants& constants, const Poses& poses, Joints& joints) {
   const auto from = static_cast<std::ptrdiff_t>(run.from), to = static_cast<std::ptrdiff_t>(run.to);
@@ -33,7 +33,7 @@ template <bool told, class Joints>
   at.arm_x = dx, at.arm_y = dy;
   load(at.x, joints.x.at(joint)), load(at.y, joints.y.at(joint));
   choose(at.x, on_body, x + dx), choose(at.y, on_body, y + dy);
-  if constexpr (told) {
+  if constexpr (recorded) {
     Pack vx, vy, w;
     load(vx, poses.vx.at(body)), load(vy, poses.vy.at(body)), load(w, poses.w.at(body));
     load(at.vx, joints.vx.at(joint)), load(at.vy, joints.vy.at(joint));
@@ -58,20 +58,20 @@ template <bool told, class Joints>
 }
 
 /// All in one pass, in registers from the poses to the pulls: written and read again between one stage and the next,
-/// each stage would wait for the one before. `told`: what comes of joints and cables is written down, too.
-template <bool told, class Joints>
+/// each stage would wait for the one before. `recorded`: what follows for joints and cables is kept, too.
+template <bool recorded, class Joints>
 [[gnu::always_inline]] inline bool pull(const CableRun& run, const CableConstants& constants, const CableLines& lines,
                                         const Poses& poses, Joints& joints, Paths* paths, Wrenches& pulls) {
   const auto count = static_cast<std::ptrdiff_t>(run.count);
   Sizes left{};
   Pack before_x{}, before_y{};  // what the cables before pull at their ends B
   PackOfJoints here;
-  place_joints<told>(here, run, 0, constants, poses, joints);
+  place_joints<recorded>(here, run, 0, constants, poses, joints);
   for (std::ptrdiff_t block = 0; block <= count; block += pack_size) {
     PackOfJoints next{};
     const auto first = static_cast<std::size_t>(block);
     if (block + static_cast<std::ptrdiff_t>(pack_size) <= count)
-      place_joints<told>(next, run, first + pack_size, constants, poses, joints);
+      place_joints<recorded>(next, run, first + pack_size, constants, poses, joints);
     const std::size_t cable = run.cable + first, joint = run.a + first;
     Sizes is;
     between(is, 0, count - block);
@@ -80,7 +80,7 @@ template <bool told, class Joints>
     Lanes dx, dy, dvx{}, dvy{}, across, length, rate, pull_x, pull_y;
     Pack pack;
     dx.set(x - here.x), dy.set(y - here.y);
-    if constexpr (told) {
+    if constexpr (recorded) {
       ahead(vx, here.vx, next.vx), ahead(vy, here.vy, next.vy);
       dvx.set(vx - here.vx), dvy.set(vy - here.vy);
     }
@@ -103,7 +103,7 @@ template <bool told, class Joints>
     Sizes off;
     ask_lanes(off, [&](std::size_t i) { return !(extents[i] > lows[i] && extents[i] < highs[i]); });
     left |= off & is;
-    if constexpr (told) {
+    if constexpr (recorded) {
       rate.get(pack);
       put(paths->length.at(cable), is, lengths), put(paths->length_rate.at(cable), is, pack);
       put(paths->pull_x.at(cable), is, pulls_x), put(paths->pull_y.at(cable), is, pulls_y);
@@ -118,7 +118,7 @@ template <bool told, class Joints>
     const Pack x_B = __builtin_shufflevector(before_x, end_x, 3, 4, 5, 6);
     const Pack y_B = __builtin_shufflevector(before_y, end_y, 3, 4, 5, 6);
     const Pack joint_x = share_a * force_x - x_B, joint_y = share_a * force_y - y_B;
-    if constexpr (told) {
+    if constexpr (recorded) {
       between(is, 0, count + 1 - block);
       put(joints.force_x.at(joint), is, joint_x), put(joints.force_y.at(joint), is, joint_y);
     }

@@ -10,13 +10,13 @@
 
 namespace talus {
 
-/// Those of a pack's lanes whose number is from .. to - 1; numbers may be below nought. From a table, and choices are made
+/// Those of a pack's lanes whose number is from .. to - 1; numbers may be below zero. From a table, and choices are made
 /// between whole numbers: gcc 12 makes a jump for each lane of compares of packs and of choices between them.
-inline constexpr std::array<std::int64_t, 2 * pack_size> ones_then_noughts{-1, -1, -1, -1};
+inline constexpr std::array<std::int64_t, 2 * pack_size> ones_then_zeros{-1, -1, -1, -1};
 [[gnu::always_inline]] inline void between(Sizes& is, std::ptrdiff_t from, std::ptrdiff_t to) {
   constexpr auto size = static_cast<std::ptrdiff_t>(pack_size);
   const auto below = [&](Sizes& lanes, std::ptrdiff_t end) {
-    std::memcpy(&lanes, ones_then_noughts.data() + size - std::clamp(end, std::ptrdiff_t{0}, size), sizeof lanes);
+    std::memcpy(&lanes, ones_then_zeros.data() + size - std::clamp(end, std::ptrdiff_t{0}, size), sizeof lanes);
   };
   Sizes early;
   below(is, to), below(early, from);

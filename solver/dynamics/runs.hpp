@@ -1,4 +1,4 @@
-/// What is worked out for neighbouring bodies, joints, cables and nodes a pack at a time: the arithmetic of BodyForces,
+/// What is computed for neighbouring bodies, joints, cables and nodes a pack at a time: the arithmetic of BodyForces,
 /// CableForces and ContactForces. A bare pointer is to the number of the run's first, those of the others behind it.
 #pragma once
 

@@ -30,8 +30,8 @@ class ContactLanes {
         second_{w_.pairs->second.data()},
         radii_{w_.pairs->radii.empty() ? nullptr : w_.pairs->radii.data()} {}
 
-  /// Forces on the second discs of a pack of touching pairs, of which so many count; the others are the last of them again.
-  /// at: which of the contacts the first is; from: which they were before.
+  /// Forces on the second discs of a pack of touching pairs. The first `count` of them count; the others are the last
+  /// of these again. at: number of the first contact; from: their numbers before the step.
   [[gnu::always_inline]] void push(const std::uint32_t* pairs, std::size_t count, std::size_t at,
                                    const std::uint32_t* from, const Pushes& out) {
     SweptContacts& contacts = *w_.contacts;
