@@ -86,8 +86,7 @@ Figure tolerance_figure(const Mutants& mutants) {
   figure.caption =
       "Share of the mutants that would still be killed if the bound of every check were 2, 5 or 10 times as large; by "
       "all cases, and by those of one family alone. Checks that have no size (same bits, a refused scene) and cases "
-      "that "
-      "break off kill at any tolerance.";
+      "that break off kill at any tolerance.";
   figure.x = {.label = "bounds multiplied by", .unit = "1", .log = false, .min = 0.0, .max = 10.5};
   figure.y = {.label = "mutants killed", .unit = "%", .log = false, .min = 0.0, .max = 100.0};
   const auto add = [&](const std::string& label, const std::string& family) {
@@ -229,8 +228,7 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
   std::string text = fmt::format(
       "Small bugs were compiled into a copy of the solver, one switched on at a time, and {} cases of the quick "
       "tier run (their right setups, without controls). **{} of {} generated mutants were killed: {}** ({} equivalent "
-      "ones "
-      "do not count). They are a sample of {} candidates (seed {}), whose score lies between {} and {} (Wilson "
+      "ones do not count). They are a sample of {} candidates (seed {}), whose score lies between {} and {} (Wilson "
       "interval, 95 %). **Of {} bugs written by hand {} were killed.** Building took {:.0f} s, the runs {:.0f} s.\n\n",
       mutants.cases.size(), score.killed, score.counted(), percent(score.share()), score.equivalent, mutants.candidates,
       mutants.seed, percent(range.low), percent(range.high), bugs.size(), of_bugs.killed, mutants.build_seconds,

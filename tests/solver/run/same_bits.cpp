@@ -54,13 +54,6 @@ std::uint64_t fingerprint(const State& state) {
   return found.hash();
 }
 
-std::uint64_t fingerprint(const Discs& discs) {
-  Fingerprint found;
-  for (const std::vector<double>* const numbers : {&discs.x, &discs.y, &discs.vx, &discs.vy, &discs.spin})
-    found.add(*numbers);
-  return found.hash();
-}
-
 std::uint64_t fingerprint_after(const Scene& scene, const std::string& integrator, double step, double end) {
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics};
@@ -99,9 +92,10 @@ BOOST_AUTO_TEST_CASE(cells_of_discs_keep_their_bits) {
   for (const ShearCell& cell : cells()) {
     CellRun cell_run{cell, plan(cell, 40.0)};
     const Discs discs = run(cell_run).discs();
-    found.add(std::bit_cast<double>(fingerprint(discs)));
+    for (const std::vector<double>* const numbers : {&discs.x, &discs.y, &discs.vx, &discs.vy, &discs.spin})
+      found.add(*numbers);
   }
-  BOOST_TEST(found.hash() == 8672277651701611610ULL);
+  BOOST_TEST(found.hash() == 7093094268254931125ULL);
 }
 
 BOOST_AUTO_TEST_CASE(every_integrator_keeps_its_bits) {

@@ -93,8 +93,8 @@ void expect_same(Findings& findings, const Setup& setup, const std::string& name
                           0.2 * static_cast<double>(steps), "contacts must be carried from list to list");
 }
 
-/// Kicks, drifts and evaluations by themselves, of discs that the caller has changed since: half-way all is reversed,
-/// and later one disc is put elsewhere.
+/// Kicks, drifts and evaluations by themselves, of discs that the caller has changed since: velocities are reversed
+/// between a kick and a drift and between a drift and a kick, and at the end one disc is put elsewhere.
 void expect_single_calls(Findings& findings, const Setup& setup) {
   const std::string name = "numbers that differ after single calls, discs changed in between";
   if (!setup.needs(name)) return;
