@@ -45,6 +45,22 @@ Score score_of(const std::vector<const MutantRecord*>& mutants) {
   return score;
 }
 
+Mutants without_recorded(Mutants mutants) {
+  std::set<std::string> recorded;
+  for (const records::UnchangedCase& one : mutants.cases) {
+    if (one.recorded) recorded.insert(one.id);
+  }
+  std::erase_if(mutants.cases, [](const records::UnchangedCase& one) { return one.recorded; });
+  for (MutantRecord& mutant : mutants.mutants) {
+    std::erase_if(mutant.trials, [&](const Trial& trial) { return recorded.contains(trial.case_id); });
+    std::erase_if(mutant.covered_by, [&](const std::string& id) { return recorded.contains(id); });
+    const bool noticed = std::any_of(mutant.trials.begin(), mutant.trials.end(), records::kills);
+    if (mutant.status == records::MutantStatus::killed && !noticed)
+      mutant.status = mutant.covered_by.empty() ? records::MutantStatus::unreached : records::MutantStatus::survived;
+  }
+  return mutants;
+}
+
 bool kills_at(const Trial& trial, double factor) {
   if (trial.end != records::TrialEnd::pass && trial.end != records::TrialEnd::fail) return true;
   return trial.ratio > factor;

@@ -37,6 +37,9 @@ template <class Name>
 }
 [[nodiscard]] Score score_of(const std::vector<const MutantRecord*>& mutants);
 
+/// The same without the cases that compare with recorded results: what they alone killed has survived.
+[[nodiscard]] Mutants without_recorded(Mutants mutants);
+
 /// Whether a trial would still be red if every bound of its checks were `factor` times as large (or, below 1, as small).
 [[nodiscard]] bool kills_at(const Trial& trial, double factor);
 

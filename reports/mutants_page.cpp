@@ -212,8 +212,9 @@ std::string who_kills(const Mutants& mutants, const Results& results) {
 std::vector<Figure> mutants_figures(const Mutants& mutants) {
   std::vector<Figure> figures{matrix_figure(mutants)};
   if (mutants.whole_matrix && score_of(generated(mutants)).counted() > 0) {
-    figures.push_back(greedy_figure(mutants));
-    figures.push_back(tolerance_figure(mutants));
+    const Mutants independent = without_recorded(mutants);
+    figures.push_back(greedy_figure(independent));
+    figures.push_back(tolerance_figure(independent));
   }
   std::erase_if(figures, [](const Figure& figure) { return figure.series.empty(); });
   return figures;
@@ -233,6 +234,15 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
       mutants.cases.size(), score.killed, score.counted(), percent(score.share()), score.equivalent, mutants.candidates,
       mutants.seed, percent(range.low), percent(range.high), bugs.size(), of_bugs.killed, mutants.build_seconds,
       mutants.run_seconds);
+  const Mutants others = without_recorded(mutants);
+  if (others.cases.size() < mutants.cases.size()) {
+    const Score independent = score_of(generated(others));
+    text += fmt::format(
+        "Of them {} are noticed by comparison with recorded results alone, which tells that something changed, not "
+        "what is "
+        "right. **Without it {} are killed: {}**; the tables count it, the curves do not.\n\n",
+        score.killed - independent.killed, independent.killed, percent(independent.share()));
+  }
   const auto pending = static_cast<std::size_t>(
       std::ranges::count(sample, MutantStatus::pending, [](const MutantRecord* mutant) { return mutant->status; }));
   if (pending > 0) {
@@ -250,7 +260,7 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
     for (const Figure& figure : mutants_figures(mutants))
       text += figure_link(figure);
   }
-  if (mutants.whole_matrix) text += who_kills(mutants, results);
+  if (mutants.whole_matrix) text += who_kills(others, results);
   if (!bugs.empty()) text += "## Bugs written by hand\n\n" + bug_list(mutants, results) + "\n";
   const std::string survived = list_of(mutants, MutantStatus::survived);
   if (!survived.empty()) text += "## Survivors\n\nCases evaluate them, and stay green.\n\n" + survived + "\n";

@@ -299,7 +299,8 @@ struct Passage {
   }
 };
 
-/// Those that a bug names first, then by time.
+/// Cases that a bug names first, then by time; those that compare with recorded results last, so that they kill only what
+/// no other case does.
 std::vector<const Unchanged*> order_of(const MutantRecord& mutant, const std::vector<Unchanged>& unchanged) {
   std::vector<const Unchanged*> order;
   for (const Unchanged& one : unchanged) {
@@ -309,6 +310,7 @@ std::vector<const Unchanged*> order_of(const MutantRecord& mutant, const std::ve
     return std::find(mutant.cases.begin(), mutant.cases.end(), one->one->id) != mutant.cases.end();
   };
   std::stable_sort(order.begin(), order.end(), [&](const Unchanged* a, const Unchanged* b) {
+    if (a->one->recorded != b->one->recorded) return b->one->recorded;
     if (named(a) != named(b)) return named(a);
     return a->seconds < b->seconds;
   });
@@ -473,7 +475,7 @@ int run(const Options& options) {
   mutants.whole_matrix = options.matrix;
   mutants.build_seconds = options.build_seconds;
   for (const Unchanged& one : unchanged)
-    mutants.cases.push_back({one.one->id, one.one->family, one.seconds});
+    mutants.cases.push_back({one.one->id, one.one->family, one.seconds, one.one->recorded});
   const auto save = [&] { records::write_mutants(mutants, out); };
   run_mutants(mutants, unchanged, options, tier, jobs, save);
   save();

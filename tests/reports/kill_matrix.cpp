@@ -65,6 +65,28 @@ BOOST_AUTO_TEST_CASE(a_score_leaves_out_what_is_equivalent) {
   BOOST_TEST(by_operation.at("factor").share() == 0.5);
 }
 
+BOOST_AUTO_TEST_CASE(what_recorded_results_alone_notice_is_counted_apart) {
+  Mutants all = some();
+  all.cases.push_back({"record", "program", 9.0, true});
+  all.mutants[0].trials.push_back({"record", TrialEnd::fail, infinity, "bits"});
+  MutantRecord& survivor = all.mutants[3];
+  survivor.trials.push_back({"record", TrialEnd::fail, infinity, "bits"});
+  survivor.covered_by.push_back("record");
+  survivor.status = MutantStatus::killed;
+  all.mutants.push_back(mutant("m6", "sign", {{"record", TrialEnd::fail, infinity, "bits"}}));
+  BOOST_TEST(score_of(generated(all)).killed == 5u);
+  const Mutants others = without_recorded(all);
+  const Score score = score_of(generated(others));
+  BOOST_TEST(score.killed == 3u);
+  BOOST_TEST(score.survived == 1u);
+  BOOST_TEST(score.unreached == 1u);
+  BOOST_TEST(others.cases.size() == 3u);
+  const std::string text = mutants_text(all, {}, false);
+  BOOST_TEST(text.find("**5 of 5 generated mutants were killed: 100.0 %**") != std::string::npos);
+  BOOST_TEST(text.find("Of them 2 are noticed by comparison with recorded results alone") != std::string::npos);
+  BOOST_TEST(text.find("**Without it 3 are killed: 60.0 %**") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(wider_bounds_kill_less) {
   const Mutants all = some();
   const auto of = generated(all);

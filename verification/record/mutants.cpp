@@ -39,10 +39,11 @@ void fields(auto& f, Like<UnchangedCase> auto& unchanged) {
   f.words("id", unchanged.id);
   f.value("family", unchanged.family);
   f.value("seconds", unchanged.seconds);
+  f.value("recorded", unchanged.recorded);
 }
 
 void fields(auto& f, Like<Mutants> auto& mutants) {
-  f.derived("schema", std::string("talus mutants 1"));
+  f.derived("schema", std::string("talus mutants 2"));
   f.value("candidates", mutants.candidates);
   f.value("uncompiled", mutants.uncompiled);
   f.value("seed", mutants.seed);

@@ -81,6 +81,7 @@ struct UnchangedCase {
   std::string id{};
   std::string family{};
   double seconds{};  ///< processor time
+  bool recorded{};   ///< it compares with earlier results of the program itself
 };
 
 struct Mutants {

@@ -11,10 +11,10 @@
 #include "solver/scenes/fence_summary.hpp"
 #include "solver/stability/step_advice.hpp"
 #include "verification/check/case.hpp"
-#include "verification/problems/speed_accuracy/varied_scenes.hpp"
 #include "verification/study/expectations.hpp"
 #include "verification/study/recorded_run.hpp"
 #include "verification/study/scene_run.hpp"
+#include "verification/study/varied_scenes.hpp"
 
 namespace talus::verification::problems::defaults {
 namespace {

@@ -1,4 +1,4 @@
-#include "verification/problems/speed_accuracy/varied_scenes.hpp"
+#include "verification/study/varied_scenes.hpp"
 
 #include <fmt/format.h>
 
