@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <exception>
+#include <limits>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -33,44 +35,52 @@ std::size_t await_other(const std::atomic<std::size_t>& number, std::size_t than
 }  // namespace
 
 struct Team::Shared {
+  /// What `calls` becomes at the end.
+  static constexpr std::size_t no_more = std::numeric_limits<std::size_t>::max();
+
+  /// Where the system starts no more threads, the caller does their parts.
   explicit Shared(std::size_t size)
-      : looks{size <= std::thread::hardware_concurrency() ? looks_alone : 0}, failures(size) {
-    for (std::size_t k = 1; k < size; ++k)
-      others.emplace_back([this, k] { serve(k); });
+      : looks{size <= std::thread::hardware_concurrency() ? looks_alone : 0}, taken(size), failures(size) {
+    try {
+      for (std::size_t k = 1; k < size; ++k)
+        others.emplace_back([this, k] { serve(k); });
+    } catch (const std::system_error&) {
+    }
   }
   ~Shared() {
-    work = nullptr;
-    call();
+    calls.store(no_more, std::memory_order_release);
+    calls.notify_all();
     for (std::thread& other : others)
       other.join();
   }
   Shared(const Shared&) = delete;
   Shared& operator=(const Shared&) = delete;
 
-  void call() {
-    calls.fetch_add(1, std::memory_order_release);
-    calls.notify_all();
-  }
-  void do_part(std::size_t k) noexcept {
+  /// Does a part of a call unless it is taken. A call ends when all its parts are done, and only then another begins:
+  /// who takes a part of it sees the work of this call, and who comes too late finds none.
+  void do_part(std::size_t k, std::size_t call) noexcept {
+    std::size_t before = call - 1;
+    if (!taken[k].compare_exchange_strong(before, call, std::memory_order_acq_rel)) return;
     try {
       (*work)(k);
     } catch (...) {
       failures[k] = std::current_exception();
     }
+    if (left.fetch_sub(1, std::memory_order_acq_rel) == 1) left.notify_all();
   }
   void serve(std::size_t k) {
     for (std::size_t seen = 0;;) {
       seen = await_other(calls, seen, looks);
-      if (work == nullptr) return;
-      do_part(k);
-      if (left.fetch_sub(1, std::memory_order_acq_rel) == 1) left.notify_all();
+      if (seen == no_more) return;
+      do_part(k, seen);
     }
   }
 
   int looks;
   const std::function<void(std::size_t)>* work{};
-  std::atomic<std::size_t> calls{};  ///< to the others so far
-  std::atomic<std::size_t> left{};   ///< of them who are at work
+  std::atomic<std::size_t> calls{};             ///< so far
+  std::vector<std::atomic<std::size_t>> taken;  ///< of each part, the last call in which somebody took it
+  std::atomic<std::size_t> left{};              ///< parts of the call that are not done
   std::vector<std::exception_ptr> failures;
   std::vector<std::thread> others;  ///< last: they use all that stands above
 };
@@ -83,9 +93,13 @@ std::size_t Team::size() const { return shared_->failures.size(); }
 void Team::each(const std::function<void(std::size_t)>& work) {
   Shared& shared = *shared_;
   shared.work = &work;
-  shared.left.store(shared.others.size(), std::memory_order_relaxed);
-  shared.call();
-  shared.do_part(0);
+  shared.left.store(size(), std::memory_order_relaxed);
+  const std::size_t call = shared.calls.fetch_add(1, std::memory_order_release) + 1;
+  shared.calls.notify_all();
+  // Also the parts of threads that have not begun: where other programs keep the processors busy, a thread may have to
+  // wait for some milliseconds, in which the part would be done a hundred times.
+  for (std::size_t k = 0; k < size(); ++k)
+    shared.do_part(k, call);
   for (std::size_t left = shared.left.load(std::memory_order_acquire); left != 0;)
     left = await_other(shared.left, left, shared.looks);
   for (std::exception_ptr& failure : shared.failures) {

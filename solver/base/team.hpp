@@ -9,14 +9,15 @@ namespace talus {
 /// Threads that work together, again and again: this one and others that wait meanwhile.
 class Team {
  public:
-  /// size >= 1: with this thread.
+  /// size >= 1: with this thread. Threads that the system cannot start are done without.
   explicit Team(std::size_t size);
   ~Team();
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  /// Calls work(k) for 0 <= k < size, each by another thread, and waits until all are done. Errors: what work(k)
-  /// throws, that of the smallest k.
+  /// Calls work(k) for 0 <= k < size, at once as far as the system lets the threads run, and returns when all calls
+  /// have ended. A call must not wait for another: the calling thread makes those that no thread has begun. Errors: what
+  /// work(k) throws, that of the smallest k.
   void each(const std::function<void(std::size_t)>& work);
   std::size_t size() const;
 
@@ -31,8 +32,8 @@ struct Part {
   std::size_t begin{}, end{};
 };
 
-/// Calls work(part) for as many even parts of so many things as the team has threads, each by another thread; of no
-/// team for all, here.
+/// Calls work(part) for as many even parts of so many things as the team has threads, as Team::each; of no team for
+/// all, here.
 template <class Work>
 void in_parts(Team* team, std::size_t count, Work&& work) {
   if (team == nullptr) return work(Part{0, 0, count});

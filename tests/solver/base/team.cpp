@@ -1,13 +1,61 @@
 #define BOOST_TEST_MODULE team
 #include "solver/base/team.hpp"
 
+#include <sys/resource.h>
+#include <unistd.h>
 #include <boost/test/unit_test.hpp>
+#include <fstream>
+#include <memory>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 using talus::Team;
+
+namespace {
+
+/// No more address space than is in use, while it lives: the system can then start no thread, for want of a stack.
+class NoRoom {
+ public:
+  NoRoom() {
+    ::getrlimit(RLIMIT_AS, &before_);
+    std::ifstream in{"/proc/self/statm"};
+    rlim_t pages{};
+    in >> pages;
+    const rlimit now{pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + 1'000'000, before_.rlim_max};
+    ::setrlimit(RLIMIT_AS, &now);
+  }
+  NoRoom(const NoRoom&) = delete;
+  NoRoom& operator=(const NoRoom&) = delete;
+  ~NoRoom() { ::setrlimit(RLIMIT_AS, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+}  // namespace
+
+/// The first test: later ones find the stacks of earlier threads.
+BOOST_AUTO_TEST_CASE(threads_that_cannot_be_started_are_done_without) {
+  std::set<std::thread::id> ids;
+  std::vector<int> done(4);
+  const auto made = [] {
+    const NoRoom no_room;
+    return std::make_unique<Team>(4);
+  };
+  const std::unique_ptr<Team> team = made();
+  for (int call = 0; call < 100; ++call) {
+    team->each([&](std::size_t k) {
+      ++done[k];
+      ids.insert(std::this_thread::get_id());  // by this thread alone
+    });
+  }
+  BOOST_TEST(done == std::vector<int>(4, 100), boost::test_tools::per_element());
+  BOOST_TEST(ids.size() == 1u);
+}
 
 BOOST_AUTO_TEST_CASE(each_part_is_done_once_and_before_the_next_work_begins) {
   for (const std::size_t size : {1U, 2U, 3U, 7U}) {

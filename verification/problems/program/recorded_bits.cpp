@@ -46,7 +46,8 @@ void run(Findings& findings, const Setup& setup) {
   Table table{.name = "differences",
               .caption = "Results that are not the recorded ones, at most the first twenty of each group.",
               .columns = {"group", "run", "part", "recorded", "found"}};
-  Table counts{.name = "runs", .caption = "Runs and fingerprints by group.", .columns = {"group", "runs", "fingerprints"}};
+  Table counts{
+      .name = "runs", .caption = "Runs and fingerprints by group.", .columns = {"group", "runs", "fingerprints"}};
   for (const auto& [group, parts] : found) {
     std::map<std::pair<std::string, std::string>, std::string>& known = recorded[group];
     int differing = 0;
@@ -65,11 +66,12 @@ void run(Findings& findings, const Setup& setup) {
     for (const auto& [key, fingerprint] : known) {
       if (!setup.coarse && !parts.contains(key)) differ(key, fingerprint, "none");
     }
-    findings.in("recorded")->expect(fmt::format("results that differ from the recorded ones, {}", group), differing,
-                                    0.0, Tolerance::exact("the same input gives the same bits"));
-    findings.in("restored")->expect(
-        fmt::format("objects that differ from what they were restored from, {}", group), not_restored[group], 0.0,
-        Tolerance::exact("what is saved of a run at its end is all that it carries"));
+    findings.in("recorded")
+        ->expect(fmt::format("results that differ from the recorded ones, {}", group), differing, 0.0,
+                 Tolerance::exact("the same input gives the same bits"));
+    findings.in("restored")
+        ->expect(fmt::format("objects that differ from what they were restored from, {}", group), not_restored[group],
+                 0.0, Tolerance::exact("what is saved of a run at its end is all that it carries"));
     counts.rows.push_back({group, fmt::format("{}", runs[group]), fmt::format("{}", parts.size())});
   }
   findings.data(data);

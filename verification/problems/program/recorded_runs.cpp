@@ -68,8 +68,8 @@ MemoryItems linear_parts(const Dynamics& dynamics, const State& state) {
   dynamics.linearization(state, seen.geometry(), piece);
   std::vector<double> terms;
   for (const AffinePiece::Term& term : piece.terms)
-    terms.insert(terms.end(), {static_cast<double>(term.row), static_cast<double>(term.column), term.stiffness,
-                               term.damping});
+    terms.insert(terms.end(),
+                 {static_cast<double>(term.row), static_cast<double>(term.column), term.stiffness, term.damping});
   for (const AffinePiece::MemoryTerm& term : piece.memory)
     terms.insert(terms.end(), {static_cast<double>(term.row), static_cast<double>(term.column), term.slope});
   for (const AffinePiece::MemoryPull& term : piece.pulls)
@@ -137,8 +137,8 @@ void run_bodies(const std::string& group, const std::string& name, const SceneFi
 void run_as_written(Findings& findings, const Take& take) {
   for (const VariedScene& varied : varied_scenes())
     run_bodies("scenes", varied.name, {read_scene(varied.text, varied.name), {}}, findings, take);
-  for (const char* name : {"cable_pendulum", "damped_disc", "pendulum", "pivoted_cylinder", "rolling_disc",
-                           "sliding_block", "two_cable"})
+  for (const char* name :
+       {"cable_pendulum", "damped_disc", "pendulum", "pivoted_cylinder", "rolling_disc", "sliding_block", "two_cable"})
     run_bodies("scenes", fmt::format("{}.toml", name),
                read_scene_file(std::filesystem::path{TALUS_CASES} / fmt::format("{}.toml", name)), findings, take);
   std::vector<VariedScene> fences = varied_fences();
@@ -147,8 +147,8 @@ void run_as_written(Findings& findings, const Take& take) {
   for (const VariedScene& varied : fences)
     run_bodies("fences", varied.name, read_scene_file(varied.text, varied.name), findings, take);
   // Of 1993: steps of fixed length.
-  for (const char* name : {"table_2", "appendix_one_layer", "appendix_two_layers", "appendix_top_cable_only",
-                           "appendix_nine_rocks"}) {
+  for (const char* name :
+       {"table_2", "appendix_one_layer", "appendix_two_layers", "appendix_top_cable_only", "appendix_nine_rocks"}) {
     SceneFile file = read_scene_file(std::filesystem::path{TALUS_CASES} / "fence" / fmt::format("{}.DAT", name));
     file.scene.plan.end = std::min(file.scene.plan.end, 6000.0 * file.scene.plan.step);
     file.scene.plan.interval = 20.0 * file.scene.plan.step;
@@ -173,12 +173,12 @@ void run_methods(Findings& findings, const Setup& setup, const Take& take) {
     runs.push_back({"two cables", scenes::two_cable({.contact = law}), 1e-4, 0.5});
     runs.push_back({"cable pendulum", scenes::cable_pendulum({.amplitude = 1.0}), 1e-3, 1.0});
     runs.push_back({"column by nodes",
-                    scenes::pivoted_cylinder({.rock_radius = 1.5, .contact = law, .method = ContactMethod::nodes}), 1e-4,
-                    0.4});
+                    scenes::pivoted_cylinder({.rock_radius = 1.5, .contact = law, .method = ContactMethod::nodes}),
+                    1e-4, 0.4});
     runs.push_back({"Hertzian column", scenes::pivoted_cylinder({.contact = Hertz{1e6, 1.5, 100.0}}), 1e-4, 0.4});
     runs.push_back({"latching disc",
-                    scenes::bouncing_disc({.gap = 0.1, .gravity = 9.81, .contact = LatchingSpring{1e4, 2e4, 0.5}}), 1e-3,
-                    2.0});
+                    scenes::bouncing_disc({.gap = 0.1, .gravity = 9.81, .contact = LatchingSpring{1e4, 2e4, 0.5}}),
+                    1e-3, 2.0});
     runs.push_back({"bouncing disc", scenes::bouncing_disc({.gap = 0.5, .gravity = 9.81, .contact = law}), 1e-3, 2.0});
     runs.push_back({"rough fence", fence.scene, 2e-5, 0.03});
   }
@@ -238,15 +238,15 @@ void run_cell(const ShearCell& cell, CellPlan plan, const std::string& name, Fin
                     {static_cast<double>(contact.a), static_cast<double>(contact.b), contact.depth, contact.force,
                      contact.friction, contact.stored, contact.multiple ? 1.0 : 0.0, contact.sliding ? 1.0 : 0.0});
   const FilledCell& start = cell_run.start();
-  run.parts["summary"] = {{"means", means},
-                          {"intervals", intervals},
-                          {"layers", layers},
-                          {"energies", energies},
-                          {"contacts", contacts},
-                          {"limits",
-                           std::vector{cell_run.largest_overlap(), cell_run.largest_fraction(),
-                                       static_cast<double>(cell_run.jumped()), static_cast<double>(cell_run.evaluations()),
-                                       depth(cell, cell_run.discs()), sixfold_order(cell, start, cell_run.discs())}}};
+  run.parts["summary"] = {
+      {"means", means},
+      {"intervals", intervals},
+      {"layers", layers},
+      {"energies", energies},
+      {"contacts", contacts},
+      {"limits", std::vector{cell_run.largest_overlap(), cell_run.largest_fraction(),
+                             static_cast<double>(cell_run.jumped()), static_cast<double>(cell_run.evaluations()),
+                             depth(cell, cell_run.discs()), sixfold_order(cell, start, cell_run.discs())}}};
   CellRun other{cell, plan};
   run.not_restored += differs_restored(run.parts["end"], other);
   take(run);
@@ -278,9 +278,12 @@ void run_cells(Findings& findings, const Take& take) {
 std::vector<double> numbers(const Virial& sums) { return {sums.xx, sums.xy, sums.yx, sums.yy}; }
 
 MemoryItems items_of(const Packing& packing) {
-  return {{"radius", packing.shapes.radius}, {"inverse_mass", packing.shapes.inverse_mass},
-          {"x", packing.discs.x},            {"y", packing.discs.y},
-          {"vx", packing.discs.vx},          {"vy", packing.discs.vy},
+  return {{"radius", packing.shapes.radius},
+          {"inverse_mass", packing.shapes.inverse_mass},
+          {"x", packing.discs.x},
+          {"y", packing.discs.y},
+          {"vx", packing.discs.vx},
+          {"vy", packing.discs.vy},
           {"box", std::vector{packing.width, packing.height, packing.box.width, closest(packing)}}};
 }
 
@@ -300,13 +303,13 @@ void run_flow(System system, const Packing& packing, const std::string& name, Fi
   RunResult run{"packings", name, {}, 0};
   run.parts["discs"] = saved(discs);
   run.parts["contacts"] = saved(system, discs);
-  run.parts["summary"] = {{"virial", numbers(contacts.virial)},
-                          {"kinetic", numbers(kinetic_virial(packing.shapes, discs, flow))},
-                          {"flow", std::vector{flow.speed, flow.shear_rate, temperature(packing.shapes, discs, flow)}},
-                          {"wall", std::vector{system.wall_force(0).x, system.wall_force(0).y}},
-                          {"sums", std::vector{contacts.stored, contacts.largest_depth,
-                                               static_cast<double>(contacts.contacts),
-                                               static_cast<double>(system.builds())}}};
+  run.parts["summary"] = {
+      {"virial", numbers(contacts.virial)},
+      {"kinetic", numbers(kinetic_virial(packing.shapes, discs, flow))},
+      {"flow", std::vector{flow.speed, flow.shear_rate, temperature(packing.shapes, discs, flow)}},
+      {"wall", std::vector{system.wall_force(0).x, system.wall_force(0).y}},
+      {"sums", std::vector{contacts.stored, contacts.largest_depth, static_cast<double>(contacts.contacts),
+                           static_cast<double>(system.builds())}}};
   take(run);
 }
 
