@@ -65,10 +65,11 @@ struct Case {
                        ///< break it. The catalogue fills it in.
   std::vector<Fault> faults;  ///< At least one: a case that cannot turn red shows nothing.
   Tier tier = Tier::quick;    ///< The lowest tier that runs this case.
-  bool recorded = false;     ///< Compares with earlier results of the program itself, not with an independent solution.
-  double seconds = 1.0;      ///< Processor time of the quick tier [s], roughly: the driver starts long cases first.
-  double time_limit = 60.0;  ///< Wall-clock limit [s] for the whole case, its faulty setups included.
-  double memory_limit = 2.0;                       ///< Most memory [GiB] that the case may hold at any time.
+  bool recorded = false;  ///< Compares with earlier results of the program itself, not with an independent solution.
+  double seconds = 1.0;   ///< Processor time of the quick tier [s], roughly: the driver starts long cases first.
+  double full_seconds = 0.0;  ///< The same of the full tier, where that takes longer.
+  double time_limit = 60.0;   ///< Wall-clock limit [s] for the whole case, its faulty setups included.
+  double memory_limit = 2.0;  ///< Most memory [GiB] that the case may hold at any time.
   void (*run)(Findings&, const Setup&) = nullptr;  ///< Measures and compares; throws what it cannot handle.
 };
 

@@ -199,11 +199,13 @@ void take(Record& record, const Child& child, int status, const Case& verificati
 }
 
 /// The order in which cases start: those that take long first, so that none of them is waited for at the end.
-std::vector<std::size_t> starting_order(const std::vector<Case>& cases) {
+std::vector<std::size_t> starting_order(const std::vector<Case>& cases, Tier tier) {
+  const auto seconds = [&](std::size_t i) {
+    return tier == Tier::full ? std::max(cases[i].seconds, cases[i].full_seconds) : cases[i].seconds;
+  };
   std::vector<std::size_t> order(cases.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return cases[a].seconds > cases[b].seconds; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return seconds(a) > seconds(b); });
   return order;
 }
 
@@ -211,7 +213,7 @@ std::vector<std::size_t> starting_order(const std::vector<Case>& cases) {
 class Queue {
  public:
   Queue(const std::vector<Case>& cases, const RunPlan& plan, std::vector<Record>& records)
-      : cases_(cases), order_(starting_order(cases)), plan_(plan), records_(records) {
+      : cases_(cases), order_(starting_order(cases, plan.tier)), plan_(plan), records_(records) {
     running_.reserve(std::max(1u, plan.jobs));
   }
   Queue(const Queue&) = delete;

@@ -279,7 +279,7 @@ Case definition() {
                       "momentum of the block less its impulse and weight, velocity_verlet"},
                      {"few_steps", "10 steps in a contact, not 80",
                       "energy gained over the drive's work, springs that lose nothing"}},
-          .seconds = 8.0,
+          .seconds = 10.0,
           .time_limit = 150.0,
           .run = run};
 }

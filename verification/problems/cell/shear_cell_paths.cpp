@@ -292,6 +292,7 @@ Case definition() {
                       "a run taken on from its memory ends in the same bits"},
                      {"stiffer_discs", "K1 of the cell with jumps 1e-6 larger",
                       "places after jumps over free time, over a diameter"}},
+          .seconds = 3.0,
           .run = run};
 }
 

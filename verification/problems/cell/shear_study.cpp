@@ -222,6 +222,7 @@ Case definition() {
           .faults = {{"one_speed", "the series at 1000 d/s run at 5000", "S/N at 32 kPa over that at 2 kPa, 1000 d/s"},
                      {"loads_exchanged", "the lightest load taken for the heaviest", "multiple contacts form"}},
           .tier = Tier::full,
+          .full_seconds = 110.0,
           .time_limit = 900.0,
           .run = run};
 }

@@ -263,6 +263,7 @@ Case definition() {
                   "rock's speed by 192 nodes from that by one resultant, over the same by 12"},
                  {"particle_masses", "dashpots from the particle masses throughout",
                   "restitution with the effective mass, -3 to 3 ft off centre, furthest from .4"}},
+      .seconds = 3.0,
       .run = run};
 }
 

@@ -494,6 +494,8 @@ Case definition() {
                   "exit velocity, no bottom cable: mean distance to the print"},
                  {"bottom_wrapped_once", "a bottom cable of one strand",
                   "bottom cable force, with bottom cable: distance to the print over that of twins"}},
+      .seconds = 3.0,
+      .full_seconds = 24.0,
       .time_limit = 300.0,
       .run = run};
 }

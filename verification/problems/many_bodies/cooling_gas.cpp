@@ -241,6 +241,7 @@ Case definition() {
                  {"elastic_steps_short", "20 steps in a contact where there are to be 4",
                   "change of the energy of elastic discs, 4 steps in a contact"}},
       .seconds = 4.0,
+      .full_seconds = 23.0,
       .time_limit = 600.0,
       .run = run};
 }

@@ -75,6 +75,7 @@ Case definition() {
                      {"still_box", "images that do not slide", "inertial number of the slowest flow"},
                      {"motion_alone", "stress by the motion alone", "inertial number of the slowest flow"}},
           .seconds = 4.0,
+          .full_seconds = 18.0,
           .time_limit = 600.0,
           .run = run};
 }

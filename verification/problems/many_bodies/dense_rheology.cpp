@@ -343,6 +343,7 @@ Case definition() {
                  {"smooth_discs", "no friction between the rough discs",
                   "rough discs resist more, excess over its error"}},
       .seconds = 6.0,
+      .full_seconds = 45.0,
       .time_limit = 600.0,
       .run = run};
 }

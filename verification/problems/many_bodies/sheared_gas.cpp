@@ -207,6 +207,7 @@ Case definition() {
                      {"flow_in_temperature", "temperature of the velocities as they are", temperature},
                      {"stress_without_contacts", "stress by the motion alone", friction}},
           .seconds = 3.0,
+          .full_seconds = 73.0,
           .time_limit = 600.0,
           .run = run};
 }

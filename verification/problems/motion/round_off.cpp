@@ -464,6 +464,7 @@ Case definition() {
                       "log2 of the rounding over its prediction, furthest of all methods and numbers"},
                      {"dashpot_left_on", "a dashpot of 2^-10, which no step makes smaller",
                       "error against the step, truncation, rk4, 24 bits"}},
+          .full_seconds = 32.0,
           .time_limit = 120.0,
           .run = run};
 }

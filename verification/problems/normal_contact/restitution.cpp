@@ -347,6 +347,7 @@ Case definition() {
                   "closing rate seen from moving frames, change of e"},
                  {"arm_forgotten", "off-centre impact with the two masses", "rms relative error of e, off centre"},
                  {"pin_forgotten", "pivoted impact with the two masses", "rms relative error of e, pivoted"}},
+      .seconds = 3.0,
       .run = run};
 }
 

@@ -336,6 +336,7 @@ Case definition() {
             "what polygons lack of area and moment, extrapolated, over the leading order, farthest of n = 2 ... 50"},
            {"boxes_too_small", "boxes of the search a tenth too narrow",
             "touching pairs that the contact search leaves out"}},
+      .seconds = 3.0,
       .run = run};
 }
 

@@ -202,6 +202,7 @@ Case definition() {
                       "effective mass, over the exact one: largest deviation from 1"},
                      {"twice_the_step", "twice the advised step",
                       "restitution with the advised step: largest error over phases"}},
+          .seconds = 6.0,
           .run = run};
 }
 

@@ -211,6 +211,7 @@ Case definition() {
       .faults = {{"slower_rock", "a rock of 64.99 ft/s", "sheet: velocity of approach"},
                  {"cable_pushes", "cables that push the anchor",
                   "sheet: impulse of the anchor from the states of the geometry, largest error of three components"}},
+      .seconds = 3.0,
       .run = run};
 }
 

@@ -95,7 +95,7 @@ Case definition() {
                      {"one_record_of_another", "one result is compared with that of another method",
                       "results that differ from the recorded ones, integrators"}},
           .recorded = true,
-          .seconds = 10.0,
+          .seconds = 5.0,
           .run = run};
 }
 

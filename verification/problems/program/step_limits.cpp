@@ -324,6 +324,7 @@ Case definition() {
                       "runs at 0.999 of the limit that are ended, and at 1.001 that are not"},
                      {"no_friction_spring", "the spring of friction left out",
                       "growth in 400 steps at 0.99 of the limit, largest"}},
+          .seconds = 4.0,
           .run = run};
 }
 

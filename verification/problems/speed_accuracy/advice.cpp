@@ -366,7 +366,7 @@ Case definition() {
                   "caught bob: error of the advised run over the accuracy"},
                  {"differences_not_followed", "small differences of the start are not followed",
                   "gas: refused because its differences grow"}},
-      .seconds = 7.0,
+      .seconds = 9.0,
       .time_limit = 300.0,
       .run = run};
 }

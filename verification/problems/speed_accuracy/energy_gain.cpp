@@ -350,6 +350,8 @@ Case definition() {
                  {"bunched_phases", "phases from a quarter of the step only",
                   "mean of ln e at w h = 0.3 over eta^4 delta^2 (1 - delta)^2/12"},
                  {"gas_by_rk4", "a method that keeps no areas", "gas at w h = 1.2, N times ln heating a collision"}},
+      .seconds = 3.0,
+      .full_seconds = 6.0,
       .run = run};
 }
 

@@ -135,6 +135,7 @@ Case definition() {
                       "creep: way of a block held by spring and slider, over the stretch of its spring"},
       .source = "Mustoe & Huttelmaier 1993; Cundall & Strack 1979; Walton & Braun 1986; Schwager & Poeschel 2007",
       .faults = faults(),
+      .full_seconds = 5.0,
       .run = run};
 }
 

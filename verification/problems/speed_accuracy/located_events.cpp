@@ -313,6 +313,7 @@ Case definition() {
                       "evaluations to reach 1e-6 over the most that are admitted, damped bounce"},
                      {"fence_without_events", "Dormand-Prince 5 under step control, which does not stop at events",
                       "fence, evaluations to reach 2e-7 of tension and 3e-6 of speed at .05 s over 1071"}},
+          .full_seconds = 7.0,
           .run = run};
 }
 
