@@ -8,7 +8,7 @@ verify:  ## run every verification case and write build/report/verification.{pdf
 	@scripts/verify
 
 verify-full:  ## the same with the full tier: timing charts of this machine as well
-	@scripts/verify --full
+	@scripts/verify --full --reuse
 
 test:  ## build everything and run the unit tests, layers, format and headers
 	@scripts/test

@@ -67,9 +67,12 @@ struct Case {
   Tier tier = Tier::quick;    ///< The lowest tier that runs this case.
   bool recorded = false;  ///< Compares with earlier results of the program itself, not with an independent solution.
   double seconds = 1.0;   ///< Processor time of the quick tier [s], roughly: the driver starts long cases first.
-  double full_seconds = 0.0;  ///< The same of the full tier, where that takes longer.
+  /// The same of the full tier, if that runs more than the quick one; 0: it does not, and the case is told of the quick tier.
+  double full_seconds = 0.0;
   double time_limit = 60.0;   ///< Wall-clock limit [s] for the whole case, its faulty setups included.
   double memory_limit = 2.0;  ///< Most memory [GiB] that the case may hold at any time.
+  /// Whether the full tier runs what the quick one does not.
+  [[nodiscard]] bool has_full_part() const { return tier == Tier::full || full_seconds > 0.0; }
   void (*run)(Findings&, const Setup&) = nullptr;  ///< Measures and compares; throws what it cannot handle.
 };
 

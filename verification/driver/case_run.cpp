@@ -59,10 +59,10 @@ std::string message_of(const Control& control, const std::string& thrown) {
 }
 
 /// Plants `fault`, runs until the check that it names is made, and looks at that check.
-Control plant(const Case& verification_case, const Fault& fault, const Findings& unplanted, Tier tier) {
+Control plant(const Case& verification_case, const Fault& fault, const Findings& unplanted) {
   Findings findings({fault.turns_red});
-  const std::string thrown = thrown_by(
-      verification_case, findings, {.fault = fault.name, .coarse = true, .tier = tier, .needed = {fault.turns_red}});
+  const std::string thrown =
+      thrown_by(verification_case, findings, {.fault = fault.name, .coarse = true, .needed = {fault.turns_red}});
   Control control = untried(fault);
   const Check* check = findings.find(fault.turns_red);
   control.observed = colour_of(check);
@@ -77,17 +77,16 @@ Control plant(const Case& verification_case, const Fault& fault, const Findings&
   return control;
 }
 
-void plant_all(const Case& verification_case, Tier tier, Record& record) {
+void plant_all(const Case& verification_case, Record& record) {
   std::vector<std::string> needed;
   for (const Fault& fault : verification_case.faults) {
     if (std::find(needed.begin(), needed.end(), fault.turns_red) == needed.end()) needed.push_back(fault.turns_red);
   }
   Findings unplanted(needed);
-  const std::string thrown =
-      thrown_by(verification_case, unplanted, {.fault = "", .coarse = true, .tier = tier, .needed = needed});
+  const std::string thrown = thrown_by(verification_case, unplanted, {.fault = "", .coarse = true, .needed = needed});
   if (!thrown.empty()) record.notes.push_back("The right setup at coarse resolution threw an " + thrown);
   for (const auto& fault : verification_case.faults) {
-    record.controls.push_back(plant(verification_case, fault, unplanted, tier));
+    record.controls.push_back(plant(verification_case, fault, unplanted));
   }
 }
 
@@ -117,11 +116,12 @@ std::string undelivered(const Record& record) {
 
 }  // namespace
 
-Record run_case(const Case& verification_case, Tier tier) {
+Record run_case(const Case& verification_case, Tier tier, const Record* earlier) {
   const auto start = Clock::now();
   Record record = record_of(verification_case);
   Findings findings;
   Usage usage;
+  if (!verification_case.has_full_part()) tier = Tier::quick;
   const std::string thrown = [&] {
     const UsageRecording recording;
     const std::string words = thrown_by(verification_case, findings,
@@ -138,7 +138,11 @@ Record run_case(const Case& verification_case, Tier tier) {
   record.data = findings.data_files();
   record.notes = findings.notes();
   if (thrown.empty()) {
-    plant_all(verification_case, tier, record);
+    if (earlier != nullptr) {
+      record.controls = earlier->controls;
+    } else {
+      plant_all(verification_case, record);
+    }
     judge(record);
   } else {
     record.status = Status::error;

@@ -5,8 +5,9 @@
 namespace talus::verification {
 
 /// Runs one case in this process: the right setup; the right setup again at the coarse resolution of the controls; then
-/// each planted fault at that resolution. What the case throws becomes Status::error with its words.
-[[nodiscard]] Record run_case(const Case& verification_case, Tier tier);
+/// each planted fault at that resolution, as in the quick tier. What the case throws becomes Status::error with its words.
+/// Controls of an earlier record, if there is one, are taken over.
+[[nodiscard]] Record run_case(const Case& verification_case, Tier tier, const Record* earlier = nullptr);
 
 /// The record of a case that could not be run to its end: nothing checked, every control missing.
 [[nodiscard]] Record unfinished(const Case& verification_case, Status status, const std::string& message);

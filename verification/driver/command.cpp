@@ -19,6 +19,7 @@
 #include "verification/catalogue/catalogue.hpp"
 #include "verification/driver/baseline_gate.hpp"
 #include "verification/driver/case_run.hpp"
+#include "verification/driver/earlier_record.hpp"
 #include "verification/driver/exit_code.hpp"
 #include "verification/driver/flaw.hpp"
 #include "verification/driver/junit.hpp"
@@ -41,6 +42,7 @@ struct Options {
   bool list = false;
   bool quick = false;
   bool full = false;
+  bool reuse = false;
   std::string rounding = "nearest";
   BaselineOptions baseline;
 };
@@ -97,10 +99,15 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--list", options.list, "List the cases and end");
   auto* const quick = app.add_flag("--quick", options.quick, "The quick tier (default)");
   app.add_flag("--full", options.full, "The long studies as well")->excludes(quick);
+  auto* const reuse = app.add_flag("--reuse", options.reuse,
+                                   "Take over from the records in --out what this program, unchanged, would only find "
+                                   "again: cases that passed, and of "
+                                   "those that run more in the full tier their controls");
   app.add_option("--rounding", options.rounding,
                  "Rounding of floating-point numbers while cases run: nearest, upward, downward or toward_zero. Other "
                  "than nearest it shows which bounds rest on rounding; checks of the same bits may then fail")
       ->check(CLI::IsMember(rounding_modes))
+      ->excludes(reuse)
       ->capture_default_str();
   declare_baseline(app, options.baseline);
   app.footer(
@@ -176,9 +183,10 @@ std::vector<Record> records_of(const std::vector<Case>& selection, const std::ve
       terminal.report(records[i], {});
     }
   }
-  auto finished = run_all(sound, plan, [&](const Record& ended, const std::vector<std::string>& running) {
-    terminal.report(ended, running);
-  });
+  auto finished =
+      run_all(sound, plan, [&](const Record& ended, const std::vector<std::string>& running, bool taken_over) {
+        terminal.report(ended, running, taken_over);
+      });
   for (std::size_t i = 0; i < finished.size(); ++i)
     records[places[i]] = std::move(finished[i]);
   return records;
@@ -245,7 +253,8 @@ int compared(const BaselineGate& gate, const fs::path& out, bool holds) {
   }
 }
 
-int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Options& options) {
+int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Options& options,
+        const std::vector<fs::path>& read) {
   const Tier tier = options.full ? Tier::full : Tier::quick;
   const auto selection = chosen(cases, options.only, tier);
   Results results;
@@ -269,8 +278,13 @@ int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Option
   Terminal terminal(selection.size());
   const unsigned jobs = options.jobs == 0 ? std::max(1u, results.provenance.cores) : options.jobs;
   auto reserve = std::make_unique_for_overwrite<char[]>(reserve_size);
-  results.records =
-      records_of(selection, cases, catalogue, {out, jobs, tier, rounding_modes.at(options.rounding)}, terminal);
+  const RunPlan plan{.out = out,
+                     .jobs = jobs,
+                     .tier = tier,
+                     .rounding = rounding_modes.at(options.rounding),
+                     .program = options.rounding == "nearest" ? program_fingerprint(read) : "",
+                     .reuse = options.reuse};
+  results.records = records_of(selection, cases, catalogue, plan, terminal);
   write_results_within_memory(results, catalogue, out, std::move(reserve));
   terminal.summarise(results, (out / "results.json").string());
   if (gate) return compared(*gate, out, holds(results));
@@ -298,7 +312,8 @@ int compare_files(const Catalogue& catalogue, const Options& options) {
 
 }  // namespace
 
-int verify(const std::vector<Case>& cases, const fs::path& catalogue_folder, int argc, const char* const* argv) {
+int verify(const std::vector<Case>& cases, const fs::path& catalogue_folder, int argc, const char* const* argv,
+           std::vector<fs::path> read) {
   CLI::App app{"talus_verify: run the verification cases and record what they find"};
   Options options;
   declare(app, options);
@@ -313,7 +328,8 @@ int verify(const std::vector<Case>& cases, const fs::path& catalogue_folder, int
       return exit_pass;
     }
     const Catalogue catalogue = read_catalogue(catalogue_folder);
-    return options.baseline.compare.empty() ? run(cases, catalogue, options) : compare_files(catalogue, options);
+    read.push_back(catalogue_folder);
+    return options.baseline.compare.empty() ? run(cases, catalogue, options, read) : compare_files(catalogue, options);
   } catch (const std::invalid_argument& fault) {
     fmt::print(stderr, "talus_verify: {}\n", fault.what());
     return exit_usage;

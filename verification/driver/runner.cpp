@@ -20,6 +20,7 @@
 #include <thread>
 
 #include "verification/driver/case_run.hpp"
+#include "verification/driver/earlier_record.hpp"
 #include "verification/driver/exit_code.hpp"
 
 namespace talus::verification {
@@ -41,7 +42,8 @@ struct Child {
 };
 
 /// The child's side: does not return. What the case prints goes to output.txt, not between the driver's lines.
-[[noreturn]] void run_in_child(const Case& verification_case, const fs::path& folder, const RunPlan& plan) {
+[[noreturn]] void run_in_child(const Case& verification_case, const fs::path& folder, const RunPlan& plan,
+                               const Record* earlier) {
   // A crash ends the child as a crash, whatever handlers the parent has installed.
   for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV})
     ::signal(signal, SIG_DFL);
@@ -57,7 +59,7 @@ struct Child {
   int status = 0;
   try {
     std::fesetround(plan.rounding);
-    const Record record = run_case(verification_case, plan.tier);
+    const Record record = run_case(verification_case, plan.tier, earlier);
     std::fesetround(FE_TONEAREST);
     write_record(record, folder);
   } catch (const std::bad_alloc&) {
@@ -73,14 +75,15 @@ struct Child {
 
 /// Starts a case; nothing if the system refuses another process (`errno` says why). A fork and no other
 /// program: the child calls a case of this process, which may be a test's own.
-std::optional<Child> start(const Case& verification_case, std::size_t index, const RunPlan& plan) {
+std::optional<Child> start(const Case& verification_case, std::size_t index, const RunPlan& plan,
+                           const Record* earlier) {
   const fs::path folder = plan.out / verification_case.id;
   fs::remove_all(folder);
   fs::create_directories(folder);
   std::fflush(nullptr);
   const pid_t pid = ::fork();
   if (pid < 0) return std::nullopt;
-  if (pid == 0) run_in_child(verification_case, folder, plan);
+  if (pid == 0) run_in_child(verification_case, folder, plan, earlier);
   ::setpgid(pid, pid);  // By both sides: whichever comes first.
   return Child{index, pid, Clock::now()};
 }
@@ -145,7 +148,9 @@ Record outcome_of(const Child& child, int status, const Case& verification_case,
     return failed(Status::missing, "the case ended without leaving a record");
   }
   try {
-    return read_back(verification_case, folder);
+    Record record = read_back(verification_case, folder);
+    if (!plan.program.empty()) mark_record(folder, plan.program);
+    return record;
   } catch (const RecordError& fault) {
     return failed(Status::error, fault.what());
   }
@@ -231,7 +236,15 @@ class Queue {
   void start_cases(const Progress& progress) {
     while (!refused_ && next_ < cases_.size() && running_.size() < std::max(1u, plan_.jobs)) {
       const std::size_t index = order_[next_];
-      if (const auto child = start(cases_[index], index, plan_)) {
+      const auto earlier =
+          plan_.reuse ? earlier_record(cases_[index], plan_.out / cases_[index].id, plan_.program) : std::nullopt;
+      if (earlier && !cases_[index].has_full_part()) {
+        records_[index] = *earlier;
+        progress(records_[index], ids_of(running_, cases_), true);
+        ++next_;
+        continue;
+      }
+      if (const auto child = start(cases_[index], index, plan_, earlier ? &*earlier : nullptr)) {
         running_.push_back(*child);
         ++next_;
         continue;
@@ -242,7 +255,7 @@ class Queue {
       if (refused_) return;
       records_[index] =
           unfinished(cases_[index], Status::error, fmt::format("no process for the case: {}", std::strerror(reason)));
-      progress(records_[index], {});
+      progress(records_[index], {}, false);
       ++next_;
     }
   }
@@ -258,7 +271,7 @@ class Queue {
       running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
       refused_ = false;
       take(records_[child.index], child, status, cases_[child.index], plan_);
-      progress(records_[child.index], ids_of(running_, cases_));
+      progress(records_[child.index], ids_of(running_, cases_), false);
     }
   }
 

@@ -328,6 +328,7 @@ Case definition() {
                       "half fence from the full one at .2 s, largest distance"},
                      {"stiffness_per_node", "the whole spring and dashpot at each of so many nodes, as in 1993",
                       "order of the push in the spacing of the nodes"}},
+          .full_seconds = 4.0,
           .run = run};
 }
 
