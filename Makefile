@@ -10,7 +10,7 @@ verify:  ## run every verification case and write build/report/verification.{pdf
 verify-full:  ## the same with the full tier: timing charts of this machine as well
 	@scripts/verify --full --reuse
 
-test:  ## build everything and run the unit tests, layers, format and headers
+test:  ## build everything and run the unit tests, layers and format
 	@scripts/test
 
 faults:  ## kill runs at 100 random times and compare what they continue to with undisturbed ones

@@ -44,7 +44,8 @@ void mark_record(const fs::path& folder, const std::string& program) {
   records::write_whole(folder / mark_name, mark_of(folder, program));
 }
 
-std::optional<Record> earlier_record(const Case& verification_case, const fs::path& folder, const std::string& program) {
+std::optional<Record> earlier_record(const Case& verification_case, const fs::path& folder,
+                                     const std::string& program) {
   try {
     if (records::read_whole(folder / mark_name) != mark_of(folder, program)) return std::nullopt;
     Record record = records::read_record(folder);
