@@ -69,8 +69,9 @@ struct Turned {
   const auto c = std::bit_cast<std::uint64_t>(cosine), s = std::bit_cast<std::uint64_t>(sine);
   const std::uint64_t x = ((c & ~odd) | (s & odd)) ^ (((turns + 1) & 2) << 62);
   const std::uint64_t y = ((s & ~odd) | (c & odd)) ^ ((turns & 2) << 62);
-  const bool found = within_series(rest) & (std::abs(angle) <= 1e5);
-  return {{std::bit_cast<double>(x), std::bit_cast<double>(y)}, found};
+  // Without a branch, which the lanes of a pack could not take together.
+  const unsigned in_series = within_series(rest), in_range = std::abs(angle) <= 1e5;
+  return {{std::bit_cast<double>(x), std::bit_cast<double>(y)}, (in_series & in_range) != 0};
 }
 
 /// Rotation by `angle` [rad], counter-clockwise > 0. The one place where the solver takes a sine, so that all machines,

@@ -11,6 +11,7 @@
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/list_skin.hpp"
+#include "solver/granular/neighbour_list.hpp"
 #include "verification/check/case.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/reference/all_pairs.hpp"
@@ -245,7 +246,32 @@ void expect_flight(Findings& findings, const std::string& engine) {
                                 Tolerance::round_off(1e-14, "eleven additions to numbers of up to 3"));
 }
 
+/// Where a pair is in a list: beside a search through the whole list, for pairs that are in it and pairs that are not.
+void expect_places(Findings& findings) {
+  const FilledCell start = fill(ice_cell(8e3, 5e3));
+  NeighbourList list{start.box, 0.3 * 2.0 * start.shapes.radius[0]};
+  Discs discs = start.discs;
+  wrap(start.box, discs);
+  list.build(start.shapes, discs);
+  std::vector<std::size_t> places(discs.size() * discs.size(), list.size());
+  list.for_each_pair(discs, [&](std::size_t i, std::size_t j, std::size_t pair, Vec2, const auto&) {
+    places[i * discs.size() + j] = pair;
+  });
+  double differ = 0.0, listed = 0.0;
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    for (std::size_t j = i + 1; j < discs.size(); ++j) {
+      differ += list.find(i, j) == places[i * discs.size() + j] ? 0.0 : 1.0;
+      listed += places[i * discs.size() + j] < list.size() ? 1.0 : 0.0;
+    }
+  }
+  findings.in("edges")->expect("places of pairs in a list that differ from a search of all of it", differ, 0.0,
+                               Tolerance::exact("numbers of pairs"));
+  findings.expect("pairs found in a list", listed, static_cast<double>(list.size()),
+                  Tolerance::exact("each is listed once"));
+}
+
 void run(Findings& findings, const Setup& setup) {
+  if (setup.needs("pairs in a list")) expect_places(findings);
   if (setup.needs("places in free flight")) {
     expect_flight<DiscSystem<LinearSpringDashpot>>(findings, "plain engine");
     expect_flight<FastDiscSystem<LinearSpringDashpot>>(findings, "fast engine");

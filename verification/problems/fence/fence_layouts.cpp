@@ -356,6 +356,29 @@ void check_hangers(Findings& findings) {
                        "each hanger carries its column's weight");
 }
 
+/// What a fence says of a cable that it does not have, and of the method that it chose.
+void check_words(Findings& findings) {
+  scenes::Fence fence = fence_of_today();
+  fence.stretched_cables = {{"top99", 0.01}};
+  std::string words;
+  try {
+    (void)scenes::fence_scene(fence);
+  } catch (const InputError& found) {
+    words = found.what();
+  }
+  fence.stretched_cables.clear();
+  fence.options.integrator = automatic_integrator;
+  const Scene scene = scenes::fence_scene(fence).scene;
+  double named = 0.0;
+  for (const Cable& cable : scene.model.cables)
+    named += words.find(cable.name) != std::string::npos ? 1.0 : 0.0;
+  findings.expect("cables named by the error of a stretched cable that there is none of", named,
+                  static_cast<double>(scene.model.cables.size()), Tolerance::exact("all that may be meant"));
+  findings.expect_true("that error names the cable", words.find("top99") != std::string::npos, "what was found");
+  findings.expect_true("a fence says why it is run by its method", !scene.integrator_why.empty(),
+                       "the method was not given");
+}
+
 /// Constant forces and a moment of elements, beside the weight and the cables' balance.
 void check_given_forces(Findings& findings, scenes::Fence fence) {
   fence.rocks[0].position.x += 1.0;  // it touches nothing
@@ -457,6 +480,7 @@ void run(Findings& findings, const Setup& setup) {
   check_long_cables(findings);
   check_linearization(findings);
   check_hangers(findings);
+  check_words(findings);
   check_start(findings, setup);
   check_sides(findings, setup);
   check_outlines(findings);

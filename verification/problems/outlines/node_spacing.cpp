@@ -8,6 +8,7 @@
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/superellipse.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::node_spacing {
@@ -101,6 +102,43 @@ void check_rolling(Findings& findings, const Setup& setup) {
   if (!setup.coarse) findings.figure(figure);
 }
 
+/// A disc of 100 nodes over the upper side of a plank, turned so that each node in turn is the lowest: the largest overlap
+/// beside the least distance of a node from the plank's sides.
+void check_deepest(Findings& findings) {
+  constexpr int nodes = 100;
+  constexpr double half_width = 2.0, half_height = 0.3, overlap = 0.04;
+  ModelBuilder builder{si};
+  const BodyId disc = builder.add(Body{.name = "disc", .mass = 1.0, .inertia = 1.0, .shape = Circle{radius}});
+  const BodyId plank =
+      builder.add(Body{.name = "plank", .mobility = Mobility::fixed, .shape = Rectangle{half_width, half_height}});
+  builder.add(Contact{.name = "touch",
+                      .a = disc,
+                      .b = plank,
+                      .law = LinearSpringDashpot{stiffness, 0.0, EndRule::clamped},
+                      .method = ContactMethod::nodes,
+                      .nodes = {nodes, 3}});
+  const Model model = builder.build();
+  record_use(model);
+  const Dynamics dynamics{model};
+  Workspace work = dynamics.workspace();
+  double worst = 0.0;
+  for (int turn = 0; turn < nodes; ++turn) {
+    State state = rest_state(model);
+    const double angle = 2.0 * std::numbers::pi * (turn + 0.2) / nodes;
+    state.q = {0.3, half_height + radius - overlap, angle};
+    dynamics.update_all(state, work);
+    double deepest = -1.0;
+    for (int j = 0; j < nodes; ++j) {
+      const double at = angle + 2.0 * std::numbers::pi * j / nodes;
+      deepest = std::max(deepest, std::min(half_width - std::abs(state.q[0] + radius * std::cos(at)),
+                                           half_height - std::abs(state.q[1] + radius * std::sin(at))));
+    }
+    keep_worst(worst, dynamics.contact_depth(work, ContactId{0}) - deepest);
+  }
+  findings.expect("largest overlap of 100 nodes with a plank, worst of 100 turns", worst, 0.0,
+                  Tolerance::round_off(12.0 * 0x1p-53, "a dozen roundings of lengths of about 1"), "m");
+}
+
 void check_curvature(Findings& findings, const Setup& setup) {
   Table table{.name = "corners",
               .caption =
@@ -148,6 +186,7 @@ void check_curvature(Findings& findings, const Setup& setup) {
 }
 
 void run(Findings& findings, const Setup& setup) {
+  if (!setup.coarse) check_deepest(findings);
   check_rolling(findings, setup);
   check_curvature(findings, setup);
 }
