@@ -244,7 +244,7 @@ Command add_cell(CLI::App& talus) {
       "  talus cell cases/cell/CNTRL.DAT --units SI --out out\n"
       "  talus cell cases/cell/ice.toml --out out --seed 3 --json\n"
       "  talus cell --resume out\n"
-      "SIGINT and SIGTERM stop a run that has a folder after its present step; --resume\n"
+      "SIGINT, SIGTERM and SIGHUP stop a run that has a folder after its present step; --resume\n"
       "continues it, after kill -9 from its last checkpoint.");
   return {app, [options] { return cell(*options); }};
 }

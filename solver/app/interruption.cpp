@@ -3,7 +3,7 @@
 namespace talus::app {
 namespace {
 
-constexpr std::array signals{SIGINT, SIGTERM};
+constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
 volatile std::sig_atomic_t caught = 0;
 
 void note(int signal) { caught = signal; }
@@ -18,6 +18,7 @@ Interruption::Interruption() {
   sigemptyset(&action.sa_mask);
   for (std::size_t i = 0; i < signals.size(); ++i)
     ::sigaction(signals[i], &action, &before_[i]);
+  if (before_.back().sa_handler == SIG_IGN) ::sigaction(signals.back(), &before_.back(), nullptr);
 }
 
 Interruption::~Interruption() {
@@ -26,5 +27,9 @@ Interruption::~Interruption() {
 }
 
 int Interruption::signal() const { return caught; }
+
+const char* Interruption::name() const {
+  return caught == SIGINT ? "SIGINT" : caught == SIGTERM ? "SIGTERM" : "SIGHUP";
+}
 
 }  // namespace talus::app

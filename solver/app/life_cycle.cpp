@@ -247,7 +247,7 @@ int live(const RunRequest& request, const std::function<std::unique_ptr<Resumabl
     return diverged;
   }
   if (signal() == 0) return undrawn.empty() ? ok : io_failed;
-  const std::string_view name = signal() == SIGINT ? "SIGINT" : "SIGTERM";
+  const std::string_view name = interruption->name();
   if (outcome.kind == Outcome::Kind::finished) {
     // In time for the repeat of a fence's run, whose summary then reports it.
     print_failure(fmt::format("{} came when the run had finished", name));

@@ -99,7 +99,7 @@ class ResumableRun {
 };
 
 /// Runs what `make` returns from its start or its checkpoint to its end, and returns the exit code. A folder is locked
-/// and emptied of an earlier run before `make` is called. SIGINT and SIGTERM interrupt a run that has a folder, after
+/// and emptied of an earlier run before `make` is called. SIGINT, SIGTERM and SIGHUP interrupt a run that has a folder, after
 /// its present step. Errors: InputError for a checkpoint that does not fit the run; IoError.
 [[nodiscard]] int live(const RunRequest& request, const std::function<std::unique_ptr<ResumableRun>()>& make);
 

@@ -163,7 +163,7 @@ Command add_run(CLI::App& talus) {
       "  talus run cases/two_cable.toml --end \"2 s\" --integrator odeint_dopri5 --tolerance 1e-9 --json\n"
       "  talus run cases/fence/sample2.DAT --until \"10 ms\" --out out && talus run --resume out\n"
       "  talus run cases/fence/table_2.toml --sheet --out out\n"
-      "SIGINT and SIGTERM stop a run that has a folder after its present step; --resume continues it.\n"
+      "SIGINT, SIGTERM and SIGHUP stop a run that has a folder after its present step; --resume continues it.\n"
       "A run that diverges keeps its history up to there; its summary says why, and the exit code is 3.");
   return {app, [options] { return run(*options); }};
 }

@@ -34,8 +34,8 @@ class Target {
       if (name != nullptr && reader.name == name) reader_ = std::move(reader);
     }
     if (reader_) return;
-    fmt::print(stderr, "talus_guided_reader: TALUS_READER: found '{}'; it must be one of {}\n", name == nullptr ? "" : name,
-               known);
+    fmt::print(stderr, "talus_guided_reader: TALUS_READER: found '{}'; it must be one of {}\n",
+               name == nullptr ? "" : name, known);
     remove();
     std::_Exit(wrong_usage);
   }

@@ -66,7 +66,7 @@ void refused(const std::vector<std::string>& words, int code, const std::string&
 
 BOOST_AUTO_TEST_CASE(an_interrupted_run_is_resumed_to_the_same_files) {
   for (const Kind& kind : kinds()) {
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
       BOOST_TEST_CONTEXT(kind.command << ", signal " << signal) {
         const Folder folder;
         const std::string file = kind.put(folder), out = folder.path / "out", whole = folder.path / "whole";
@@ -75,7 +75,10 @@ BOOST_AUTO_TEST_CASE(an_interrupted_run_is_resumed_to_the_same_files) {
         BOOST_TEST(holds(printed, "\nresume: " + resume + "\n"), printed);
         BOOST_TEST(holds(printed, "files: " + out + ": summary.json, "), printed);
         BOOST_TEST(holds(printed, ", checkpoint.json\n"), printed);
-        BOOST_TEST(holds(printed, std::string{"talus: "} + (signal == SIGINT ? "SIGINT" : "SIGTERM") +
+        BOOST_TEST(holds(printed, std::string{"talus: "} +
+                                      (signal == SIGINT    ? "SIGINT"
+                                       : signal == SIGTERM ? "SIGTERM"
+                                                           : "SIGHUP") +
                                       ": the run was interrupted at t = "),
                    printed);
         BOOST_TEST(holds(printed, " and saved in " + out + "/checkpoint.json; resume it by " + resume + "\n"), printed);
@@ -92,6 +95,23 @@ BOOST_AUTO_TEST_CASE(an_interrupted_run_is_resumed_to_the_same_files) {
         for (const char* name : kind.written)
           BOOST_TEST(fs::exists(fs::path{out} / name), name);
       }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_run_under_nohup_outlives_its_terminal) {
+  for (const Kind& kind : kinds()) {
+    BOOST_TEST_CONTEXT(kind.command) {
+      const Folder folder;
+      const std::string file = kind.put(folder), out = folder.path / "out";
+      std::vector<std::string> words = arguments(kind, file, out);
+      words.insert(words.begin(), TALUS_EXECUTABLE);
+      StartedProgram program{"/usr/bin/nohup", words};
+      while (!fs::exists(fs::path{out} / (kind.command == "run" ? "scene_geometry" : "checkpoint.json")))
+        std::this_thread::sleep_for(std::chrono::milliseconds{1});
+      program.send(SIGHUP);
+      BOOST_TEST(program.exit_code() == 0);
+      BOOST_TEST(Json::parse(talus::read_text(out + "/summary.json")).at("outcome").at("kind") == "finished");
     }
   }
 }
