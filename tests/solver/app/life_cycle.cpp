@@ -66,10 +66,13 @@ void refused(const std::vector<std::string>& words, int code, const std::string&
 
 BOOST_AUTO_TEST_CASE(an_interrupted_run_is_resumed_to_the_same_files) {
   for (const Kind& kind : kinds()) {
+    const Folder folder;
+    const std::string file = kind.put(folder), whole = folder.path / "whole";
+    const Ended straight = talus_ran(arguments(kind, file, whole));
+    BOOST_TEST_REQUIRE(straight.code == 0, straight.err);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
       BOOST_TEST_CONTEXT(kind.command << ", signal " << signal) {
-        const Folder folder;
-        const std::string file = kind.put(folder), out = folder.path / "out", whole = folder.path / "whole";
+        const std::string out = folder.path / std::to_string(signal);
         const std::string resume = "talus " + kind.command + " --resume " + out;
         const std::string printed = interrupted(kind, file, folder, out, signal);
         BOOST_TEST(holds(printed, "\nresume: " + resume + "\n"), printed);
@@ -87,8 +90,6 @@ BOOST_AUTO_TEST_CASE(an_interrupted_run_is_resumed_to_the_same_files) {
         BOOST_TEST(!summary.contains("resume"));
         const Ended resumed = talus_ran({kind.command, "--resume", out});
         BOOST_TEST_REQUIRE(resumed.code == 0, resumed.err);
-        const Ended straight = talus_ran(arguments(kind, file, whole));
-        BOOST_TEST_REQUIRE(straight.code == 0, straight.err);
         BOOST_TEST(holds(resumed.out, "files: " + out + ": summary.json, "));
         BOOST_TEST(!holds(resumed.out, "checkpoint.json"));
         same_files(out, whole);
