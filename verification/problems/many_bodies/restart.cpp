@@ -8,6 +8,7 @@
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/output/checkpoint.hpp"
+#include "solver/model/model_builder.hpp"
 #include "solver/run/run_state.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
@@ -136,6 +137,23 @@ void check_restart(Findings& findings, const Setup& setup, const std::string& sc
                         fmt::format("{}", halves.evaluations), fmt::format("{:.1e}", change.place)});
 }
 
+/// One above the other on the ground, sliding along one line, both contacts pressed.
+Scene two_pressed_discs() {
+  ModelBuilder builder{si};
+  const Body disc{.mobility = Mobility::sliding_y, .mass = 1.0, .shape = Circle{0.5}};
+  Body lower = disc, upper = disc;
+  lower.name = "lower", lower.p_WB = {0.0, 0.499};
+  upper.name = "upper", upper.mass = 2.0, upper.p_WB = {0.0, 1.497};
+  const BodyId a = builder.add(lower), b = builder.add(upper);
+  const BodyId ground = builder.add(Body{.name = "ground", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  builder.add(Contact{.name = "below", .a = a, .b = ground, .law = LinearSpringDashpot{1e4, 20.0}});
+  builder.add(Contact{.name = "between", .a = a, .b = b, .law = LinearSpringDashpot{2e4, 10.0}});
+  Scene scene{.title = "Two discs", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  set_velocity(scene.model, scene.initial, b, {0.0, -0.3}, 0.0);
+  return scene;
+}
+
 void run(Findings& findings, const Setup& setup) {
   Table table{.name = "anew",
               .caption =
@@ -157,6 +175,9 @@ void run(Findings& findings, const Setup& setup) {
   // In a contact, whose piece the exact method follows.
   const Scene pressed = scenes::bouncing_disc({.contact = LinearSpringDashpot{1e4, 20.0}});
   check_restart(findings, setup, "pressed disc", pressed, {"exact", make_integrator("exact")}, step, 30, table);
+  // Of two discs on each other on the ground, whose motions are coupled.
+  check_restart(findings, setup, "two pressed discs", two_pressed_discs(), {"exact", make_integrator("exact")}, step,
+                30, table);
   bool same_cost = true;
   for (const auto& row : table.rows)
     same_cost = same_cost && row[2] == row[3];

@@ -268,8 +268,45 @@ void check_posts(Findings& findings) {
   findings.expect("discs thrown at a post that do not come back", lost, 0.0, Tolerance::exact("of eight"));
 }
 
+/// A large disc falls from rest on a large one, for so long that a step could last many seconds: weight alone shortens it.
+/// Then the events of a disc that bounces without loss.
+void check_falls(Findings& findings) {
+  constexpr double radius = 100.0, height = 1000.0, gravity = 9.81;
+  const double fall = std::sqrt(2.0 * height / gravity);
+  ModelBuilder builder{si};
+  builder.gravity({0.0, -gravity});
+  const BodyId falling = builder.add(Body{.name = "disc",
+                                          .mobility = Mobility::particle,
+                                          .mass = 1.0,
+                                          .shape = Circle{radius},
+                                          .p_WB = {0.0, 2.0 * radius + height}});
+  const BodyId post = builder.add(Body{.name = "post", .mobility = Mobility::fixed, .shape = Circle{radius}});
+  builder.add(Contact{.name = "hit", .a = falling, .b = post, .law = LinearSpringDashpot{1e6, 0.0}});
+  Scene scene{.title = "Fall", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  const RunEnd end = run_steps(scene, make_integrator("stormer_cowell", 1e-6), 2.5 * fall, 1, findings);
+  findings.expect("speed of a disc that fell on a large one for half a fall after its return, over that of the fall",
+                  end.state.v[1] / (gravity * fall), -0.5,
+                  Tolerance::model(1e-3,
+                                   "its contact lasts pi sqrt(m/k) = 0.003 s of 14; a disc that has passed falls on "
+                                   "at 2.5"));
+
+  const Scene bouncing =
+      scenes::bouncing_disc({.gap = 0.5, .gravity = gravity, .contact = LinearSpringDashpot{1e6, 0.0}});
+  for (const char* const method : {"stormer_cowell", "exact"}) {
+    const double tolerance = needs_tolerance(method) ? 1e-10 : 0.0;
+    const RunEnd bounced = run_steps(bouncing, make_integrator(method, tolerance), 0.1, 30, findings);
+    // It starts with a speed of 1, falls in t and flies for 2 u/g from then on.
+    const double u = std::sqrt(1.0 + 2.0 * gravity * 0.5), first = (u - 1.0) / gravity;
+    const double bounces = std::floor((3.0 - first) / (2.0 * u / gravity)) + 1.0;
+    findings.expect(fmt::format("events of a disc that bounces, {}", method),
+                    static_cast<double>(talus::located_events(bounced.method).value_or(0)), 2.0 * bounces,
+                    Tolerance::exact("each contact begins and ends"));
+  }
+}
+
 void run(Findings& findings, const Setup& setup) {
-  if (!setup.coarse) check_grazing(findings), check_choice(findings), check_posts(findings);
+  if (!setup.coarse) check_grazing(findings), check_choice(findings), check_posts(findings), check_falls(findings);
   Table table{.name = "evaluations",
               .caption =
                   "Evaluations to reach an error; their factor for a tenth of the tolerance, the last two "
