@@ -32,8 +32,8 @@ struct Part {
   std::size_t begin{}, end{};
 };
 
-/// Calls work(part) for as many even parts of so many things as the team has threads, as Team::each; of no team for
-/// all, here.
+/// Calls work(part) for `count` things in as many even parts as the team has threads, as Team::each; without a team, for
+/// all of them in the calling thread.
 template <class Work>
 void in_parts(Team* team, std::size_t count, Work&& work) {
   if (team == nullptr) return work(Part{0, 0, count});

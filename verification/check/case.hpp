@@ -67,7 +67,7 @@ struct Case {
   Tier tier = Tier::quick;    ///< The lowest tier that runs this case.
   bool recorded = false;  ///< Compares with earlier results of the program itself, not with an independent solution.
   double seconds = 1.0;   ///< Processor time of the quick tier [s], roughly: the driver starts long cases first.
-  /// The same of the full tier, if that runs more than the quick one; 0: it does not, and the case is told of the quick tier.
+  /// The same of the full tier, if that runs more than the quick one. 0: it does not, and Setup::tier is quick in both.
   double full_seconds = 0.0;
   double time_limit = 60.0;   ///< Wall-clock limit [s] for the whole case, its faulty setups included.
   double memory_limit = 2.0;  ///< Most memory [GiB] that the case may hold at any time.

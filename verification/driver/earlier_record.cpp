@@ -41,7 +41,10 @@ std::string program_fingerprint(const std::vector<fs::path>& read) {
 }
 
 void mark_record(const fs::path& folder, const std::string& program) {
-  records::write_whole(folder / mark_name, mark_of(folder, program));
+  try {
+    records::write_whole(folder / mark_name, mark_of(folder, program));
+  } catch (const records::FileError&) {
+  }
 }
 
 std::optional<Record> earlier_record(const Case& verification_case, const fs::path& folder,

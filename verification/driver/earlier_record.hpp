@@ -14,7 +14,8 @@ namespace talus::verification {
 /// Hash of this executable and of the files, and those in the folders, that its cases read. Errors: records::FileError.
 [[nodiscard]] std::string program_fingerprint(const std::vector<std::filesystem::path>& read);
 
-/// Marks the record in a case's folder as one of that program. Errors: records::FileError.
+/// Marks the record in a case's folder as one of that program. Without a mark, where none can be written, it is not
+/// taken over.
 void mark_record(const std::filesystem::path& folder, const std::string& program);
 
 /// The record in a case's folder if that program left it, it is whole and unchanged, and the case passed.
