@@ -155,7 +155,7 @@ void add_numbers(Findings& findings, const std::vector<StudyMean>& study) {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  StudyPlan plan{.time = setup.coarse ? 0.15 : 0.5, .seeds = setup.coarse ? 3 : 5, .threads = 1};
+  StudyPlan plan{.time = setup.coarse ? 0.15 : 0.4, .seeds = setup.coarse ? 3 : 5, .threads = 1};
   if (!setup.coarse) plan.threads = std::clamp(std::thread::hardware_concurrency(), 1U, 2U);
   std::vector<StudyPoint> points = shear_study_points(setup.coarse);
   for (StudyPoint& point : points)

@@ -179,7 +179,7 @@ void run(Findings& findings, const Setup& setup) {
   } else {
     gases = {{0.1, 0.9}, {0.3, 0.9}, {0.5, 0.9}, {0.3, 0.95}};
   }
-  const double strain = setup.coarse ? 40.0 : full ? 80.0 : 35.0;
+  const double strain = setup.coarse ? 40.0 : full ? 55.0 : 35.0;
   std::vector<Sheared> all;
   for (const reference::GasOfDiscs& gas : gases)
     all.push_back(shear(gas, setup.coarse ? 200 : full ? 900 : 400, full ? 0.01 : 0.02, strain, findings, setup));
