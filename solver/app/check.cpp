@@ -5,7 +5,8 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <ranges>
+#include <span>
+#include <vector>
 
 #include "solver/app/cell_summary.hpp"
 #include "solver/app/command.hpp"
@@ -35,6 +36,12 @@ std::string_view mobility_name(const Body& body) {
 /// Lines of a table that are printed; a table of more is cut.
 constexpr std::size_t most_lines = 100;
 
+/// Those of a list that are printed: the first ones.
+template <class Item>
+std::span<const Item> shown(const std::vector<Item>& items) {
+  return std::span{items}.first(std::min(items.size(), most_lines));
+}
+
 void print_rest(std::size_t count) {
   if (count > most_lines) fmt::print("  ... and {} more\n", count - most_lines);
 }
@@ -43,7 +50,7 @@ void print_bodies(const Scene& scene, const Dynamics& dynamics) {
   const UnitSystem& units = scene.model.units;
   const Layout& layout = dynamics.layout();
   fmt::print("bodies {}, degrees of freedom {}\n", scene.model.bodies.size(), layout.coordinates.size());
-  for (const Body& body : scene.model.bodies | std::views::take(most_lines)) {
+  for (const Body& body : shown(scene.model.bodies)) {
     const std::string_view shape = std::visit([](const auto& s) { return s.name; }, body.shape);
     const std::string mass = body.mobility == Mobility::fixed
                                  ? ""
@@ -69,7 +76,7 @@ void print_springs(const Scene& scene, const StepAdvice& advice) {
   fmt::print("  {:<14}{:>12}{:>12}{:>12}{:>12}{:>10}{:>14}{:>12}\n", "", symbol(units, dimension::stiffness),
              symbol(units, dimension::damping), symbol(units, dimension::mass),
              symbol(units, dimension::angular_velocity), "1", symbol(units, dimension::time), "1");
-  for (const SpringAdvice& item : advice.springs | std::views::take(most_lines)) {
+  for (const SpringAdvice& item : shown(advice.springs)) {
     fmt::print("  {:<14}{:>12.5g}{:>12.5g}{:>12}{:>12.5g}{:>10.4g}{:>14}{:>12}\n", item.name, item.spring.stiffness,
                item.spring.damping, number_or_dash(item.spring.effective_mass), item.frequency, item.damping_ratio,
                item.contact ? number_or_dash(item.contact_time) : "-",
@@ -166,7 +173,7 @@ void print_overlaps(const Scene& scene, const Dynamics& dynamics) {
   const std::vector<StartOverlap> overlaps = start_overlaps(dynamics, scene.initial);
   if (overlaps.empty()) return;
   fmt::print("overlaps at the start {}\n", overlaps.size());
-  for (const StartOverlap& overlap : overlaps | std::views::take(most_lines))
+  for (const StartOverlap& overlap : shown(overlaps))
     fmt::print("  {}\n", overlap_text(overlap, scene.model));
   print_rest(overlaps.size());
 }

@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 /// Inputs that one child process reads.
 constexpr long batch = 2000;
 /// Address space of a child; the address sanitizer reserves far more, and is limited elsewhere (mutate_inputs.cpp).
-constexpr rlim_t most_memory = rlim_t{3} << 30U;
+[[maybe_unused]] constexpr rlim_t most_memory = rlim_t{3} << 30U;
 /// Exit code of a child that found a flaw.
 constexpr int flawed = 77;
 

@@ -255,7 +255,7 @@ void add_verification_readers(std::vector<Reader>& readers) {
          .corpus = {text},
          .beside = all,
          .read = only([](const fs::path& file) { return verification::read_catalogue(file.parent_path()); })});
-    std::erase_if(readers.back().beside, [&](const auto& each) { return each.first == name; });
+    std::erase_if(readers.back().beside, [own = readers.back().file](const auto& each) { return each.first == own; });
   }
 }
 

@@ -276,7 +276,7 @@ const char* name_of(Presence presence) {
     case Presence::removed:
       return "removed";
   }
-  TALUS_DEMAND(!"a presence outside its enumeration");
+  TALUS_DEMAND(false && "a presence outside its enumeration");
   return "";
 }
 
@@ -289,7 +289,7 @@ const char* name_of(Movement movement) {
     case Movement::changed:
       return "changed";
   }
-  TALUS_DEMAND(!"a movement outside its enumeration");
+  TALUS_DEMAND(false && "a movement outside its enumeration");
   return "";
 }
 
@@ -312,7 +312,7 @@ const char* name_of(Reason reason) {
     case Reason::round_off:
       return "round_off";
   }
-  TALUS_DEMAND(!"a reason outside its enumeration");
+  TALUS_DEMAND(false && "a reason outside its enumeration");
   return "";
 }
 
