@@ -80,11 +80,14 @@ template <class L>
 [[gnu::always_inline]] inline void keep_lines(const CableArray<L>& array, const CableRun& run, const State& state,
                                               CableLines& lines) {
   const Slot first = array.slots[run.place];
-  const double* const kept = state.z.data() + first.memory;
-  const std::size_t numbers = L::memory_size * run.count;
-  if (std::memcmp(&state.mode[first.mode], &lines.mode[run.cable], run.count * sizeof(Mode)) != 0 ||
-      std::memcmp(kept, &lines.memory[run.cable], numbers * sizeof(double)) != 0)
-    make_lines(array, run, state, lines);
+  bool same = std::memcmp(&state.mode[first.mode], &lines.mode[run.cable], run.count * sizeof(Mode)) == 0;
+  // A state without memory has no array of it.
+  if constexpr (L::memory_size > 0) {
+    const double* const kept = state.z.data() + first.memory;
+    const std::size_t numbers = L::memory_size * run.count;
+    same = same && std::memcmp(kept, &lines.memory[run.cable], numbers * sizeof(double)) == 0;
+  }
+  if (!same) make_lines(array, run, state, lines);
 }
 
 /// Calls visit(law, slot) for one cable.
