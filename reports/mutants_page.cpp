@@ -238,7 +238,7 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
   if (others.cases.size() < mutants.cases.size()) {
     const Score independent = score_of(generated(others));
     text += fmt::format(
-        "Of them {} are noticed by comparison with recorded results alone, which tells that something changed, not "
+        "Of them {} are noticed by comparison with recorded results alone, which shows that something changed, not "
         "what is "
         "right. **Without it {} are killed: {}**; the tables count it, the curves do not.\n\n",
         score.killed - independent.killed, independent.killed, percent(independent.share()));

@@ -71,9 +71,10 @@ struct Case {
   double full_seconds = 0.0;
   double time_limit = 60.0;   ///< Wall-clock limit [s] for the whole case, its faulty setups included.
   double memory_limit = 2.0;  ///< Most memory [GiB] that the case may hold at any time.
+  void (*run)(Findings&, const Setup&) = nullptr;  ///< Measures and compares; throws what it cannot handle.
+
   /// Whether the full tier runs what the quick one does not.
   [[nodiscard]] bool has_full_part() const { return tier == Tier::full || full_seconds > 0.0; }
-  void (*run)(Findings&, const Setup&) = nullptr;  ///< Measures and compares; throws what it cannot handle.
 };
 
 }  // namespace talus::verification

@@ -100,9 +100,9 @@ void declare(CLI::App& app, Options& options) {
   auto* const quick = app.add_flag("--quick", options.quick, "The quick tier (default)");
   app.add_flag("--full", options.full, "The long studies as well")->excludes(quick);
   auto* const reuse = app.add_flag("--reuse", options.reuse,
-                                   "Take over from the records in --out what this program, unchanged, would only find "
-                                   "again: cases that passed, and of "
-                                   "those that run more in the full tier their controls");
+                                   "Do not run again what this program, unchanged, has found in --out: cases that "
+                                   "passed, and of those that run more "
+                                   "in the full tier the controls");
   app.add_option("--rounding", options.rounding,
                  "Rounding of floating-point numbers while cases run: nearest, upward, downward or toward_zero. Other "
                  "than nearest it shows which bounds rest on rounding; checks of the same bits may then fail")
@@ -183,10 +183,9 @@ std::vector<Record> records_of(const std::vector<Case>& selection, const std::ve
       terminal.report(records[i], {});
     }
   }
-  auto finished =
-      run_all(sound, plan, [&](const Record& ended, const std::vector<std::string>& running, bool taken_over) {
-        terminal.report(ended, running, taken_over);
-      });
+  auto finished = run_all(sound, plan, [&](const Record& ended, const std::vector<std::string>& running, bool reused) {
+    terminal.report(ended, running, reused);
+  });
   for (std::size_t i = 0; i < finished.size(); ++i)
     records[places[i]] = std::move(finished[i]);
   return records;

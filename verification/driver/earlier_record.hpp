@@ -15,7 +15,7 @@ namespace talus::verification {
 [[nodiscard]] std::string program_fingerprint(const std::vector<std::filesystem::path>& read);
 
 /// Marks the record in a case's folder as one of that program. Without a mark, where none can be written, it is not
-/// taken over.
+/// reused.
 void mark_record(const std::filesystem::path& folder, const std::string& program);
 
 /// The record in a case's folder if that program left it, it is whole and unchanged, and the case passed.

@@ -62,7 +62,7 @@ std::string Terminal::painted(const std::string& text, const char* colour) const
   return colour_ ? colour + text + plain : text;
 }
 
-void Terminal::report(const Record& record, const std::vector<std::string>& running, bool taken_over) {
+void Terminal::report(const Record& record, const std::vector<std::string>& running, bool reused) {
   ++ended_;
   clear_progress();
   const bool pass = record.status == Status::pass;
@@ -73,7 +73,7 @@ void Terminal::report(const Record& record, const std::vector<std::string>& runn
                                         records::margin_text(farthest->margin, farthest->pass, 2), farthest->name);
   fmt::print("{}  {:<18} {:>3} checks  {:>2} controls  {:>8}  {}\n",
              painted(fmt::format("{:<7}", name_of(record.status)), pass ? green : red), record.id, record.checks.size(),
-             record.controls.size(), taken_over ? "as before" : fmt::format("{:.2f} s", record.seconds), margin);
+             record.controls.size(), reused ? "as before" : fmt::format("{:.2f} s", record.seconds), margin);
   if (!pass) fmt::print("         {}: {}\n", record.id, record.message);
   for (const auto& check : record.checks) {
     if (!check.pass) fmt::print("         {}\n", sentence(record.id, check));

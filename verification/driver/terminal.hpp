@@ -22,7 +22,7 @@ class Terminal {
   explicit Terminal(std::size_t total);
 
   /// A case ended: its line, and under it what failed.
-  void report(const Record& record, const std::vector<std::string>& running, bool taken_over = false);
+  void report(const Record& record, const std::vector<std::string>& running, bool reused = false);
 
   /// The last lines: sums, verdict, and where the results are.
   void summarise(const Results& results, const std::string& results_file) const;

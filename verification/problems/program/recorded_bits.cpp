@@ -34,14 +34,15 @@ void run(Findings& findings, const Setup& setup) {
     recorded["integrators"][{"yard, velocity_verlet", "history"}] = recorded["integrators"][{"yard, rk4", "history"}];
   std::map<std::string, int> not_restored, runs;
   run_all(findings, setup, [&](const RunResult& one) {
-    for (const auto& [part, items] : one.parts) {
-      Fingerprint fingerprint;
-      fingerprint.add(items);
-      found[one.group][{one.name, part}] = fingerprint.text();
-    }
+    for (const auto& [part, items] : one.parts)
+      found[one.group][{one.name, part}] = fingerprint(items);
     not_restored[one.group] += one.not_restored;
     ++runs[one.group];
   });
+  // A group that was recorded and is not run any more differs as a whole.
+  for (const auto& [group, parts] : recorded) {
+    if (!setup.coarse) found[group];
+  }
   DataFile data{.name = "fingerprints", .columns = {"group", "run", "part", "fingerprint"}, .rows = {}};
   Table table{.name = "differences",
               .caption = "Results that are not the recorded ones, at most the first twenty of each group.",

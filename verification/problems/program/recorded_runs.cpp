@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -54,9 +52,7 @@ template <class Object, class... More>
 int differs_restored(const MemoryItems& items, Object& object, More&... more) {
   Memory loading{items};
   object.remember(loading, more...);
-  Fingerprint then, now;
-  then.add(items), now.add(saved(object, more...));
-  return then.text() == now.text() && loading.left_over().empty() ? 0 : 1;
+  return fingerprint(items) == fingerprint(saved(object, more...)) && loading.left_over().empty() ? 0 : 1;
 }
 
 // --- Bodies -------------------------------------------------------------------------------------
@@ -112,7 +108,8 @@ void run_bodies(const std::string& group, const std::string& name, const SceneFi
   const Outcome outcome = simulate(system, run_state, scene.plan, observers);
   findings.count(system.evaluations());
   RunResult run{group, name, {}, 0};
-  run.parts["end"] = saved(run_state);
+  const MemoryItems end = saved(run_state);
+  run.parts["end"] = end;
   run.parts["end"]["outcome"] = std::vector{static_cast<double>(outcome.kind), outcome.time};
   run.parts["history"] = saved(recorder);
   run.parts["limits"] = saved(limits);
@@ -123,7 +120,7 @@ void run_bodies(const std::string& group, const std::string& name, const SceneFi
     Watch other_limits{scene, dynamics, first};
     run.not_restored += differs_restored(run.parts["limits"], other_limits);
     RunState other = initial_run_state(scene.integrator, scene.initial);
-    run.not_restored += differs_restored(saved(run_state), other);
+    run.not_restored += differs_restored(end, other);
     Recorder again{dynamics, first, scene.plan.ledger};
     run.not_restored += differs_restored(run.parts["history"], again);
     if (watch) {
@@ -293,21 +290,26 @@ void run_flow(System system, const Packing& packing, const std::string& name, Fi
   constexpr double step = 0.15;
   Discs discs = packing.discs;
   if constexpr (requires { system.keep_work(); }) system.keep_work();
+  System other = system;
   system.begin(discs);
   for (int n = 0; n < 600; ++n)
     system.kick(discs, step), system.drift(discs, step);
   system.kick(discs, step);
   findings.count(system.evaluations());
   const ContactSums contacts = contact_sums(system, discs);
+  std::vector<double> on_walls;
+  for (std::size_t wall = 1; wall <= packing.shapes.walls.size(); ++wall)
+    on_walls.insert(on_walls.end(), {system.wall_force(wall).x, system.wall_force(wall).y});
   const MeanFlow flow = mean_flow(packing.shapes, discs, packing.box.shear_rate);
   RunResult run{"packings", name, {}, 0};
   run.parts["discs"] = saved(discs);
   run.parts["contacts"] = saved(system, discs);
+  run.not_restored = differs_restored(run.parts["contacts"], other, discs);
   run.parts["summary"] = {
       {"virial", numbers(contacts.virial)},
       {"kinetic", numbers(kinetic_virial(packing.shapes, discs, flow))},
       {"flow", std::vector{flow.speed, flow.shear_rate, temperature(packing.shapes, discs, flow)}},
-      {"wall", std::vector{system.wall_force(0).x, system.wall_force(0).y}},
+      {"walls", on_walls},
       {"sums", std::vector{contacts.stored, contacts.largest_depth, static_cast<double>(contacts.contacts),
                            static_cast<double>(system.builds())}}};
   take(run);

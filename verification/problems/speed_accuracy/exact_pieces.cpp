@@ -305,7 +305,7 @@ void check_linear_overlaps(Findings& findings) {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  if (setup.fault.empty() && !setup.coarse) check_linear_overlaps(findings);
+  if (!setup.coarse) check_linear_overlaps(findings);
   Table table{.name = "pieces",
               .caption =
                   "Force evaluations and largest errors of the exact propagator; the evaluations of "
