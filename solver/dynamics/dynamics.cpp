@@ -149,8 +149,9 @@ void Dynamics::update_everywhere(const State& state, Workspace& work) const {
 }
 
 void Dynamics::update_all(const State& state, Workspace& work) const {
-  const bool rerigged = cables_.rig(state, work.rigging);
-  if (rerigged || !layout_.sleepers.empty()) list_awake(state, work, true);
+  cables_.rig(state, work.rigging);
+  // Without sleepers all cables are listed, whichever hangers are broken.
+  if (!layout_.sleepers.empty()) list_awake(state, work, true);
   bodies_.update(state, work);
   cables_.update(state, work);
   contacts_.update_all(work);

@@ -147,14 +147,14 @@ class FarDepths {
     }
     return nearest;
   }
-  /// A node in the box around an outline may still be outside the outline.
+  /// None is in the box around an outline, whose sides keep it apart: the depths in the box are those that are asked for.
   double largest_of_nodes() const {
     double largest = -std::numeric_limits<double>::infinity();
     for (std::size_t first = group_.first; first < group_.last; first += node_block) {
       const std::size_t count = std::min(node_block, group_.last - first);
       const NodeDepths depths{array_, first, count, A_in_B_};
       for (std::size_t i = 0; i < count; ++i)
-        largest = std::max(largest, !over_plane && depths[i] >= 0.0 ? depth(first + i) : depths[i]);
+        largest = std::max(largest, depths[i]);
     }
     return largest;
   }

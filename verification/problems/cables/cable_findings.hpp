@@ -15,6 +15,13 @@ void check_yielding(Findings& findings, const Setup& setup);
 /// Cables that break, by their strength and by their stretch.
 void check_breaking(Findings& findings, const Setup& setup);
 
+/// Accelerations of bodies in nets of cables, in many listings, beside a sum over the cables.
+void check_nets(Findings& findings);
+
+/// Cables past broken hangers: to their mirror image, and when one of them breaks.
+void check_mirrored_chain(Findings& findings);
+void check_parted_chain(Findings& findings);
+
 /// A hanger that breaks.
 void check_hanger(Findings& findings, const Setup& setup);
 

@@ -9,10 +9,13 @@
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/io/read_scene_file.hpp"
 #include "solver/io/scene/read_scene.hpp"
+#include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/resting_contact.hpp"
 #include "verification/study/curves.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/recorded_run.hpp"
+#include "verification/study/scene_run.hpp"
 #include "verification/study/usage.hpp"
 
 namespace talus::verification::problems::resting_contacts {
@@ -219,6 +222,27 @@ end = "0.2 s"
 }
 
 /// Speed of the block with and without the dashpot of friction.
+/// A body that nothing touches or pulls, by every method that takes a tolerance: no error is to be found in no motion.
+void unmoved(Findings& findings) {
+  ModelBuilder builder{si};
+  builder.add(Body{.name = "disc", .mass = 2.0, .inertia = 0.01, .shape = Circle{0.1}, .p_WB = {1.0, 2.0}});
+  Scene scene{.model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  double moved = 0.0, most = 0.0;
+  for (const std::string& name : integrator_names()) {
+    if (!takes_tolerance(integrator_traits(name).step_control)) continue;
+    const RunEnd end = run_scene(scene, make_integrator(name, 1e-10), {1.0, 1.0, 1.0, true}, findings);
+    for (std::size_t i = 0; i < end.state.q.size(); ++i)
+      keep_worst(moved, std::abs(end.state.q[i] - scene.initial.q[i]) + std::abs(end.state.v[i]));
+    most = std::max(most, static_cast<double>(end.evaluations));
+  }
+  const auto group = findings.in("unmoved");
+  findings.expect("body without forces: displacement and speed, farthest of the methods", moved, 0.0,
+                  Tolerance::exact("sums of zeros"), "m, m/s");
+  findings.expect_between("body without forces: evaluations of 1 s, most of the methods", most, 1.0, 300.0,
+                          "no step is too long where nothing moves: a few, of a dozen evaluations each");
+}
+
 void draw_speeds(Findings& findings, const Setup& setup) {
   Scene scene = scene_of("sliding_block.toml", setup);
   scene.plan.interval = scene.plan.step;
@@ -259,6 +283,7 @@ void run(Findings& findings, const Setup& setup) {
                    .x = {.label = "tolerance", .log = true},
                    .y = {.label = "force evaluations", .log = true, .min = 100.0, .max = 1e4},
                    .series = {costs.block, costs.disc}});
+  if (!setup.coarse) unmoved(findings);
 }
 
 }  // namespace

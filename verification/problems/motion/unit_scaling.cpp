@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <tuple>
 
+#include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/study/lively_scenes.hpp"
 #include "verification/study/scaled_scene.hpp"
@@ -188,6 +190,28 @@ void check_fence(Findings& findings, const Setup& setup) {
   }
 }
 
+/// Two discs that fall from rest on posts as large as they are, the first larger: of the steps that weight alone allows the
+/// second has the shorter one.
+void check_falls(Findings& findings, const Setup& setup) {
+  ModelBuilder builder{si};
+  builder.gravity({0.0, -0.5});
+  for (const auto& [name, radius, x] : {std::tuple{"1", 1.0, 0.0}, std::tuple{"2", 0.4, 10.0}}) {
+    const BodyId falling = builder.add(Body{.name = fmt::format("disc{}", name),
+                                            .mobility = Mobility::particle,
+                                            .mass = 1.0,
+                                            .shape = Circle{radius},
+                                            .p_WB = {x, 20.0}});
+    const BodyId post = builder.add(Body{
+        .name = fmt::format("post{}", name), .mobility = Mobility::fixed, .shape = Circle{radius}, .p_WB = {x, 0.0}});
+    builder.add(
+        Contact{.name = fmt::format("hit{}", name), .a = falling, .b = post, .law = LinearSpringDashpot{1e4, 0.0}});
+  }
+  Scene scene{.title = "Falls", .model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  const Units falls{findings, setup, "falls", scene, make_integrator("stormer_cowell", 1e-8), {10.0, 10.0}};
+  falls.check("short unit of time", {1.0, 1.0, 0x1p20});
+}
+
 void run(Findings& findings, const Setup& setup) {
   const Scene yard = crowded_yard();
   const Units verlet{findings, setup, "yard", yard, VelocityVerlet{}, {1e-3, setup.coarse ? 1.0 : 1.5}};
@@ -203,8 +227,12 @@ void run(Findings& findings, const Setup& setup) {
     // The tolerance of odeint's method is a number with a unit: see below.
     if (name == "velocity_verlet" || name == "odeint_bulirsch_stoer") continue;
     const Integrator method = make_integrator(name, needs_tolerance(name) ? 1e-8 : 0.0);
-    Units{findings, setup, "yard", yard, method, {1e-3, 0.5}}.check("all units", all_units);
+    const Units units{findings, setup, "yard", yard, method, {1e-3, 0.5}};
+    units.check("all units", all_units);
+    // Steps of a thousand units: a time that is left out of a product, or is there once too often, is no small one.
+    if (integrator_traits(name).locates_events) units.check("short unit of time", {1.0, 1.0, 0x1p20});
   }
+  check_falls(findings, setup);
   check_fence(findings, setup);
   draw_range(findings, yard);
   tabulate_step_control(findings, yard);
