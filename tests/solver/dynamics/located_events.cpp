@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(events_at_one_time) {
     const Ran three = run(discs({0.3, 0.3, 0.3}), 3.0, 10, tolerance);
     BOOST_TEST(three.events == one.events);
     BOOST_TEST(three.evaluations == one.evaluations);
-    for (const std::size_t i : {1, 3, 5})
+    for (const std::size_t i : {1U, 3U, 5U})
       BOOST_TEST(three.state.q[i] == one.state.q[1]);
   }
 }

@@ -96,7 +96,6 @@ struct Counted {
   friend constexpr Counted operator-(const Counted& a, const Counted& b) {
     return {a.value - b.value, std::max(a.additions, b.additions) + 1};
   }
-  friend constexpr Counted operator-(const Counted& a) { return {-a.value, a.additions}; }
   friend constexpr Counted operator*(const Counted& a, const Counted& b) {
     return {a.value * b.value, std::max(a.additions, b.additions)};
   }

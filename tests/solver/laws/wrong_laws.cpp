@@ -36,6 +36,7 @@ struct Plain {
   constexpr Tangent tangent() const { return {}; }
   friend constexpr bool operator==(const Plain&, const Plain&) = default;
 };
+static_assert(Plain{} == Plain{});  // a use, without which clang warns
 static_assert(Law<Plain> && Law<Cohesive> && Law<LatchingSpring> && Law<ElasticPlastic>);
 
 // Each is Plain with one thing wrong.

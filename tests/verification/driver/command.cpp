@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(a_driver_that_runs_out_of_memory_writes_its_results) {
   const std::vector<Case> cases{synthetic("large", large_record), synthetic("sound", sound)};
   const fs::path out = fs::temp_directory_path() / ("talus_memory_" + std::to_string(::getpid()));
   bool failed = false, passed = false;
-  for (const std::size_t megabytes : {17, 24, 48, 512}) {
+  for (const std::size_t megabytes : {17U, 24U, 48U, 512U}) {
     fs::remove_all(out);
     const int status = verified_under(cases, out, [&] { limit_memory(megabytes << 20U); });
     BOOST_TEST_CONTEXT(megabytes << " MB: exit status " << status) {

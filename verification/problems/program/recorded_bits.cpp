@@ -49,7 +49,9 @@ void run(Findings& findings, const Setup& setup) {
               .columns = {"group", "run", "part", "recorded", "found"}};
   Table counts{
       .name = "runs", .caption = "Runs and fingerprints by group.", .columns = {"group", "runs", "fingerprints"}};
-  for (const auto& [group, parts] : found) {
+  for (const auto& entry : found) {
+    const std::string& group = entry.first;
+    const auto& parts = entry.second;
     std::map<std::pair<std::string, std::string>, std::string>& known = recorded[group];
     int differing = 0;
     const auto differ = [&](const auto& key, const std::string& was, const std::string& is) {

@@ -333,7 +333,9 @@ void run_packings(Findings& findings, const Take& take) {
   packings.push_back({"grown", grow(plan)});
   plan.aspect = 1.6, plan.walls = true, plan.solid_fraction = 0.7;
   packings.push_back({"grown between walls", grow(plan)});
-  for (auto& [name, packing] : packings) {
+  for (Named& one : packings) {
+    const std::string name = one.name;
+    Packing& packing = one.packing;
     take({"packings", name, {{"discs", items_of(packing)}}, 0});
     agitate(packing, 2e-3, 5);
     if (packing.shapes.walls.empty()) packing.box.shear_rate = 0.01;
