@@ -31,7 +31,9 @@ Packing thrown(int side, unsigned seed, double spread) {
     const double radius = 1.0 + 0.1 * unit(random);
     packing.shapes.add(radius, 1.0 / (radius * radius));
     const double x = 2.3 * (i % side - 0.5 * (side - 1)), y = 2.3 * (i / side - 0.5 * (side - 1));
-    packing.discs.add(x, y, -x + spread * unit(random), -y + spread * unit(random));
+    // One after the other: of two arguments a compiler evaluates either first.
+    const double vy = -y + spread * unit(random), vx = -x + spread * unit(random);
+    packing.discs.add(x, y, vx, vy);
   }
   return packing;
 }

@@ -51,7 +51,8 @@ Packing thrown(std::size_t side, double unlike, const PeriodicBox& box) {
     p.shapes.add(radius, 1.0 / (radius * radius));
     const double middle = 0.5 * static_cast<double>(side - 1);
     const double x = 2.3 * (static_cast<double>(i % side) - middle), y = 2.3 * (static_cast<double>(i / side) - middle);
-    p.discs.add(x, y, 2.0 * unit(random) - 0.1 * x, 2.0 * unit(random) - 0.1 * y);
+    const double vy = 2.0 * unit(random) - 0.1 * y, vx = 2.0 * unit(random) - 0.1 * x;
+    p.discs.add(x, y, vx, vy);
   }
   return p;
 }

@@ -27,7 +27,8 @@ Packing scattered(std::size_t count, double width, double height, unsigned seed)
   Packing packing;
   for (std::size_t i = 0; i < count; ++i) {
     packing.shapes.add(0.5 + 0.5 * unit(random), i % 5 == 0 ? 0.0 : 1.0);
-    packing.discs.add(width * (unit(random) - 0.5), height * (unit(random) - 0.5), 0.0, 0.0);
+    const double y = height * (unit(random) - 0.5), x = width * (unit(random) - 0.5);
+    packing.discs.add(x, y, 0.0, 0.0);
   }
   return packing;
 }

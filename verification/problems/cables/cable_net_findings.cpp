@@ -35,7 +35,9 @@ class NetDraw {
  public:
   explicit NetDraw(unsigned seed) : engine_{seed} {}
   std::size_t below(std::size_t count) { return engine_() % count; }
-  double between(double low, double high) { return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0); }
+  double between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
+  }
 
  private:
   std::mt19937 engine_;
@@ -144,8 +146,9 @@ void check_nets(Findings& findings) {
     }
   }
   findings.expect("accelerations of bodies in 200 nets of cables, worst", worst, 0.0,
-                  Tolerance::round_off(1e-12, "forces of up to 100 N, a dozen roundings each, and a few of them at "
-                                              "a body of at least 1 kg"),
+                  Tolerance::round_off(1e-12,
+                                       "forces of up to 100 N, a dozen roundings each, and a few of them at "
+                                       "a body of at least 1 kg"),
                   "m/s^2");
 }
 

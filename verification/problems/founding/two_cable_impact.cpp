@@ -37,10 +37,10 @@ class ParticleWatch {
   double curve_error{};
 
  private:
-  /// k l^2 (1 - cos theta)^2/(m cos^2 theta), the right-hand side of Eq. 27 over two.
+  /// k l^2 (1 - cos theta)^2/(m cos^2 theta), the right-hand side of Eq. 27 over two. The stretch, l (1 - cos theta)/cos theta,
+  /// is x tan(theta/2), without a difference that would cost digits.
   static double stretch_energy(double x) {
-    const double theta = std::atan(x / problem.length);
-    const double s = problem.length * (1.0 - std::cos(theta)) / std::cos(theta);
+    const double s = x * std::tan(0.5 * std::atan(x / problem.length));
     return problem.stiffness * s * s / problem.mass;
   }
 

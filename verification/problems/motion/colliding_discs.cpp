@@ -87,7 +87,9 @@ Scene twenty_discs(double xi, double mu, const Setup& setup) {
                                    .inertia = 0.5 * mass * radius * radius,
                                    .shape = Circle{radius},
                                    .p_WB = far * out}));
-    speeds.push_back(-(1.0 + share(random)) * out + Vec2{0.3 * share(random), -0.2});
+    // One after the other: of two operands a compiler evaluates either first.
+    const Vec2 aside{0.3 * share(random), -0.2};
+    speeds.push_back(-(1.0 + share(random)) * out + aside);
   }
   for (std::size_t i = 0; i < 20; ++i) {
     for (std::size_t j = i + 1; j < 20; ++j) {

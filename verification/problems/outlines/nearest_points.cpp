@@ -135,7 +135,8 @@ void check_rays(Findings& findings) {
   for (const double n : {2.0, 5.0, 20.0}) {
     const Superquadric shape{1.0, 0.4, n};
     for (int i = 0; i < 50; ++i) {
-      const Vec2 p = share(random) * boundary_point(shape, 2.0 * std::numbers::pi * share(random));
+      const double angle = 2.0 * std::numbers::pi * share(random);
+      const Vec2 p = share(random) * boundary_point(shape, angle);
       double low = 1.0, high = 100.0;
       for (int halving = 0; halving < 70; ++halving) {
         const double s = 0.5 * (low + high);
