@@ -460,11 +460,23 @@ std::vector<Case> chosen_cases(const Options& options, records::Tier tier) {
   return cases;
 }
 
+/// A bug that names none of the chosen cases is nothing to them.
+void leave_out_others(records::Mutants& mutants, const std::vector<std::string>& cases) {
+  const auto chosen = [&](const std::string& id) {
+    return id == "*" || std::find(cases.begin(), cases.end(), id) != cases.end();
+  };
+  if (cases.empty()) return;
+  std::erase_if(mutants.mutants, [&](const MutantRecord& mutant) {
+    return mutant.operation == "bug" && std::none_of(mutant.cases.begin(), mutant.cases.end(), chosen);
+  });
+}
+
 int run(const Options& options) {
   const records::Tier tier = options.full ? records::Tier::full : records::Tier::quick;
   const unsigned jobs = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
   records::Mutants mutants = records::read_mutants(options.list);
   demand_known(mutants, options.only);
+  leave_out_others(mutants, options.cases);
   const fs::path out = options.out.empty() ? options.list.parent_path() / "killed.json" : options.out;
   const auto cases = chosen_cases(options, tier);
   // Absolute: programs that cases start run in other folders.
@@ -510,7 +522,8 @@ int main(int argc, char** argv) {
   app.add_flag("--matrix", options.matrix, "Run all cases that evaluate a mutant, not only until the first is red");
   app.add_flag("--full", options.full, "The long studies as well");
   app.add_option("--only", options.only, "Only these mutants: ID[,ID...]")->delimiter(',');
-  app.add_option("--cases", options.cases, "Only these cases: ID[,ID...]")->delimiter(',');
+  app.add_option("--cases", options.cases, "Only these cases, and bugs that name one of them: ID[,ID...]")
+      ->delimiter(',');
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& fault) {

@@ -36,6 +36,7 @@ struct Options {
   std::size_t skip = 0;
   std::uint64_t seed = 1;
   bool bugs = false;
+  bool sources = false;
   bool list = false;
   fs::path blame;
   /// Folders whose sources are mutated: what a run computes.
@@ -81,12 +82,13 @@ std::uint64_t order_of(const Candidate& candidate, std::uint64_t seed) {
   return hash ^ (hash >> 31);
 }
 
-std::vector<std::string> mutated_files(const fs::path& root, const std::vector<std::string>& folders) {
+std::vector<std::string> mutated_files(const Options& options) {
   std::set<std::string> files;
-  for (const std::string& folder : folders) {
-    for (const auto& entry : fs::directory_iterator(root / folder)) {
+  for (const std::string& folder : options.folders) {
+    for (const auto& entry : fs::directory_iterator(options.root / folder)) {
       const fs::path extension = entry.path().extension();
-      if (extension == ".hpp" || extension == ".cpp") files.insert(folder + "/" + entry.path().filename().string());
+      if (extension == ".cpp" || (extension == ".hpp" && !options.sources))
+        files.insert(folder + "/" + entry.path().filename().string());
     }
   }
   return {files.begin(), files.end()};
@@ -134,7 +136,7 @@ std::vector<Mutant> known_mutants(const Options& options, const std::string& fil
 
 /// All candidates in the order of the sample; each entry of the list of equivalents must name one.
 std::vector<Candidate> candidates(const Options& options) {
-  const auto files = mutated_files(options.root, options.folders);
+  const auto files = mutated_files(options);
   std::vector<std::vector<Candidate>> found(files.size());
   const std::uint64_t headers = hash_of_headers(options.root);
   std::vector<std::string> texts;
@@ -170,8 +172,7 @@ std::vector<Candidate> candidates(const Options& options) {
       candidate.reason = known.reason;
       ++count;
     }
-    const std::string folder = known.file.substr(0, known.file.rfind('/'));
-    if (count == 0 && std::find(options.folders.begin(), options.folders.end(), folder) != options.folders.end())
+    if (count == 0 && std::find(files.begin(), files.end(), known.file) != files.end())
       throw std::runtime_error(fmt::format("equivalent.toml: there is no mutant {} '{}' in {} at '{}'", known.operation,
                                            known.replacement, known.file, known.line));
   }
@@ -267,8 +268,14 @@ void mutate(const Options& options) {
   // What does not compile keeps its number, so that the sources of the others stay as they were compiled.
   std::size_t places = 0;
   if (options.bugs) {
-    for (const Mutant& bug : written_bugs(options.root / "tests/mutants/bugs", options.root))
+    const auto files = mutated_files(options);
+    const auto elsewhere = [&](const Edit& edit) {
+      return std::find(files.begin(), files.end(), edit.file) == files.end();
+    };
+    for (const Mutant& bug : written_bugs(options.root / "tests/mutants/bugs", options.root)) {
+      if (options.sources && std::any_of(bug.edits.begin(), bug.edits.end(), elsewhere)) continue;
       take(bug, places++);
+    }
   }
   std::size_t drawn = 0;
   for (std::size_t i = options.skip; i < all.size() && drawn < options.sample; ++i) {
@@ -348,6 +355,9 @@ int main(int argc, char** argv) {
   app.add_option("--seed", options.seed, "Of the order in which they are drawn")->capture_default_str();
   app.add_option("--folders", options.folders, "Folders whose sources are mutated: F[,F...]")->delimiter(',');
   app.add_flag("--bugs", options.bugs, "The written bugs as well (tests/mutants/bugs)");
+  app.add_flag(
+      "--sources", options.sources,
+      "No mutants in headers, and bugs in these folders alone: such sources can be linked before a build's libraries");
   app.add_flag("--list", options.list, "Print all candidates and end");
   app.add_option("--blame", options.blame, "Log of a failed build: note the mutants that do not compile")
       ->check(CLI::ExistingFile);
