@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -56,17 +57,49 @@ std::string spaced(std::string name) {
   return cell(name);
 }
 
-std::string count_text(std::size_t count) { return count == 0 ? "**none**" : fmt::format("{}", count); }
+/// How many checks there are of something, and how many mutants they noticed where that is known.
+class Counter {
+ public:
+  explicit Counter(const records::Mutants* mutants) : known_{mutants != nullptr} {
+    if (!known_) return;
+    for (const records::MutantRecord& mutant : mutants->mutants) {
+      for (const records::Trial& trial : mutant.trials) {
+        for (const std::string& name : trial.failed)
+          noticed_[{trial.case_id, name}].insert(mutant.id);
+      }
+    }
+  }
+  bool known() const { return known_; }
+  std::string text(const Checks& checks) const {
+    if (checks.empty()) return "**none**";
+    if (!known_) return fmt::format("{}", checks.size());
+    const std::size_t mutants = noticed_by(checks);
+    return mutants == 0 ? fmt::format("{} (**0**)", checks.size()) : fmt::format("{} ({})", checks.size(), mutants);
+  }
+
+ private:
+  std::size_t noticed_by(const Checks& checks) const {
+    std::set<std::string> mutants;
+    for (const auto& check : checks) {
+      if (const auto found = noticed_.find(check); found != noticed_.end())
+        mutants.insert(found->second.begin(), found->second.end());
+    }
+    return mutants.size();
+  }
+
+  bool known_{};
+  std::map<std::pair<std::string, std::string>, std::set<std::string>> noticed_;
+};
 
 /// A row a law, all its regimes with the number of their checks.
-std::string regimes(const Results& results) {
+std::string regimes(const Results& results, const Counter& counter) {
   std::vector<std::pair<std::string, std::string>> laws;
   for (const Requirement* regime : group(results, "regime")) {
     const std::vector<std::string> parts = parts_of(regime->id);
     if (parts.size() != 3) continue;
     if (laws.empty() || laws.back().first != parts[1]) laws.emplace_back(parts[1], "");
     std::string& text = laws.back().second;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", spaced(parts[2]), count_text(checks_of(*regime).size()));
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", spaced(parts[2]), counter.text(checks_of(*regime)));
   }
   Rows rows;
   for (const auto& [law, text] : laws)
@@ -74,15 +107,16 @@ std::string regimes(const Results& results) {
   return markdown::table({{"law"}, {"regimes, and how many checks run in each"}}, rows, "");
 }
 
-/// How many checks touch both of two requirements.
-std::size_t common(const Requirement& a, const Requirement& b) {
+/// The checks of both of two requirements.
+Checks common(const Requirement& a, const Requirement& b) {
   const Checks of_a = checks_of(a), of_b = checks_of(b);
-  return static_cast<std::size_t>(
-      std::count_if(of_a.begin(), of_a.end(), [&](const auto& check) { return of_b.count(check) > 0; }));
+  Checks both;
+  std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::inserter(both, both.begin()));
+  return both;
 }
 
 /// Laws of contacts against end rules and methods.
-std::string contact_laws(const Results& results) {
+std::string contact_laws(const Results& results, const Counter& counter) {
   std::vector<const Requirement*> across = group(results, "end_rule");
   for (const Requirement* method : group(results, "method"))
     across.push_back(method);
@@ -94,7 +128,7 @@ std::string contact_laws(const Results& results) {
     if (law->text != "contact law") continue;
     rows.push_back({spaced(last_part(*law))});
     for (const Requirement* rule : across)
-      rows.back().push_back(count_text(common(*law, *rule)));
+      rows.back().push_back(counter.text(common(*law, *rule)));
   }
   return markdown::table(columns, rows, "");
 }
@@ -135,7 +169,7 @@ std::string range_text(const std::vector<double>& values) {
   return fmt::format("{} ({})", text, values.size());
 }
 
-std::string integrators(const Results& results) {
+std::string integrators(const Results& results, const Counter& counter) {
   Rows rows;
   for (const Requirement* integrator : group(results, "integrator")) {
     const auto orders = measured_orders(results, *integrator);
@@ -146,7 +180,7 @@ std::string integrators(const Results& results) {
     const auto declared = orders.find(integrator->order);
     rows.push_back({spaced(last_part(*integrator)), integrator->order > 0 ? fmt::format("{}", integrator->order) : "",
                     declared == orders.end() ? "**none**" : range_text(declared->second), others,
-                    count_text(checks_of(*integrator).size())});
+                    counter.text(checks_of(*integrator))});
   }
   return markdown::table({{"integrator"},
                           {"declared", true},
@@ -157,9 +191,9 @@ std::string integrators(const Results& results) {
 }
 
 /// Pairs of shapes: above the diagonal, since a pair has no first.
-std::string pairs(const Results& results) {
+std::string pairs(const Results& results, const Counter& counter) {
   std::vector<std::string> names;
-  std::map<std::pair<std::string, std::string>, std::size_t> counts;
+  std::map<std::pair<std::string, std::string>, std::string> counts;
   const auto note = [&](const std::string& name) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   };
@@ -168,7 +202,7 @@ std::string pairs(const Results& results) {
     if (parts.size() != 3) continue;
     note(parts[1]);
     note(parts[2]);
-    counts[{parts[1], parts[2]}] = checks_of(*pair).size();
+    counts[{parts[1], parts[2]}] = counter.text(checks_of(*pair));
   }
   std::vector<markdown::Column> columns{{"with"}};
   Rows rows;
@@ -179,27 +213,63 @@ std::string pairs(const Results& results) {
     rows.push_back({spaced(name)});
     for (const std::string& other : names) {
       const auto found = counts.find({name, other});
-      rows.back().push_back(found == counts.end() ? " " : count_text(found->second));
+      rows.back().push_back(found == counts.end() ? " " : found->second);
     }
   }
   return markdown::table(columns, rows, "");
 }
 
+/// The sums of the energy balance.
+std::string mechanisms(const Results& results, const Counter& counter) {
+  Rows rows;
+  for (const Requirement* mechanism : group(results, "mechanism"))
+    rows.push_back({spaced(last_part(*mechanism)), counter.text(checks_of(*mechanism))});
+  return markdown::table({{"energy lost by"}, {"checks", true}}, rows, "");
+}
+
+/// The family of cases that run the program and read what it leaves.
+constexpr const char* program = "G: the program";
+
+/// Files and texts that users get, as the checks of the program's cases name them: "history.csv: rows".
+std::string outputs(const Results& results, const Counter& counter) {
+  std::map<std::pair<std::string, std::string>, Checks> files;
+  for (const Record& record : results.records) {
+    if (record.family != program) continue;
+    for (const Check& check : record.checks) {
+      const std::size_t end = check.name.find(": ");
+      if (end != std::string::npos) files[{record.id, check.name.substr(0, end)}].emplace(record.id, check.name);
+    }
+  }
+  Rows rows;
+  for (const auto& [key, checks] : files)
+    rows.push_back({cell(key.second), markdown::code(key.first), counter.text(checks)});
+  return markdown::table({{"output"}, {"case"}, {"checks", true}}, rows, "");
+}
+
 }  // namespace
 
-std::string coverage(const Results& results) {
-  return "Each number counts checks of this run that a case claims for a requirement, or for both of two; what no "
-         "check "
-         "touches says **none**. The lists of laws, modes, rules, integrators and shapes are the solver's own.\n\n"
-         "## Laws and regimes\n\n" +
-         regimes(results) + "\n" + contact_laws(results) + "\n## Integrators and orders\n\n" + integrators(results) +
-         "\nIn parentheses: how many fits. Other orders: a contact begins and ends within a step, which costs every "
-         "method its "
-         "order (2 without a dashpot, 1 with one); accounts of energy; the order in the tolerance, of methods under "
-         "step "
-         "control; rounding. False orders, which steps that divide the contact time show, are left out.\n\n## Shapes "
-         "in contact\n\n" +
-         pairs(results) + "\nAn empty cell stands elsewhere in the table, or ground would meet ground.\n";
+std::string coverage(const Results& results, const records::Mutants* mutants) {
+  const Counter counter{mutants};
+  std::string text =
+      "Each number counts checks of this run that a case claims for a requirement, or for both of two; what no check "
+      "touches says **none**. The lists of laws, modes, rules, integrators and shapes are the solver's own.";
+  if (mutants != nullptr) {
+    text += fmt::format(
+        " In parentheses: how many of {} [mutants](#appendix-mutants) at least one of these checks noticed. A **0** is "
+        "a gap: what these checks measure was not shown to fail by any of them.{}",
+        mutants->mutants.size(),
+        mutants->whole_matrix ? ""
+                              : " (Each mutant was tried until the first case was red: checks of later cases were not "
+                                "tried.)");
+  }
+  return text + "\n\n## Laws and regimes\n\n" + regimes(results, counter) + "\n" + contact_laws(results, counter) +
+         "\n## Integrators and orders\n\n" + integrators(results, counter) +
+         "\nIn parentheses after orders: how many fits. Other orders: a contact begins and ends within a step, which "
+         "costs every method its order (2 without a dashpot, 1 with one); the energy balance; the order in the "
+         "tolerance, of methods under step control; rounding. False orders, which steps that divide the contact time "
+         "show, are left out.\n\n## Shapes in contact\n\n" +
+         pairs(results, counter) + "\nAn empty cell stands elsewhere in the table, or ground would meet ground.\n" +
+         "\n## Energy balance\n\n" + mechanisms(results, counter) + "\n## Outputs\n\n" + outputs(results, counter);
 }
 
 }  // namespace talus::reports

@@ -23,7 +23,7 @@ std::string run_in_words(const Results& results) {
                      p.dirty ? " with uncommitted changes" : "");
 }
 
-std::string front(const Results& results, const std::filesystem::path& templates) {
+std::string front(const Results& results, const Trials& trials, const std::filesystem::path& templates) {
   const Counts c = counts_of(results);
   mustache::data values;
   values.set("verdict", holds(results) ? "PASS" : "FAIL");
@@ -44,7 +44,7 @@ std::string front(const Results& results, const std::filesystem::path& templates
   values.set("failures", failed);
   values.set("run", run_in_words(results));
   values.set("cases", summary_by_family(results));
-  values.set("coverage", coverage(results));
+  values.set("coverage", coverage(results, trials.mutants ? &*trials.mutants : nullptr));
   values.set("formulas", common_formulas(results));
   values.set("peers", checks_of_peers(results));
   values.set("errata", errata(results));
@@ -79,7 +79,7 @@ std::string back(const Results& results, const Trials& trials, const Drawn& draw
 std::string report_markdown(const Results& results, const Trials& trials, const Drawn& drawn,
                             const std::filesystem::path& templates, const std::string& references,
                             const std::string& tools) {
-  std::string text = front(results, templates);
+  std::string text = front(results, trials, templates);
   for (std::size_t i = 0; i < results.records.size(); ++i) {
     text += fmt::format("\n{}", case_page(results.records[i], i + 1, drawn, templates));
   }

@@ -15,9 +15,7 @@ std::string replaced(const std::string& text, const std::regex& what, const char
 }
 
 /// Shorter first: an example is to be read.
-bool before(const std::string& a, const std::string& b) {
-  return a.size() != b.size() ? a.size() < b.size() : a < b;
-}
+bool before(const std::string& a, const std::string& b) { return a.size() != b.size() ? a.size() < b.size() : a < b; }
 
 }  // namespace
 

@@ -23,7 +23,8 @@ BOOST_AUTO_TEST_CASE(what_changes_from_run_to_run_is_left_out) {
 }
 
 BOOST_AUTO_TEST_CASE(the_shortest_message_is_the_example) {
-  const auto forms = forms_of({"input\tone\tlong.toml:7: mass: found 30; it must be > 0\x1f" "a.toml: b: it is missing",
+  const auto forms = forms_of({"input\tone\tlong.toml:7: mass: found 30; it must be > 0\x1f"
+                               "a.toml: b: it is missing",
                                "input\ttwo\ts.toml:7: mass: found 3; it must be > 0", "file\ttwo\tx: Is a directory",
                                "input\tfuzz\tnothing of a user"},
                               {"fuzz"});

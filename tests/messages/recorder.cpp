@@ -36,7 +36,7 @@ void note(std::string_view kind, const char* what) {
 
 /// In place of the C++ library's, which it calls.
 extern "C" [[noreturn, gnu::visibility("default")]] void __cxa_throw(void* object, std::type_info* type,
-                                                                    void (*destroy)(void*)) {
+                                                                     void (*destroy)(void*)) {
   const std::string_view name = type->name();
   // Both derive from std::exception alone, so that the thrown object begins with it.
   const auto what = [object] { return static_cast<const std::exception*>(object)->what(); };

@@ -80,9 +80,9 @@ Trial tried(const Case& one, records::Tier tier) {
   } catch (const std::exception& thrown) {
     return {one.id, TrialEnd::error, std::numeric_limits<double>::infinity(), thrown.what()};
   }
-  Trial trial{one.id, TrialEnd::pass, 0.0, ""};
+  Trial trial{.case_id = one.id, .end = TrialEnd::pass};
   for (const records::Check& check : findings.checks()) {
-    if (!check.pass) trial.end = TrialEnd::fail;
+    if (!check.pass) trial.end = TrialEnd::fail, trial.failed.push_back(check.name);
     const double ratio = size_of(check);
     if (!(ratio > trial.ratio)) continue;
     trial.ratio = ratio;
@@ -95,10 +95,17 @@ Trial tried(const Case& one, records::Tier tier) {
   return trial;
 }
 
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
 std::string text_of(const Trial& trial) {
-  std::string check = trial.check.substr(0, 300);
-  std::replace(check.begin(), check.end(), '\n', ' ');
-  return fmt::format("{}\n{:a}\n{}\n", static_cast<int>(trial.end), trial.ratio, check);
+  std::string text =
+      fmt::format("{}\n{:a}\n{}\n", static_cast<int>(trial.end), trial.ratio, one_line(trial.check.substr(0, 300)));
+  for (const std::string& name : trial.failed)
+    text += one_line(name) + '\n';
+  return text;
 }
 
 /// Limits of a child: it must not take the machine with it.
@@ -133,7 +140,9 @@ struct Request {
   if (!request.reached.empty()) ::setenv("TALUS_MUTANTS_REACHED", request.reached.c_str(), 1);
   const std::string text = text_of(tried(*request.one, request.tier));
   if (!request.reached.empty()) write_reached();
-  const bool written = ::write(result, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  // The pipe takes so much before it is read: the names of some hundred checks.
+  const std::size_t fits = std::min(text.size(), std::size_t{60000});
+  const bool written = ::write(result, text.data(), fits) == static_cast<ssize_t>(fits);
   ::_exit(written ? 0 : 1);
 }
 
@@ -198,7 +207,11 @@ class Child {
     std::istringstream in(text);
     std::string end, ratio, check;
     std::getline(in, end), std::getline(in, ratio), std::getline(in, check);
-    return {request_.one->id, static_cast<TrialEnd>(std::stoi(end)), std::strtod(ratio.c_str(), nullptr), check};
+    Trial trial{
+        request_.one->id, static_cast<TrialEnd>(std::stoi(end)), std::strtod(ratio.c_str(), nullptr), check, {}};
+    for (std::string name; std::getline(in, name);)
+      trial.failed.push_back(name);
+    return trial;
   }
 
   Request request_;

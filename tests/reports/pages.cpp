@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(the_worst_margin_shows_the_verdict) {
 }
 
 BOOST_AUTO_TEST_CASE(coverage_counts_checks_and_names_empty_cells) {
-  const std::string text = coverage(results());
+  const std::string text = coverage(results(), nullptr);
   BOOST_TEST(contains(text, "| spring | touching 2, released **none** |"), text);
   // Of the law's two checks one is of the clamped end, none of the attractive one.
   BOOST_TEST(contains(text, "| spring | 1 | **none** |"), text);
@@ -118,6 +118,27 @@ BOOST_AUTO_TEST_CASE(coverage_counts_checks_and_names_empty_cells) {
   // a false one.
   BOOST_TEST(contains(text, "| rk4 | 4 | **none** | 1.02 (1); 1.98 (1) | 4 |"), text);
   BOOST_TEST(contains(text, "| circle | **none** | 1 |"), text);
+}
+
+BOOST_AUTO_TEST_CASE(coverage_counts_the_mutants_that_checks_noticed) {
+  Results all = results();
+  all.records.push_back(record("files", "G: the program", {check("history.csv: rows"), check("history.csv: names")}));
+  talus::records::Mutants mutants;
+  const auto mutant = [](const std::string& id, const std::string& case_id, std::vector<std::string> failed) {
+    talus::records::MutantRecord made{.id = id};
+    made.trials.push_back({.case_id = case_id, .end = talus::records::TrialEnd::fail, .failed = std::move(failed)});
+    return made;
+  };
+  const ShownBy touching = std::ranges::find(all.requirements, "regime.spring.touching", &Requirement::id)->shown_by[0];
+  mutants.mutants = {mutant("one", touching.case_id, {touching.checks[0], "another"}),
+                     mutant("two", "files", {"history.csv: rows", "history.csv: names"}),
+                     mutant("three", "other", {"history.csv: rows"})};
+  const std::string text = coverage(all, &mutants);
+  BOOST_TEST(contains(text, "how many of 3 [mutants]"), text);
+  BOOST_TEST(contains(text, "| spring | touching 2 (1), released **none** |"), text);
+  BOOST_TEST(contains(text, "| circle | **none** | 1 (1) |"), text);
+  BOOST_TEST(contains(text, "| 4 (**0**) |"), text);  // the integrator
+  BOOST_TEST(contains(text, "| history.csv | `files` | 2 (1) |"), text);
 }
 
 BOOST_AUTO_TEST_CASE(common_formulas_are_gathered_from_the_cases) {

@@ -10,6 +10,7 @@ void fields(auto& f, Like<Trial> auto& trial) {
   f.value("end", trial.end);
   f.number("ratio", trial.ratio);
   f.value("check", trial.check);
+  f.value("failed", trial.failed);
 }
 
 void fields(auto& f, Like<SourceRange> auto& range) {
@@ -43,7 +44,7 @@ void fields(auto& f, Like<UnchangedCase> auto& unchanged) {
 }
 
 void fields(auto& f, Like<Mutants> auto& mutants) {
-  f.derived("schema", std::string("talus mutants 2"));
+  f.derived("schema", std::string("talus mutants 3"));
   f.value("candidates", mutants.candidates);
   f.value("uncompiled", mutants.uncompiled);
   f.value("seed", mutants.seed);

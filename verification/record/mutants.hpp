@@ -50,6 +50,7 @@ struct Trial {
   double ratio{};       ///< largest error/bound of its checks; infinite if one failed that has no size, or the case did
                         ///< not end
   std::string check{};  ///< the check with that ratio
+  std::vector<std::string> failed{};  ///< the checks that failed
 };
 
 /// Line and column, from 1, columns in bytes; the end is behind the last byte.

@@ -200,7 +200,7 @@ void check_mirrored_chain(Findings& findings) {
 }
 
 /// Three unlike cables past two broken hangers, of which the middle one is pulled beyond its strength: all let go at once,
-/// and what they held, T^2/2 times the sum of their compliances, is booked.
+/// and the energy that they stored, T^2/2 times the sum of their compliances, is lost.
 void check_parted_chain(Findings& findings) {
   const double rest[] = {3.0, 4.0, 2.0}, stiff[] = {100.0, 50.0, 200.0};
   const double length = 10.0, compliance = 1.0 / stiff[0] + 1.0 / stiff[1] + 1.0 / stiff[2];
@@ -235,9 +235,9 @@ void check_parted_chain(Findings& findings) {
   for (const double t : seen.forces().tensions)
     keep_worst(left, t);
   const auto group = findings.in("chains");
-  findings.expect("tension left in a chain whose middle cable broke", left, 0.0, Tolerance::exact("all are loose"),
-                  "N");
-  findings.expect("energy booked when the middle cable of a chain breaks",
+  findings.expect("tension in a chain after its middle cable broke, largest", left, 0.0,
+                  Tolerance::exact("all are loose"), "N");
+  findings.expect("energy loss when the middle cable of a chain breaks",
                   state.work[static_cast<std::size_t>(Mechanism::cable_break)], 0.5 * tension * tension * compliance,
                   Tolerance::round_off(1e-13, "a hundred roundings of lengths of ten, times 30 N"), "J");
 }

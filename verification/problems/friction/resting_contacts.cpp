@@ -237,9 +237,9 @@ void unmoved(Findings& findings) {
     most = std::max(most, static_cast<double>(end.evaluations));
   }
   const auto group = findings.in("unmoved");
-  findings.expect("body without forces: displacement and speed, farthest of the methods", moved, 0.0,
+  findings.expect("body without forces: displacement and speed, largest of all methods", moved, 0.0,
                   Tolerance::exact("sums of zeros"), "m, m/s");
-  findings.expect_between("body without forces: evaluations of 1 s, most of the methods", most, 1.0, 300.0,
+  findings.expect_between("body without forces: evaluations of 1 s, maximum over the methods", most, 1.0, 300.0,
                           "no step is too long where nothing moves: a few, of a dozen evaluations each");
 }
 
