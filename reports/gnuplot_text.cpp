@@ -37,6 +37,39 @@ bool follows_symbol(const std::string& text, std::size_t place) {
          (place == 1 || (!letter_or_digit(text[place - 2]) && text[place - 2] != '_'));
 }
 
+/// Without the two marks around each formula, where pandoc sees one.
+std::string without_formula_marks(const std::string& text) {
+  const auto space = [&](std::size_t i) { return std::isspace(static_cast<unsigned char>(text[i])) != 0; };
+  const auto digit = [&](std::size_t i) {
+    return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+  };
+  const auto end_of = [&](std::size_t begin) {
+    for (std::size_t i = text.find('$', begin + 1); i != std::string::npos; i = text.find('$', i + 1)) {
+      if (i > begin + 1 && !space(i - 1) && !digit(i + 1)) return i;
+    }
+    return std::string::npos;
+  };
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins = text[i] == '$' && i + 1 < text.size() && !space(i + 1);
+    const std::size_t end = begins ? end_of(i) : std::string::npos;
+    if (end == std::string::npos) {
+      result += text[i];
+      continue;
+    }
+    result += text.substr(i + 1, end - i - 1);
+    i = end;
+  }
+  return result;
+}
+
+/// A deck's title may hold tabs.
+std::string without_control(std::string text) {
+  for (char& letter : text)
+    if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = ' ';
+  return text;
+}
+
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char letter : text) {
@@ -58,11 +91,19 @@ std::string gnuplot_quoted(const std::string& text) {
   return result + "'";
 }
 
+std::string gnuplot_verbatim(const std::string& text, std::size_t most) {
+  const auto begins = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; };  // of UTF-8
+  std::string shown;
+  std::size_t characters = 0;
+  for (const char byte : without_control(text)) {
+    if (begins(byte) && ++characters > most) return "'" + escaped(shown) + "...'";
+    shown += byte;
+  }
+  return "'" + escaped(shown) + "'";
+}
+
 std::string gnuplot_text(const std::string& words) {
-  std::string text = words;
-  text.erase(std::remove(text.begin(), text.end(), '$'), text.end());
-  for (char& letter : text)
-    if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = ' ';  // a deck's title may hold tabs
+  const std::string text = without_control(without_formula_marks(words));
   std::string result = "'";
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool raises = text[i] == '^';

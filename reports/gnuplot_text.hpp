@@ -1,14 +1,19 @@
 /// Texts in gnuplot's language.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace talus::reports {
 
-/// A label for gnuplot's enhanced text, in single quotes. Words as in a record: `$` is dropped, `^` followed by a
-/// number or letters raises them, `_` after a single letter lowers what follows (`k_n`); any other mark stands for
-/// itself.
+/// A label for gnuplot's enhanced text, in single quotes. Words as in a record: the two `$` around a formula are dropped
+/// (the first has no space after it, the second none before it and no digit after it), `^` followed by a number or letters
+/// raises them, `_` after a single letter lowers what follows (`k_n`); any other mark stands for itself.
 [[nodiscard]] std::string gnuplot_text(const std::string& words);
+
+/// Text as it is for gnuplot's enhanced text, in single quotes: a title or name that a user gave. What is longer than `most`
+/// characters is cut and ends in three dots.
+[[nodiscard]] std::string gnuplot_verbatim(const std::string& text, std::size_t most = std::string::npos);
 
 /// Text as a single-quoted gnuplot string, for file names.
 [[nodiscard]] std::string gnuplot_quoted(const std::string& text);

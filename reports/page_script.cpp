@@ -13,6 +13,9 @@
 namespace talus::reports {
 namespace {
 
+/// Characters of a title that fit beside each other on a page.
+constexpr std::size_t characters_wide = 95;
+
 // All lengths in centimetres.
 constexpr double line_high = 0.44;
 constexpr double tallest_panel = 11.0;
@@ -120,7 +123,7 @@ std::string panel_commands(const Plot& plot, const Panel& panel, const Layout& l
   std::string text = panel.settings;
   text += fmt::format("set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\n", frame.left / w, frame.right / w);
   text += fmt::format("set bmargin at screen {:.6f}\nset tmargin at screen {:.6f}\n", frame.bottom / h, frame.top / h);
-  text += fmt::format("set title {} offset 0,-0.6\n", gnuplot_text(plot.figure.title));
+  text += fmt::format("set title {} offset 0,-0.6\n", gnuplot_verbatim(plot.figure.title));
   if (plot.figure.x.divisions == 0 && !plot.figure.x.log) text += tics('x', plot.x, frame.right - frame.left);
   if (plot.figure.y.divisions == 0 && !plot.figure.y.log) text += tics('y', plot.y, frame.top - frame.bottom);
   if (layout.shared && place % columns > 0) text += "unset ylabel\nset format y ''\n";
@@ -133,7 +136,7 @@ std::string panel_commands(const Plot& plot, const Panel& panel, const Layout& l
 
 std::string legend_entry(const Curve& curve) {
   const Look& look = curve.look;
-  const std::string label = gnuplot_text(curve.label);
+  const std::string label = gnuplot_verbatim(curve.label);
   if (!look.fill.empty()) {
     return fmt::format("keyentry with boxes fs solid 0.75 border lc rgb '{}' fc rgb '{}' title {}",
                        look.colour.empty() ? look.fill : look.colour, look.fill, label);
@@ -216,7 +219,7 @@ std::pair<std::string, double> page_commands(const PagePlot& page, const Canvas&
     text += clean;
     if (i == 0 && !page.page.title.empty()) {
       text += fmt::format("set label {} at screen 0.5, screen {:.6f} center font ',{}'\n",
-                          gnuplot_text(page.page.title), 1.0 - 0.42 / layout.height, 14);
+                          gnuplot_verbatim(page.page.title, characters_wide), 1.0 - 0.42 / layout.height, 14);
     }
     text += panel_commands(page.panels[i], panels[i], layout, i, columns) + "plot " + panels[i].curves + "\n";
   }

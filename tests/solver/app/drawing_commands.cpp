@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 
 #include "solver/base/error.hpp"
 #include "solver/io/output/read_history.hpp"
@@ -436,4 +437,39 @@ BOOST_AUTO_TEST_CASE(a_blank_title_is_replaced_by_the_name_of_the_file) {
       }
     }
   }
+}
+
+// What a scene's file says is text wherever it is drawn: no markup, no commands of gnuplot or of a shell.
+BOOST_AUTO_TEST_CASE(texts_of_a_scene_stay_text) {
+  const Folder folder;
+  std::string text = talus::read_text(scene("two_cable.toml"));
+  const auto replace_all = [&](const std::string& part, const std::string& by) {
+    BOOST_REQUIRE(holds(text, part));
+    for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += by.size())
+      text.replace(at, part.size(), by);
+  };
+  const std::string touch = "touch " + (folder.path / "pwned").string();
+  const std::string title = "</script><script>alert(1)</script> $x$ `" + touch + "` $(" + touch + ")";
+  const std::size_t first = text.find("title = "), end = text.find('\n', first);
+  text.replace(first, end - first, "title = '" + title + "'");
+  replace_all("\"upper\"", "\"<b>'; system '" + touch + "' # $ \"");
+  std::ofstream{folder.path / "hostile.toml"} << text;
+  const fs::path out = folder.path / "out";
+  BOOST_REQUIRE(
+      talus_ran({"run", (folder.path / "hostile.toml").string(), "--end", "10 ms", "--out", out.string()}).code == 0);
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"plot", out.string(), "--format", "svg"},
+                                                  {"snapshot", out.string(), "--format", "svg"},
+                                                  {"animate", out.string()}})
+    BOOST_TEST(talus_ran(command).code == 0, command[0]);
+  BOOST_TEST(!fs::exists(folder.path / "pwned"));
+  std::size_t titled = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(out)) {
+    const std::string extension = entry.path().extension();
+    if (extension == ".html") BOOST_TEST(!holds(talus::read_text(entry.path().string()), "<script>alert"));
+    if (extension != ".svg" && extension != ".vtp" && extension != ".pvd") continue;
+    pugi::xml_document document;
+    BOOST_TEST(document.load_file(entry.path().c_str()).status == pugi::status_ok, entry.path());
+    titled += holds(talus::read_text(entry.path().string()), "alert(1)&lt;/script> $x$") ? 1U : 0U;
+  }
+  BOOST_TEST(titled > 0U);
 }
