@@ -10,7 +10,8 @@ namespace talus::reports {
 /// moved out of it by publish(), so that a reader of the target never sees half a file.
 class Workshop {
  public:
-  /// Makes `target` (with its parents) and a fresh folder in it; throws OutputError when that cannot be.
+  /// Makes `target` (with its parents) and a fresh folder in it, and removes those that killed processes left there; throws
+  /// OutputError when that cannot be.
   explicit Workshop(std::filesystem::path target);
   ~Workshop();
   Workshop(const Workshop&) = delete;
