@@ -166,7 +166,9 @@ std::string bar_commands(const Scale& scale, const ColourScale& colours, double 
         left + width * i / parts, up(0.35), std::min(left + width * (i + 2) / parts, left + width), up(0.1),
         colours.colour(scale.min + (i + 0.5) / parts * (scale.max - scale.min)));
   }
-  const double step = round_step((scale.max - scale.min) / 4.0);
+  // Numbers of six digits are as wide as two of three.
+  const double parts_of_bar = std::max(std::abs(scale.min), std::abs(scale.max)) >= 1e5 ? 2.0 : 4.0;
+  const double step = round_step((scale.max - scale.min) / parts_of_bar);
   const long last = std::lround(std::floor(scale.max / step + 1e-9));
   for (long i = std::lround(std::ceil(scale.min / step - 1e-9)); i <= last; ++i) {
     const double value = static_cast<double>(i) * step;
