@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 #include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/granular/disc_system.hpp"
+#include "solver/granular/fast_disc_system.hpp"
+#include "solver/integrate/euler_cromer.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/oblique_impact.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/oblique_runs.hpp"
 #include "verification/study/scene_run.hpp"
 
@@ -123,6 +128,42 @@ void check_unlike(Findings& findings, const Setup& setup) {
   if (!setup.coarse) findings.table(table);
 }
 
+/// Two equal rough discs that are let go with an overlap, from rest, by both engines for discs: they part without a spin.
+void check_let_go(Findings& findings) {
+  const LinearSpringDashpot law{1e3, 0.0};
+  const CoulombFriction friction{0.5, 300.0};
+  double aside = 0.0, uneven = 0.0;
+  const auto run = [&]<class System>(std::type_identity<System>) {
+    DiscShapes shapes;
+    Discs discs;
+    for (const double side : {-1.0, 1.0}) {
+      shapes.add(0.5, 1.0);
+      discs.add(0.49 * side, 0.0, 0.0, 0.0);
+    }
+    System system{shapes, {}, law, 0.1, friction};
+    system.begin(discs);
+    const EulerCromerOf<Discs> method;
+    for (int i = 0; i < 200; ++i)
+      method.step(system, discs, 1e-3);
+    for (const std::size_t i : {0U, 1U}) {
+      keep_worst(aside, discs.vy[i]), keep_worst(aside, discs.spin[i]);
+      // m v^2 of both is what was stored, k d^2/2.
+      const double speed = 0.02 * std::sqrt(0.5 * 1e3);
+      keep_worst(uneven, std::abs(discs.vx[i]) / speed - 1.0);
+    }
+  };
+  run(std::type_identity<DiscSystem<LinearSpringDashpot, CoulombFriction>>{});
+  run(std::type_identity<FastDiscSystem<LinearSpringDashpot, CoulombFriction>>{});
+  findings.expect("rough discs let go from rest: spin and speed aside", aside, 0.0, Tolerance::exact("nothing slides"),
+                  "m/s, rad/s");
+  const double wh = std::sqrt(2e3) * 1e-3;
+  findings.expect(
+      "rough discs let go from rest: speed over sqrt(k/2m) d", uneven, 0.0,
+      Tolerance::truncation(wh * wh / 8.0, 1.2,
+                            "symplectic Euler's amplitude of the speed is off by (w h)^2/8: its velocities are "
+                            "those of half a step before"));
+}
+
 void check_rolling(Findings& findings, const Setup& setup) {
   const Scene scene = met_discs(first_mass, first_radius, 2.0, -2.0, setup);
   const double time = std::numbers::pi * std::sqrt(0.5);
@@ -142,6 +183,7 @@ void check_rolling(Findings& findings, const Setup& setup) {
 void run(Findings& findings, const Setup& setup) {
   check_unlike(findings, setup);
   check_rolling(findings, setup);
+  if (!setup.coarse) check_let_go(findings);
 }
 
 }  // namespace

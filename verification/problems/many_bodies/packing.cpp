@@ -241,9 +241,13 @@ void expect_refusals(Findings& findings) {
   findings.expect_true("walls are looked at along x alone",
                        refusal(plan_of(6, 0.5, 0.0, true, 0.01)).find("own image") == std::string::npos,
                        "between walls no disc meets its image above");
-  findings.expect_true("what finds no room is refused",
-                       refusal(plan_of(200, 0.6, 0.0, false, 1.0)).find("has no room") != std::string::npos,
+  const std::string full = refusal(plan_of(200, 0.6, 0.0, false, 1.0));
+  findings.expect_true("what finds no room is refused", full.find("has no room") != std::string::npos,
                        "random sequential adsorption ends at 0.547 (Feder 1980)");
+  const std::size_t named = full.find("; disc ");
+  findings.expect_between("disc that finds no room, by number",
+                          named == std::string::npos ? 0.0 : std::stod(full.substr(named + 7)), 130.0, 200.0,
+                          "0.547/0.6 of 200 at most, of a number of places that is limited a little less");
   findings.expect_true("what cannot be pushed apart is refused",
                        refusal(plan_of(12, 0.9, 0.2, false, 1.0), &grow).find("still overlap") != std::string::npos,
                        "unequal discs do not reach 0.9");

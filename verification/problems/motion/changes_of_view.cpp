@@ -4,8 +4,12 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 
+#include "solver/base/error.hpp"
+#include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/lively_scenes.hpp"
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scene_run.hpp"
@@ -176,11 +180,79 @@ void check_bits(Findings& findings, const Setup& setup) {
          "forces are summed contact by contact, in the contacts' order");
 }
 
+/// Accelerations of both bodies of a pair that overlaps, listed in the one order or the other; empty if the method takes no
+/// such pair.
+std::vector<double> accelerations(const Shape& a, const Shape& b, ContactMethod method, bool exchanged) {
+  const auto ground = [](const Shape& s) {
+    return std::holds_alternative<HalfPlane>(s) || std::holds_alternative<Terrain>(s);
+  };
+  ModelBuilder builder{si};
+  const auto add = [&](const char* name, const Shape& shape, Vec2 at, double angle) {
+    Body body{.name = name, .shape = shape, .p_WB = at, .angle = angle};
+    if (ground(shape))
+      body.mobility = Mobility::fixed;
+    else
+      body.mass = 2.0, body.inertia = 0.7;
+    return builder.add(body);
+  };
+  const BodyId first = add("first", a, {0.3, 1.0}, 0.2), second = add("second", b, {0.0, ground(b) ? 0.6 : 0.0}, -0.1);
+  try {
+    builder.add(Contact{.name = "touch",
+                        .a = exchanged ? second : first,
+                        .b = exchanged ? first : second,
+                        .law = LinearSpringDashpot{1e3, 2.0},
+                        .method = method});
+  } catch (const InputError&) {
+    return {};
+  }
+  const Model model = builder.build();
+  const Dynamics dynamics{model};
+  record_use(model);
+  Workspace work = dynamics.workspace();
+  State state = rest_state(model);
+  state.v[1] = -0.5;
+  Rates rates{state};
+  dynamics.update(state, work);
+  dynamics.settle(state, work);
+  dynamics.evaluate(state, work, rates, false);
+  return {rates.v.begin(), rates.v.end()};
+}
+
+/// All pairs of outlines that can touch, listed either way round.
+void check_pairs(Findings& findings) {
+  const std::vector<Shape> shapes{Circle{0.7}, Rectangle{0.6, 0.7}, Superquadric{0.6, 0.7, 4.0}, HalfPlane{},
+                                  Terrain{{{-5.0, 0.2}, {0.1, 0.0}, {5.0, 0.3}}}};
+  double worst = 0.0, compared = 0.0, apart = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < shapes.size(); ++j) {
+      for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
+        const std::vector<double> one = accelerations(shapes[i], shapes[j], method, false),
+                                  other = accelerations(shapes[i], shapes[j], method, true);
+        if (one.empty() && other.empty()) continue;
+        if (one.size() != other.size()) throw std::logic_error("a pair is taken in one order alone");
+        double largest = 0.0;
+        for (std::size_t k = 0; k < one.size(); ++k) {
+          keep_worst(worst, one[k] - other[k]);
+          largest = std::max(largest, std::abs(one[k]));
+        }
+        compared += 1.0;
+        apart += largest > 1.0 ? 0.0 : 1.0;
+      }
+    }
+  }
+  const auto group = findings.in("pairs");
+  findings.expect("accelerations of a pair listed in the other order, largest difference", worst, 0.0,
+                  Tolerance::round_off(1e-10, "a thousand roundings of forces of up to 1,000 N on 1 kg"), "m/s^2");
+  findings.expect("pairs that do not touch", apart, 0.0, Tolerance::exact("each is set down with an overlap"));
+  findings.expect_between("pairs compared", compared, 20.0, 30.0, "three outlines with five others, by two methods");
+}
+
 void run(Findings& findings, const Setup& setup) {
   check_bits(findings, setup);
   RoundedViews group{findings, setup, "group", free_group(), 0.8};
   group.look("in passing", {.boost = {3.7, -1.9}});
   if (setup.coarse) return;
+  check_pairs(findings);
   group.look("elsewhere", {.shift = {37.1, -11.9}});
   group.look("turned by .7 rad", {.turn = rotation(0.7), .angle = 0.7});
   group.look("turned by 90 degrees", {.turn = quarter_turn, .angle = 0.5 * std::numbers::pi});

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/constant_force.hpp"
+#include "verification/study/expectations.hpp"
 #include "verification/study/scene_run.hpp"
 
 namespace talus::verification::problems::free_flight {
@@ -86,6 +88,32 @@ void check_method(Findings& findings, const Setup& setup, const std::string& met
   }
 }
 
+/// Five bodies at once, some turned by small angles and some by huge ones: their axes against sine and cosine of the C
+/// library.
+void check_angles(Findings& findings) {
+  ModelBuilder builder{si};
+  for (int i = 0; i < 5; ++i)
+    builder.add(Body{.name = fmt::format("body{}", i), .mass = 1.0, .inertia = 1.0});
+  const Model model = builder.build();
+  const Dynamics dynamics{model};
+  State state = rest_state(model);
+  double worst = 0.0;
+  const std::vector<double> angles{0.1, -0.7, 1.5, -30.0, 2e3, 1e5, -3e7, 4e9, 1e12, -6e14, 5e15, 1e17, -1e300, 0.0};
+  for (std::size_t first = 0; first < angles.size(); ++first) {
+    for (std::size_t i = 0; i < 5; ++i)
+      state.q[3 * i + 2] = angles[(first + 3 * i) % angles.size()];
+    const Snapshot seen{dynamics, state};
+    for (std::size_t i = 0; i < 5; ++i) {
+      const Rotation found = seen.geometry().poses[i].R_WB;
+      const auto angle = static_cast<long double>(state.q[3 * i + 2]);
+      keep_worst(worst, static_cast<double>(static_cast<long double>(found.cosine) - std::cos(angle)));
+      keep_worst(worst, static_cast<double>(static_cast<long double>(found.sine) - std::sin(angle)));
+    }
+  }
+  findings.expect("sine and cosine of bodies at angles of 0 to 1e300 rad, largest error", worst, 0.0,
+                  Tolerance::round_off(0x1p-52, "two units of the last place of a number below 1"));
+}
+
 void draw_steps(Findings& findings, const Setup& setup) {
   Figure figure{.name = "steps",
                 .title = "Errors of free flight",
@@ -116,6 +144,7 @@ void run(Findings& findings, const Setup& setup) {
     check_method(findings, setup, method, table);
   if (setup.coarse) return;
   findings.table(table);
+  check_angles(findings);
   draw_steps(findings, setup);
 }
 

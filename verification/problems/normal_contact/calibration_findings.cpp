@@ -151,7 +151,17 @@ void check_solver_formulas(Findings& findings) {
       depth = std::max(depth, relative(law.largest_overlap(0.7, 2.5), events.largest_depth));
     }
   }
+  // Around xi = 1, where the solver goes over to a series.
+  double near_one = 0.0;
+  for (const double off : {-0.99e-4, -3e-5, -1e-9, 0.0, 1e-9, 3e-5, 0.99e-4}) {
+    const double xi = 1.0 + off, e = reference::restitution(xi, reference::EndRule::clamped);
+    near_one = std::max({near_one, relative(talus::restitution(xi, EndRule::clamped), e),
+                         relative(talus::damping_ratio(e, EndRule::clamped),
+                                  reference::damping_ratio(e, reference::EndRule::clamped))});
+  }
   const double eps = 0x1p-52;
+  findings.expect("solver's damping ratio and restitution near xi = 1, clamped, relative", near_one, 0.0,
+                  Tolerance::round_off(16.0 * eps, "as below, with an exponent of 2"));
   findings.expect("solver's damping ratio for e = .005 ... 1, relative", inverse, 0.0,
                   Tolerance::round_off(16.0 * eps,
                                        "log, square root, acos, three products and the root's last bracket "

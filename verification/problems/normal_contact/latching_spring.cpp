@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
+#include "solver/model/model_builder.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/check/case.hpp"
 #include "verification/reference/latching_impact.hpp"
@@ -241,12 +243,53 @@ void check_speeds(Findings& findings) {
                   Tolerance::exact("powers of two change exponents only: every operation rounds alike"));
 }
 
+/// Two discs on one wall, the first of them pressed while the other is still on its way: the memory of a contact follows
+/// its overlap whether others do or not.
+void check_pair(Findings& findings) {
+  const LatchingSpring law{1e4, 4e4, 0.0};
+  ModelBuilder builder{si};
+  const BodyId wall = builder.add(Body{.name = "wall", .mobility = Mobility::fixed, .shape = HalfPlane{}});
+  for (const auto& [name, gap] : {std::pair{"first", 0.01}, std::pair{"second", 1.0}}) {
+    const BodyId disc = builder.add(Body{.name = name,
+                                         .mobility = Mobility::particle,
+                                         .mass = 1.0,
+                                         .shape = Circle{0.5},
+                                         .p_WB = {gap * 10.0, 0.5 + gap}});
+    builder.add(Contact{.name = fmt::format("hit of the {}", name), .a = disc, .b = wall, .law = law});
+  }
+  Scene scene{.model = builder.build()};
+  scene.initial = rest_state(scene.model);
+  scene.initial.v[1] = scene.initial.v[3] = -1.0;
+  // Between two events the memory of an output is the overlap itself as long as that grows.
+  double behind = 0.0;
+  int seen = 0;
+  const auto watch = [&](const State& state, const StepInfo&) {
+    const double overlap = 0.5 - state.q[1];
+    if (overlap <= 0.0 || state.v[1] >= 0.0) return;
+    keep_worst(behind, state.z[0] - overlap);
+    ++seen;
+  };
+  const RunEnd end =
+      run_scene(scene, make_integrator("stormer_cowell", 1e-10), {5e-4, 2.0, 5e-4, true}, findings, watch);
+  double worst = 0.0;
+  for (const std::size_t i : {1U, 3U})
+    keep_worst(worst, end.state.v[i] - 0.5);
+  findings.expect("memory of the first disc's contact while it is pressed, less the overlap",
+                  seen > 10 ? behind : std::nan(""), 0.0, Tolerance::exact("it is that number"), "m");
+  findings.expect(
+      "speeds of two discs, one after the other, sqrt(K1/K2) of before, farthest", worst, 0.0,
+      Tolerance::truncation(2e-11, 3.0, "steps within a tolerance of 1e-10 of the largest speed, a dozen in a contact"),
+      "m/s");
+}
+
 void run(Findings& findings, const Setup& setup) {
   check_targets(findings, setup);
   check_order(findings, setup);
   check_growth(findings, setup);
   check_latching_path(findings, setup);
-  if (!setup.coarse) check_speeds(findings);
+  if (setup.coarse) return;
+  check_speeds(findings);
+  check_pair(findings);
 }
 
 }  // namespace
