@@ -195,10 +195,9 @@ Command add_advise(CLI::App& talus) {
       "Examples:\n"
       "  talus advise cases/cable_pendulum.toml --accuracy 1e-3 --of cable.cable.tension.max --out advised.toml\n"
       "  talus advise cases/fence/table_2.toml --accuracy 1e-2 --of rock.vx.end --out advised.toml\n"
-      "What is judged is what `talus run` prints: its extremes are those over the steps, so where an extreme is asked\n"
-      "for, the step is short enough for it. Where no step can give the accuracy (chaos, stiffness, a quantity that "
-      "is\n"
-      "nought or never settles) nothing is written; the words say why, and the exit code is 5.");
+      "The error is that of the number that `talus run` prints. Its extremes are those over the steps, so for an\n"
+      "extreme the step is short enough to resolve it. If no step can give the accuracy (chaos, stiffness, a quantity\n"
+      "that is zero or does not converge), nothing is written, the reason is printed, and the exit status is 5.");
   return {app, [options] { return advise(*options); }};
 }
 

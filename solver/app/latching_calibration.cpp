@@ -69,8 +69,7 @@ LatchingRatio calibrated_ratio(CalibrateOptions options) {
     if (const double steps = found.contact.steps_in_contact(found.by_formula); steps > most_steps) {
       throw InputError{
           fmt::format("step: found {} s, {:.3g} steps in a contact; it must be at least {:.3g} s: more than "
-                      "{:g} steps would be simulated for minutes, and change the restitution by less than "
-                      "they tell",
+                      "{:g} steps take minutes to simulate, and hardly change the restitution",
                       found.contact.step, steps, 1.01 * found.contact.step * steps / most_steps, most_steps)};
     }
     found.by_simulation = ratio_by_simulation(found.contact, options.restitution);

@@ -128,7 +128,7 @@ long last_step(const SceneOptions& options, const SceneRequest& request) {
                                  options.until, plan.end, unit)};
   }
   if (time <= stands || steps_to(time) <= request.run.saved.steps) {
-    throw InputError{fmt::format("--until: found \"{}\"; it must be beyond {:.10g} {}, where the run stands",
+    throw InputError{fmt::format("--until: found \"{}\"; it must be beyond {:.10g} {}, the current time of the run",
                                  options.until, stands, unit)};
   }
   return steps_to(time);

@@ -135,7 +135,7 @@ Command add_snapshot(CLI::App& talus, const DrawingSink& sink) {
   app->add_option("DIR", options->folder, "folder that `talus run --out` or `talus cell --out` wrote")->required();
   const auto times = app->add_option("--times", options->times, "times, e.g. \"0 s,50 ms\"; the nearest state is drawn")
                          ->delimiter(',');
-  app->add_option("--count", options->count, "so many states, evenly over the run; default 9")
+  app->add_option("--count", options->count, "number of states, evenly over the run; default 9")
       ->check(CLI::Range(1, 60))
       ->excludes(times);
   app->add_option("--view", options->view, "side (x, y), along (z, y: the fence from the front) or both; default side")

@@ -273,7 +273,7 @@ void agitate(Packing& packing, double temperature, std::uint64_t seed) {
   if (!(had > 0.0) && temperature > 0.0) {
     throw InputError{
         fmt::format("temperature: found {}, of discs of which fewer than two are free; without momentum "
-                    "one stands still",
+                    "a single one is at rest",
                     temperature)};
   }
   const double scale = had > 0.0 ? std::sqrt(temperature / had) : 0.0;

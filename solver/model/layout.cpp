@@ -136,7 +136,7 @@ void set_velocity(const Model& model, const Layout& layout, State& state, BodyId
   std::size_t next = layout.first[index(body)];
   const bool along_x = has_x(moved.mobility), along_y = has_y(moved.mobility);
   if ((!along_x && v_WB.x != 0.0) || (!along_y && v_WB.y != 0.0)) {
-    throw InputError{fmt::format("body '{}' is {} and has no velocity of its own{}; give {}", moved.name,
+    throw InputError{fmt::format("body '{}' is {} and has no independent velocity{}; give {}", moved.name,
                                  Names<Mobility>::list[static_cast<std::size_t>(moved.mobility)],
                                  along_x   ? " along y"
                                  : along_y ? " along x"

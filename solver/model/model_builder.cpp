@@ -14,7 +14,7 @@ namespace talus {
 namespace {
 
 void check_name(std::string_view kind, const std::string& name, const std::set<std::string, std::less<>>& used) {
-  if (name.empty()) throw InputError{fmt::format("a {} has no name; each needs one of its own", kind)};
+  if (name.empty()) throw InputError{fmt::format("a {} has no name; each requires a unique one", kind)};
   if (used.contains(name)) throw InputError{fmt::format("{} '{}' exists already; names must differ", kind, name)};
 }
 

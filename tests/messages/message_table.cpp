@@ -37,7 +37,7 @@ std::string page(const std::vector<Form>& forms) {
 
 What `talus` and `talus_verify` say when something is wrong, as the tests provoke it (`scripts/messages`; {} messages).
 A message names the place first: file, line, table or option, field. Then it says what was found, and what is allowed or
-what to do. `...` stands for a name or text, `N` for a number; the place is in the example.
+what to do. `...` is a name or text, `N` a number; the place is in the example.
 Several errors of one file are reported together.
 
 ## Wrong input: exit status 2

@@ -163,7 +163,7 @@ class DeckReader {
     if (last == (type == ElementType::column)) return;
     const std::string_view due = last            ? "1, the column, since it is the last"
                                  : element_ == 1 ? "0, the ground, since it is the first"
-                                                 : "0, a rock, since it stands between the ground and the column";
+                                                 : "0, a rock, since it is between the ground and the column";
     fail(place_, "type",
          fmt::format("found {}; with nel = {} this element must be {}; does nel count the elements below?",
                      static_cast<int>(type), elements_, due));

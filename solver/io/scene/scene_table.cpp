@@ -343,7 +343,7 @@ std::vector<SceneTable> SceneTable::numbered_tables(std::string_view key) {
   const auto is_table = [](const TomlValue& element) { return std::holds_alternative<TomlTable>(element.data); };
   if (elements == nullptr || !std::all_of(elements->begin(), elements->end(), is_table)) {
     complain_at(value.line, key,
-                fmt::format("found {}; each {} is a table of its own, headed [[{}]]", found(value), key, key));
+                fmt::format("found {}; each {} is a separate table, headed [[{}]]", found(value), key, key));
     return result;
   }
   const std::string of = noun_.empty() ? "" : noun_ + ": ";

@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(wrong_command_lines) {
       {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1e-15"},
        "talus: --step: found 1e-15 s, 1.08e+10 steps in a contact; it must be at least 5.48e-11 s: more than 200000 "
        "steps "
-       "would be simulated for minutes, and change the restitution by less than they tell\n"},
+       "take minutes to simulate, and hardly change the restitution\n"},
       {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1 m"},
        "talus: --step: found \"1 m\"; that is a length; it must be a time, e.g. \"1 s\"\n"},
       {{"calibrate", "--law", "latching_spring", "--restitution", "0.5", "--step", "1e-7", "--masses", "1 kg"},

@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(wrong_orders) {
       {{"run", two, "--until", "1e300 s", "--out", out},
        "--until: found \"1e300 s\"; it must be at most 3 s, where the run ends"},
       {{"run", "--resume", out, "--until", "10 ms"},
-       "--until: found \"10 ms\"; it must be beyond 0.01 s, where the run stands"},
+       "--until: found \"10 ms\"; it must be beyond 0.01 s, the current time of the run"},
       {{"run", "--resume", out, "--until", "4 s"},
        "--until: found \"4 s\"; it must be at most 3 s, where the run ends"},
       {{"run", "--resume", out, "--step", "1 ms"}, "--step: a resumed run (--resume) keeps the options of its start"},

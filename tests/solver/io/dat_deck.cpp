@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(elements_and_their_count) {
   BOOST_TEST(
       message("3 -1", "4 -1") ==
       "s.DAT:16: element 3: type, shape, points: type: found 1; with nel = 4 this element must be 0, a rock, since "
-      "it stands between the ground and the column; does nel count the elements below?");
+      "it is between the ground and the column; does nel count the elements below?");
   const std::string text = read_text(sample());
   const std::size_t rock = text.find("0.0 0.0 4.0");
   const std::string lines = text.substr(rock, text.find("1.0 2.0 2.0") - rock);

@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(names_and_keys) {
              "s.toml:28: rum: this key is not known; nearest: run; known: fence, title, units, gravity, body, contact, "
              "cable, hanger, run");
   BOOST_TEST(message("[[cable]]", "[cable]") ==
-             "s.toml:22: cable: found a table; each cable is a table of its own, headed [[cable]]");
+             "s.toml:22: cable: found a table; each cable is a separate table, headed [[cable]]");
 }
 
 BOOST_AUTO_TEST_CASE(what_is_missing_or_has_no_place) {

@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(wrong_bodies_are_refused) {
   ModelBuilder builder;
   builder.add(rock());
   refuses([&] { builder.add(rock()); }, "body 'rock' exists already; names must differ");
-  refuses([&] { builder.add(rock("")); }, "a body has no name; each needs one of its own");
+  refuses([&] { builder.add(rock("")); }, "a body has no name; each requires a unique one");
   Body light = rock("light");
   light.mass = -3.0;
   refuses([&] { builder.add(light); }, "body 'light': mass is -3; it must be > 0");
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(a_body_carries_only_the_coordinates_it_has) {
       [&] {
         set_velocity(model, state, pinned, {1.0, 0.0}, 0.0);
       },
-      "body 'column' is pinned and has no velocity of its own; give its angular velocity");
+      "body 'column' is pinned and has no independent velocity; give its angular velocity");
   set_velocity(model, state, pinned, {}, 2.0);
   const Pose now = pose(model, state, pinned);
   BOOST_TEST(now.v_WB.x == 2.0);  // centre one unit below the pin, turning at 2
