@@ -1,5 +1,5 @@
 # Thin: each goal is a script, and the scripts install what is missing.
-.PHONY: help verify verify-full test fuzz faults mutants nightly bench bench-discs format clean
+.PHONY: help verify verify-full test fuzz faults mutants nightly guide bench bench-discs format clean
 
 help:  ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' Makefile
@@ -24,6 +24,9 @@ nightly:  ## what is too long for every change: other builds, sanitizers, covera
 
 fuzz:  ## mutated files for every reader, with the sanitizers; an hour (scripts/fuzz 1000 for less)
 	@scripts/fuzz
+
+guide:  ## build/guide/guide.html and guide.pdf from README.md and docs/
+	@scripts/guide
 
 bench:  ## microseconds per step and work-precision tables
 	@scripts/bench
