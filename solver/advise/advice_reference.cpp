@@ -170,7 +170,7 @@ std::optional<Refusal> ReferenceSearch::follow_differences(const Climb& climb) {
   return {};
 }
 
-/// Refuses a value that is nought, or as good as nought beside what it is during the run.
+/// Refuses a value that is zero, or as good as zero beside what it is during the run.
 std::optional<Refusal> ReferenceSearch::vanishing(double value, double size) const {
   constexpr double nothing = 1e-9;
   if (std::abs(value) > nothing * size) return {};

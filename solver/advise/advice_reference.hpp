@@ -31,7 +31,7 @@ struct Refusal {
     chaotic,    ///< small differences of the start grow to more than the accuracy
     unsettled,  ///< no two methods come to the same value
     stiff,      ///< the fastest spring takes more steps than may be spent
-    vanishing,  ///< the quantity is nought: there is no relative accuracy of it
+    vanishing,  ///< the quantity is zero: there is no relative accuracy of it
     unreached,  ///< the value is known, but none of the methods to choose from comes as near
   };
   Kind kind{};
@@ -64,7 +64,7 @@ class ReferenceSearch {
   /// each, and the last of both, lie within a tenth of the accuracy; and follows small differences of the start.
   [[nodiscard]] std::optional<Refusal> find();
   const Reference& reference() const { return reference_; }
-  /// The largest growth measured; nought where none was followed.
+  /// The largest growth measured; zero where none was followed.
   const Growth& growth() const { return growth_; }
 
  private:

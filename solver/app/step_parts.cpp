@@ -7,7 +7,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// So often is each part worked out in a look, against the clock's own cost.
+/// So often is each part computed in a look, against the clock's own cost.
 constexpr int repetitions = 8;
 /// After the first looks, at every second as many steps as before, there is one in so many steps.
 constexpr long rare = 4096;

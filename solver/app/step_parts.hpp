@@ -8,7 +8,7 @@
 namespace talus::app {
 
 /// What a run carries from step to step and what its steps cost, part by part, from looks at a few of them: a look
-/// works out the forces of the state once more, in a workspace of its own, and changes nothing. Times are this
+/// computes the forces of the state once more, in a workspace of its own, and changes nothing. Times are this
 /// machine's.
 class StepParts {
  public:
@@ -35,10 +35,10 @@ class StepParts {
   struct Found {
     long looks{};
     std::size_t pairs{};  ///< of bodies that may touch
-    double near{};        ///< of these within reach, whose gaps are worked out
+    double near{};        ///< of these within reach, whose gaps are computed
     double touching{};    ///< and with a law that acts
     std::size_t cables{};
-    double awake{};        ///< cables that are worked out
+    double awake{};        ///< cables that are computed
     double taut{};         ///< and pull
     std::size_t memory{};  ///< values that laws keep
     Times times;

@@ -23,7 +23,7 @@ namespace talus {
 using Pack [[gnu::vector_size(32)]] = double;
 inline constexpr std::size_t pack_size = 4;
 
-/// The next numbers of a row of which `left` are left; nought in lanes beyond its end.
+/// The next numbers of a row of which `left` are left; zero in lanes beyond its end.
 [[gnu::always_inline]] inline void load(Pack& pack, const double* row, std::size_t left = pack_size) {
   if (left >= pack_size) {
     std::memcpy(&pack, row, sizeof(Pack));

@@ -44,7 +44,7 @@ enum class CellQuantity : std::size_t {
   count,
 };
 
-/// A shear cell on its way, with what is measured of it. Contacts act while their force is not nought.
+/// A shear cell on its way, with what is measured of it. Contacts act while their force is not zero.
 class CellRun {
  public:
   template <class L, class F>
@@ -128,13 +128,13 @@ class CellRun {
     double rubbed{};                          ///< of it by friction
     /// What is there now.
     double held() const { return kinetic + potential + stored; }
-    double gained{};  ///< what is there and what was kept, less what was put in: nought but for the method's error
+    double gained{};  ///< what is there and what was kept, less what was put in: zero but for the method's error
     /// The larger of what was put in and what was kept; the share of it that was gained.
     double work() const { return std::max(std::abs(driven), dissipated); }
     double unaccounted() const { return work() > 0.0 ? gained / work() : 0.0; }
   };
   Ledger ledger();
-  /// A contact whose force is not nought.
+  /// A contact whose force is not zero.
   struct ActingContact : DiscContact {
     bool multiple{};  ///< one of its free discs has another
     bool sliding{};   ///< its friction is at its limit

@@ -129,7 +129,7 @@ void BodyForces::place(const State& state, Workspace& work) const {
 }
 
 void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
-  // Behind the last that is awake what was nought stays so.
+  // Behind the last that is awake what was zero stays so.
   const std::size_t moving = work.waking.moving;
   if (work.waking.any_asleep) std::fill_n(out.v.begin(), std::min(std::max(out.moving, moving), out.v.size()), 0.0);
   out.moving = moving;

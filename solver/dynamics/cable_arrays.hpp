@@ -63,7 +63,7 @@ void for_each_of(const Array& array, const CableRun& run, Visit&& visit) {
     visit(laws[i], slots[i], cable + i);
 }
 
-/// Works out the straight lines of a run.
+/// Computes the straight lines of a run.
 template <class L>
 [[gnu::noinline]] void make_lines(const CableArray<L>& array, const CableRun& run, const State& state,
                                   CableLines& lines) {

@@ -43,7 +43,7 @@ class CableForces {
   void place_anchors(Workspace& work) const;
   /// Brings the rigging up to the state's broken hangers; whether it changed.
   bool rig(const State& state, Rigging& rigging) const;
-  /// Lists the joints and cables to work out: all, or those of which an end is on a body that is awake or held, and
+  /// Lists the joints and cables to compute: all, or those of which an end is on a body that is awake or held, and
   /// those that go on through broken hangers.
   void list_awake(Waking& waking, const Rigging& rigging) const;
   /// For rates alone, after the poses: writes what the cables pull on bodies to their wrenches, without any path and

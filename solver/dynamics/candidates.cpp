@@ -58,7 +58,7 @@ bool out_of_reach(const Candidate& pair, const Pose& A, const Pose& B, double ma
 
 namespace {
 
-/// Of a body's least half width: a rock of the fence of 1993 is listed anew every few hundred steps of its path. Table
+/// Of a body's least half width: a rock of the fence of 1993 is listed again every few hundred steps of its path. Table
 /// 2's step takes .151, .153, .156 and .157 us with .02, .05, .1 and .2, that of two layers .403, .384, .404 and .405.
 constexpr double skin_share = 0.05;
 

@@ -30,7 +30,7 @@ struct Bounds {
   return endless(bounds) ? std::numeric_limits<double>::infinity() : std::min(bounds.half_width, bounds.half_height);
 }
 
-/// Distance of its furthest point from the centre of mass, or more [L]; of endless ground, which does not turn, nought.
+/// Distance of its furthest point from the centre of mass, or more [L]; of endless ground, which does not turn, zero.
 [[nodiscard]] inline double furthest(const Bounds& bounds) {
   if (endless(bounds)) return 0.0;
   return bounds.round ? bounds.half_width : bounds.half_width + bounds.half_height;
@@ -107,7 +107,7 @@ class ContactSearch {
 
   const std::vector<Candidate>& pairs() const { return pairs_; }
 
-  /// Marks in `found`, which is all nought, the pairs within reach. Of pairs that lie apart it may leave out some that
+  /// Marks in `found`, which is all zero, the pairs within reach. Of pairs that lie apart it may leave out some that
   /// out_of_reach would not, which depends on when they were listed. Whether there are any. The scratch: empty, or as
   /// this function left it.
   bool find(const Poses& poses, std::vector<char>& found, Sweep& sweep) const;

@@ -26,7 +26,7 @@ struct ContactGroup {
   double share_a{1.0};  ///< force on A for each unit of the law's force: above 1 when a contact that stands for several
   double share_b{1.0};  ///< acts on a body that stands for itself alone
   double copies{1.0};   ///< identical contacts that this one stands for
-  std::optional<CoulombFriction> friction{};  ///< none: nothing tangential is worked out
+  std::optional<CoulombFriction> friction{};  ///< none: nothing tangential is computed
   Slot first_friction{};                      ///< of its instance `first`; those of the others follow
 };
 

@@ -144,7 +144,7 @@ void shorten(ContactForces::Passing& passing, const Candidate& pair, std::size_t
   if (step < most) passing = {step, static_cast<ContactId>(contact)};
 }
 
-/// Works out the gaps that are wanted.
+/// Computes the gaps that are wanted.
 template <class Laws>
 void update_gaps(const Laws& laws, const State* state, Workspace& work) {
   for_each_array(laws, [&](const auto& array) { GapUpdate{array, state, work}.run(); });

@@ -18,7 +18,7 @@
 namespace talus {
 
 /// The contacts of a model, compiled: gaps, forces, modes and energies of all law instances. Of a contact whose bodies
-/// are out of reach nothing is worked out.
+/// are out of reach nothing is computed.
 class ContactForces {
  public:
   ContactForces(const Model& model, const Layout& layout);

@@ -76,7 +76,7 @@ Workspace Dynamics::workspace() const {
   return work;
 }
 
-/// The sleeping bodies of the state, and what is to be worked out: of the evaluation after a change of modes the whole,
+/// The sleeping bodies of the state, and what is to be computed: of the evaluation after a change of modes the whole,
 /// so that what goes on sleeping has its poses, paths and pulls from then.
 void Dynamics::list_awake(const State& state, Workspace& work, bool whole) const {
   Waking& waking = work.waking;
@@ -105,7 +105,7 @@ std::size_t Dynamics::moving(const State& state, const Workspace& work) const {
   return std::equal(known.begin(), known.end(), modes, state.mode.end()) ? work.waking.moving : state.q.size();
 }
 
-/// Brings the rigging and what is worked out up to the state's hangers and sleepers.
+/// Brings the rigging and what is computed up to the state's hangers and sleepers.
 void Dynamics::follow_modes(const State& state, Workspace& work) const {
   const bool rerigged = cables_.rig(state, work.rigging);
   if (!layout_.sleepers.empty()) {

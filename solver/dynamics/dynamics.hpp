@@ -63,7 +63,7 @@ class Dynamics {
 
   [[nodiscard]] Workspace workspace() const;
 
-  /// Poses, paths and gaps of the state: what every function below reads. Gaps are worked out only of bodies within
+  /// Poses, paths and gaps of the state: what every function below reads. Gaps are computed only of bodies within
   /// reach of each other.
   void update(const State& state, Workspace& work, Need need = Need::everything) const;
   /// The whole evaluation: update(), settle() and rates().
@@ -101,7 +101,7 @@ class Dynamics {
   /// in the time ahead [T]. Whether any may be finite.
   bool guards(const State& state, Workspace& work, std::span<double> out,
               double ahead = std::numeric_limits<double>::infinity()) const;
-  /// Those of a few modes; the numbers of others may change, too. Works out what they need alone: nothing more
+  /// Those of a few modes; the numbers of others may change, too. Computes what they need alone: nothing more
   /// may be asked after it without another update().
   void guards_of(const State& state, std::span<const std::size_t> modes, Workspace& work, std::span<double> out) const;
 

@@ -16,7 +16,7 @@
 
 namespace talus {
 
-/// Numbers of many bodies, joints or cables, one array for each number, so that neighbours are worked out side by side
+/// Numbers of many bodies, joints or cables, one array for each number, so that neighbours are computed side by side
 /// in the lanes of a processor. Where one is asked for it is put together.
 
 /// One number of each, with room for a pack before the first and behind the last: whole packs can be loaded from any
@@ -141,7 +141,7 @@ struct Paths {
 };
 
 /// The straight lines of the cables' laws, each kept as long as the cable's mode and memory are those that it was
-/// worked out for.
+/// computed for.
 struct CableLines {
   std::vector<Mode> mode;
   std::vector<double> memory;

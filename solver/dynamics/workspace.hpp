@@ -10,7 +10,7 @@
 
 namespace talus {
 
-/// What of a scene an evaluation works out: all but sleeping bodies and the cables between them.
+/// What of a scene an evaluation computes: all but sleeping bodies and the cables between them.
 struct Waking {
   std::vector<Mode> modes;  ///< sleep modes of the state that the lists stand for
   bool whole{true};         ///< all paths and poses are evaluated, because the modes have just changed; once such an
@@ -18,10 +18,10 @@ struct Waking {
   std::vector<char> awake;  ///< one for each body
   bool any_asleep{};        ///< whether one of them is not
   std::size_t moving{};     ///< coordinates before the last sleepers, behind whom none is awake
-  std::size_t reached{};    ///< bodies up to the last that is worked out, or at the other end of a cable that is
+  std::size_t reached{};    ///< bodies up to the last that is computed, or at the other end of a cable that is
   std::vector<BodyRun> bodies;                ///< the awake free bodies
-  std::vector<JointRun> joints;               ///< joints to work out
-  std::vector<std::vector<CableRun>> cables;  ///< for each law, cables to work out
+  std::vector<JointRun> joints;               ///< joints to compute
+  std::vector<std::vector<CableRun>> cables;  ///< for each law, cables to compute
   bool rows_only{};                           ///< all these cables are in rows, in the order of their joints
   bool quiet{};  ///< as last laid, all of them stay on their straight lines: Workspace::pulls are what they pull
   std::vector<std::size_t> borders;  ///< of these, the ones with a sleeping body at one end only
@@ -80,7 +80,7 @@ struct Workspace {
   Rigging rigging;
   Sweep sweep;  ///< of the contact search
   /// What is said of a pair of the contact search.
-  static constexpr char wanted = 1;  ///< its gaps are worked out with this evaluation
+  static constexpr char wanted = 1;  ///< its gaps are computed with this evaluation
   static constexpr char known = 2;   ///< they have been
   std::vector<char> near;            ///< one for each pair; 0: it has none, out of reach
   bool any_near{};                   ///< some pair has any

@@ -20,7 +20,7 @@ Powers powers(const Superquadric& shape, Vec2 p) {
           {std::copysign(u_less / shape.half_width, p.x), std::copysign(v_less / shape.half_height, p.y)}};
 }
 
-/// Of a point outside the outline, to first order in its distance along the ray: negative, and nought on the outline.
+/// Of a point outside the outline, to first order in its distance along the ray: negative, and zero on the outline.
 double depth_outside(double sum, double exponent, Vec2 p) { return (1.0 - sum) / exponent * norm(p); }
 
 }  // namespace

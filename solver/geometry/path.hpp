@@ -15,10 +15,10 @@ struct Path {
 
 /// Path whose ends lie (dx, dy) apart in the plane of motion, and part at (dvx, dvy); planes `across` apart along the
 /// fence, given across^2 [L^2]. Ends that coincide have no direction and give a zero pull (a model with such ends is
-/// refused when built). Without a branch, so that a compiler can work out several at a time.
+/// refused when built). Without a branch, so that a compiler can compute several at a time.
 [[nodiscard]] inline Path path(double dx, double dy, double dvx, double dvy, double across_squared) {
   const double length = std::sqrt(dx * dx + dy * dy + across_squared);
-  // The least of all numbers changes no length but nought, where dx and dy are nought, too.
+  // The least of all numbers changes no length but zero, where dx and dy are zero, too.
   const double inverse = 1.0 / (length + std::numeric_limits<double>::min());
   const double x = inverse * dx, y = inverse * dy;
   return {length, dvx * x + dvy * y, {x, y}};

@@ -20,7 +20,7 @@ struct Rotation {
 inline constexpr double eighth_of_a_turn = 0.78539816339744830962;
 
 /// Rotation by an angle [rad] of an eighth of a turn at most; one beyond gives nonsense. Without a branch, so that a
-/// compiler can work out several at a time.
+/// compiler can compute several at a time.
 ///
 /// The Taylor series
 ///   sin x = x - x^3/3! + ... + x^17/17!,   cos x = 1 - x^2/2 + ... + x^16/16!

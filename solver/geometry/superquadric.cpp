@@ -129,7 +129,7 @@ Vec2 farthest_point(const Superquadric& shape, Vec2 m) {
   return {std::copysign(shape.half_width * raised.first, m.x), std::copysign(shape.half_height * raised.second, m.y)};
 }
 
-// Of a line F = const:  (F_xx F_y^2 + F_yy F_x^2)/|grad F|^3, as F_xy is nought here.
+// Of a line F = const:  (F_xx F_y^2 + F_yy F_x^2)/|grad F|^3, as F_xy is zero here.
 double curvature(const Superquadric& shape, Vec2 p) {
   const double n = shape.exponent, a = shape.half_width, b = shape.half_height;
   const Vec2 g = gradient(shape, p);

@@ -44,7 +44,7 @@ struct Superquadric {
 /// The point of the outline farthest along a direction m of its own axes, exact for every exponent > 1.
 [[nodiscard]] Vec2 farthest_point(const Superquadric& shape, Vec2 m);
 
-/// Curvature at a point of the outline [1/L]: 1/r for a circle, nought in the middle of a side for n > 2.
+/// Curvature at a point of the outline [1/L]: 1/r for a circle, zero in the middle of a side for n > 2.
 [[nodiscard]] double curvature(const Superquadric& shape, Vec2 p);
 
 /// Point of the outline at the parametric angle t [rad]: (a sgn(cos t) |cos t|^(2/n), b sgn(sin t) |sin t|^(2/n)).

@@ -118,7 +118,7 @@ template <class Lanes, class Number>
   store(__builtin_shufflevector(x, y, 2, 6, 3, 7), places + pack_size);
 }
 
-/// Nought in the lanes where it is not so.
+/// Zero in the lanes where it is not so.
 [[gnu::always_inline]] inline void keep_where(Pack& x, const Sizes& is) {
   Sizes bits;
   std::memcpy(&bits, &x, sizeof bits);

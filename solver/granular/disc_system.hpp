@@ -354,7 +354,7 @@ class DiscSystem {
     return wall_forces_[wall].y / moved.mass - moved.gravity;
   }
 
-  /// Lists the pairs anew; what contacts remember goes with them.
+  /// Lists the pairs again; what contacts remember goes with them.
   void rebuild(Discs& discs) {
     wrap(list_.box(), discs);
     const List old = list_;

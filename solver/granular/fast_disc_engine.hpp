@@ -21,7 +21,7 @@ namespace talus {
 /// The engine of FastDiscSystem: all of it but the law.
 ///
 /// How it comes to the same bits. A velocity is a sum of impulses, and rounds as their order says; in both the order is
-/// that of the pairs, by the number of the first disc, then of the second. All else is worked out for each pair, or
+/// that of the pairs, by the number of the first disc, then of the second. All else is computed for each pair, or
 /// each disc, alone, by the same expressions; whether that is done one by one or side by side, by which thread,
 /// and how many of the pairs that do not touch are looked at, rounds nothing.
 ///
@@ -43,7 +43,7 @@ namespace talus {
 ///    of a disc lie side by side and are fetched at once. Pairs across a border have a ghost as second disc: one more
 ///    place, that of the disc's image.
 /// 4. Memory of contacts that touch only, as a list in the order of their pairs: a sweep that finds the touching pairs
-///    in that order goes along it. A pair that is not in it touches anew.
+///    in that order goes along it. A pair that is not in it touches again.
 /// 5. Discs whose neighbours have neighbouring numbers: order_by_rows() and reordered() of disc_order.hpp give them.
 ///
 /// Threads. Each has a stripe of discs with numbers that follow each other, and the pairs whose first disc is one of

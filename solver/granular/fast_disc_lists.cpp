@@ -23,7 +23,7 @@ constexpr std::size_t whole(std::size_t count, std::size_t of) { return (count +
 
 }  // namespace
 
-/// Lists the pairs anew; what contacts remember goes with them.
+/// Lists the pairs again; what contacts remember goes with them.
 void FastDiscEngine::rebuild(Discs& discs) {
   std::vector<Kept> kept = kept_contacts();
   wrap(list_.box(), discs);

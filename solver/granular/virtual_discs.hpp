@@ -6,7 +6,7 @@ namespace talus {
 
 /// All pairs of discs in a field that repeats along x, by virtual discs, as the program of 1989 found them (Lacy 1989,
 /// "Virtual Elements and Periodic Boundaries"): each disc has a virtual one in the field to the left, and of a real
-/// disc with a real one, a real with a virtual and a virtual with a real the nearest are tried, at each step anew. It
+/// disc with a real one, a real with a virtual and a virtual with a real the nearest are tried, at each step again. It
 /// takes the place of a NeighbourList in DiscSystem, as a check of it: there are no cells, no skin and no rounding to a
 /// nearest image.
 class VirtualDiscs : public NeighbourList {

@@ -19,7 +19,7 @@ class Differences {
   /// The most times that are kept.
   static constexpr std::size_t most = 13;
 
-  /// Begins anew with the rates at one time.
+  /// Restarts with the rates at one time.
   void begin(double t, std::span<const double> rates);
   /// Adds the rates at a later time; the oldest are forgotten when there are too many.
   void add(double t, std::span<const double> rates);

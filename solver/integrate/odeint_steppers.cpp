@@ -181,7 +181,7 @@ std::string controlled_steps(Stepper& stepper, Method& method, const OdeintStepp
       return stepper.try_step(std::cref(derivative), x, t, attempt) == odeint::success;
     }
   };
-  // Its order is private to odeint and could not be put back from a checkpoint: each interval begins anew.
+  // Its order is private to odeint and could not be put back from a checkpoint: each interval restarts.
   if constexpr (std::is_same_v<Stepper, BulirschStoer>) stepper.reset();
   const double end = t + h;
   double dt = method.internal_step == 0.0 ? h : std::min(method.internal_step, h);

@@ -79,7 +79,7 @@ struct CoulombFriction {
   }
 
   /// begin(), then settle() and the force, while the normal force pushes: the same bits. Number is double, or a pack of
-  /// them that are worked out side by side.
+  /// them that are computed side by side.
   template <class Number>
   [[gnu::always_inline]] constexpr void begun(const Number& slip, const Number& normal, Number& stretch) const {
     const Number limit = coefficient * normal / stiffness, back = -limit;

@@ -48,7 +48,7 @@ struct Body {
   Vec2 p_BPin{};    ///< of a pinned or guided body: the pin in body coordinates [L]
   Vec2 force{};     ///< constant applied force at the centre of mass, world [F]
   double moment{};  ///< constant applied moment [F L], counter-clockwise > 0
-  bool sleeps{};    ///< may sleep: while it is in balance at its reference position nothing is worked out of it
+  bool sleeps{};    ///< may sleep: while it is in balance at its reference position nothing is computed of it
   int copies{1};    ///< number of identical bodies that this one stands for, by symmetry of the scene
 
   static constexpr std::array<Field<Body>, 4> fields() {

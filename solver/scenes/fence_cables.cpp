@@ -19,7 +19,7 @@ CableId FenceMaker::add_cable(const std::string& name, CableEnd a, CableEnd b, d
   if (options.rupture > 0.0) law.rupture = options.rupture * rest_length;
   for (const StretchedCable& stretched : fence_.stretched_cables) {
     if (stretched.cable != name) continue;
-    // Its memory starts at nought: what it was drawn out by before is part of its length and law.
+    // Its memory starts at zero: what it was drawn out by before is part of its length and law.
     rest_length += stretched.stretch;
     law = law.drawn_before(stretched.stretch);
     if (!(law.rupture > 0.0))

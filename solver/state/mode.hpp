@@ -8,7 +8,7 @@ namespace talus {
 
 /// The mode of one law instance: an index into the law's own list of mode names. Motion is smooth while no mode
 /// changes. Wider than a byte: a byte may stand for any memory, and after each one written a compiler would read all
-/// others anew.
+/// others again.
 using Mode = std::uint16_t;
 
 /// Whether one of so many modes is another than the first of its law; four at a time.

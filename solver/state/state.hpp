@@ -58,9 +58,9 @@ struct RatesOf {
   static constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
 
   std::vector<Scalar> v;                       ///< accelerations
-  std::size_t moving{all};                     ///< those behind the first so many are nought, of bodies that sleep
+  std::size_t moving{all};                     ///< those behind the first so many are zero, of bodies that sleep
   std::vector<Scalar> z;                       ///< memory rates
-  bool accounts{true};                         ///< whether the next two are worked out; else they are nought
+  bool accounts{true};                         ///< whether the next two are computed; else they are zero
   std::array<Scalar, mechanism_count> work{};  ///< powers dissipated [F L/T]
   Impulse<Scalar> impulse{};                   ///< forces and moment from outside
 

@@ -57,7 +57,7 @@ void print_search_costs() {
                          benchmark::DoNotOptimize(scene.found.data());
                        }
                      }});
-    // A body that goes to and fro by more than the skin has the pairs listed anew each time; one that creeps does not.
+    // A body that goes to and fro by more than the skin has the pairs listed again each time; one that creeps does not.
     for (const double way : {0.5, 1e-9}) {
       tasks.push_back({fmt::format("{} {}", count, way), [&scene, way] {
                          for (int i = 0; i < searches; ++i) {
@@ -71,7 +71,7 @@ void print_search_costs() {
   }
   const std::vector<Timing> timings = time_tasks(tasks, 9);
   fmt::print("\nNanoseconds a contact search (median of 9 interleaved runs of {} searches)\n", searches);
-  fmt::print("{:>8} {:>8} {:>12} {:>12} {:>12}\n", "bodies", "pairs", "each pair", "listed anew", "list stands");
+  fmt::print("{:>8} {:>8} {:>12} {:>12} {:>12}\n", "bodies", "pairs", "each pair", "listed again", "list stands");
   for (std::size_t i = 0; i < counts.size(); ++i) {
     fmt::print("{:>8} {:>8}", counts[i], counts[i] * (counts[i] - 1) / 2);
     for (std::size_t j = 0; j < 3; ++j)

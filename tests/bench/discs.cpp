@@ -207,7 +207,7 @@ void print_gases(const LammpsProgram& lammps, bool quick, const std::string& sel
   }
 }
 
-/// Friction takes energy out: each round begins anew.
+/// Friction takes energy out: each round restarts.
 void print_rough_gases(const LammpsProgram& lammps, bool quick) {
   fmt::print(
       "\nThe same discs with friction .5 (k_s = .7 k) and spin; LAMMPS with its history of stretch, spheres that turn "

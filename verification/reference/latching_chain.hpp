@@ -34,7 +34,7 @@ struct ChainRebound {
   std::vector<double> largest;   ///< overlap of each contact [L]
   double kept{};                 ///< energy that all contacts have kept [F L]
   double end_time{};             ///< when the last force vanished [T]
-  int reloads{};                 ///< times that a contact was pressed anew before it had parted
+  int reloads{};                 ///< times that a contact was pressed again before it had parted
   int reloads_from_slack{};      ///< of these, where its force had been zero
 };
 

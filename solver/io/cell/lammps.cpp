@@ -153,7 +153,7 @@ std::string lammps_data(const LammpsScene& scene) {
                  left, right, bottom, top, -room, room);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const double radius = shapes.radius[i];
-    // It takes spheres, whose mass it works out from a density.
+    // It takes spheres, whose mass it computes from a density.
     const double density = mass(scene, i) / (4.0 / 3.0 * std::numbers::pi * radius * radius * radius);
     fmt::format_to(out, "{} {} {:.17g} {:.17g} {:.17g} {:.17g} 0\n", i + 1, type(scene, i), 2.0 * radius, density,
                    scene.discs.x[i], scene.discs.y[i]);

@@ -40,7 +40,7 @@ struct LammpsRun {
   long steps{};   ///< >= 0
   double skin{};  ///< of its neighbour list [L]
   Style style{Style::granular};
-  bool newton{true};  ///< each pair between two processors is worked out once
+  bool newton{true};  ///< each pair between two processors is computed once
   bool forces{true};  ///< forces.txt is wanted
   std::optional<LammpsMeans> means{};
 };

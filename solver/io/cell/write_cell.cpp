@@ -85,7 +85,7 @@ constexpr std::array cell_columns{
 double share(double part, double whole) {
   return whole != 0.0 ? part / whole : std::numeric_limits<double>::quiet_NaN();
 }
-/// In a series, which is drawn: nought there.
+/// In a series, which is drawn: zero there.
 double share_or_none(double part, double whole) { return whole != 0.0 ? part / whole : 0.0; }
 
 }  // namespace

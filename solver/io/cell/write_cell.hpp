@@ -22,7 +22,7 @@ struct CellNumber {
 /// over wall discs; by the mean depth, or that of now in the start-up.
 [[nodiscard]] std::vector<CellNumber> cell_groups(const CellScene& scene, CellRun& run);
 
-/// Means of a run after its start-up with errors, then its extremes. In the start-up means are nought.
+/// Means of a run after its start-up with errors, then its extremes. In the start-up means are zero.
 [[nodiscard]] std::vector<CellNumber> cell_results(const CellRun& run);
 
 /// The head of a column of its CSV files: "top_shear [Pa]", or the bare name without units.

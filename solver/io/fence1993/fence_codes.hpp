@@ -9,7 +9,7 @@
 
 namespace talus {
 
-/// What the histories of one element are worked out from, at one time.
+/// What the histories of one element are computed from, at one time.
 struct FenceSample {
   const Dynamics& dynamics;
   const State& state;

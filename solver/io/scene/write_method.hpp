@@ -10,7 +10,7 @@ namespace talus {
 
 /// The scene file of a scene that is integrated by another method, with a comment at its end. Of a scene of bodies the
 /// text is kept, comments and order too: integrator, tolerance and step are changed where they stand in [run]. A fence,
-/// also one read from a deck, is written anew: `steps` and `step_factor` for the same end, histories and listing at the
+/// also one read from a deck, is written again: `steps` and `step_factor` for the same end, histories and listing at the
 /// nearest times, `start = "plain"`, for the half kick of 1993 is as long as the step.
 /// `name` is the file named in errors. Errors: InputError for a text whose [run] cannot be changed in this way.
 [[nodiscard]] std::string text_with_method(const SceneFile& file, std::string_view text, std::string_view name,

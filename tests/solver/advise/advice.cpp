@@ -169,9 +169,9 @@ BOOST_AUTO_TEST_CASE(advice_is_the_same_every_time_and_keeps_to_the_list) {
 BOOST_AUTO_TEST_CASE(what_no_step_can_give_is_refused_with_the_reason) {
   const Scene scene = oscillator();
   const auto kind = [](const Advice& advice) { return advice.refusal ? advice.refusal->kind : Refusal::Kind{-1}; };
-  const Advice nought = advise_method(scene, quantity_named(scene.model, "bob.y.end"), {.accuracy = 1e-3});
-  BOOST_TEST((kind(nought) == Refusal::Kind::vanishing));
-  BOOST_TEST(!nought.best.has_value());
+  const Advice zero = advise_method(scene, quantity_named(scene.model, "bob.y.end"), {.accuracy = 1e-3});
+  BOOST_TEST((kind(zero) == Refusal::Kind::vanishing));
+  BOOST_TEST(!zero.best.has_value());
   const Quantity quantity = quantity_named(scene.model, "bob.tension.end");
   BOOST_TEST((kind(advise_method(scene, quantity, {.accuracy = 1e-3, .evaluations = 50})) == Refusal::Kind::stiff));
   BOOST_TEST(

@@ -139,10 +139,10 @@ BOOST_AUTO_TEST_CASE(every_advised_scene_runs_without_a_warning) {
 BOOST_AUTO_TEST_CASE(a_refusal_has_its_own_exit_code_and_leaves_no_file) {
   const Folder folder;
   const std::string out = (folder.path / "advised.toml").string();
-  const Ended nought = advised(scene("two_cable.toml"), "1e-3", "particle.y.max", out);
-  BOOST_TEST(nought.code == 5);
-  BOOST_TEST(nought.err.empty());
-  BOOST_TEST(holds(nought.out, "\nno advice (vanishing): particle.y.max is 0e+00, less than 1e-09 of the largest"));
+  const Ended zero = advised(scene("two_cable.toml"), "1e-3", "particle.y.max", out);
+  BOOST_TEST(zero.code == 5);
+  BOOST_TEST(zero.err.empty());
+  BOOST_TEST(holds(zero.out, "\nno advice (vanishing): particle.y.max is 0e+00, less than 1e-09 of the largest"));
   const Ended dear = advised(scene("two_cable.toml"), "1e-3", "particle.x.max", out, {"--evaluations", "100"});
   BOOST_TEST(dear.code == 5);
   BOOST_TEST(holds(dear.out, "\nno advice (stiff): "));

@@ -19,7 +19,7 @@ SteppedContact contact_of(const char* method, double loading_angle) {
 
 }  // namespace
 
-// e of .45 is .7 by euler at w1 h = .02177 and by taylor at .0434; .49 without gain (worked out by hand).
+// e of .45 is .7 by euler at w1 h = .02177 and by taylor at .0434; .49 without gain (computed by hand).
 BOOST_AUTO_TEST_CASE(the_ratio_of_1989) {
   BOOST_TEST(std::abs(ratio_by_formula(contact_of("euler", 0.02177), 0.7) - 0.45) < 5e-5);
   BOOST_TEST(std::abs(ratio_by_formula(contact_of("taylor", 0.0434), 0.7) - 0.45) < 5e-4);

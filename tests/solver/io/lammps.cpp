@@ -120,7 +120,7 @@ void compare(const LammpsScene& given, LammpsRun::Style style, bool newton) {
     if (given.shapes.wall[i] == DiscShapes::free) apart = std::max(apart, norm(ours.forces[i] - theirs.forces[i]));
   }
   BOOST_TEST(largest > 1.0);
-  // Both work out each overlap from places of some tens of diameters: 1e-15, of overlaps of a tenth.
+  // Both compute each overlap from places of some tens of diameters: 1e-15, of overlaps of a tenth.
   BOOST_TEST(apart < 1e-12 * largest);
   BOOST_TEST_REQUIRE(theirs.energies.size() == ours.energies.size());
   // Round-off grows with each impact, and some discs have met three by the end.

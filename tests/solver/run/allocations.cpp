@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(exact_pieces_take_no_memory) {
 }
 
 BOOST_AUTO_TEST_CASE(columns_that_wake_take_little) {
-  // Only where a column wakes are the lists of what is awake laid anew.
+  // Only where a column wakes are the lists of what is awake laid again.
   const Scene scene = fence("table_2.DAT", Sleep::on);
   const long found = taken_in_steps(scene, scene.integrator, 2e-6, 5000);
   BOOST_TEST(found < 5000, found);

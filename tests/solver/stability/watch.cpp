@@ -82,7 +82,7 @@ Scene shot(double speed) {
   return scene;
 }
 
-/// A bar that stands across a fixed one; their corners are far from each other where `height` is nought.
+/// A bar that stands across a fixed one; their corners are far from each other where `height` is zero.
 Scene crossed(double height, ContactMethod method) {
   ModelBuilder builder;
   const BodyId level =

@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(leapfrogs_have_the_limits_of_their_characteristic_polynomia
     BOOST_TEST(first_limit(Scheme::verlet_old, xi, 5.0) == std::sqrt(xi * xi + 2.0) - xi, near);
     BOOST_TEST(first_limit(Scheme::verlet_predicted, xi, 5.0) == 2.0 * (std::sqrt(1.0 + 4.0 * xi * xi) - 2.0 * xi),
                near);
-    // Its growth passes nought so flatly at small xi that the limit is found to 1e-10/(2 xi^2) only.
+    // Its growth passes zero so flatly at small xi that the limit is found to 1e-10/(2 xi^2) only.
     const double euler = xi < 1.0 ? 2.0 * xi : 2.0 / (xi + std::sqrt(xi * xi - 1.0));
     BOOST_TEST(first_limit(Scheme::euler, xi, 2.0 * euler) == euler,
                boost::test_tools::tolerance(1e-6 + 1e-10 / (xi * xi)));

@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(one_step_by_hand) {
   BOOST_TEST(place(SwingMethod::velocity_verlet, 1) == 0.875);
   // 1 - h^2/2 + h^3/6 (c = 1 takes the third derivative of -x - x' to 1, the fourth to 0).
   BOOST_TEST(place(SwingMethod::runge_kutta, 1) == 1.0 - 0.125 + 0.125 / 6.0);
-  // Second step: x = 3/4, v = -1/2: the kick is -3/8 + 1/4, or the dashpot sees the nought of before.
+  // Second step: x = 3/4, v = -1/2: the kick is -3/8 + 1/4, or the dashpot sees the zero of before.
   BOOST_TEST(place(SwingMethod::euler_cromer, 2) == 0.75 + 0.5 * (-0.5 - 0.125));
   BOOST_TEST(place(SwingMethod::central_difference, 2) == 0.75 + 0.25 * (-0.5 - 0.125));
   BOOST_TEST(place(SwingMethod::lagged_central_difference, 2) == 0.75 + 0.25 * (-0.5 - 0.375));

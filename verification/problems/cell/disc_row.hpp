@@ -18,7 +18,7 @@ struct DiscRow {
   std::vector<double> gap;       ///< between neighbours [L] >= 0
 };
 
-/// Of the list of neighbours: a step moves a disc by some .05, so that lists are made anew every few steps [L].
+/// Of the list of neighbours: a step moves a disc by some .05, so that lists are made again every few steps [L].
 inline constexpr double row_skin = 0.25;
 
 struct FilledRow {

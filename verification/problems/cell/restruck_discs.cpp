@@ -17,7 +17,7 @@
 namespace talus::verification::problems::restruck_discs {
 namespace {
 
-/// Forgets the largest overlap where the force falls to zero, not where the discs part: the soft line begins anew in
+/// Forgets the largest overlap where the force falls to zero, not where the discs part: the soft line restarts in
 /// the middle of the overlap, with a force at once.
 struct ForgettingLatch : LatchingSpring {
   explicit ForgettingLatch(const LatchingSpring& law) : LatchingSpring{law} {}
@@ -148,7 +148,7 @@ void check_moments(const Exact& exact, Findings& findings, const Setup& setup) {
   for (std::size_t m = 0; m < moments.size(); ++m) {
     all = all && strikes(exact, m);
     findings.in("speeds")->expect(
-        fmt::format("speeds of three discs struck anew while {}, largest error of 24 gaps", moments[m].name),
+        fmt::format("speeds of three discs struck again while {}, largest error of 24 gaps", moments[m].name),
         errors_of(exact, m, 60.0, findings, setup).max(), 0.0,
         Tolerance::truncation(
             16.0 * 3.3e-5, 1.5,
@@ -224,7 +224,7 @@ constexpr double wide = 8.0;
 void show_mistakes(Findings& findings) {
   Table table{
       .name = "mistakes",
-      .caption = "Speed of the third disc, 60 steps in a contact: struck anew while unloading, slack and parted.",
+      .caption = "Speed of the third disc, 60 steps in a contact: struck again while unloading, slack and parted.",
       .columns = {"g", "exact", "solver", "forgotten at F = 0", "ended at F = 0", "never forgotten",
                   "dropped every 20 steps"}};
   const auto third = [](const Watched& seen) { return fmt::format("{:.4f}", seen.velocity[2]); };
@@ -254,7 +254,7 @@ void draw_speeds(Findings& findings) {
     if (i % 4 == 0) add(solver, run_by(law, gap, h, 0.3, findings).velocity[2]);
   }
   findings.figure({.name = "speed_of_the_third",
-                   .title = "Struck anew, sooner or later",
+                   .title = "Struck again, sooner or later",
                    .caption = "Speed of the third disc against the gap; beside it two mistakes. Ended at $F = 0$ is "
                               "exact but for blows in slack, after which it is .85.",
                    .x = {.label = "gap between 1 and 2 when 2 touches 3"},
@@ -270,7 +270,7 @@ void draw_loops(Findings& findings) {
   }
   findings.figure({.name = "force_against_overlap",
                    .title = "The second and third disc's contact",
-                   .caption = "Struck anew while unloading, slack and parted.",
+                   .caption = "Struck again while unloading, slack and parted.",
                    .x = {.label = "overlap"},
                    .y = {.label = "force"},
                    .series = all});
@@ -291,30 +291,30 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "restruck_discs",
-          .title = "Discs struck anew",
+          .title = "Discs struck again",
           .family = "the shear cell",
           .requirements = {{"B16", {"speeds", "speeds that differ after restarts every 1, 7, 20 steps, of 27"}},
                            {"F5", {"speeds that differ after restarts every 1, 7, 20 steps, of 27"}},
                            {"law.latching_spring", {"speeds"}},
                            {"regime.latching_spring.unloading",
-                            {"speeds of three discs struck anew while unloading, largest error of 24 gaps"}},
+                            {"speeds of three discs struck again while unloading, largest error of 24 gaps"}},
                            {"regime.latching_spring.slack",
-                            {"speeds of three discs struck anew while slack, largest error of 24 gaps"}},
+                            {"speeds of three discs struck again while slack, largest error of 24 gaps"}},
                            {"regime.latching_spring.loading",
-                            {"speeds of three discs struck anew while parted, largest error of 24 gaps"}}},
-          .main_checks = {"speeds of three discs struck anew while unloading, largest error of 24 gaps",
-                          "speeds of three discs struck anew while slack, largest error of 24 gaps",
-                          "speeds of three discs struck anew while parted, largest error of 24 gaps",
+                            {"speeds of three discs struck again while parted, largest error of 24 gaps"}}},
+          .main_checks = {"speeds of three discs struck again while unloading, largest error of 24 gaps",
+                          "speeds of three discs struck again while slack, largest error of 24 gaps",
+                          "speeds of three discs struck again while parted, largest error of 24 gaps",
                           "speeds that differ after restarts every 1, 7, 20 steps, of 27"},
           .source = "Walton & Braun 1986",
           .faults = {{"forgotten_at_zero_force", "M forgotten where the force is zero",
-                      "speeds of three discs struck anew while slack, largest error of 24 gaps"},
+                      "speeds of three discs struck again while slack, largest error of 24 gaps"},
                      {"ended_at_zero_force", "the contact ended where the force is zero",
-                      "speeds of three discs struck anew while slack, largest error of 24 gaps"},
+                      "speeds of three discs struck again while slack, largest error of 24 gaps"},
                      {"never_forgotten", "M kept after the discs have parted",
-                      "speeds of three discs struck anew while parted, largest error of 24 gaps"},
+                      "speeds of three discs struck again while parted, largest error of 24 gaps"},
                      {"way_back_softer", "K2 smaller by 1 %",
-                      "speeds of three discs struck anew while unloading, largest error of 24 gaps"},
+                      "speeds of three discs struck again while unloading, largest error of 24 gaps"},
                      {"memory_dropped_at_restart", "a restart forgets what the contacts remember",
                       "speeds that differ after restarts every 1, 7, 20 steps, of 27"}},
           .run = run};

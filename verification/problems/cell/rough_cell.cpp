@@ -174,7 +174,7 @@ void run(Findings& findings, const Setup& setup) {
                                    "neighbours; the layers' own ratios scatter by that much in this time"));
   findings.expect_between("share of contact time in contacts that slide", rough.sliding, 0.15, 0.65,
                           "impacts at all angles: one slides from its start where its angle exceeds some "
-                          "atan(2 mu (1 + 1/e)), and any slides at its end, where the normal force falls to nought; "
+                          "atan(2 mu (1 + 1/e)), and any slides at its end, where the normal force falls to zero; "
                           "neither none nor most");
   findings.expect_between(
       "friction's share of what contacts keep", rough.rubbed, 0.35, 0.75,

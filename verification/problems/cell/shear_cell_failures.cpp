@@ -219,7 +219,7 @@ void expect_laws(Findings& findings, const Setup& setup, const ShearCell& cell, 
   const Flow restarted = right_flow(cell, brief, findings);
   rows.push_back({"d0 forgotten every .1 ms", restarted});
   findings.expect_between("energy unaccounted for when contacts forget d0 every .1 ms", restarted.unaccounted, 0.1, 1.0,
-                          "some eight contact times apart, most contacts that are there begin anew with K1 d and give "
+                          "some eight contact times apart, most contacts that are there restart with K1 d and give "
                           "back more than they were given; the drive puts in as much in some ms");
 }
 

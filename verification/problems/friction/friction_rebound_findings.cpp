@@ -50,7 +50,7 @@ void compare_without_slip(double kappa, double ratio, const Rebound& found, Tabl
                                         "rate before; a mean of 64 phases is not farther off than their rms"));
 }
 
-/// -after/before in words, without a minus before nought.
+/// -after/before in words, without a minus before zero.
 std::string returned(double after, double before) {
   const double share = -after / before;
   return fmt::format("{:.4f}", std::abs(share) < 5e-5 ? 0.0 : share);
@@ -74,7 +74,7 @@ void check_rebounds(Findings& findings, const Setup& setup) {
       "tangential_restitution",
       "**Tangential restitution of a contact that sticks, $e_t = -v'/v = -\\cos(\\pi\\sqrt{3 k_s/k_n})$.** It leaves "
       "out "
-      "that the normal force falls to nought at the end, so that every contact with Coulomb's limit slips there unless "
+      "that the normal force falls to zero at the end, so that every contact with Coulomb's limit slips there unless "
       "both springs swing in step, $k_s/k_n$ = 1/3. Discs, undamped. Solver: velocity Verlet, 100 steps in a contact, "
       "mean of 64 phases.");
   Figure figure{.name = "rebound",

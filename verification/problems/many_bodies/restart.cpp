@@ -131,8 +131,8 @@ void check_restart(Findings& findings, const Setup& setup, const std::string& sc
                differing_numbers(whole.end, halves.end), 0.0,
                Tolerance::exact("all that a step depends on is in the file, digit by digit"));
   if (setup.coarse) return;
-  const Half anew = run_in_halves(scene, method.method, step, steps, Interrupted::from_state_alone, setup, findings);
-  const Difference change = difference(whole.end, anew.end);
+  const Half again = run_in_halves(scene, method.method, step, steps, Interrupted::from_state_alone, setup, findings);
+  const Difference change = difference(whole.end, again.end);
   table.rows.push_back({scene_name, method.name, fmt::format("{}", whole.evaluations),
                         fmt::format("{}", halves.evaluations), fmt::format("{:.1e}", change.place)});
 }
@@ -155,11 +155,11 @@ Scene two_pressed_discs() {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  Table table{.name = "anew",
+  Table table{.name = "again",
               .caption =
                   "Force evaluations of the whole run and of that taken on, and the largest change of a coordinate "
-                  "at the end when the method begins anew from the state alone, as one would from a listing.",
-              .columns = {"scene", "method", "whole", "taken on", "begun anew"}};
+                  "at the end when the method restarts from the state alone, as one would from a listing.",
+              .columns = {"scene", "method", "whole", "taken on", "restarted"}};
   const Scene yard = crowded_yard();
   const double step = 1e-3;
   const long steps = std::lround(0.8 / step);
@@ -181,8 +181,7 @@ void run(Findings& findings, const Setup& setup) {
   bool same_cost = true;
   for (const auto& row : table.rows)
     same_cost = same_cost && row[2] == row[3];
-  findings.expect_true("a run taken on costs as many evaluations as the whole", same_cost,
-                       "nothing is worked out again");
+  findings.expect_true("a run taken on costs as many evaluations as the whole", same_cost, "nothing is computed again");
   findings.table(table);
 }
 

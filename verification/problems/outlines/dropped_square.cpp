@@ -97,7 +97,7 @@ void check_even(Findings& findings, const Setup& setup) {
   }
 }
 
-/// Spin over tilt, and the change of the rebound, as the tilt goes to nought.
+/// Spin over tilt, and the change of the rebound, as the tilt goes to zero.
 void check_offsets(Findings& findings, const Setup& setup) {
   const double corner = 0.25 * std::numbers::pi;
   Figure figure{.name = "offsets",

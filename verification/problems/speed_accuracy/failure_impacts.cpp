@@ -148,18 +148,17 @@ FailureFound check_hardly_a_rebound(Findings& findings, const Setup& setup) {
   const Growth fails = growth(0.01, eta, findings), holds = growth(0.2, 0.3, findings);
   const char* why =
       "depths of half a metre are rounded to 5.6e-17, deviations are 1.8e-5 and more: 3e-12, three times that";
-  findings.expect("e to nought: ln growth a step at w h = .3, dashpot for e = .01", fails.found,
+  findings.expect("e to zero: ln growth a step at w h = .3, dashpot for e = .01", fails.found,
                   growth(0.01, 0.3, findings).exact, Tolerance::round_off(1e-11, why));
-  findings.expect("e to nought: ln growth a step at w h = .3, dashpot for e = .2", holds.found, holds.exact,
+  findings.expect("e to zero: ln growth a step at w h = .3, dashpot for e = .2", holds.found, holds.exact,
                   Tolerance::round_off(1e-11, why));
   const double xi = reference::damping_ratio(0.01, reference::EndRule::clamped);
   const double limit = 2.0 * (std::sqrt(1.0 + xi * xi) - xi);
   const double above = growth(0.01, 1.02 * limit, findings).found, below = growth(0.01, 0.98 * limit, findings).found;
-  findings.expect_true("e to nought: at .98 and 1.02 of 2 (sqrt(1 + xi^2) - xi) the motion dies and grows",
+  findings.expect_true("e to zero: at .98 and 1.02 of 2 (sqrt(1 + xi^2) - xi) the motion dies and grows",
                        above > 0.0 && below < 0.0, "the limit of a dashpot half a step late (case stability_maps)");
   const double slow = std::log(2.0 * xi) / (xi * xi);
-  findings.expect("e to nought: that limit for e = .01 over 2 sqrt e", limit / 0.2,
-                  1.0 + 0.5 * (slow - 1.0 / (xi * xi)),
+  findings.expect("e to zero: that limit for e = .01 over 2 sqrt e", limit / 0.2, 1.0 + 0.5 * (slow - 1.0 / (xi * xi)),
                   Tolerance::model(slow * slow,
                                    "for large xi e = (1 - (ln 2 xi - 1/2)/xi^2)/(4 xi^2) and the limit is (1 - 1/(4 "
                                    "xi^2))/xi; left out are squares of ln 2 xi/xi^2"));

@@ -193,7 +193,7 @@ FailureFound check_high_powers(Findings& findings, const Setup& setup) {
       }
     }
   }
-  findings.expect("high powers: places of six where F or its slopes are infinite or nought, n = 1000", lost, 6.0,
+  findings.expect("high powers: places of six where F or its slopes are infinite or zero, n = 1000", lost, 6.0,
                   Tolerance::exact("10^1000 and .001^999 are beyond the format, and each place has one or the other"));
   findings.expect("high powers: the same at n = 50", lost_below, 0.0, Tolerance::exact("10^50 and 1e-150 are numbers"));
   findings.expect("high powers: solver's nearest points, x/a = .001 and 10, n = 50 and 1000, farthest", farthest, 0.0,

@@ -39,7 +39,7 @@ Scene boxed(double xi) {
   return scene;
 }
 
-/// ln of the speed between bounces, of so many: in the end, and the farthest from nought on the way.
+/// ln of the speed between bounces, of so many: in the end, and the farthest from zero on the way.
 struct Drift {
   double end{}, farthest{};
 };
@@ -163,7 +163,7 @@ FailureFound check_snatch(Findings& findings, const Setup& setup) {
                                    "what an unclamped cable would push with at x = 0: a phase comes within a "
                                    "64th of a step of it, and e itself is off by up to .45/N"));
   findings.expect("snatch: least tension of all runs", least.tension, 0.0,
-                  Tolerance::exact("nought where it has let go"));
+                  Tolerance::exact("zero where it has let go"));
   return {fmt::format("not cut: order {:.2f}; k x + c v comes to {:.2f} c e v0", order,
                       least.let_go / (2.0 * xi * exact.restitution)),
           fmt::format("cut: {:.1g}; least T = {:g}", located.max(), least.tension)};

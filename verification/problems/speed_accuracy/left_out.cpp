@@ -19,7 +19,7 @@
 namespace talus::verification::problems::left_out {
 namespace {
 
-/// A system that works out every gap of every pair, however far apart, at each evaluation.
+/// A system that computes every gap of every pair, however far apart, at each evaluation.
 class EveryPair {
  public:
   explicit EveryPair(const Dynamics& dynamics)
@@ -101,7 +101,7 @@ State stepped(const Scene& scene, const Dynamics& dynamics, Method method, Syste
   return state;
 }
 
-/// Nought for two states whose coordinates, velocities, memories and losses are the same; else the largest difference
+/// Zero for two states whose coordinates, velocities, memories and losses are the same; else the largest difference
 /// of any coordinate or velocity, or NaN if only the others differ.
 double change(const State& a, const State& b) {
   const auto [place, velocity] = difference(a, b);
@@ -172,7 +172,7 @@ Scene thrown_discs() {
   return scene;
 }
 
-/// Runs in which every gap of every pair is worked out at each evaluation end in the same bits. Fault `pair_forgotten`.
+/// Runs in which every gap of every pair is computed at each evaluation end in the same bits. Fault `pair_forgotten`.
 void check_contacts(Findings& findings, const Setup& setup, Table& table) {
   check_pairs(findings, setup, table, "yard", crowded_yard(), 1.0 / 4096.0, 3000);
   if (setup.coarse) return;

@@ -42,7 +42,7 @@ double first_growth(const SqueezedRuns& disc, const FixedStepMethod& method, dou
     const auto states = static_cast<std::size_t>(method.start + lags + columns);
     for (const double start : {largest_start, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
       std::array<reference::Motion, 2> runs;
-      // Neither start is one that a method's own first step makes nought of.
+      // Neither start is one that a method's own first step makes zero of.
       const std::array<Deviation, 2> starts{Deviation{start, 0.3 * start}, Deviation{-0.3 * start, start}};
       for (std::size_t i = 0; i < runs.size(); ++i)
         runs[i] = disc.run(made(method, setup), run_as(eta, setup), static_cast<long>(states) - 1, starts[i]);

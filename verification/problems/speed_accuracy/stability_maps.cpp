@@ -19,7 +19,7 @@
 namespace talus::verification::problems::stability_maps {
 namespace {
 
-constexpr double nought = 1e-10;  // ln growth that counts as none
+constexpr double negligible = 1e-10;  // ln growth that counts as none
 
 /// What runs on both sides of limits have done.
 struct BothSides {
@@ -34,8 +34,8 @@ void run_both_sides(const FixedStepMethod& method, double limit, double xi, cons
   for (const double share : {0.98, 0.999, 1.001, 1.02}) {
     const double eta = share * limit, exact = reference::ln_growth(method.scheme, eta, xi);
     const double fitted = first_growth(disc, method, eta, setup);
-    if (!one && (xi > 0.0 || exact > nought)) keep_worst(seen.worst, fitted / exact - 1.0);
-    if (exact <= nought) {
+    if (!one && (xi > 0.0 || exact > negligible)) keep_worst(seen.worst, fitted / exact - 1.0);
+    if (exact <= negligible) {
       seen.wrong += stays(disc, method, eta, setup) ? 0 : 1;
       continue;
     }
@@ -50,8 +50,8 @@ void run_both_sides(const FixedStepMethod& method, double limit, double xi, cons
   }
 }
 
-/// eta at which the solver's growth passes nought, within a thousandth of the expected one; NaN if it does not. Where
-/// nothing damps, it is nought below a limit and rises from there as a root.
+/// eta at which the solver's growth passes zero, within a thousandth of the expected one; NaN if it does not. Where
+/// nothing damps, it is zero below a limit and rises from there as a root.
 double measured_limit(const FixedStepMethod& method, double expected, double xi, const Setup& setup) {
   const SqueezedRuns disc = squeezed_runs(xi);
   const auto grows = [&](double eta) { return first_growth(disc, method, eta, setup) > (xi > 0.0 ? 0.0 : 1e-6); };
@@ -191,7 +191,7 @@ void check_common_limit(Findings& findings, const Setup& setup) {
       "**Limit of the step $2/\\omega$ (Eq. 25) where a dashpot acts,** as $\\omega h$. A dashpot that sees the "
       "velocity of half a step before lowers it to $2(\\sqrt{1 + \\xi^2} - \\xi)$, one that sees the velocity of one "
       "and a half steps before to $\\sqrt{1 + \\xi^2} - \\xi$, which tends to 1, not 2, as the damping goes. Solver: "
-      "where the fitted growth of a disc between two planes passes nought.");
+      "where the fitted growth of a disc between two planes passes zero.");
   for (const FixedStepMethod& method : {fixed_step_methods[1], fixed_step_methods[3]}) {
     const auto claim = findings.in(fmt::format("integrator.{}", method.name));
     for (const double xi : {0.1, 0.4, 1.0}) {
@@ -298,7 +298,7 @@ void check_map(const FixedStepMethod& method, Findings& findings, const Setup& s
                                                "2.5e-7, times what the map is larger than they, up to 1e2"));
   }
   findings.expect(name + ": points of the map on the wrong side of the exact curve", map.wrong, 0.0,
-                  Tolerance::exact("a count, of all points at which ln growth is further from nought than 1e-5"));
+                  Tolerance::exact("a count, of all points at which ln growth is further from zero than 1e-5"));
   if (setup.coarse) return;
   map.growth.panel = static_cast<int>(figure.panels.size());
   const std::string_view word = method.scheme == Scheme::late ? "lagged" : method.name;

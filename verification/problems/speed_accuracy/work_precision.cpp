@@ -256,13 +256,13 @@ Advantage expected_cheapest(const SceneCurves& all) {
   });
   if (closed_form) {
     return {"exact", 10.0, 60.0,
-            "one evaluation for each piece between events, where the next begins anew with order 1 and takes 15 to 50 "
+            "one evaluation for each piece between events, where the next restarts with order 1 and takes 15 to 50 "
             "to 1e-6"};
   }
   if (all.scene->runs > 1) {  // events
     return {"stormer_cowell", 4.0, 30.0,
             "step control without located events halves its steps some ten times at each, at six stages or more a try, "
-            "and grows them again: 60 to 200 evaluations where a located event takes 10 to 20 to begin anew"};
+            "and grows them again: 60 to 200 evaluations where a located event takes 10 to 20 to restart"};
   }
   return {"stormer_cowell", 1.1, 4.0, "one evaluation a step of order 12, against two of order 8 or six of order 4"};
 }
