@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "solver/base/error.hpp"
 #include "verification/record/error.hpp"
@@ -57,6 +58,32 @@ TomlValue copied(const toml::node& node) {
   return value;
 }
 
+/// Refuses keys of very many parts, a.b.c: the library nests a table for each, and its destructor then leaves the stack.
+void refuse_long_keys(std::string_view text, std::string_view name) {
+  constexpr std::size_t most = 100;
+  std::size_t line = 1, parts = 1;
+  bool after_key = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char letter = text[i];
+    if (letter == '"' || letter == '\'') {
+      for (++i; i < text.size() && text[i] != letter && text[i] != '\n'; ++i)
+        if (letter == '"' && text[i] == '\\') ++i;
+      if (i < text.size() && text[i] == '\n') --i;
+      after_key = true;
+    } else if (std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '-') {
+      after_key = true;
+    } else if (letter == '.' && after_key) {
+      after_key = false;
+      if (++parts > most)
+        throw InputError{
+            fmt::format("{}:{}: a key has more than {} parts, which are joined by dots", name, line, most)};
+    } else if (letter != ' ' && letter != '\t') {
+      line += letter == '\n' ? 1 : 0;
+      parts = 1, after_key = false;
+    }
+  }
+}
+
 }  // namespace
 
 std::string found(const TomlValue& value) {
@@ -75,6 +102,7 @@ std::string found(const TomlValue& value) {
 }
 
 TomlValue parse_toml(std::string_view text, std::string_view name) {
+  refuse_long_keys(text, name);
   try {
     return copied(toml::parse(text, std::string{name}));
   } catch (const toml::parse_error& error) {

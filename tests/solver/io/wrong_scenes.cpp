@@ -66,6 +66,14 @@ std::string message(std::string_view part, std::string_view replacement) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(keys_of_very_many_parts) {
+  std::string key = "a";
+  for (int i = 0; i < 300000; ++i)
+    key += ".a";
+  BOOST_TEST(message("title = \"Two\"", key + " = 1") ==
+             "s.toml:1: a key has more than 100 parts, which are joined by dots");
+}
+
 BOOST_AUTO_TEST_CASE(the_sound_scene_is_read) { BOOST_TEST(message("3 kg", "3 kg") == "no error"); }
 
 BOOST_AUTO_TEST_CASE(quantities) {
