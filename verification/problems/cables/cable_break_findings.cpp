@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "solver/integrate/integrator_list.hpp"
-#include "solver/model/model_builder.hpp"
 #include "solver/run/snapshot.hpp"
 #include "verification/check/convergence.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
@@ -165,64 +163,6 @@ double change_with_time(const reference::HangerBreak& broken, Of&& of) {
     return of(reference::break_hanger(pair, reference::hanger_load(pair, reference::held_pair(pair, t))));
   };
   return (at(broken.time + d) - at(broken.time - d)) / (2.0 * d);
-}
-
-/// Three unlike cables on a line past two broken hangers, listed in every order and with either end first: the tension,
-/// and where the massless points between them are.
-void check_chains(Findings& findings) {
-  const double rest[] = {3.0, 4.0, 2.0}, stiff[] = {100.0, 50.0, 200.0};
-  const Vec2 from{0.0, 0.0}, to{10.0, 3.0};
-  const double length = norm(to - from);
-  const double tension = (length - 9.0) / (1.0 / stiff[0] + 1.0 / stiff[1] + 1.0 / stiff[2]);
-  double force_error = 0.0, place_error = 0.0;
-  std::array<std::size_t, 3> order{0, 1, 2};
-  do {
-    for (unsigned turned = 0; turned < 8; ++turned) {
-      ModelBuilder builder;
-      std::array<BodyId, 2> bodies{};
-      for (std::size_t i = 0; i < 2; ++i)
-        bodies[i] = builder.add(Body{.name = i == 0 ? "first" : "second",
-                                     .mobility = Mobility::particle,
-                                     .mass = 1.0,
-                                     .p_WB = {3.0 + 4.0 * static_cast<double>(i), -1.0}});
-      const CableEnd ends[] = {{{}, {from.x, from.y, 0.0}}, {bodies[0], {}}, {bodies[1], {}}, {{}, {to.x, to.y, 0.0}}};
-      for (const std::size_t c : order) {
-        const bool other_way = (turned >> c & 1U) != 0;
-        builder.add(Cable{.name = fmt::format("cable{}", c),
-                          .a = ends[other_way ? c + 1 : c],
-                          .b = ends[other_way ? c : c + 1],
-                          .rest_length = rest[c],
-                          .law = ElasticPlastic{.stiffness = stiff[c]}});
-      }
-      for (const BodyId body : bodies)
-        builder.add(Hanger{fmt::format("hanger{}", index(body)), body, {}, 1.0});
-      const Model model = builder.build();
-      const Dynamics dynamics{model};
-      State state = rest_state(model);
-      for (std::size_t h = 0; h < 2; ++h)
-        state.mode[dynamics.layout().first_hanger + h] = 1;
-      Workspace work = dynamics.workspace();
-      dynamics.update(state, work);
-      dynamics.settle(state, work);
-      const Snapshot seen{dynamics, state};
-      double along = 0.0;
-      for (std::size_t c = 0; c < 3; ++c) {
-        keep_worst(force_error, seen.forces().tensions[index(*find_cable(model, fmt::format("cable{}", c)))] - tension);
-        along += rest[c] + tension / stiff[c];
-        if (c == 2) continue;
-        const std::vector<Joint>& joints = dynamics.cables().joints();
-        for (std::size_t j = 0; j < joints.size(); ++j) {
-          if (joints[j].on_body && joints[j].body == bodies[c])
-            keep_worst(place_error, norm(seen.geometry().joints.p_WP(j) - (from + along / length * (to - from))));
-        }
-      }
-    }
-  } while (std::next_permutation(order.begin(), order.end()));
-  const auto group = findings.in("chains");
-  findings.expect("tension of three cables past broken hangers, worst of 48 listings", force_error, 0.0,
-                  Tolerance::round_off(1e-12, "a hundred times roundings of lengths of ten"), "N");
-  findings.expect("places of the points between three cables past broken hangers, worst of 48 listings", place_error,
-                  0.0, Tolerance::round_off(1e-14, "a dozen roundings of lengths of ten"), "m");
 }
 
 void check_hanger_sides(Findings& findings, const Setup& setup) {
@@ -433,7 +373,6 @@ void check_hanger(Findings& findings, const Setup& setup) {
   check_merged(findings, setup);
   if (setup.coarse) return;
   check_merged_plastic(findings);
-  if (!setup.coarse) check_chains(findings);
   check_hanger_sides(findings, setup);
   check_hanger_exactly(findings, setup);
   draw_hanger(findings);

@@ -18,9 +18,8 @@ void check_breaking(Findings& findings, const Setup& setup);
 /// Accelerations of bodies in nets of cables, in many listings, beside a sum over the cables.
 void check_nets(Findings& findings);
 
-/// Cables past broken hangers: to their mirror image, and when one of them breaks.
-void check_mirrored_chain(Findings& findings);
-void check_parted_chain(Findings& findings);
+/// Chains of cables past broken hangers: in every listing, to their mirror image, and when one of them breaks.
+void check_chains(Findings& findings);
 
 /// A hanger that breaks.
 void check_hanger(Findings& findings, const Setup& setup);

@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <vector>
 
+#include "solver/dynamics/dynamics.hpp"
 #include "solver/model/model_builder.hpp"
-#include "solver/run/snapshot.hpp"
 #include "verification/problems/cables/cable_findings.hpp"
 #include "verification/study/expectations.hpp"
 
@@ -150,96 +151,6 @@ void check_nets(Findings& findings) {
                                        "forces of up to 100 N, a dozen roundings each, and a few of them at "
                                        "a body of at least 1 kg"),
                   "m/s^2");
-}
-
-/// Behind a plane of symmetry: the body in the plane hangs there once, the cable and the next body stand for two. Both
-/// hangers are broken, so the cables run straight along the fence to their mirror image and pull nothing out of that.
-void check_mirrored_chain(Findings& findings) {
-  const double rest[] = {3.0, 4.0}, stiff[] = {100.0, 50.0};
-  const double from = 1.0, to = 10.0;  // along the fence
-  const double tension = (to - from - 7.0) / (1.0 / stiff[0] + 1.0 / stiff[1]);
-  double force_error = 0.0, place_error = 0.0;
-  for (unsigned listing = 0; listing < 8; ++listing) {
-    ModelBuilder builder;
-    const BodyId middle =
-        builder.add(Body{.name = "middle", .mobility = Mobility::particle, .mass = 1.0, .p_WB = {0.0, -1.0}});
-    const BodyId next = builder.add(
-        Body{.name = "next", .mobility = Mobility::particle, .mass = 1.0, .p_WB = {0.5, -1.0}, .copies = 2});
-    const CableEnd ends[] = {{middle, {0.0, 0.0, from}}, {next, {0.0, 0.0, 4.0}}, {{}, {0.0, 3.0, to}}};
-    for (const std::size_t place : {0U, 1U}) {
-      const std::size_t c = (listing & 1U) != 0 ? 1 - place : place;
-      const bool other_way = (listing >> (c + 1) & 1U) != 0;
-      builder.add(Cable{.name = fmt::format("cable{}", c),
-                        .a = ends[other_way ? c + 1 : c],
-                        .b = ends[other_way ? c : c + 1],
-                        .rest_length = rest[c],
-                        .law = ElasticPlastic{.stiffness = stiff[c]},
-                        .copies = 2});
-    }
-    builder.add(Hanger{"hanger0", middle, {0.0, 0.0, from}, 1.0});
-    builder.add(Hanger{"hanger1", next, {0.0, 0.0, 4.0}, 1.0});
-    const Model model = builder.build();
-    const Dynamics dynamics{model};
-    State state = rest_state(model);
-    for (std::size_t h = 0; h < 2; ++h)
-      state.mode[dynamics.layout().first_hanger + h] = 1;
-    Workspace work = dynamics.workspace();
-    dynamics.update(state, work);
-    dynamics.settle(state, work);
-    const Snapshot seen{dynamics, state};
-    for (std::size_t c = 0; c < 2; ++c)
-      keep_worst(force_error, seen.forces().tensions[index(*find_cable(model, fmt::format("cable{}", c)))] - tension);
-    for (std::size_t j = 0; j < dynamics.cables().joints().size(); ++j)
-      keep_worst(place_error, norm(seen.geometry().joints.p_WP(j) - Vec2{0.0, 3.0}));
-  }
-  const auto group = findings.in("chains");
-  findings.expect("tension of two cables past broken hangers to their mirror image, worst of 8 listings", force_error,
-                  0.0, Tolerance::round_off(1e-12, "a hundred times roundings of lengths of ten"), "N");
-  findings.expect("places of the points of two cables past broken hangers, seen along them, worst of 8 listings",
-                  place_error, 0.0, Tolerance::exact("all are where the last one is"), "m");
-}
-
-/// Three unlike cables past two broken hangers, of which the middle one is pulled beyond its strength: all let go at once,
-/// and the energy that they stored, T^2/2 times the sum of their compliances, is lost.
-void check_parted_chain(Findings& findings) {
-  const double rest[] = {3.0, 4.0, 2.0}, stiff[] = {100.0, 50.0, 200.0};
-  const double length = 10.0, compliance = 1.0 / stiff[0] + 1.0 / stiff[1] + 1.0 / stiff[2];
-  const double tension = (length - 9.0) / compliance;
-  ModelBuilder builder;
-  std::array<BodyId, 2> bodies{};
-  for (std::size_t i = 0; i < 2; ++i)
-    bodies[i] = builder.add(Body{.name = i == 0 ? "first" : "second",
-                                 .mobility = Mobility::particle,
-                                 .mass = 1.0,
-                                 .p_WB = {3.0 + 4.0 * static_cast<double>(i), -1.0}});
-  const CableEnd ends[] = {{{}, {}}, {bodies[0], {}}, {bodies[1], {}}, {{}, {length, 0.0, 0.0}}};
-  for (std::size_t c = 0; c < 3; ++c)
-    builder.add(
-        Cable{.name = fmt::format("cable{}", c),
-              .a = ends[c],
-              .b = ends[c + 1],
-              .rest_length = rest[c],
-              .law = ElasticPlastic{.stiffness = stiff[c], .strength = c == 1 ? 0.999 * tension : 10.0 * tension}});
-  for (const BodyId body : bodies)
-    builder.add(Hanger{fmt::format("hanger{}", index(body)), body, {}, 1.0});
-  const Model model = builder.build();
-  const Dynamics dynamics{model};
-  State state = rest_state(model);
-  for (std::size_t h = 0; h < 2; ++h)
-    state.mode[dynamics.layout().first_hanger + h] = 1;
-  Workspace work = dynamics.workspace();
-  dynamics.update(state, work);
-  dynamics.settle(state, work);
-  const Snapshot seen{dynamics, state};
-  double left = 0.0;
-  for (const double t : seen.forces().tensions)
-    keep_worst(left, t);
-  const auto group = findings.in("chains");
-  findings.expect("tension in a chain after its middle cable broke, largest", left, 0.0,
-                  Tolerance::exact("all are loose"), "N");
-  findings.expect("energy loss when the middle cable of a chain breaks",
-                  state.work[static_cast<std::size_t>(Mechanism::cable_break)], 0.5 * tension * tension * compliance,
-                  Tolerance::round_off(1e-13, "a hundred roundings of lengths of ten, times 30 N"), "J");
 }
 
 }  // namespace talus::verification::problems

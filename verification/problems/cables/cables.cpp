@@ -141,8 +141,7 @@ void run(Findings& findings, const Setup& setup) {
   check_hanger(findings, setup);
   if (setup.coarse) return;
   check_nets(findings);
-  check_mirrored_chain(findings);
-  check_parted_chain(findings);
+  check_chains(findings);
 }
 
 }  // namespace

@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "solver/model/model_builder.hpp"
+#include "solver/run/snapshot.hpp"
+#include "verification/problems/cables/cable_findings.hpp"
+#include "verification/study/expectations.hpp"
+
+namespace talus::verification::problems {
+namespace {
+
+/// A point of a chain: a broken hanger of a body, in its coordinates, or an anchor.
+struct ChainPoint {
+  std::optional<Body> body;
+  Vec3 p;  ///< [m]
+};
+
+struct ChainCable {
+  double rest{};  ///< [m]
+  ElasticPlastic law;
+};
+
+/// Cables in the order in which they are listed; of cable c the ends are exchanged if bit c of `turned` is set.
+struct Listing {
+  std::vector<std::size_t> order;
+  unsigned turned{};
+};
+
+/// A chain past its broken hangers.
+struct LaidChain {
+  std::vector<double> tensions;  ///< of the cables [N]
+  std::vector<Vec2> places;      ///< of the points [m]
+  double lost{};                 ///< energy recorded as lost by breaking cables [J]
+};
+
+Body hung(const char* name, double x, int copies = 1) {
+  return {.name = name, .mobility = Mobility::particle, .mass = 1.0, .p_WB = {x, -1.0}, .copies = copies};
+}
+
+LaidChain laid(const std::vector<ChainPoint>& points, const std::vector<ChainCable>& cables, const Listing& listing,
+               int copies = 1) {
+  ModelBuilder builder;
+  std::vector<CableEnd> ends;
+  for (const ChainPoint& point : points)
+    ends.push_back({point.body ? std::optional{builder.add(*point.body)} : std::nullopt, point.p});
+  const auto turned = [&](std::size_t c) { return listing.turned >> c & 1U; };
+  for (const std::size_t c : listing.order)
+    builder.add(Cable{.name = fmt::format("cable{}", c),
+                      .a = ends[c + turned(c)],
+                      .b = ends[c + 1 - turned(c)],
+                      .rest_length = cables[c].rest,
+                      .law = cables[c].law,
+                      .copies = copies});
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].body) builder.add(Hanger{"at " + points[i].body->name, *ends[i].body, points[i].p, 1.0});
+  const Model model = builder.build();
+  const Dynamics dynamics{model};
+  State state = rest_state(model);
+  std::fill_n(state.mode.begin() + static_cast<std::ptrdiff_t>(dynamics.layout().first_hanger), model.hangers.size(),
+              Mode{1});
+  Workspace work = dynamics.workspace();
+  dynamics.update(state, work);
+  dynamics.settle(state, work);
+  const Snapshot seen{dynamics, state};
+  LaidChain found;
+  found.places.resize(points.size());
+  found.lost = state.work[static_cast<std::size_t>(Mechanism::cable_break)];
+  for (std::size_t c = 0; c < cables.size(); ++c) {
+    const std::size_t cable = index(*find_cable(model, fmt::format("cable{}", c)));
+    const auto [a, b] = dynamics.cables().ends()[cable];
+    found.tensions.push_back(seen.forces().tensions[cable]);
+    found.places[c + turned(c)] = seen.geometry().joints.p_WP(a);
+    found.places[c + 1 - turned(c)] = seen.geometry().joints.p_WP(b);
+  }
+  return found;
+}
+
+/// Three cables of different length and stiffness, and the compliance [m/N] and rest length [m] of all.
+const std::vector<ChainCable> three{{3.0, {.stiffness = 100.0}}, {4.0, {.stiffness = 50.0}}, {2.0, {.stiffness = 200.0}}};
+constexpr double compliance_of_three = 1.0 / 100.0 + 1.0 / 50.0 + 1.0 / 200.0, rest_of_three = 9.0;
+
+std::vector<ChainPoint> line_of_four(Vec2 to) {
+  return {{{}, {}}, {hung("first", 3.0), {}}, {hung("second", 7.0), {}}, {{}, {to.x, to.y, 0.0}}};
+}
+
+/// In every order and with either end first: the tension, and where the massless points between the cables are.
+void check_listings(Findings& findings) {
+  const Vec2 to{10.0, 3.0};
+  const double length = norm(to), tension = (length - rest_of_three) / compliance_of_three;
+  double force_error = 0.0, place_error = 0.0;
+  Listing listing{.order = {0, 1, 2}};
+  do {
+    for (listing.turned = 0; listing.turned < 8; ++listing.turned) {
+      const LaidChain found = laid(line_of_four(to), three, listing);
+      double along = 0.0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        keep_worst(force_error, found.tensions[c] - tension);
+        along += three[c].rest + tension / three[c].law.stiffness;
+        keep_worst(place_error, norm(found.places[c + 1] - along / length * to));
+      }
+    }
+  } while (std::next_permutation(listing.order.begin(), listing.order.end()));
+  findings.expect("tension of three cables past broken hangers, worst of 48 listings", force_error, 0.0,
+                  Tolerance::round_off(1e-12, "a hundred times roundings of lengths of ten"), "N");
+  findings.expect("places of the points between three cables past broken hangers, worst of 48 listings", place_error,
+                  0.0, Tolerance::round_off(1e-14, "a dozen roundings of lengths of ten"), "m");
+}
+
+/// Behind a plane of symmetry: the body in the plane hangs there once, the cable and the next body stand for two. Both
+/// hangers are broken, so the cables run straight along the fence to their mirror image and pull nothing out of that.
+void check_mirror_image(Findings& findings) {
+  const std::vector<ChainCable> two{{3.0, {.stiffness = 100.0}}, {4.0, {.stiffness = 50.0}}};
+  const double from = 1.0, to = 10.0;  // along the fence
+  const double tension = (to - from - 7.0) / (1.0 / 100.0 + 1.0 / 50.0);
+  const std::vector<ChainPoint> points{
+      {hung("middle", 0.0), {0.0, 0.0, from}}, {hung("next", 0.5, 2), {0.0, 0.0, 4.0}}, {{}, {0.0, 3.0, to}}};
+  double force_error = 0.0, place_error = 0.0;
+  for (const std::vector<std::size_t>& order : {std::vector<std::size_t>{0, 1}, {1, 0}}) {
+    for (unsigned turned = 0; turned < 4; ++turned) {
+      const LaidChain found = laid(points, two, {order, turned}, 2);
+      for (const double t : found.tensions)
+        keep_worst(force_error, t - tension);
+      for (const Vec2 place : found.places)
+        keep_worst(place_error, norm(place - Vec2{0.0, 3.0}));
+    }
+  }
+  findings.expect("tension of two cables past broken hangers to their mirror image, worst of 8 listings", force_error,
+                  0.0, Tolerance::round_off(1e-12, "a hundred times roundings of lengths of ten"), "N");
+  findings.expect("places of the points of two cables past broken hangers, seen along them, worst of 8 listings",
+                  place_error, 0.0, Tolerance::exact("all are where the last one is"), "m");
+}
+
+/// The middle cable is pulled beyond its strength: all let go at once, and the energy that they stored, T^2/2 times the
+/// sum of their compliances, is lost.
+void check_break_within(Findings& findings) {
+  const double length = 10.0, tension = (length - rest_of_three) / compliance_of_three;
+  std::vector<ChainCable> cables = three;
+  cables[1].law.strength = 0.999 * tension;
+  const LaidChain found = laid(line_of_four({length, 0.0}), cables, {.order = {0, 1, 2}});
+  double left = 0.0;
+  for (const double t : found.tensions)
+    keep_worst(left, t);
+  findings.expect("tension in a chain after its middle cable broke, largest", left, 0.0,
+                  Tolerance::exact("all are loose"), "N");
+  findings.expect("energy loss when the middle cable of a chain breaks", found.lost,
+                  0.5 * tension * tension * compliance_of_three,
+                  Tolerance::round_off(1e-13, "a hundred roundings of lengths of ten, times 30 N"), "J");
+}
+
+}  // namespace
+
+void check_chains(Findings& findings) {
+  const auto group = findings.in("chains");
+  check_listings(findings);
+  check_mirror_image(findings);
+  check_break_within(findings);
+}
+
+}  // namespace talus::verification::problems
