@@ -212,8 +212,6 @@ std::vector<double> accelerations(const Shape& a, const Shape& b, ContactMethod 
   State state = rest_state(model);
   state.v[1] = -0.5;
   Rates rates{state};
-  dynamics.update(state, work);
-  dynamics.settle(state, work);
   dynamics.evaluate(state, work, rates, false);
   return {rates.v.begin(), rates.v.end()};
 }
@@ -224,7 +222,7 @@ void check_pairs(Findings& findings) {
                                   Terrain{{{-5.0, 0.2}, {0.1, 0.0}, {5.0, 0.3}}}};
   double worst = 0.0, compared = 0.0, apart = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < shapes.size(); ++j) {
+    for (std::size_t j = i; j < shapes.size(); ++j) {
       for (const ContactMethod method : {ContactMethod::resultant, ContactMethod::nodes}) {
         const std::vector<double> one = accelerations(shapes[i], shapes[j], method, false),
                                   other = accelerations(shapes[i], shapes[j], method, true);
@@ -244,7 +242,10 @@ void check_pairs(Findings& findings) {
   findings.expect("accelerations of a pair listed in the other order, largest difference", worst, 0.0,
                   Tolerance::round_off(1e-10, "a thousand roundings of forces of up to 1,000 N on 1 kg"), "m/s^2");
   findings.expect("pairs that do not touch", apart, 0.0, Tolerance::exact("each is set down with an overlap"));
-  findings.expect_between("pairs compared", compared, 20.0, 30.0, "three outlines with five others, by two methods");
+  findings.expect(
+      "pairs compared", compared, 22.0,
+      Tolerance::exact("five outlines, of which three can move, by two methods; terrain touches rectangles and "
+                       "superquadrics by nodes alone"));
 }
 
 void run(Findings& findings, const Setup& setup) {
