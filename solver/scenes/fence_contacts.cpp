@@ -16,6 +16,11 @@ double reduced_mass(double a, double b) { return a * b / (a + b); }
 /// with the factors of 1993; c by Eq. 21 with the same mass, or with the one that the contact feels.
 FenceContactLaw FenceMaker::contact_law(double mass, double factor, double overlap, double damped_mass) const {
   const double stiffness = factor * mass * speed_ * speed_ / (overlap * overlap);
+  if (!(stiffness > 0.0 && std::isfinite(stiffness)))
+    throw InputError{
+        fmt::format("fence: the contact stiffness of a mass of {:.6g} that stops from {:.6g} within {:.6g} is {}; it "
+                    "must be > 0 and finite",
+                    mass, speed_, overlap, stiffness)};
   return {stiffness, damping(damping_ratio(fence_.restitution, fence_.options.end_rule), stiffness, damped_mass)};
 }
 

@@ -279,11 +279,10 @@ void Watch::remember(Memory& memory) {
   if (!memory.puts_back()) return;
   for (std::size_t i = 0; i < watched_count; ++i) {
     const double* at = &numbers[5 * i];
-    const double contacts = static_cast<double>(std::max<std::size_t>(1, dynamics_->model().contacts.size()));
-    if (!(at[2] >= 0.0 && at[2] < contacts && at[2] == std::floor(at[2])))
+    const std::size_t contacts = dynamics_->model().contacts.size();
+    const bool at_contact = at[3] != 0.0 && i != static_cast<std::size_t>(Watched::frequency);
+    if (!(at[2] >= 0.0 && at[2] < (at_contact ? static_cast<double>(contacts) : 1.0) && at[2] == std::floor(at[2])))
       throw InputError{fmt::format("extremes: found contact {}; there are {}", at[2], contacts)};
-    if (at[3] != 0.0 && i != static_cast<std::size_t>(Watched::frequency) && dynamics_->model().contacts.empty())
-      throw InputError{"extremes: found one of a contact; the scene has none"};
     extremes_[i] = {at[0], at[1], static_cast<ContactId>(at[2]), at[3] != 0.0};
     reported_[i] = at[4];
   }

@@ -22,6 +22,16 @@ Pose pose_of(const FenceScene& made, const State& state, const char* body) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(a_stiffness_beyond_all_numbers_is_refused) {
+  for (const double penetration : {1e-200, 1e200}) {
+    Fence fence = sample2();
+    fence.penetration = penetration;
+    BOOST_CHECK_EXCEPTION(static_cast<void>(fence_scene(fence)), InputError, [](const InputError& error) {
+      return std::string{error.what()}.starts_with("fence: the contact stiffness of a mass of ");
+    });
+  }
+}
+
 BOOST_AUTO_TEST_CASE(derives_what_the_listing_prints) {
   const FenceScene made = fence_scene(sample2());
   // Printed with four and three digits.

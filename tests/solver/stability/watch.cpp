@@ -1,8 +1,11 @@
 /// The watch over a run (solver/stability/watch.hpp), on both sides of each of its limits.
 #define BOOST_TEST_MODULE watch
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/integrator_list.hpp"
@@ -219,4 +222,40 @@ BOOST_AUTO_TEST_CASE(a_watch_put_back_goes_on) {
   BOOST_TEST((other.warnings() == watch.warnings()));
   BOOST_TEST(other.extreme(Watched::overlap).value == watch.extreme(Watched::overlap).value);
   BOOST_TEST(other.extreme(Watched::overlap).time == watch.extreme(Watched::overlap).time);
+}
+
+// A scene with one contact, number 0, and the same without: the step over its limit is at no contact.
+BOOST_AUTO_TEST_CASE(an_extreme_of_a_contact_that_is_not_there_is_refused) {
+  Scene one = impact(0.251);
+  one.integrator = make_integrator("velocity_verlet");
+  one.plan = {1e-3, 1.0, 1.0, true};
+  Scene none = one;
+  none.model.contacts.clear();
+  none.initial = rest_state(none.model);
+  for (const Scene& scene : std::array{one, none}) {
+    const Dynamics dynamics{scene.model};
+    const State start = scene.initial;
+    for (const auto which : {Watched::frequency, Watched::overlap, Watched::contact}) {
+      Watch watch{scene, dynamics, start};
+      Memory saving;
+      watch.remember(saving);
+      MemoryItems kept = saving.items();
+      const std::size_t first = 5 * static_cast<std::size_t>(which);
+      auto& numbers = std::get<std::vector<double>>(kept.at("extremes"));
+      numbers[first + 3] = 1.0;  // seen
+      const auto puts_back = [&](double contact) {
+        numbers[first + 2] = contact;
+        Memory putting_back{kept};
+        try {
+          Watch{scene, dynamics, start}.remember(putting_back);
+        } catch (const InputError&) {
+          return false;
+        }
+        return true;
+      };
+      BOOST_TEST(puts_back(0.0) == (!scene.model.contacts.empty() || which == Watched::frequency));
+      BOOST_TEST(!puts_back(1.0));
+      BOOST_TEST(!puts_back(-1.0));
+    }
+  }
 }
