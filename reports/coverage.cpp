@@ -69,7 +69,6 @@ class Counter {
       }
     }
   }
-  bool known() const { return known_; }
   std::string text(const Checks& checks) const {
     if (checks.empty()) return "**none**";
     if (!known_) return fmt::format("{}", checks.size());
@@ -268,7 +267,7 @@ std::string coverage(const Results& results, const records::Mutants* mutants) {
          "costs every method its order (2 without a dashpot, 1 with one); the energy balance; the order in the "
          "tolerance, of methods under step control; rounding. False orders, which steps that divide the contact time "
          "show, are left out.\n\n## Shapes in contact\n\n" +
-         pairs(results, counter) + "\nAn empty cell stands elsewhere in the table, or ground would meet ground.\n" +
+         pairs(results, counter) + "\nAn empty cell is elsewhere in the table, or ground would meet ground.\n" +
          "\n## Energy balance\n\n" + mechanisms(results, counter) + "\n## Outputs\n\n" + outputs(results, counter);
 }
 

@@ -8,7 +8,7 @@
 namespace talus::app {
 
 /// What a run carries from step to step and what its steps cost, part by part, from looks at a few of them: a look
-/// computes the forces of the state once more, in a workspace of its own, and changes nothing. Times are this
+/// computes the forces of the state once more, in a separate workspace, and changes nothing. Times are this
 /// machine's.
 class StepParts {
  public:

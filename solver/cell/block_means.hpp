@@ -52,9 +52,9 @@ class BlockMeans {
     }
   };
   /// What is made of the means over all blocks from `first` on, with the standard error of a circular block bootstrap
-  /// (Politis & Romano 1992): 400 series of as many blocks, of runs of neighbours, from a seed of their own. How long
-  /// the runs are, the series itself says: by how far neighbours tell of each other (block_length). What cannot be told
-  /// is not a number, as a ratio to what is zero throughout; series of which it cannot be told do not count.
+  /// (Politis & Romano 1992): 400 series of as many blocks, drawn as stretches of neighbours from a fixed seed. The
+  /// length of a stretch follows from the correlation of the series (block_length). An undefined estimate, such as a
+  /// ratio to a mean that is zero, is NaN; series that give NaN do not count.
   Estimate estimate(std::size_t first, const std::function<double(const Means&)>& of) const;
   /// Mean of a quantity; mean of one over mean of the other.
   Estimate estimate(std::size_t quantity, std::size_t first) const;

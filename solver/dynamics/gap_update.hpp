@@ -147,7 +147,7 @@ class FarDepths {
     }
     return nearest;
   }
-  /// None is in the box around an outline, whose sides keep it apart: the depths in the box are those that are asked for.
+  /// None is in the box around an outline, whose sides keep it apart: their depths are those in the box.
   double largest_of_nodes() const {
     double largest = -std::numeric_limits<double>::infinity();
     for (std::size_t first = group_.first; first < group_.last; first += node_block) {

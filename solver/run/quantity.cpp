@@ -58,7 +58,7 @@ Quantity quantity_named(const Model& model, std::string_view name) {
   std::vector<std::string> known;
   for (std::size_t i = 1; i < columns.size(); ++i) {
     const std::string& column = columns[i].name;
-    // How well the accounts close tells of the method; it goes to zero with its error.
+    // The error of a balance measures the method, and vanishes with its error.
     if (column.starts_with("closure.")) continue;
     known.push_back(fmt::format("{}{}", kind[i], column));
     if (wanted == column || wanted == known.back()) {

@@ -57,10 +57,10 @@ template <class Scalar>
 struct RatesOf {
   static constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
 
-  std::vector<Scalar> v;                       ///< accelerations
-  std::size_t moving{all};                     ///< those behind the first so many are zero, of bodies that sleep
-  std::vector<Scalar> z;                       ///< memory rates
-  bool accounts{true};                         ///< whether the next two are computed; else they are zero
+  std::vector<Scalar> v;    ///< accelerations
+  std::size_t moving{all};  ///< coordinates from here on belong to sleeping bodies and have zero rates
+  std::vector<Scalar> z;    ///< memory rates
+  bool accounts{true};      ///< whether the next two are computed; else they are zero
   std::array<Scalar, mechanism_count> work{};  ///< powers dissipated [F L/T]
   Impulse<Scalar> impulse{};                   ///< forces and moment from outside
 

@@ -157,9 +157,9 @@ Scene two_pressed_discs() {
 void run(Findings& findings, const Setup& setup) {
   Table table{.name = "again",
               .caption =
-                  "Force evaluations of the whole run and of that taken on, and the largest change of a coordinate "
+                  "Force evaluations of the whole run and of the resumed one, and the largest change of a coordinate "
                   "at the end when the method restarts from the state alone, as one would from a listing.",
-              .columns = {"scene", "method", "whole", "taken on", "restarted"}};
+              .columns = {"scene", "method", "whole", "resumed", "restarted"}};
   const Scene yard = crowded_yard();
   const double step = 1e-3;
   const long steps = std::lround(0.8 / step);
@@ -181,7 +181,7 @@ void run(Findings& findings, const Setup& setup) {
   bool same_cost = true;
   for (const auto& row : table.rows)
     same_cost = same_cost && row[2] == row[3];
-  findings.expect_true("a run taken on costs as many evaluations as the whole", same_cost, "nothing is computed again");
+  findings.expect_true("a resumed run costs as many evaluations as the whole", same_cost, "nothing is computed again");
   findings.table(table);
 }
 
@@ -189,7 +189,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {.id = "restart",
-          .title = "Stopped at half time and taken on",
+          .title = "Stopped at half time and resumed",
           .requirements = {{"F5", {"restarts"}},
                            {"law.linear_spring_dashpot", {"yard", "fence"}},
                            {"law.tension_only", {"yard"}},

@@ -39,7 +39,7 @@ Scene boxed(double xi) {
   return scene;
 }
 
-/// ln of the speed between bounces, of so many: in the end, and the farthest from zero on the way.
+/// ln of the speed between n bounces: at the end, and the largest magnitude before.
 struct Drift {
   double end{}, farthest{};
 };
