@@ -80,7 +80,8 @@ LaidChain laid(const std::vector<ChainPoint>& points, const std::vector<ChainCab
 }
 
 /// Three cables of different length and stiffness, and the compliance [m/N] and rest length [m] of all.
-const std::vector<ChainCable> three{{3.0, {.stiffness = 100.0}}, {4.0, {.stiffness = 50.0}}, {2.0, {.stiffness = 200.0}}};
+const std::vector<ChainCable> three{
+    {3.0, {.stiffness = 100.0}}, {4.0, {.stiffness = 50.0}}, {2.0, {.stiffness = 200.0}}};
 constexpr double compliance_of_three = 1.0 / 100.0 + 1.0 / 50.0 + 1.0 / 200.0, rest_of_three = 9.0;
 
 std::vector<ChainPoint> line_of_four(Vec2 to) {
