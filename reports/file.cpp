@@ -37,7 +37,7 @@ void remove_abandoned(const fs::path& target) {
 
 }  // namespace
 
-Workshop::Workshop(fs::path target)
+StagingFolder::StagingFolder(fs::path target)
     : target_(fs::absolute(target)), folder_(target_ / fmt::format("{}{}", prefix, ::getpid())) {
   std::error_code failure;
   fs::create_directories(target_, failure);
@@ -47,12 +47,12 @@ Workshop::Workshop(fs::path target)
   if (failure) throw OutputError(fmt::format("{}: {}", folder_.string(), failure.message()));
 }
 
-Workshop::~Workshop() {
+StagingFolder::~StagingFolder() {
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
 }
 
-void Workshop::publish(const std::string& name) const {
+void StagingFolder::publish(const std::string& name) const {
   std::error_code failure;
   const fs::path target = target_ / name;
   // A folder cannot replace a folder by renaming: the old one steps aside first.

@@ -8,14 +8,14 @@ namespace talus::reports {
 
 /// A new folder beside the results-to-be, removed with all it holds at the end of its scope. What is finished is
 /// moved out of it by publish(), so that a reader of the target never sees half a file.
-class Workshop {
+class StagingFolder {
  public:
   /// Makes `target` (with its parents) and a fresh folder in it, and removes those that killed processes left there; throws
   /// OutputError when that cannot be.
-  explicit Workshop(std::filesystem::path target);
-  ~Workshop();
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
+  explicit StagingFolder(std::filesystem::path target);
+  ~StagingFolder();
+  StagingFolder(const StagingFolder&) = delete;
+  StagingFolder& operator=(const StagingFolder&) = delete;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 

@@ -39,31 +39,31 @@ void describe(CLI::App& app, Options& options) {
 }
 
 /// Writes to stderr, behind all that was printed: both streams may go to one file.
-void complain(const std::string& words) {
+void print_errors(const std::string& words) {
   std::fflush(stdout);
   std::fputs(words.c_str(), stderr);  // a stderr that takes nothing costs the message only
 }
 
 /// Prints the files and what could not be made; returns the exit code.
 int print(const talus::reports::Made& made) {
-  complain(made.warnings);
+  print_errors(made.warnings);
   for (const auto& file : made.files)
     fmt::print("{}\n", file.string());
   if (made.unmade.empty()) return 0;
-  complain("talus_report: " + made.unmade);
+  print_errors("talus_report: " + made.unmade);
   return 4;
 }
 
 int work(const Options& options) {
-  const talus::reports::Workplace workplace{talus::reports::find_resources(), options.jobs};
+  const talus::reports::ToolPaths tools{talus::reports::find_resources(), options.jobs};
   if (!options.plot.empty()) {
     const std::set<std::string> formats(options.formats.begin(), options.formats.end());
     const std::filesystem::path run = options.plot;
     const std::filesystem::path target = options.to.empty() ? run / "plots" : std::filesystem::path{options.to};
-    return print(talus::reports::make_plots(run, target, formats, workplace));
+    return print(talus::reports::make_plots(run, target, formats, tools));
   }
-  if (!options.sheet.empty()) return print(talus::reports::make_sheet(options.sheet, workplace));
-  return print(talus::reports::make_report(options.verify, options.report, workplace));
+  if (!options.sheet.empty()) return print(talus::reports::make_sheet(options.sheet, tools));
+  return print(talus::reports::make_report(options.verify, options.report, tools));
 }
 
 }  // namespace
@@ -85,10 +85,10 @@ int main(int argc, char** argv) {
   try {
     return work(options);
   } catch (const talus::reports::RecordError& wrong) {
-    complain(fmt::format("talus_report: {}\n", wrong.what()));
+    print_errors(fmt::format("talus_report: {}\n", wrong.what()));
     return 2;
   } catch (const std::exception& wrong) {
-    complain(fmt::format("talus_report: {}\n", wrong.what()));
+    print_errors(fmt::format("talus_report: {}\n", wrong.what()));
     return 4;
   }
 }

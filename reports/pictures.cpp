@@ -22,13 +22,13 @@ records::Complain complaint_about(const std::string& picture) {
 }
 
 void demand_sound_page(const Page& page, const std::string& picture) {
-  const records::Complain complain = complaint_about(picture);
+  const records::Complain fail = complaint_about(picture);
   if (page.columns < 1 || page.columns > most_columns)
-    complain("columns", fmt::format("must be from 1 to {}, found {}", most_columns, page.columns));
-  if (page.panels.empty()) complain("panels", "must hold at least one figure");
+    fail("columns", fmt::format("must be from 1 to {}, found {}", most_columns, page.columns));
+  if (page.panels.empty()) fail("panels", "must hold at least one figure");
   for (std::size_t i = 0; i < page.panels.size(); ++i)
     records::demand_sound(page.panels[i], complaint_about(fmt::format("{}: panels[{}]", picture, i)));
-  if (page.scale) records::demand_sound(*page.scale, complain);
+  if (page.scale) records::demand_sound(*page.scale, fail);
 }
 
 }  // namespace

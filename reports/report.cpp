@@ -131,26 +131,26 @@ fs::path find_resources() {
                                 TALUS_REPORTS_SOURCE));
 }
 
-Made make_report(const fs::path& verify, const fs::path& report, const Workplace& workplace) {
+Made make_report(const fs::path& verify, const fs::path& report, const ToolPaths& tools) {
   const Results results = records::read_results(verify / "results.json");
   const Trials trials = read_trials(verify);
-  const Workshop workshop(report);
-  const fs::path figures = workshop.folder() / "figures";
+  const StagingFolder staging(report);
+  const fs::path figures = staging.folder() / "figures";
   fs::create_directory(figures);
-  const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", figures, {"pdf", "svg"}};
+  const Canvas canvas{tools.resources / "gnuplot" / "preamble.gp", figures, {"pdf", "svg"}};
   Drawn drawn;
   const std::vector<Drawing> drawings = drawings_of(results, trials, verify, canvas, drawn);
 
-  const Document document{workshop.folder(), "verification", "Talus verification report",
-                          workplace.resources / "pandoc", records::epoch_seconds(results.provenance.date)};
-  const std::string tools = tool_versions();
+  const Document document{staging.folder(), "verification", "Talus verification report", tools.resources / "pandoc",
+                          records::epoch_seconds(results.provenance.date)};
+  const std::string versions = tool_versions();
   std::string references;
   if (!results.bibliography.empty() &&
       !failure_of([&] { references = references_of(results.bibliography, document); }).empty())
     references = fmt::format("```\n{}\n```\n", results.bibliography);
   const auto write_markdown = [&] {
-    records::write_whole(workshop.folder() / "verification.md",
-                         report_markdown(results, trials, drawn, workplace.resources / "templates", references, tools));
+    records::write_whole(staging.folder() / "verification.md",
+                         report_markdown(results, trials, drawn, tools.resources / "templates", references, versions));
   };
   std::string html_warnings, latex_warnings, picture_warnings, undrawn, no_latex, no_pdf, no_html;
   const auto write_latex = [&] { no_latex = failure_of([&] { latex_warnings = make_latex(document); }); };
@@ -159,11 +159,11 @@ Made make_report(const fs::path& verify, const fs::path& report, const Workplace
   in_parallel({write_latex,
                [&] {
                  undrawn = failure_of([&] {
-                   picture_warnings = draw(drawings, workshop.folder(), workplace.jobs);
+                   picture_warnings = draw(drawings, staging.folder(), tools.jobs);
                    date_pictures(figures, document.epoch);
                  });
                }},
-              workplace.jobs);
+              tools.jobs);
   if (!undrawn.empty()) {
     undraw_all(results, first_line(undrawn), drawn);
     write_markdown();
@@ -172,12 +172,12 @@ Made make_report(const fs::path& verify, const fs::path& report, const Workplace
   const Progress progress("writing HTML and PDF", 0);
   in_parallel({[&] { no_pdf = no_latex.empty() ? failure_of([&] { make_pdf(document); }) : no_latex; },
                [&] { no_html = failure_of([&] { html_warnings = make_html(document); }); }},
-              workplace.jobs);
+              tools.jobs);
   Made made{{}, picture_warnings + html_warnings + latex_warnings, undrawn + no_html};
   if (no_pdf != no_html) made.unmade += no_pdf;
   const auto publish = [&](const std::string& name, bool was_made) {
     if (was_made) {
-      workshop.publish(name);
+      staging.publish(name);
       if (name != "figures") made.files.push_back(report / name);
     } else {
       fs::remove_all(report / name);  // of an earlier report

@@ -11,7 +11,7 @@
 namespace talus::reports {
 
 /// How reports are made, apart from what is in them.
-struct Workplace {
+struct ToolPaths {
   std::filesystem::path resources;  ///< holds templates/, gnuplot/ and pandoc/
   unsigned jobs{1};                 ///< processes at a time
 };
@@ -35,21 +35,21 @@ struct Made {
 ///
 /// A figure that cannot be drawn is an error, except in a case that broke off (error, timeout, missing): there the
 /// page says why.
-Made make_report(const std::filesystem::path& verify, const std::filesystem::path& report, const Workplace& workplace);
+Made make_report(const std::filesystem::path& verify, const std::filesystem::path& report, const ToolPaths& tools);
 
 /// Draws into `target`: figures and pages in each of the formats (ps, pdf, svg, png), films as GIF, players as HTML.
 /// Players need no tool: without gnuplot they are made alone. Throws RecordError as demand_sound() and plot_of() do,
 /// OutputError when a tool fails and nothing is made, FileError when a file cannot be written.
 Made make_pictures(Pictures pictures, const std::filesystem::path& target, const std::set<std::string>& formats,
-                   const Workplace& workplace);
+                   const ToolPaths& tools);
 
 /// Draws the figures that run/plot.json describes, with the points of the CSV files beside it; else as make_pictures().
 Made make_plots(const std::filesystem::path& run, const std::filesystem::path& target,
-                const std::set<std::string>& formats, const Workplace& workplace);
+                const std::set<std::string>& formats, const ToolPaths& tools);
 
 /// Makes run/sheet.pdf and run/sheet.html, one page each, from run/sheet.json; without gnuplot both without pictures,
 /// without pdflatex the HTML alone. Throws as make_report() does.
-Made make_sheet(const std::filesystem::path& run, const Workplace& workplace);
+Made make_sheet(const std::filesystem::path& run, const ToolPaths& tools);
 
 /// Throws OutputError unless the programs that make_sheet() starts are in PATH.
 void demand_sheet_tools();

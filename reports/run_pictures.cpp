@@ -72,15 +72,15 @@ std::vector<Drawing> drawings_of(Pictures& pictures, const Canvas& canvas, std::
 }  // namespace
 
 Made make_pictures(Pictures pictures, const fs::path& target, const std::set<std::string>& formats,
-                   const Workplace& workplace) {
+                   const ToolPaths& tools) {
   demand_sound(pictures);
-  const Workshop workshop(target);
-  const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", workshop.folder(), formats};
+  const StagingFolder staging(target);
+  const Canvas canvas{tools.resources / "gnuplot" / "preamble.gp", staging.folder(), formats};
   std::vector<std::string> names;
   const std::vector<Drawing> drawings = drawings_of(pictures, canvas, names);
   Made made;
   try {
-    made.warnings = draw(drawings, workshop.folder(), workplace.jobs);
+    made.warnings = draw(drawings, staging.folder(), tools.jobs);
   } catch (const OutputError& wrong) {
     if (pictures.players.empty()) throw;
     made.unmade = fmt::format("{}\n", wrong.what());
@@ -88,22 +88,22 @@ Made make_pictures(Pictures pictures, const fs::path& target, const std::set<std
   }
   for (const Player& player : pictures.players) {
     names.push_back(player.name + ".html");
-    records::write_whole(workshop.folder() / names.back(), player_page(player, workplace.resources));
+    records::write_whole(staging.folder() / names.back(), player_page(player, tools.resources));
   }
   for (const std::string& name : names) {
     // A run has no date of its own; the same numbers still give the same bytes.
-    date_picture(workshop.folder() / name, 0);
-    workshop.publish(name);
+    date_picture(staging.folder() / name, 0);
+    staging.publish(name);
     made.files.push_back(target / name);
   }
   return made;
 }
 
 Made make_plots(const fs::path& run, const fs::path& target, const std::set<std::string>& formats,
-                const Workplace& workplace) {
+                const ToolPaths& tools) {
   Pictures pictures{.figures = records::read_plots(run / "plot.json")};
   records::read_points(pictures.figures, run);
-  return make_pictures(std::move(pictures), target, formats, workplace);
+  return make_pictures(std::move(pictures), target, formats, tools);
 }
 
 }  // namespace talus::reports

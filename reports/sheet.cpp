@@ -210,12 +210,12 @@ void demand_sheet_tools() {
     demand_program(tool);
 }
 
-Made make_sheet(const fs::path& run, const Workplace& workplace) {
+Made make_sheet(const fs::path& run, const ToolPaths& tools) {
   const SheetRecord record = read_sheet(run / "sheet.json");
-  const Workshop workshop(run);
-  const fs::path& folder = workshop.folder();
+  const StagingFolder staging(run);
+  const fs::path& folder = staging.folder();
   const auto drawing = [&](SheetMedium medium, const char* format, const char* stem) {
-    const Canvas canvas{workplace.resources / "gnuplot" / "preamble.gp", folder, {format}};
+    const Canvas canvas{tools.resources / "gnuplot" / "preamble.gp", folder, {format}};
     return Drawing{"the sheet", sheet_script(record, canvas, stem, medium)};
   };
   Made made;
@@ -231,31 +231,31 @@ Made make_sheet(const fs::path& run, const Workplace& workplace) {
   const bool drawn = attempt([&] {
     made.warnings = draw({drawing(SheetMedium::paper, "pdf", "drawing"), drawing(SheetMedium::screen, "svg", "drawing"),
                           drawing(SheetMedium::phone, "svg", "phone")},
-                         folder, workplace.jobs);
+                         folder, tools.jobs);
     // A run has no date: the same numbers give the same bytes.
     date_picture(folder / "drawing.pdf", 0);
   });
   const auto picture = [&](const char* name) { return drawn ? records::read_whole(folder / name) : std::string{}; };
 
-  const fs::path templates = workplace.resources / "templates";
+  const fs::path templates = tools.resources / "templates";
   records::write_whole(folder / "sheet.html", rendered(templates / "sheet.html.mustache", record, html_text, html_table,
                                                        picture("drawing.svg"), picture("phone.svg")));
   const std::string latex = rendered(templates / "sheet.tex.mustache", record, latex_text, latex_table,
                                      drawn ? "\\includegraphics[width=\\linewidth]{drawing.pdf}" : "");
   records::write_whole(folder / "sheet.tex",
-                       printable(latex, records::read_whole(workplace.resources / "pandoc" / "header.tex")));
+                       printable(latex, records::read_whole(tools.resources / "pandoc" / "header.tex")));
   const bool set = attempt([&] {
     make_pdf({.folder = folder,
               .stem = "sheet",
               .title = record.title,
-              .resources = workplace.resources,
+              .resources = tools.resources,
               .epoch = 0,
               .has_contents = false});
   });
   fs::remove(run / "sheet.pdf");  // an earlier one, if this one could not be made
   for (const char* name : {"sheet.html", "sheet.pdf"}) {
     if (!set && std::string{name} == "sheet.pdf") continue;
-    workshop.publish(name);
+    staging.publish(name);
     made.files.push_back(run / name);
   }
   return made;

@@ -18,7 +18,7 @@ using records::Node;
 template <std::size_t count>
 std::array<double, count> numbers(const Node& node) {
   const std::vector<Node> list = node.list();
-  if (list.size() != count) node.complain(fmt::format("must be {} numbers, found {}", count, list.size()));
+  if (list.size() != count) node.fail(fmt::format("must be {} numbers, found {}", count, list.size()));
   std::array<double, count> found{};
   for (std::size_t i = 0; i < count; ++i)
     found[i] = list[i].finite();
@@ -126,7 +126,7 @@ SheetState state(const Node& node) {
   }
   for (const Node& cable : node.at("cables").list()) {
     const std::vector<Node> ends = cable.at("ends").list();
-    if (ends.size() != 2) cable.complain("must have two ends");
+    if (ends.size() != 2) cable.fail("must have two ends");
     found.cables.push_back({cable.at("layer").integer(),
                             cable.at("cable").one_of({"top", "bottom"}) == "top",
                             {numbers<3>(ends[0]), numbers<3>(ends[1])}});
@@ -163,7 +163,7 @@ void read_drawing(const Node& sheet, SheetRecord& record) {
     std::vector<double>& values = record.history.emplace_back();
     for (const Node& value : row.list())
       values.push_back(value.finite());
-    if (values.size() != record.history_columns.size()) row.complain("must have a number for each column");
+    if (values.size() != record.history_columns.size()) row.fail("must have a number for each column");
   }
 }
 
@@ -172,7 +172,7 @@ void read_drawing(const Node& sheet, SheetRecord& record) {
 SheetRecord read_sheet(const std::filesystem::path& file) {
   const Json all = records::read_json(file);
   const Node sheet{all, file.string()};
-  if (sheet.at("schema").integer() != 2) sheet.at("schema").complain("must be 2");
+  if (sheet.at("schema").integer() != 2) sheet.at("schema").fail("must be 2");
   const Node run = sheet.at("run"), fence = sheet.at("fence");
   SheetRecord record;
   record.title = sheet.at("title").text();

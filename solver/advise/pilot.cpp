@@ -12,7 +12,7 @@
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
-#include "solver/stability/watch.hpp"
+#include "solver/stability/run_monitor.hpp"
 
 namespace talus {
 namespace {
@@ -97,14 +97,14 @@ Pilot PilotRuns::run(const RunMethod& method, long most, const Nudge& nudge) {
 void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, Pilot& pilot) const {
   system.begin(start);
   Recorder recorder{dynamics_, start, scene.plan.ledger || quantity_->ledger};
-  Watch watch{scene, dynamics_, start};
+  RunMonitor monitor{scene, dynamics_, start};
   LargestBetween largest, least;
   const std::vector<double> lengths = dynamics_.lengths();
   const Observer observer = [&](const Snapshot& seen, const StepInfo& info) {
     recorder(seen, info);
-    std::optional<Watch::Balance> balance;
+    std::optional<RunMonitor::Balance> balance;
     if (recorder.ledger()) balance = {recorder.accounts().energy_closure, recorder.ledger()->energy_scale()};
-    watch.look(seen, info.step, balance);
+    monitor.check(seen, info.step, balance);
     const double value = recorder.row()[quantity_->column];
     pilot.values.push_back(value);
     largest(value);
@@ -113,13 +113,13 @@ void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, P
   };
   Integrator integrator = scene.integrator;
   const Outcome outcome = simulate(system, integrator, start, scene.plan, {&observer, 1}, [&](const State& seen) {
-    return !watch.breach().empty() || (scene.early_end && reached(*scene.early_end, scene.model, seen));
+    return !monitor.violation().empty() || (scene.early_end && reached(*scene.early_end, scene.model, seen));
   });
-  pilot.failure = outcome ? watch.breach() : outcome.words;
+  pilot.failure = outcome ? monitor.violation() : outcome.words;
   if (pilot.failure.empty() && !warned_) {
-    if (watch.step_is_beyond()) {
-      pilot.failure = watch.step_ratio();
-    } else if (const auto warnings = watch.warnings(); !warnings.empty()) {
+    if (monitor.step_is_beyond()) {
+      pilot.failure = monitor.step_ratio();
+    } else if (const auto warnings = monitor.warnings(); !warnings.empty()) {
       pilot.failure = warnings.front();
     }
   }

@@ -61,7 +61,7 @@ reports::Film film(const Drawn& drawn, const std::string& name, const std::strin
 
 /// `drawn`: DrawnGeometry or DrawnDiscs.
 template <class Drawn>
-DrawingRequest animation(const Drawn& drawn, const KeptRun& run, const AnimateOptions& options) {
+DrawingRequest animation(const Drawn& drawn, const SavedRun& run, const AnimateOptions& options) {
   FrameStyle side{View::side, window_of(drawn, View::side), options.numbers, true, {}};
   if (!options.window.empty())
     side.window = {options.window[0], options.window[1], options.window[2], options.window[3]};
@@ -84,7 +84,7 @@ int animate(const AnimateOptions& options, const DrawingSink& sink) {
     throw InputError{fmt::format("--window: found {}; it must be x-min y-min x-max y-max, with min < max",
                                  fmt::join(options.window, " "))};
   }
-  const KeptRun run = read_kept_run(options.folder);
+  const SavedRun run = read_saved_run(options.folder);
   const DrawnStates states = read_states(run.run, chosen_files(run.run, options), options.picture.colour);
   sink(std::visit([&](const auto& drawn) { return animation(drawn, run, options); }, states));
   return ok;

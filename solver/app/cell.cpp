@@ -45,18 +45,18 @@ struct CellRequest {
 };
 
 /// Names the choices of the command line, which a resumed run keeps, and the warnings.
-void remember(Memory& memory, CellRequest& request) {
+void serialize(Archive& archive, CellRequest& request) {
   CellChoices& choices = request.choices;
   std::string integrator = choices.integrator.value_or(""), units{choices.units ? choices.units->name : ""};
   bool seeded = choices.seed.has_value();
   long seed = static_cast<long>(choices.seed.value_or(0));
-  memory.text("integrator", integrator), memory.text("units", units);
-  memory.flag("seeded", seeded), memory.count("seed", seed);
-  memory.flag("historical", choices.historical), memory.flag("jump", choices.jump);
-  memory.flag("virtual", choices.virtual_discs);
+  archive.text("integrator", integrator), archive.text("units", units);
+  archive.flag("seeded", seeded), archive.count("seed", seed);
+  archive.flag("historical", choices.historical), archive.flag("jump", choices.jump);
+  archive.flag("virtual", choices.virtual_discs);
   std::string warnings = fmt::format("{}", fmt::join(request.warnings, "\n"));
-  memory.text("warnings", warnings);
-  if (!memory.puts_back()) return;
+  archive.text("warnings", warnings);
+  if (!archive.is_loading()) return;
   if (!integrator.empty()) choices.integrator = integrator;
   if (!units.empty()) choices.units = unit_system(units);
   if (seeded) choices.seed = static_cast<std::uint64_t>(seed);
@@ -71,7 +71,7 @@ CellRequest cell_request(const CellOptions& options) {
       .run = run_request("cell", options, options.kept()), .choices = {}, .scene = {}, .restart = {}, .warnings = {}};
   CellChoices& choices = request.choices;
   if (request.run.resumes()) {
-    restore(request.run, [&](Memory& memory) { memory.part("choices", [&] { remember(memory, request); }); });
+    restore(request.run, [&](Archive& archive) { archive.scope("choices", [&] { serialize(archive, request); }); });
   } else {
     if (!options.integrator.empty()) choices.integrator = options.integrator;
     if (!options.units.empty()) choices.units = unit_system(options.units);
@@ -106,11 +106,11 @@ class RequestedCell final : public ResumableRun {
     if (request.restart) files_->count_on(request.restart->cycles);
   }
 
-  void remember(Memory& memory) override {
-    memory.part("choices", [&] { app::remember(memory, *request_); });
-    memory.part("run", [&] { run_.remember(memory); });
-    memory.part("files", [&] { files_->remember(memory); });
-    if (memory.puts_back()) first_ = run_.steps();
+  void serialize(Archive& archive) override {
+    archive.scope("choices", [&] { app::serialize(archive, *request_); });
+    archive.scope("run", [&] { run_.serialize(archive); });
+    archive.scope("files", [&] { files_->serialize(archive); });
+    if (archive.is_loading()) first_ = run_.steps();
   }
   void describe(Checkpoint& checkpoint) const override {
     checkpoint.integrator = run_.plan().integrator;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/io/cell/write_cell.hpp"
 
 namespace talus::app {
@@ -24,7 +24,7 @@ class CellFiles {
   /// Names of the files, in the order in which they are written.
   std::vector<std::string> names() const;
 
-  void remember(Memory& memory) { memory.list("times", times_), memory.count("cycles_before", cycles_before_); }
+  void serialize(Archive& archive) { archive.list("times", times_), archive.count("cycles_before", cycles_before_); }
 
  private:
   std::filesystem::path folder_;

@@ -48,13 +48,13 @@ void resume(RunRequest& request, const RunOptions& options, const GivenOptions& 
 
 /// Saves the run in its folder, from which it can be resumed.
 void write_checkpoint(const RunRequest& request, ResumableRun& run) {
-  Memory memory;
-  run.remember(memory);
+  Archive archive;
+  run.serialize(archive);
   Checkpoint checkpoint;
   run.describe(checkpoint);
   checkpoint.scene_file = fs::absolute(request.scene).string();
   checkpoint.scene_fnv1a = fnv1a(request.text);
-  checkpoint.memory = memory.items();
+  checkpoint.memory = archive.items();
   sync_folder(request.folder);  // the states that it counts on
   write_whole(request.folder / checkpoint_name, checkpoint_text(checkpoint, TALUS_VERSION));
 }
@@ -77,9 +77,9 @@ std::unique_ptr<ResumableRun> start_or_resume(const RunRequest& request,
     if (!request.folder.empty() && run->needs_checkpoint_at_start()) write_checkpoint(request, *run);
     return run;
   }
-  restore(request, [&](Memory& memory) {
-    run->remember(memory);
-    if (const auto names = memory.left_over(); !names.empty())
+  restore(request, [&](Archive& archive) {
+    run->serialize(archive);
+    if (const auto names = archive.left_over(); !names.empty())
       throw InputError{fmt::format("found {}; a run of this scene has no such part", names.front())};
   });
   run->bring_files(request.from);
@@ -213,10 +213,10 @@ InputError kept_option(std::string_view option) {
   return InputError{fmt::format("{}: a resumed run (--resume) keeps the options of its start", option)};
 }
 
-void restore(const RunRequest& request, const std::function<void(Memory&)>& visit) {
+void restore(const RunRequest& request, const std::function<void(Archive&)>& visit) {
   try {
-    Memory memory{request.saved.memory};
-    visit(memory);
+    Archive archive{request.saved.memory};
+    visit(archive);
   } catch (const InputError& error) {
     throw InputError{fmt::format("{}: memory: {}", (request.from / checkpoint_name).string(), error.what())};
   }

@@ -59,7 +59,7 @@ struct RunRequest {
 [[nodiscard]] InputError kept_option(std::string_view option);
 
 /// Restores parts of the interrupted run. Errors: InputError that names the checkpoint.
-void restore(const RunRequest& request, const std::function<void(Memory&)>& visit);
+void restore(const RunRequest& request, const std::function<void(Archive&)>& visit);
 
 /// A run between two steps, as the life cycle drives it.
 class ResumableRun {
@@ -69,7 +69,7 @@ class ResumableRun {
   virtual ~ResumableRun() = default;
 
   /// Names all that the run carries from one step to the next; a run of the same request is resumed from it.
-  virtual void remember(Memory& memory) = 0;
+  virtual void serialize(Archive& archive) = 0;
   /// Copies the files that the restored run counts on from the folder of the interrupted run. Errors: IoError.
   virtual void bring_files(const std::filesystem::path& /*from*/) {}
   /// Fills in integrator, tolerance, step, end and steps done.

@@ -38,9 +38,9 @@ class RequestedScene final : public ResumableRun {
         run_{request.file, request.run.folder, request.name(), options.frames, request.sheet},
         last_step_{last_step} {}
 
-  void remember(Memory& memory) override {
-    run_.remember(memory);
-    if (memory.puts_back()) beyond_at_start_ = run_.watch().step_is_beyond();
+  void serialize(Archive& archive) override {
+    run_.serialize(archive);
+    if (archive.is_loading()) beyond_at_start_ = run_.watch().step_is_beyond();
   }
   void bring_files(const std::filesystem::path& from) override { run_.bring_files(from); }
   void describe(Checkpoint& checkpoint) const override {
@@ -56,12 +56,12 @@ class RequestedScene final : public ResumableRun {
       ends_early_ = scene().early_end && reached(*scene().early_end, scene().model, seen.state());
       return ends_early_ || seen.state().t >= until || (pause && pause());
     };
-    return run_.go_on(stop, progress);
+    return run_.proceed(stop, progress);
   }
   bool finish(Outcome& outcome, const Condition& interrupted) override {
     if (ends_early_) outcome.kind = Outcome::Kind::finished;
-    const Watch& watch = run_.watch();
-    if (!outcome && watch.breach().empty() && !watch.step_ratio().empty())
+    const RunMonitor& watch = run_.watch();
+    if (!outcome && watch.violation().empty() && !watch.step_ratio().empty())
       outcome.words += fmt::format("; {}", watch.step_ratio());
     record_ = run_.record(outcome);
     const bool stopped = outcome.kind == Outcome::Kind::stopped;

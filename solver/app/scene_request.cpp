@@ -65,7 +65,7 @@ void apply(const SceneOptions& options, SceneFile& file) {
 }
 
 /// Whether the run of a checkpoint writes a sheet.
-bool holds_sheet(const MemoryItems& memory) {
+bool holds_sheet(const ArchiveItems& memory) {
   const auto item = memory.find("sheet");
   if (item == memory.end()) return false;
   const auto* numbers = std::get_if<std::vector<double>>(&item->second);

@@ -9,7 +9,7 @@
 #include "solver/base/error.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/scenes/fence_plausibility.hpp"
-#include "solver/state/state_memory.hpp"
+#include "solver/state/state_archive.hpp"
 
 namespace talus::app {
 namespace {
@@ -50,23 +50,23 @@ State SceneRun::begun(State state) {
   return state;
 }
 
-void SceneRun::remember(Memory& memory) {
-  memory.part("run", [&] { run_state_.remember(memory); });
+void SceneRun::serialize(Archive& archive) {
+  archive.scope("run", [&] { run_state_.serialize(archive); });
   State seen = seen_.state();
-  memory.part("seen", [&] { talus::remember(memory, seen); });
-  if (memory.puts_back()) seen_.set(seen);
-  memory.text("integrator_why", integrator_why_);
-  memory.part("recorder", [&] { recorder_.remember(memory); });
-  memory.part("failures", [&] { failures_.remember(memory); });
-  memory.part("watch", [&] { watch_.remember(memory); });
-  if (!folder_.empty()) memory.part("outputs", [&] { outputs_.remember(memory); });
-  if (fence_) memory.part("fence", [&] { fence_->remember(memory); });
-  memory.flag("sheet", sheet_);
+  archive.scope("seen", [&] { talus::serialize(archive, seen); });
+  if (archive.is_loading()) seen_.set(seen);
+  archive.text("integrator_why", integrator_why_);
+  archive.scope("recorder", [&] { recorder_.serialize(archive); });
+  archive.scope("failures", [&] { failures_.serialize(archive); });
+  archive.scope("watch", [&] { watch_.serialize(archive); });
+  if (!folder_.empty()) archive.scope("outputs", [&] { outputs_.serialize(archive); });
+  if (fence_) archive.scope("fence", [&] { fence_->serialize(archive); });
+  archive.flag("sheet", sheet_);
 }
 
 void SceneRun::bring_files(const std::filesystem::path& from) { outputs_.bring_files(from); }
 
-Outcome SceneRun::go_on(const StopCondition& stop, Progress& progress) {
+Outcome SceneRun::proceed(const StopCondition& stop, Progress& progress) {
   const auto observe = [&](const Snapshot& seen, const StepInfo& info) {
     recorder_(seen, info);
     failures_(seen.state(), info);
@@ -88,19 +88,19 @@ Outcome SceneRun::go_on(const StopCondition& stop, Progress& progress) {
     }
     parts_.look(seen.state(), info);
   }};
-  const auto broken = [&] { return !watch_.breach().empty(); };
+  const auto broken = [&] { return !watch_.violation().empty(); };
   const auto look = [&](const Snapshot& seen, long at) {
-    std::optional<Watch::Balance> balance;
+    std::optional<RunMonitor::Balance> balance;
     if (recorder_.ledger()) balance = {recorder_.accounts().energy_closure, recorder_.ledger()->energy_scale()};
-    watch_.look(seen, at, balance);
+    watch_.check(seen, at, balance);
   };
   const std::clock_t start = std::clock();
   const long first = run_state_.step, evaluations = run_state_.evaluations;
   long step = first;
-  if (step == 0) watch_.look(seen_, step);
+  if (step == 0) watch_.check(seen_, step);
   if (broken()) {
     observers[0](seen_, {0, 0, true, true, true, &run_state_.state});
-    return {Outcome::Kind::diverged, run_state_.state.t, watch_.breach()};
+    return {Outcome::Kind::diverged, run_state_.state.t, watch_.violation()};
   }
   const StopCondition stops = [&](const Snapshot& seen) {
     look(seen, ++step);
@@ -111,7 +111,7 @@ Outcome SceneRun::go_on(const StopCondition& stop, Progress& progress) {
                run_state_.evaluations - evaluations);
   // Nobody is asked whether to stop with the last step.
   if (outcome.kind == Outcome::Kind::finished) look(seen_, ++step);
-  if (outcome && broken()) return {Outcome::Kind::diverged, outcome.time, watch_.breach()};
+  if (outcome && broken()) return {Outcome::Kind::diverged, outcome.time, watch_.violation()};
   return outcome;
 }
 
@@ -135,7 +135,7 @@ RunQuality SceneRun::quality(const Outcome& outcome) const {
   } else if (tolerance(run_state_.integrator) > 0.0) {
     found.step = fmt::format("steps chosen by {}, tolerance {:g}", name(run_state_.integrator),
                              tolerance(run_state_.integrator));
-  } else if (const Watch::Extreme& acting = watch_.extreme(Watched::frequency); acting.seen) {
+  } else if (const RunMonitor::Extreme& acting = watch_.extreme(Watched::frequency); acting.seen) {
     found.step = fmt::format("step {:.3g} times its linear limit", acting.value);
     if (watch_.step_is_beyond()) found.step += ", beyond it with all contacts closed";
   } else if (!watch_.step_ratio().empty()) {
@@ -143,7 +143,7 @@ RunQuality SceneRun::quality(const Outcome& outcome) const {
   } else {
     found.step = "step without a known limit";
   }
-  if (const Watch::Extreme& shortest = watch_.extreme(Watched::contact); shortest.seen)
+  if (const RunMonitor::Extreme& shortest = watch_.extreme(Watched::contact); shortest.seen)
     found.contact_steps = shortest.value;
   if (const auto last = watch_.last_contact())
     found.last_contact = {scene_->model.contacts[index(last->contact)].name, last->time, last->touching};

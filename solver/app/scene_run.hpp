@@ -14,7 +14,7 @@
 #include "solver/run/run_state.hpp"
 #include "solver/run/snapshot.hpp"
 #include "solver/scenes/fence_summary.hpp"
-#include "solver/stability/watch.hpp"
+#include "solver/stability/run_monitor.hpp"
 
 namespace talus::app {
 
@@ -27,14 +27,14 @@ class SceneRun {
            bool sheet);
 
   /// Names all that the run carries from one step to the next; a run of the same scene goes on from it.
-  void remember(Memory& memory);
+  void serialize(Archive& archive);
   /// After it was put back: brings what was written to the folder in which the run stood. Errors: IoError.
   void bring_files(const std::filesystem::path& from);
 
   /// Takes the run on to its plan's end or until `stop`, and shows how far it is. Errors: IoError.
-  Outcome go_on(const StopCondition& stop, Progress& progress);
+  Outcome proceed(const StopCondition& stop, Progress& progress);
   /// What was watched so far.
-  const Watch& watch() const { return watch_; }
+  const RunMonitor& watch() const { return watch_; }
   /// What is unlikely to be meant at the start: the first warnings of the record.
   const std::vector<std::string>& start_warnings() const { return start_warnings_; }
 
@@ -63,10 +63,10 @@ class SceneRun {
   std::string integrator_why_;  ///< the scene's, or that of the resumed run
   Recorder recorder_;
   FailureLog failures_;
-  Watch watch_;
+  RunMonitor watch_;
   std::vector<std::string> start_warnings_;
   RunOutputs outputs_;
-  std::optional<scenes::FenceWatch> fence_;  ///< of a fence
+  std::optional<scenes::FenceMonitor> fence_;  ///< of a fence
   bool sheet_{};
   StepParts parts_;
 };

@@ -21,7 +21,7 @@ std::optional<RunRecord> record_of(const SceneFile& file, long most, const StopC
     given_up = run.run_state().evaluations > most;
     return there || given_up || (stop && stop(seen));
   };
-  Outcome outcome = run.go_on(ends, progress);
+  Outcome outcome = run.proceed(ends, progress);
   if (there) outcome.kind = Outcome::Kind::finished;
   if (given_up) outcome = {Outcome::Kind::diverged, outcome.time, fmt::format("given up after {} evaluations", most)};
   if (outcome.kind == Outcome::Kind::stopped) return std::nullopt;

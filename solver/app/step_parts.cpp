@@ -50,12 +50,12 @@ void StepParts::look(const State& state, const StepInfo& info) {
   work_.evaluated = Evaluated::geometry;
   contacts_ += time([&] {
     if (dynamics_->contacts().find(copy, work_)) dynamics_->contacts().update(copy, work_);
-    dynamics_->contacts().settle(copy, work_, nullptr);
+    dynamics_->contacts().update_modes(copy, work_, nullptr);
     dynamics_->contacts().add(copy, work_, accounts, false);
   });
   cables_ += time([&] {
     dynamics_->cables().update(copy, work_);
-    dynamics_->cables().settle(copy, work_);
+    dynamics_->cables().update_modes(copy, work_);
     dynamics_->cables().load(copy, work_, accounts);
   });
   ++sums_.looks;
@@ -70,8 +70,8 @@ void StepParts::count(const State& state) {
     const auto last = first + static_cast<std::ptrdiff_t>(layout.contact_instances[c]);
     if (std::any_of(first, last, [](Mode mode) { return mode != 0; })) sums_.touching += 1.0;
   }
-  for (const std::vector<CableRun>& runs : work_.waking.cables) {
-    for (const CableRun& run : runs) {
+  for (const std::vector<CableSpan>& runs : work_.active.cables) {
+    for (const CableSpan& run : runs) {
       sums_.awake += static_cast<double>(run.count);
       const double* const first = work_.paths.tension.at(run.cable);
       sums_.taut +=

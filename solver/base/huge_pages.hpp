@@ -10,7 +10,7 @@
 
 namespace talus {
 
-/// Memory for long arrays that are gone through again and again: large ones in pages of 2 MiB, where the system has
+/// Archive for long arrays that are gone through again and again: large ones in pages of 2 MiB, where the system has
 /// them, so that it looks up fewer; small ones at the start of a line of the cache.
 template <class T>
 struct HugePages {

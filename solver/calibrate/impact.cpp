@@ -18,22 +18,22 @@
 #include "solver/model/model_builder.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
-#include "solver/stability/watch.hpp"
+#include "solver/stability/run_monitor.hpp"
 
 namespace talus {
 namespace {
 
 /// Follows the first impact of a contact: watches the speed of its gap before, and after its law has ceased to act.
-class ImpactWatch {
+class ImpactMonitor {
  public:
-  ImpactWatch(const Dynamics& dynamics, ContactId contact)
+  ImpactMonitor(const Dynamics& dynamics, ContactId contact)
       : dynamics_{&dynamics}, contact_{contact}, work_{dynamics.workspace()} {}
 
   void operator()(const State& seen, const StepInfo&) {
     if (stage_ == Stage::after) return;
     State state = seen;
     dynamics_->update_all(state, work_);
-    dynamics_->settle(state, work_);
+    dynamics_->update_modes(state, work_);
     const std::size_t first = dynamics_->layout().contact_slots[index(contact_)].mode;
     const std::size_t last = first + dynamics_->layout().contact_instances[index(contact_)];
     dynamics_->forces(state, work_, forces_);
@@ -96,21 +96,21 @@ struct Followed {
 Followed follow_impact(const Scene& scene, ContactId contact) {
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics, false};
-  ImpactWatch watch{dynamics, contact};
+  ImpactMonitor watch{dynamics, contact};
   State state = scene.initial;
   system.begin(state);
   // The judgement of a run: an impact that slips through, or overlaps too far, gives no restitution.
-  std::optional<Watch> run_watch;
+  std::optional<RunMonitor> monitor;
   long step = 0;
-  if (scene.plan.watch.tunnelling != Breach::off) run_watch.emplace(scene, dynamics, state);
+  if (scene.plan.watch.tunnelling != CheckAction::off) monitor.emplace(scene, dynamics, state);
   Integrator integrator = scene.integrator;
   const Observer observer = std::ref(watch);
   const Outcome outcome = simulate(system, integrator, state, scene.plan, {&observer, 1}, [&](const Snapshot& seen) {
-    if (run_watch) run_watch->look(seen, ++step);
-    return watch.over() || (run_watch && !run_watch->breach().empty());
+    if (monitor) monitor->check(seen, ++step);
+    return watch.over() || (monitor && !monitor->violation().empty());
   });
   if (!outcome) return {{}, outcome.words};
-  if (run_watch && !run_watch->breach().empty()) return {{}, run_watch->breach()};
+  if (monitor && !monitor->violation().empty()) return {{}, monitor->violation()};
   if (!watch.begun())
     return {{}, fmt::format("its bodies do not meet before the scene's end at t = {}", scene.plan.end)};
   if (!watch.approached()) return {{}, "its bodies do not approach each other; they touch at the start"};
@@ -160,7 +160,7 @@ Scene impact_scene(const ContactLaw& law, double effective_mass, double speed, d
   set_velocity(scene.model, scene.initial, ball, {0.0, -speed}, 0.0);
   scene.integrator = integrator;
   // Coarse steps draw the contact out; three times its length and a few steps are enough for all that are of use.
-  scene.plan = {step, 3.0 * ending + 4.0 * step, step, false, {Breach::off, Breach::off, Breach::off}};
+  scene.plan = {step, 3.0 * ending + 4.0 * step, step, false, {CheckAction::off, CheckAction::off, CheckAction::off}};
   return scene;
 }
 

@@ -134,9 +134,9 @@ Estimate BlockMeans::ratio(std::size_t over, std::size_t under, std::size_t firs
   });
 }
 
-void BlockMeans::remember(Memory& memory) {
-  memory.numbers("weight", weight_);
-  memory.numbers("sums", sums_);
+void BlockMeans::serialize(Archive& archive) {
+  archive.numbers("weight", weight_);
+  archive.numbers("sums", sums_);
 }
 
 }  // namespace talus

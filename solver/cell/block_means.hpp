@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 
 namespace talus {
 
@@ -60,7 +60,7 @@ class BlockMeans {
   Estimate estimate(std::size_t quantity, std::size_t first) const;
   Estimate ratio(std::size_t over, std::size_t under, std::size_t first) const;
 
-  void remember(Memory& memory);
+  void serialize(Archive& archive);
 
  private:
   double sum(std::size_t block, std::size_t quantity) const { return sums_[block * quantities_ + quantity]; }

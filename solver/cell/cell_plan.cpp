@@ -27,8 +27,8 @@ std::vector<std::string> leapfrogs() {
 
 }  // namespace
 
-std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& plan) {
-  std::vector<CellObjection> found = objections(cell);
+std::vector<CellError> validation_errors(const ShearCell& cell, const CellPlan& plan) {
+  std::vector<CellError> found = validation_errors(cell);
   for (const auto& field : CellPlan::fields()) {
     if (!contains(field.range, plan.*field.member)) {
       found.push_back(

@@ -50,6 +50,6 @@ struct CellPlan {
 /// latching spring one of at most 1/w2, w2 = sqrt(2 K2/m); Euler and Taylor may move the
 /// restitution by .05, in a historical run by any amount, which is known of the law of 1989 alone: other laws and
 /// friction go with leapfrogs.
-[[nodiscard]] std::vector<CellObjection> objections(const ShearCell& cell, const CellPlan& plan);
+[[nodiscard]] std::vector<CellError> validation_errors(const ShearCell& cell, const CellPlan& plan);
 
 }  // namespace talus

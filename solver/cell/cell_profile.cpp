@@ -111,9 +111,9 @@ std::vector<CellProfile::Layer> CellProfile::layers() const {
   return made;
 }
 
-void CellProfile::remember(Memory& memory) {
-  memory.numbers("times", times_);
-  memory.list("sums", sums_);
+void CellProfile::serialize(Archive& archive) {
+  archive.numbers("times", times_);
+  archive.list("sums", sums_);
   if (sums_.size() % of_layer != 0) {
     throw InputError{fmt::format("sums: found {} numbers; they must be {} for each layer", sums_.size(), of_layer)};
   }

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/cell/block_means.hpp"
 
 namespace talus {
@@ -42,7 +42,7 @@ class CellProfile {
   /// From the base up; layers in which no disc ever was have zeros.
   std::vector<Layer> layers() const;
 
-  void remember(Memory& memory);
+  void serialize(Archive& archive);
 
  private:
   double thickness_, width_, from_, block_time_;

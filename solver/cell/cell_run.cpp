@@ -31,7 +31,9 @@ std::size_t at(CellQuantity quantity) { return static_cast<std::size_t>(quantity
 
 /// What a free fall of n steps is longer by than n^2/2 g h^2, in n/2 g h^2. The coordinates of a staggered method are
 /// half a step ahead, and move with the velocity of each step's end.
-double fall_bias(const IntegratorTraits& method) { return method.free_fall_error + (method.is_staggered ? 1.0 : 0.0); }
+double free_fall_offset(const IntegratorTraits& method) {
+  return method.free_fall_error + (method.is_staggered ? 1.0 : 0.0);
+}
 
 CellRun::System system_of(const ShearCell& cell, const CellPlan& plan, const FilledCell& start) {
   const double skin = cell_skin(cell);
@@ -45,7 +47,7 @@ CellRun::System system_of(const ShearCell& cell, const CellPlan& plan, const Fil
 }
 
 FilledCell checked(const ShearCell& cell, const CellPlan& plan, FilledCell start) {
-  if (const auto found = objections(cell, plan); !found.empty())
+  if (const auto found = validation_errors(cell, plan); !found.empty())
     throw InputError{fmt::format("{}: {}", found.front().field, found.front().words)};
   return start;
 }
@@ -70,7 +72,7 @@ CellRun::CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start)
       [&](auto& method, auto& system) {
         if constexpr (requires { system.keep_work(); }) system.keep_work();
         system.begin(discs_);
-        system.settle(discs_);  // what touches from the start on stores energy
+        system.update_modes(discs_);  // what touches from the start on stores energy
         method.start(system, discs_, plan_.step);
       },
       method_, system_);
@@ -97,16 +99,16 @@ void CellRun::take_steps(long steps) {
   const double h = plan_.step;
   const std::size_t block = first_block_disc(cell_), base = cell_.free_discs();
   const auto go = [&](auto& method, auto& system) {
-    const auto book = [&](double height) {
-      book_walls(h, system.wall_force(block_wall), system.wall_force(base_wall), height);
+    const auto accumulate = [&](double height) {
+      add_walls(h, system.wall_force(block_wall), system.wall_force(base_wall), height);
     };
     using Method = std::decay_t<decltype(method)>;
     if constexpr (traits_of<Method>.kick_and_drift && requires { system.place(block); }) {
-      system.advance(discs_, h, steps, [&] { book(system.place(block).y - system.place(base).y); });
+      system.advance(discs_, h, steps, [&] { accumulate(system.place(block).y - system.place(base).y); });
     } else {
       for (long n = 0; n < steps; ++n) {
         method.step(system, discs_, h);
-        book(discs_.y[block] - discs_.y[base]);
+        accumulate(discs_.y[block] - discs_.y[base]);
       }
     }
   };
@@ -164,7 +166,7 @@ long CellRun::free_steps() const {
 /// How far the block falls freely in so many steps [L].
 double CellRun::block_way(long steps) const {
   const auto n = static_cast<double>(steps);
-  const double h = plan_.step, fall = 0.5 * cell_.gravity * h * (n + fall_bias(traits(method_)));
+  const double h = plan_.step, fall = 0.5 * cell_.gravity * h * (n + free_fall_offset(traits(method_)));
   return n * h * (discs_.vy.back() - fall);
 }
 
@@ -178,7 +180,7 @@ void CellRun::jump(long steps) {
   const long rest = steps - steps / 2;
   fly(steps / 2);
   const double middle = height(), last = middle + block_way(rest);
-  book_walls(sixth, {}, {}, first), book_walls(4.0 * sixth, {}, {}, middle), book_walls(sixth, {}, {}, last);
+  add_walls(sixth, {}, {}, first), add_walls(4.0 * sixth, {}, {}, middle), add_walls(sixth, {}, {}, last);
   steps_ += steps;
   jumped_ += steps;
   sample(true);
@@ -196,7 +198,7 @@ void CellRun::fly(long steps) {
 }
 
 /// What is known at each step, of the forces of its evaluation.
-void CellRun::book_walls(double time, Vec2 block, Vec2 base, double height) {
+void CellRun::add_walls(double time, Vec2 block, Vec2 base, double height) {
   on_block_ += time * block, on_base_ += time * base;
   const double forwards = std::signbit(cell_.block_speed) ? -1.0 : 1.0, area = cell_.width() * cell_.diameter;
   const auto add = [&](CellQuantity quantity, double value) { walls_[at(quantity)] += time * value; };
@@ -220,7 +222,7 @@ void CellRun::sample(bool flown) {
   // Contacts that the last drift has begun or ended are as they are now. A method that ends its steps with an
   // evaluation has evaluated them since, at other velocities, by which friction settles.
   const auto settle = [&]<class Method>(const Method&, auto& system) {
-    if constexpr (!traits_of<Method>.ends_with_evaluation) system.settle(discs_);
+    if constexpr (!traits_of<Method>.ends_with_evaluation) system.update_modes(discs_);
   };
   std::visit(settle, method_, system_);
   const std::vector<ActingContact> contacts = acting_contacts();
@@ -386,21 +388,21 @@ CellRun::Ledger CellRun::ledger() {
   return ledger;
 }
 
-void CellRun::remember(Memory& memory) {
-  using talus::remember;
-  memory.part("discs", [&] { remember(memory, discs_); });
-  memory.part("system", [&] { std::visit([&](auto& system) { system.remember(memory, discs_); }, system_); });
-  memory.part("method", [&] { std::visit([&](auto& method) { method.remember(memory, discs_); }, method_); });
-  memory.count("steps", steps_), memory.count("jumped", jumped_);
-  memory.number("waiting", waiting_);
-  memory.number("profile_waiting", profile_waiting_), memory.count("profile_samples", profile_samples_);
-  memory.numbers("walls", walls_);
-  memory.part("means", [&] { means_.remember(memory); });
-  memory.part("intervals", [&] { intervals_.remember(memory); });
-  memory.part("profile", [&] { profile_.remember(memory); });
-  memory.number("largest_overlap", largest_overlap_), memory.number("largest_fraction", largest_fraction_);
-  memory.vector("on_block", on_block_), memory.vector("on_base", on_base_);
-  memory.number("held_at_start", held_at_start_), memory.number("began", began_);
+void CellRun::serialize(Archive& archive) {
+  using talus::serialize;
+  archive.scope("discs", [&] { serialize(archive, discs_); });
+  archive.scope("system", [&] { std::visit([&](auto& system) { system.serialize(archive, discs_); }, system_); });
+  archive.scope("method", [&] { std::visit([&](auto& method) { method.serialize(archive, discs_); }, method_); });
+  archive.count("steps", steps_), archive.count("jumped", jumped_);
+  archive.number("waiting", waiting_);
+  archive.number("profile_waiting", profile_waiting_), archive.count("profile_samples", profile_samples_);
+  archive.numbers("walls", walls_);
+  archive.scope("means", [&] { means_.serialize(archive); });
+  archive.scope("intervals", [&] { intervals_.serialize(archive); });
+  archive.scope("profile", [&] { profile_.serialize(archive); });
+  archive.number("largest_overlap", largest_overlap_), archive.number("largest_fraction", largest_fraction_);
+  archive.vector("on_block", on_block_), archive.vector("on_base", on_base_);
+  archive.number("held_at_start", held_at_start_), archive.number("began", began_);
 }
 
 }  // namespace talus

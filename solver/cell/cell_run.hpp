@@ -67,7 +67,7 @@ class CellRun {
   /// Share of the work that a step of a leapfrog that is short enough leaves unaccounted for at most.
   static constexpr double most_unaccounted = 0.01;
 
-  /// Errors: InputError for the first of the objections.
+  /// Errors: InputError for the first of the validation_errors.
   CellRun(const ShearCell& cell, const CellPlan& plan);
   /// The same from discs that are there already.
   CellRun(const ShearCell& cell, const CellPlan& plan, FilledCell start);
@@ -145,7 +145,7 @@ class CellRun {
   Vec2 impulse_on_base() const { return on_base_; }
 
   /// Names all that goes from one step to the next.
-  void remember(Memory& memory);
+  void serialize(Archive& archive);
 
  private:
   static constexpr std::size_t quantities = static_cast<std::size_t>(CellQuantity::count);
@@ -159,7 +159,7 @@ class CellRun {
   long steps_ahead() const;
   void take_steps(long steps);
   /// Forces on the block and the base; height of one over the other [L].
-  void book_walls(double time, Vec2 block, Vec2 base, double height);
+  void add_walls(double time, Vec2 block, Vec2 base, double height);
   void sample(bool flown);
   void look_across(double time);
   long loops_ended(long steps) const;

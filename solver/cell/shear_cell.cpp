@@ -18,7 +18,7 @@
 namespace talus {
 namespace {
 
-using Objections = std::vector<CellObjection>;
+using Objections = std::vector<CellError>;
 
 void object(Objections& found, std::string_view field, double value, std::string_view allowed) {
   found.push_back({std::string{field}, fmt::format("found {}; it must be {}", value, allowed)});
@@ -76,7 +76,7 @@ const LatchingSpring* ShearCell::law_of_1989() const {
 }
 double ShearCell::density() const { return mass / (0.25 * std::numbers::pi * diameter * diameter * diameter); }
 
-std::vector<CellObjection> objections(const ShearCell& cell) {
+std::vector<CellError> validation_errors(const ShearCell& cell) {
   Objections found;
   const auto demand = [&](bool holds, std::string_view field, double value, std::string_view allowed) {
     if (!holds) object(found, field, value, allowed);
@@ -132,7 +132,7 @@ ShearCell ice_cell(double overburden, double speed, std::uint64_t seed) {
 }
 
 FilledCell fill(const ShearCell& cell) {
-  if (const auto found = objections(cell); !found.empty())
+  if (const auto found = validation_errors(cell); !found.empty())
     throw InputError{fmt::format("{}: {}", found.front().field, found.front().words)};
   FilledCell filled{.shapes = {}, .discs = {}, .box = {.width = cell.width()}};
   const double radius = 0.5 * cell.diameter, left = -0.5 * cell.width();

@@ -69,12 +69,12 @@ struct ShearCell {
 };
 
 /// What is wrong with a field, as a message goes on after its name: "found 3; it must be ...".
-struct CellObjection {
+struct CellError {
   std::string field;  ///< name among fields() and counts(), or of the law's
   std::string words;
 };
 /// All that keeps a cell from being filled.
-[[nodiscard]] std::vector<CellObjection> objections(const ShearCell& cell);
+[[nodiscard]] std::vector<CellError> validation_errors(const ShearCell& cell);
 
 /// Talus's own choice of a cell in SI units, for the thesis's numbers are not known: 80 discs of ice of a millimetre,
 /// e = .7, 8 rows of 10 between walls of 11, the block driven at `speed` diameters a second under `overburden` [Pa].

@@ -49,7 +49,7 @@ double option_time(const std::string& option, const std::string& text, const Run
 
 namespace {
 
-reports::Workplace workplace() {
+reports::ToolPaths workplace() {
   return {reports::find_resources(), std::max(1U, std::thread::hardware_concurrency())};
 }
 

@@ -43,14 +43,14 @@ const FenceCode* code_of(std::string_view word) {
 }
 
 /// Accounts of the whole scene; what they hold is no element's.
-bool of_scene(const KeptColumn& column) {
+bool of_scene(const SavedColumn& column) {
   const std::string subject = column.subject();
   return subject == "energy" || subject == "lost" || subject == "closure";
 }
 
 /// Whether a column holds the quantity of some element. The histories of all scenes say angle and spin for what those
 /// of 1993 call theta and omega.
-bool holds(const KeptColumn& column, const std::string& quantity) {
+bool holds(const SavedColumn& column, const std::string& quantity) {
   if (column.subject().empty() || of_scene(column)) return false;
   const std::string own = column.quantity();
   return own == quantity || (own == "angle" && quantity == "theta") || (own == "spin" && quantity == "omega");
@@ -61,7 +61,7 @@ std::string shown_subject(const std::string& subject) {
   return numbered ? fmt::format("{} {}", element_prefix, subject.substr(element_prefix.size())) : subject;
 }
 
-ChosenColumn chosen(const KeptColumn& column) {
+ChosenColumn chosen(const SavedColumn& column) {
   const FenceCode* const code = code_of(column.quantity());
   const bool titled = code != nullptr && column.subject().rfind(element_prefix, 0) == 0;
   return {titled ? lower(code->title) : column.quantity(), shown_subject(column.subject()), column.unit, column.values};
@@ -73,18 +73,18 @@ void add_new(Texts& texts, const std::string& text) {
 }
 
 /// Each quantity that was kept, once; those of no subject of their own (energies) as whole columns.
-std::vector<std::string> kept_quantities(const KeptRun& run) {
+std::vector<std::string> kept_quantities(const SavedRun& run) {
   std::vector<std::string> names;
   for (const KeptHistory& history : run.histories) {
     for (std::size_t i = 1; i < history.columns.size(); ++i) {
-      const KeptColumn& column = history.columns[i];
+      const SavedColumn& column = history.columns[i];
       add_new(names, of_scene(column) ? column.name : column.quantity());
     }
   }
   return names;
 }
 
-InputError not_kept(const KeptRun& run, const std::string& word, const FenceCode* code) {
+InputError not_kept(const SavedRun& run, const std::string& word, const FenceCode* code) {
   const std::string folder = run.run.folder.string();
   const std::vector<std::string> kept = kept_quantities(run);
   if (code == nullptr) return InputError{fmt::format("{}: {}", folder, unknown_name("history", word, kept).what())};
@@ -93,18 +93,18 @@ InputError not_kept(const KeptRun& run, const std::string& word, const FenceCode
       folder, code->number, code->title, code->name, nearest_name(code->name, kept), fmt::join(kept, ", "))};
 }
 
-using Found = std::pair<const KeptHistory*, std::vector<const KeptColumn*>>;
+using Found = std::pair<const KeptHistory*, std::vector<const SavedColumn*>>;
 
 /// The columns of a history, from the first file that holds any.
-Found columns_of(const KeptRun& run, const std::string& word) {
+Found columns_of(const SavedRun& run, const std::string& word) {
   const FenceCode* const code = code_of(word);
   if (code != nullptr && !code->refusal.empty()) {
     throw InputError{fmt::format("--history: {} ({}) has no history: {}", code->number, code->title, code->refusal)};
   }
   const std::string quantity = code != nullptr ? std::string{code->name} : word;
   for (const KeptHistory& history : run.histories) {
-    std::vector<const KeptColumn*> found;
-    for (const KeptColumn& column : history.columns) {
+    std::vector<const SavedColumn*> found;
+    for (const SavedColumn& column : history.columns) {
       if (column.name == quantity || holds(column, quantity)) found.push_back(&column);
     }
     if (!found.empty()) return {&history, found};
@@ -113,11 +113,11 @@ Found columns_of(const KeptRun& run, const std::string& word) {
 }
 
 /// Those of the elements that are asked for, in the order of asking.
-std::vector<const KeptColumn*> of_elements(const KeptRun& run, const Found& found, const HistoryWish& wish) {
-  std::vector<const KeptColumn*> kept;
-  for (const std::string& element : wish.elements) {
+std::vector<const SavedColumn*> of_elements(const SavedRun& run, const Found& found, const CurveQuery& query) {
+  std::vector<const SavedColumn*> kept;
+  for (const std::string& element : query.elements) {
     const std::vector<std::string> subjects = subjects_of(run, element);
-    const auto fits = [&](const KeptColumn* column) {
+    const auto fits = [&](const SavedColumn* column) {
       return std::find(subjects.begin(), subjects.end(), column->subject()) != subjects.end();
     };
     const auto place = std::find_if(found.second.begin(), found.second.end(), fits);
@@ -126,24 +126,24 @@ std::vector<const KeptColumn*> of_elements(const KeptRun& run, const Found& foun
       continue;
     }
     std::vector<std::string> known;
-    for (const KeptColumn* column : found.second)
+    for (const SavedColumn* column : found.second)
       if (!column->subject().empty()) known.push_back(shown_subject(column->subject()));
     if (known.empty()) {
       throw InputError{fmt::format("{}: history '{}' is of the whole, and of no element: found --element {}",
-                                   found.first->file.string(), wish.history, element)};
+                                   found.first->file.string(), query.history, element)};
     }
     throw InputError{fmt::format("{}: history '{}' was kept of no element '{}'; nearest: {}; kept of: {}",
-                                 found.first->file.string(), wish.history, element, nearest_name(element, known),
+                                 found.first->file.string(), query.history, element, nearest_name(element, known),
                                  fmt::join(known, ", "))};
   }
-  return wish.elements.empty() ? found.second : kept;
+  return query.elements.empty() ? found.second : kept;
 }
 
-const KeptColumn& abscissa(const KeptHistory& history, const KeptColumn& y, const std::string& word) {
+const SavedColumn& abscissa(const KeptHistory& history, const SavedColumn& y, const std::string& word) {
   const FenceCode* const code = code_of(word);
   const std::string quantity = code != nullptr ? std::string{code->name} : word;
   std::vector<std::string> known;
-  for (const KeptColumn& column : history.columns) {
+  for (const SavedColumn& column : history.columns) {
     if (column.name == word || (column.subject() == y.subject() && holds(column, quantity))) return column;
     if (column.subject() == y.subject() || column.subject().empty()) add_new(known, column.quantity());
   }
@@ -159,7 +159,7 @@ struct MenuEntry {
 std::vector<MenuEntry> menu_entries(const KeptHistory& history) {
   std::vector<MenuEntry> entries;
   for (std::size_t i = 1; i < history.columns.size(); ++i) {
-    const KeptColumn& column = history.columns[i];
+    const SavedColumn& column = history.columns[i];
     const std::string shown = of_scene(column) ? column.name : column.quantity();
     auto place =
         std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.quantity == shown; });
@@ -171,14 +171,14 @@ std::vector<MenuEntry> menu_entries(const KeptHistory& history) {
 
 }  // namespace
 
-KeptRun read_kept_run(const std::string& folder) {
-  KeptRun run{read_run_folder(folder), {}};
+SavedRun read_saved_run(const std::string& folder) {
+  SavedRun run{read_run_folder(folder), {}};
   for (const std::string& file : run.run.files.histories)
     run.histories.push_back(read_history(run.run.folder / file));
   return run;
 }
 
-std::vector<std::string> subjects_of(const KeptRun& run, const std::string& element) {
+std::vector<std::string> subjects_of(const SavedRun& run, const std::string& element) {
   const std::optional<int> number = whole_number(element);
   if (!number) return {element};
   std::vector<std::string> names{fmt::format("{}{}", element_prefix, *number)};
@@ -188,15 +188,15 @@ std::vector<std::string> subjects_of(const KeptRun& run, const std::string& elem
   return names;
 }
 
-std::vector<ChosenCurve> chosen_curves(const KeptRun& run, const HistoryWish& wish) {
-  const Found found = columns_of(run, wish.history);
-  std::vector<ChosenCurve> curves;
-  for (const KeptColumn* column : of_elements(run, found, wish))
-    curves.push_back({chosen(abscissa(*found.first, *column, wish.abscissa)), chosen(*column)});
+std::vector<SelectedCurve> selected_curves(const SavedRun& run, const CurveQuery& query) {
+  const Found found = columns_of(run, query.history);
+  std::vector<SelectedCurve> curves;
+  for (const SavedColumn* column : of_elements(run, found, query))
+    curves.push_back({chosen(abscissa(*found.first, *column, query.abscissa)), chosen(*column)});
   return curves;
 }
 
-std::string menu(const KeptRun& run) {
+std::string menu(const SavedRun& run) {
   std::string text;
   for (const KeptHistory& history : run.histories) {
     text += fmt::format("{}\n", history.file.string());

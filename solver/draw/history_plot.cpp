@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// One curve and the run that it is of.
 struct RunCurve {
   std::string run;
-  ChosenCurve curve;
+  SelectedCurve curve;
 };
 
 /// Curves that are drawn over each other.
@@ -45,7 +45,7 @@ std::vector<std::string> run_names(const std::vector<std::string>& folders) {
 }
 
 /// The curve up to a time.
-void cut(ChosenCurve& curve, const std::vector<double>& times, double until) {
+void cut(SelectedCurve& curve, const std::vector<double>& times, double until) {
   const auto rows = static_cast<std::size_t>(
       std::count_if(times.begin(), times.end(), [until](double time) { return time <= until; }));
   curve.x.values.resize(rows);
@@ -56,12 +56,12 @@ std::vector<CurvePanel> panels_of(const HistoryPlotOptions& options) {
   const std::vector<std::string> names = run_names(options.folders);
   std::vector<CurvePanel> panels;
   for (std::size_t i = 0; i < options.folders.size(); ++i) {
-    const KeptRun run = read_kept_run(options.folders[i]);
+    const SavedRun run = read_saved_run(options.folders[i]);
     for (const std::string& history : options.histories) {
-      for (ChosenCurve& curve : chosen_curves(run, {history, options.elements, options.abscissa})) {
+      for (SelectedCurve& curve : selected_curves(run, {history, options.elements, options.abscissa})) {
         if (!options.until.empty()) {
           const double until = option_time("--until", options.until, run.run, false);
-          cut(curve, chosen_curves(run, {history, options.elements, "time"}).front().x.values, until);
+          cut(curve, selected_curves(run, {history, options.elements, "time"}).front().x.values, until);
           if (curve.x.values.size() < 2) {
             throw InputError{fmt::format("--until: found \"{}\"; {} has fewer than two records up to then",
                                          options.until, options.folders[i])};
@@ -151,7 +151,7 @@ void demand_one_unit(const CurvePanel& panel) {
 /// Takes the values of the panel's curves.
 records::Figure figure(CurvePanel& panel, const HistoryPlotOptions& options, std::size_t place, bool alone) {
   demand_one_unit(panel);
-  const ChosenCurve& first = panel.curves.front().curve;
+  const SelectedCurve& first = panel.curves.front().curve;
   const std::string common = shared(panel.curves, words);
   const bool of_time = options.abscissa == "time";
   const std::string x_words = of_time || first.x.subject.empty() ? first.x.words
@@ -212,7 +212,7 @@ DrawingRequest history_drawing(const HistoryPlotOptions& options) {
 
 int list_histories(const std::vector<std::string>& folders) {
   for (const std::string& folder : folders)
-    fmt::print("{}", menu(read_kept_run(folder)));
+    fmt::print("{}", menu(read_saved_run(folder)));
   return ok;
 }
 

@@ -106,7 +106,7 @@ Json thinned(const std::vector<double>& values) {
   return list;
 }
 
-double reach(const KeptColumn& column) {
+double reach(const SavedColumn& column) {
   double largest = 0.0;
   for (const double value : column.values)
     largest = std::max(largest, std::abs(value));
@@ -118,11 +118,11 @@ template <class Belongs>
 Json chart(const std::string& title, const KeptHistory& history, Belongs belongs) {
   constexpr double rounding = 1e-12;
   double largest = 0.0;
-  for (const KeptColumn& column : history.columns)
+  for (const SavedColumn& column : history.columns)
     if (belongs(column)) largest = std::max(largest, reach(column));
   Json series = Json::array();
   std::string unit;
-  for (const KeptColumn& column : history.columns) {
+  for (const SavedColumn& column : history.columns) {
     if (!belongs(column) || reach(column) <= rounding * largest) continue;
     unit = column.unit;
     series.push_back({{"name", column.name}, {"values", thinned(column.values)}});
@@ -135,16 +135,16 @@ Json chart(const std::string& title, const KeptHistory& history, Belongs belongs
 /// The curves of a run: energies and forces of bodies, stresses and shares of a cell.
 Json charts(const KeptHistory& history) {
   const auto of = [](std::initializer_list<std::string_view> names) {
-    return [names = std::vector<std::string_view>{names}](const KeptColumn& column) {
+    return [names = std::vector<std::string_view>{names}](const SavedColumn& column) {
       return std::find(names.begin(), names.end(), column.name) != names.end();
     };
   };
   Json made = Json::array();
   for (Json each :
        {chart("Energies", history,
-              [](const KeptColumn& column) { return column.subject() == "energy" || column.subject() == "lost"; }),
-        chart("Cable tensions", history, [](const KeptColumn& column) { return column.quantity() == "tension"; }),
-        chart("Contact forces", history, [](const KeptColumn& column) { return column.quantity() == "force"; }),
+              [](const SavedColumn& column) { return column.subject() == "energy" || column.subject() == "lost"; }),
+        chart("Cable tensions", history, [](const SavedColumn& column) { return column.quantity() == "tension"; }),
+        chart("Contact forces", history, [](const SavedColumn& column) { return column.quantity() == "force"; }),
         chart("Stresses on the walls", history, of({"top_shear", "top_normal", "bottom_shear", "bottom_normal"})),
         chart("Stress ratio and shares", history, of({"stress_ratio", "solid_fraction", "touching", "multiple_share"})),
         chart("Depth of the field", history, of({"depth"}))}) {
@@ -158,7 +158,7 @@ Json window_json(const Window& window) {
 }
 
 /// What pages of all runs have in common.
-Json page_json(const KeptRun& histories, const Window& side) {
+Json page_json(const SavedRun& histories, const Window& side) {
   const RunFolder& run = histories.run;
   return {{"title", run.title},
           {"units",
@@ -194,7 +194,7 @@ Json disc_frame_json(const DiscFrame& frame, double quantum, double speed, doubl
 
 }  // namespace
 
-std::string player_json(const DrawnGeometry& geometry, const KeptRun& histories, const Window& side,
+std::string player_json(const DrawnGeometry& geometry, const SavedRun& histories, const Window& side,
                         const Window& along) {
   Json bodies = Json::array();
   const std::vector<HangerBar> bars = hangers(geometry.frames.front());
@@ -214,7 +214,7 @@ std::string player_json(const DrawnGeometry& geometry, const KeptRun& histories,
   return page.dump();
 }
 
-std::string player_json(const DrawnDiscs& drawn, const KeptRun& histories, const Window& side, const Window&) {
+std::string player_json(const DrawnDiscs& drawn, const SavedRun& histories, const Window& side, const Window&) {
   const double quantum = drawn.largest_radius / 500.0;
   const double speed = largest_value(drawn, DiscColour::speed);
   Json radii = Json::array(), walls = Json::array();

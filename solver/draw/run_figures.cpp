@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 std::string subject_of(const records::Series& series) { return series.label.substr(0, series.label.rfind('.')); }
 
 /// Leaves the curves of the elements. Errors: InputError for one that has none in any figure.
-void keep_elements(std::vector<records::Figure>& figures, const KeptRun& run,
+void keep_elements(std::vector<records::Figure>& figures, const SavedRun& run,
                    const std::vector<std::string>& elements) {
   std::set<std::string> wanted;
   std::vector<std::string> known;
@@ -72,7 +72,7 @@ std::vector<records::Figure> figures_of(const fs::path& file) {
 
 DrawingRequest run_drawing(const RunFigureOptions& options) {
   std::vector<records::Figure> figures = figures_of(options.folder / "plot.json");
-  if (!options.elements.empty()) keep_elements(figures, read_kept_run(options.folder.string()), options.elements);
+  if (!options.elements.empty()) keep_elements(figures, read_saved_run(options.folder.string()), options.elements);
   try {
     records::read_points(figures, options.folder);
   } catch (const records::RecordError& error) {

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
-#include "solver/dynamics/runs.hpp"
+#include "solver/dynamics/spans.hpp"
 
 namespace talus {
 namespace {
 
 /// Books a force [F] from outside that acts at world point p of each of several identical bodies, and a moment [F L]
 /// beside it.
-void book(Rates& out, double copies, Vec2 p, Vec2 force, double moment) {
-  out.impulse[0] += copies * force.x;
-  out.impulse[1] += copies * force.y;
-  out.impulse[2] += copies * (cross(p, force) + moment);
+void accumulate(Rates& out, double multiplicity, Vec2 p, Vec2 force, double moment) {
+  out.impulse[0] += multiplicity * force.x;
+  out.impulse[1] += multiplicity * force.y;
+  out.impulse[2] += multiplicity * (cross(p, force) + moment);
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ BodyForces::BodyForces(const Model& model, const Layout& layout) : gravity_{mode
                             rotation(body.angle),
                             pin(body),
                             -body.p_BPin,
-                            static_cast<double>(body.copies),
+                            static_cast<double>(body.multiplicity),
                             has_x(body.mobility)};
     array(body.mobility).push_back(compiled);
   }
@@ -86,20 +86,20 @@ void BodyForces::place_fixed(Workspace& work) const {
     work.poses.set(body.body, {body.p_WB, body.R_WB, {}, 0.0});
 }
 
-void BodyForces::list_awake(Waking& waking) const {
-  waking.bodies.clear();
+void BodyForces::list_awake(ActiveSet& active) const {
+  active.bodies.clear();
   for (std::size_t i = 0; i < free_.size(); ++i) {
-    if (waking.awake[free_[i].body]) append(waking.bodies, run_of(i));
+    if (active.awake[free_[i].body]) append(active.bodies, run_of(i));
   }
 }
 
 void BodyForces::place_velocities(const State& state, Workspace& work) const {
-  for (const BodyRun& run : worked_out(work))
+  for (const BodySpan& run : worked_out(work))
     talus::place_velocities(run, &state.v[free_[run.place].first], work.poses);
 }
 
 void BodyForces::place(const State& state, Workspace& work) const {
-  for (const BodyRun& run : worked_out(work))
+  for (const BodySpan& run : worked_out(work))
     place_bodies(run, &state.q[free_[run.place].first], work.poses);
   if (only_free_) return;
   for (const Compiled& body : particles_) {
@@ -130,15 +130,15 @@ void BodyForces::place(const State& state, Workspace& work) const {
 
 void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
   // Behind the last that is awake what was zero stays so.
-  const std::size_t moving = work.waking.moving;
-  if (work.waking.any_asleep) std::fill_n(out.v.begin(), std::min(std::max(out.moving, moving), out.v.size()), 0.0);
+  const std::size_t moving = work.active.moving;
+  if (work.active.any_asleep) std::fill_n(out.v.begin(), std::min(std::max(out.moving, moving), out.v.size()), 0.0);
   out.moving = moving;
-  for (const BodyRun& run : work.waking.bodies) {
+  for (const BodySpan& run : work.active.bodies) {
     accelerate_bodies(run, constants_, work.wrenches, &out.v[free_[run.place].first]);
   }
   if (ledger) {
     for (const Compiled& body : free_)
-      book(out, body.copies, work.poses[body.body].p_WB, body.load, body.moment);
+      accumulate(out, body.multiplicity, work.poses[body.body].p_WB, body.load, body.moment);
   } else if (only_free_) {
     return;
   }
@@ -148,7 +148,7 @@ void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
     out.v[body.first] = body.inverse_mass * force.x;
     out.v[body.first + 1] = body.inverse_mass * force.y;
     // What keeps a particle from turning takes all moments on it, the applied one included.
-    if (ledger) book(out, body.copies, work.poses[body.body].p_WB, body.load, -wrench.moment);
+    if (ledger) accumulate(out, body.multiplicity, work.poses[body.body].p_WB, body.load, -wrench.moment);
   }
   for (const Compiled& body : pinned_)
     pinned_rates(body, work, out, ledger);
@@ -159,7 +159,7 @@ void BodyForces::rates(Workspace& work, Rates& out, bool ledger) const {
   if (!ledger) return;
   for (const Compiled& body : fixed_) {
     const Wrench wrench = work.wrenches[body.body];
-    book(out, body.copies, body.p_WB, -wrench.force, -wrench.moment);
+    accumulate(out, body.multiplicity, body.p_WB, -wrench.force, -wrench.moment);
   }
 }
 
@@ -174,8 +174,8 @@ void BodyForces::pinned_rates(const Compiled& body, const Workspace& work, Rates
   out.v[body.first] = alpha;
   if (!ledger) return;
   const Vec2 acceleration = cross(alpha, r) - (pose.w_WB * pose.w_WB) * r;
-  book(out, body.copies, pose.p_WB, body.load, body.moment);
-  book(out, body.copies, body.p_WPin, body.mass * acceleration - force, 0.0);
+  accumulate(out, body.multiplicity, pose.p_WB, body.load, body.moment);
+  accumulate(out, body.multiplicity, body.p_WPin, body.mass * acceleration - force, 0.0);
 }
 
 /// Along the guide m a = F; the guide takes the rest of the force and all moments.
@@ -185,7 +185,7 @@ void BodyForces::sliding_rates(const Compiled& body, const Workspace& work, Rate
   out.v[body.first] = body.inverse_mass * (body.along_x ? force.x : force.y);
   if (!ledger) return;
   const Vec2 reaction = body.along_x ? Vec2{0.0, -force.y} : Vec2{-force.x, 0.0};
-  book(out, body.copies, work.poses[body.body].p_WB, body.load + reaction, -wrench.moment);
+  accumulate(out, body.multiplicity, work.poses[body.body].p_WB, body.load + reaction, -wrench.moment);
 }
 
 /// Along the guide m a = F. Across it the centre of mass is at r(theta) from the pin; with c = r . n for the unit n
@@ -207,17 +207,17 @@ void BodyForces::guided_rates(const Compiled& body, const Workspace& work, Rates
   out.v[body.first + 1] = alpha;
   if (!ledger) return;
   const double reaction = body.mass * (g * alpha - c * square) - across;
-  book(out, body.copies, pose.p_WB, body.load, body.moment);
-  book(out, body.copies, pose.p_WB - r, body.along_x ? Vec2{0.0, reaction} : Vec2{reaction, 0.0}, 0.0);
+  accumulate(out, body.multiplicity, pose.p_WB, body.load, body.moment);
+  accumulate(out, body.multiplicity, pose.p_WB - r, body.along_x ? Vec2{0.0, reaction} : Vec2{reaction, 0.0}, 0.0);
 }
 
 void BodyForces::weigh(const Compiled& body, std::size_t angle) {
   weighed_.push_back({.body = body.body,
                       .angle = angle,
-                      .kinetic = 0.5 * body.copies * body.mass,
-                      .turning = 0.5 * body.copies * body.inertia,
-                      .weight = body.copies * body.mass,
-                      .copies = body.copies,
+                      .kinetic = 0.5 * body.multiplicity * body.mass,
+                      .turning = 0.5 * body.multiplicity * body.inertia,
+                      .weight = body.multiplicity * body.mass,
+                      .multiplicity = body.multiplicity,
                       .mass = body.mass,
                       .inertia = body.inertia,
                       .force = body.force,
@@ -238,7 +238,7 @@ Energies BodyForces::energies(const State& state, const Workspace& work) const {
     kinetic += body.kinetic * dot(v, v);
     if (body.inertia > 0.0) kinetic += body.turning * w * w;
     gravity -= body.weight * dot(gravity_, p);
-    applied -= body.copies * (dot(body.force, p - body.p_WB) + body.moment * turned);
+    applied -= body.multiplicity * (dot(body.force, p - body.p_WB) + body.moment * turned);
   }
   return {.kinetic = kinetic, .gravity = gravity, .applied = applied};
 }
@@ -251,7 +251,7 @@ Momenta BodyForces::momenta(const Workspace& work) const {
     const std::size_t i = body.body;
     const Vec2 p{poses.x[i], poses.y[i]}, v{poses.vx[i], poses.vy[i]};
     linear += body.weight * v;
-    angular += body.copies * (body.mass * cross(p, v) + body.inertia * poses.w[i]);
+    angular += body.multiplicity * (body.mass * cross(p, v) + body.inertia * poses.w[i]);
   }
   return {linear, angular};
 }

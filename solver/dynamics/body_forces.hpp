@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "solver/dynamics/energies.hpp"
-#include "solver/dynamics/runs.hpp"
+#include "solver/dynamics/spans.hpp"
 #include "solver/dynamics/workspace.hpp"
 #include "solver/model/layout.hpp"
 #include "solver/state/state.hpp"
@@ -19,7 +19,7 @@ class BodyForces {
   /// Poses of the bodies that cannot move: once, when the workspace is made.
   void place_fixed(Workspace& work) const;
   /// Lists the free bodies that are awake.
-  void list_awake(Waking& waking) const;
+  void list_awake(ActiveSet& active) const;
   /// Poses of all others, or of those that are awake, but for the velocities of free bodies.
   void place(const State& state, Workspace& work) const;
   /// The velocities of the free bodies that place() places.
@@ -50,7 +50,7 @@ class BodyForces {
     Rotation R_WB;             ///< the same
     Vec2 p_WPin;               ///< pin in the world [L]
     Vec2 p_PinB;               ///< from the pin to the centre of mass, body coordinates [L]
-    double copies{1.0};        ///< identical bodies that this one stands for
+    double multiplicity{1.0};  ///< identical bodies that this one stands for
     bool along_x{};            ///< of a sliding or guided body: whether its guide is x, else y
   };
 
@@ -58,10 +58,10 @@ class BodyForces {
   struct Weighed {
     std::size_t body{};
     std::size_t angle{};  ///< its coordinate; none for a body that does not turn
-    double kinetic{};     ///< copies m/2
-    double turning{};     ///< copies I/2
-    double weight{};      ///< copies m
-    double copies{};
+    double kinetic{};     ///< multiplicity * m/2
+    double turning{};     ///< multiplicity * I/2
+    double weight{};      ///< multiplicity * m
+    double multiplicity{};
     double mass{}, inertia{};
     Vec2 force;            ///< applied [F]
     double moment{};       ///< applied [F L]
@@ -76,15 +76,15 @@ class BodyForces {
   void guided_rates(const Compiled& body, const Workspace& work, Rates& out, bool ledger) const;
 
   std::vector<Compiled>& array(Mobility mobility);
-  const std::vector<BodyRun>& worked_out(const Workspace& work) const {
-    return work.waking.whole ? free_runs_ : work.waking.bodies;
+  const std::vector<BodySpan>& worked_out(const Workspace& work) const {
+    return work.active.complete ? free_runs_ : work.active.bodies;
   }
-  BodyRun run_of(std::size_t free) const { return {free, free_[free].body, 1}; }
+  BodySpan run_of(std::size_t free) const { return {free, free_[free].body, 1}; }
 
   Vec2 gravity_;
   std::vector<Compiled> free_;
   BodyConstants constants_;  ///< of the free ones
-  std::vector<BodyRun> free_runs_;
+  std::vector<BodySpan> free_runs_;
   std::vector<Compiled> particles_;
   std::vector<Compiled> pinned_;
   std::vector<Compiled> sliding_;

@@ -20,7 +20,7 @@ struct CableArray {
   std::vector<std::size_t> cable;  ///< place of each in Workspace::paths
   std::vector<L> laws;
   std::vector<Slot> slots;
-  std::vector<CableRun> runs;  ///< cables that follow each other in the model
+  std::vector<CableSpan> runs;  ///< cables that follow each other in the model
 };
 
 /// Where one cable's law stands: in the list of laws, and in its array.
@@ -46,17 +46,17 @@ void for_each_cable(const Laws& laws, Visit&& visit) {
 }
 
 /// Calls visit(array, run) for each run of cables that are listed as awake.
-template <class Laws, class Waking, class Visit>
-void for_each_run(const Laws& laws, Waking& waking, Visit&& visit) {
+template <class Laws, class ActiveSet, class Visit>
+void for_each_run(const Laws& laws, ActiveSet& active, Visit&& visit) {
   for_each_array(laws, [&](const auto& array, std::size_t law) {
-    for (auto& run : waking.cables[law])
+    for (auto& run : active.cables[law])
       visit(array, run);
   });
 }
 
 /// Calls visit(law, slot, cable) for each cable of a run.
 template <class Array, class Visit>
-void for_each_of(const Array& array, const CableRun& run, Visit&& visit) {
+void for_each_of(const Array& array, const CableSpan& run, Visit&& visit) {
   const auto* const laws = &array.laws[run.place];
   const Slot* const slots = &array.slots[run.place];
   for (std::size_t i = 0, count = run.count, cable = run.cable; i < count; ++i)
@@ -65,8 +65,8 @@ void for_each_of(const Array& array, const CableRun& run, Visit&& visit) {
 
 /// Computes the straight lines of a run.
 template <class L>
-[[gnu::noinline]] void make_lines(const CableArray<L>& array, const CableRun& run, const State& state,
-                                  CableLines& lines) {
+[[gnu::noinline]] void make_lines(const CableArray<L>& array, const CableSpan& run, const State& state,
+                                  CableLinearization& lines) {
   const Slot first = array.slots[run.place];
   std::copy_n(&state.mode[first.mode], run.count, &lines.mode[run.cable]);
   std::copy_n(state.z.data() + first.memory, L::memory_size * run.count, &lines.memory[run.cable]);
@@ -77,8 +77,8 @@ template <class L>
 
 /// The same if modes or memories are not those that they stand for: asked at each evaluation, and hardly ever so.
 template <class L>
-[[gnu::always_inline]] inline void keep_lines(const CableArray<L>& array, const CableRun& run, const State& state,
-                                              CableLines& lines) {
+[[gnu::always_inline]] inline void keep_lines(const CableArray<L>& array, const CableSpan& run, const State& state,
+                                              CableLinearization& lines) {
   const Slot first = array.slots[run.place];
   bool same = std::memcmp(&state.mode[first.mode], &lines.mode[run.cable], run.count * sizeof(Mode)) == 0;
   // A state without memory has no array of it.

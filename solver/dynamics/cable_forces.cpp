@@ -8,13 +8,13 @@
 
 #include "solver/base/error.hpp"
 #include "solver/dynamics/law_modes.hpp"
-#include "solver/dynamics/runs.hpp"
+#include "solver/dynamics/spans.hpp"
 
 namespace talus {
 namespace {
 
-double body_copies(const Model& model, const Joint& joint) {
-  return joint.on_body ? model.bodies[index(joint.body)].copies : 1.0;
+double multiplicity_of(const Model& model, const Joint& joint) {
+  return joint.on_body ? model.bodies[index(joint.body)].multiplicity : 1.0;
 }
 
 }  // namespace
@@ -34,11 +34,11 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
     const std::size_t a = joint(cable.a), b = joint(cable.b);
     const double across = joints_[b].along - joints_[a].along;
     ends_.push_back({a, b});
-    constants_.share_a.push_back(cable.copies / body_copies(model, joints_[a]));
-    constants_.share_b.push_back(cable.copies / body_copies(model, joints_[b]));
+    constants_.symmetry_weight_a.push_back(cable.multiplicity / multiplicity_of(model, joints_[a]));
+    constants_.symmetry_weight_b.push_back(cable.multiplicity / multiplicity_of(model, joints_[b]));
     constants_.across_squared.push_back(across * across);
     constants_.rest_length.push_back(cable.rest_length);
-    copies_.push_back(cable.copies);
+    multiplicities_.push_back(cable.multiplicity);
     std::visit(
         [&](const auto& law) {
           auto& array = std::get<CableArray<std::decay_t<decltype(law)>>>(laws_);
@@ -56,50 +56,50 @@ CableForces::CableForces(const Model& model, const Layout& layout) {
   }
   first_hanger_ = layout.first_hanger;
   for (const Hanger& hanger : model.hangers) {
-    Holder holder{joint({hanger.body, hanger.p}), hanger.strength, {}};
+    HangerJoint holder{joint({hanger.body, hanger.p}), hanger.strength, {}};
     for (std::size_t c = 0; c < ends_.size(); ++c) {
       if (ends_[c].a == holder.joint || ends_[c].b == holder.joint) holder.cables.push_back(c);
     }
-    holders_.push_back(std::move(holder));
+    hanger_joints_.push_back(std::move(holder));
   }
 }
 
-void CableForces::list_awake(Waking& waking, const Rigging& rigging) const {
+void CableForces::list_awake(ActiveSet& active, const HangerTopology& topology) const {
   std::vector<std::size_t> listed(joints_.size(), 0);  // how many cables end there
-  const auto moves = [&](std::size_t j) { return joints_[j].on_body && waking.awake[index(joints_[j].body)]; };
-  const auto sleeps = [&](std::size_t j) { return joints_[j].on_body && !waking.awake[index(joints_[j].body)]; };
-  waking.cables.resize(std::tuple_size_v<decltype(laws_)>);
-  waking.borders.clear();
+  const auto moves = [&](std::size_t j) { return joints_[j].on_body && active.awake[index(joints_[j].body)]; };
+  const auto sleeps = [&](std::size_t j) { return joints_[j].on_body && !active.awake[index(joints_[j].body)]; };
+  active.cables.resize(std::tuple_size_v<decltype(laws_)>);
+  active.borders.clear();
   for_each_array(laws_, [&](const auto& array, std::size_t law) {
-    waking.cables[law].clear();
+    active.cables[law].clear();
     for (std::size_t i = 0; i < array.laws.size(); ++i) {
       const auto [a, b] = ends_[array.cable[i]];
-      const bool chained = !rigging.broken.empty() && (rigging.broken[a] || rigging.broken[b]);
-      if (!waking.whole && !chained && !moves(a) && !moves(b)) continue;
-      append(waking.cables[law], {.place = i, .cable = array.cable[i], .a = a, .b = b, .count = 1});
-      if (sleeps(a) != sleeps(b)) waking.borders.push_back(array.cable[i]);
+      const bool chained = !topology.broken.empty() && (topology.broken[a] || topology.broken[b]);
+      if (!active.complete && !chained && !moves(a) && !moves(b)) continue;
+      append(active.cables[law], {.place = i, .cable = array.cable[i], .a = a, .b = b, .count = 1});
+      if (sleeps(a) != sleeps(b)) active.borders.push_back(array.cable[i]);
       ++listed[a], ++listed[b];
     }
   });
   std::vector<char> in_row(joints_.size(), 0);
-  waking.rows_only = true;
+  active.rows_only = true;
   std::size_t last = 0;
-  for (std::vector<CableRun>& runs : waking.cables) {
-    for (CableRun& run : runs) {
+  for (std::vector<CableSpan>& runs : active.cables) {
+    for (CableSpan& run : runs) {
       find_row(run, listed);
       if (run.row) std::fill_n(in_row.begin() + static_cast<std::ptrdiff_t>(run.a), run.count + 1, 1);
-      waking.rows_only = waking.rows_only && run.row && run.a >= last;
+      active.rows_only = active.rows_only && run.row && run.a >= last;
       last = run.a;
     }
   }
-  waking.joints.clear();
+  active.joints.clear();
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    if (listed[j] > 0) append(waking.joints, {j, index(joints_[j].body), 1, joints_[j].on_body, in_row[j] != 0});
+    if (listed[j] > 0) append(active.joints, {j, index(joints_[j].body), 1, joints_[j].on_body, in_row[j] != 0});
   }
 }
 
 /// Whether a run is a row, and where its joints on bodies are; `ends_at`: how many cables end at each joint.
-void CableForces::find_row(CableRun& run, const std::vector<std::size_t>& ends_at) const {
+void CableForces::find_row(CableSpan& run, const std::vector<std::size_t>& ends_at) const {
   if (run.b != run.a + 1 || ends_at[run.a] != 1 || ends_at[run.a + run.count] != 1) return;
   const Joint* const joints = &joints_[run.a];
   run.from = joints[0].on_body ? 0 : 1;
@@ -121,45 +121,46 @@ void CableForces::place_anchors(Workspace& work) const {
 }
 
 void CableForces::update(const State& state, Workspace& work) const {
-  for (const JointRun& run : work.waking.joints) {
+  for (const JointSpan& run : work.active.joints) {
     if (run.on_body && !run.in_row) place_joints(run, constants_.body_x, constants_.body_y, work.poses, work.joints);
   }
-  clear(work.pulls, work.waking.reached);
-  work.waking.quiet = work.waking.rows_only;
-  for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, CableRun& run) {
-    if (!run.row) return lay_paths(run, work);
+  clear(work.pulls, work.active.reached_bodies);
+  work.active.on_linear_branch = work.active.rows_only;
+  for_each_run(laws_, work.active, [&]<class L>(const CableArray<L>& array, CableSpan& run) {
+    if (!run.row) return evaluate_paths(run, work);
     if constexpr (HasLinearPiece<L>) keep_lines(array, run, state, work.lines);
-    run.quiet = lay_row(run, constants_, work.lines, work.poses, work.joints, work.paths, work.pulls);
-    work.waking.quiet = work.waking.quiet && run.quiet;
+    run.on_linear_branch = evaluate_chain(run, constants_, work.lines, work.poses, work.joints, work.paths, work.pulls);
+    work.active.on_linear_branch = work.active.on_linear_branch && run.on_linear_branch;
   });
-  if (work.rigging.chains.empty()) return;
+  if (work.topology.chains.empty()) return;
   // What goes on through broken hangers has other paths: then no run is quiet.
-  work.waking.quiet = false;
-  for_each_run(laws_, work.waking, [](const auto&, CableRun& run) { run.quiet = false; });
-  for (Chain& chain : work.rigging.chains)
+  work.active.on_linear_branch = false;
+  for_each_run(laws_, work.active, [](const auto&, CableSpan& run) { run.on_linear_branch = false; });
+  for (Chain& chain : work.topology.chains)
     straighten(chain, state, work);
 }
 
 bool CableForces::pull_rows(const State& state, Workspace& work) const {
-  Waking& waking = work.waking;
-  if (!waking.rows_only || waking.any_asleep || !holders_.empty()) return false;
-  clear(work.wrenches, waking.reached);
+  ActiveSet& active = work.active;
+  if (!active.rows_only || active.any_asleep || !hanger_joints_.empty()) return false;
+  clear(work.wrenches, active.reached_bodies);
   // All are awake, and so they are looked at in fewer pieces than they are pulled in.
   for_each_array(laws_, [&]<class L>(const CableArray<L>& array, std::size_t) {
     if constexpr (HasLinearPiece<L>) {
-      for (const CableRun& run : array.runs)
+      for (const CableSpan& run : array.runs)
         keep_lines(array, run, state, work.lines);
     }
   });
-  bool quiet = true;
-  for_each_run(laws_, waking, [&](const auto&, CableRun& run) {
-    quiet = pull_row(run, constants_, work.lines, work.poses, work.joints, work.wrenches) && quiet;
-    run.quiet = true;
+  bool on_linear_branch = true;
+  for_each_run(laws_, active, [&](const auto&, CableSpan& run) {
+    on_linear_branch =
+        chain_wrenches(run, constants_, work.lines, work.poses, work.joints, work.wrenches) && on_linear_branch;
+    run.on_linear_branch = true;
   });
-  return waking.quiet = quiet;
+  return active.on_linear_branch = on_linear_branch;
 }
 
-void CableForces::lay_paths(const CableRun& run, Workspace& work) const {
+void CableForces::evaluate_paths(const CableSpan& run, Workspace& work) const {
   for (std::size_t i = 0; i < run.count; ++i) {
     const std::size_t c = run.cable + i;
     const auto [a, b] = ends_[c];
@@ -168,11 +169,11 @@ void CableForces::lay_paths(const CableRun& run, Workspace& work) const {
   }
 }
 
-void CableForces::settle(State& state, const Workspace& work) const {
-  for_each_run(laws_, work.waking, [&](const auto& array, const CableRun& run) {
-    if (run.quiet) return;
+void CableForces::update_modes(State& state, const Workspace& work) const {
+  for_each_run(laws_, work.active, [&](const auto& array, const CableSpan& run) {
+    if (run.on_linear_branch) return;
     for_each_of(array, run, [&](const auto& law, Slot slot, std::size_t c) {
-      settle_mode(law, slot, kinematics(work, c), state, copies_[c]);
+      update_mode(law, slot, kinematics(work, c), state, multiplicities_[c]);
     });
   });
 }
@@ -182,12 +183,12 @@ void CableForces::load(const State& state, Workspace& work, Rates* out) const {
     TALUS_ASSERT(!out);  // accounts need the joints, which were left as they were
     return;
   }
-  if (work.waking.quiet) {
-    copy(work.pulls, work.waking.reached, work.wrenches);
+  if (work.active.on_linear_branch) {
+    copy(work.pulls, work.active.reached_bodies, work.wrenches);
   } else {
     sum_pulls(state, work, out);
-    clear(work.wrenches, work.waking.reached);
-    for (const JointRun& run : work.waking.joints) {
+    clear(work.wrenches, work.active.reached_bodies);
+    for (const JointSpan& run : work.active.joints) {
       if (run.on_body) load_bodies(run, work.joints, work.wrenches);
     }
   }
@@ -204,31 +205,31 @@ void CableForces::load(const State& state, Workspace& work, Rates* out) const {
 /// Tensions, law by law, and pulls at the joints of the cables that are in no row, or not quiet.
 void CableForces::sum_pulls(const State& state, Workspace& work, Rates* out) const {
   JointPoints& joints = work.joints;
-  for_each_run(laws_, work.waking, [&](const auto&, const CableRun& run) {
-    if (run.quiet) return;
+  for_each_run(laws_, work.active, [&](const auto&, const CableSpan& run) {
+    if (run.on_linear_branch) return;
     joints.clear_forces(run.a, run.row ? run.count + 1 : 1);
     if (!run.row) joints.clear_forces(run.b, run.count);
   });
-  for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, const CableRun& run) {
-    if (run.quiet) return;
+  for_each_run(laws_, work.active, [&]<class L>(const CableArray<L>& array, const CableSpan& run) {
+    if (run.on_linear_branch) return;
     for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
       const LawForce force = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]);
       work.paths.tension[c] = force.total();
       if (out)
         out->work[static_cast<std::size_t>(L::dissipation)] +=
-            copies_[c] * force.dissipative * work.paths.length_rate[c];
+            multiplicities_[c] * force.dissipative * work.paths.length_rate[c];
     });
     sum_pulls(run, work);
   });
-  for (const std::size_t j : work.rigging.loose)
+  for (const std::size_t j : work.topology.free_joints)
     joints.force_x[j] = joints.force_y[j] = 0.0;
 }
 
 /// Joint i of a chain takes the pull of cable i and of the one before it, in one sum.
-void CableForces::sum_pulls(const CableRun& run, Workspace& work) const {
+void CableForces::sum_pulls(const CableSpan& run, Workspace& work) const {
   const auto pull = [&](std::size_t i) { return work.paths.tension[run.cable + i] * work.paths.pull(run.cable + i); };
-  const auto end_a = [&](std::size_t i) { return constants_.share_a[run.cable + i] * pull(i); };
-  const auto end_b = [&](std::size_t i) { return constants_.share_b[run.cable + i] * pull(i); };
+  const auto end_a = [&](std::size_t i) { return constants_.symmetry_weight_a[run.cable + i] * pull(i); };
+  const auto end_b = [&](std::size_t i) { return constants_.symmetry_weight_b[run.cable + i] * pull(i); };
   work.joints.add_force(run.a, end_a(0));
   for (std::size_t i = 1; i < run.count; ++i)
     work.joints.add_force(run.a + i, end_a(i) - end_b(i - 1));
@@ -245,13 +246,13 @@ void CableForces::keep_rest(const State& state, const Workspace& work) {
 
 void CableForces::list_woken(const State& state, const Workspace& work, double share,
                              std::vector<BodyId>& woken) const {
-  for (const std::size_t c : work.waking.borders) {
+  for (const std::size_t c : work.active.borders) {
     visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
       const double tension = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
       const Vec2 change = tension * work.paths.pull(c) - rest_pulls_[c];
       if (std::max(std::abs(change.x), std::abs(change.y)) <= share * tension) return;
       const Joint& a = joints_[ends_[c].a];
-      const bool asleep = a.on_body && !work.waking.awake[index(a.body)];
+      const bool asleep = a.on_body && !work.active.awake[index(a.body)];
       woken.push_back((asleep ? a : joints_[ends_[c].b]).body);
     });
   }
@@ -267,23 +268,25 @@ bool CableForces::follows(const State& state) const {
 
 bool CableForces::none_ends(const Workspace& work, double ahead) const {
   TALUS_ASSERT(work.has_geometry());
-  if (!holders_.empty()) return false;
-  return size() == 0 ||
-         (work.waking.quiet && stay_straight(0, size(), constants_.rest_length, work.lines, work.paths, ahead));
+  if (!hanger_joints_.empty()) return false;
+  return size() == 0 || (work.active.on_linear_branch &&
+                         remains_linear(0, size(), constants_.rest_length, work.lines, work.paths, ahead));
 }
 
 bool CableForces::guards(const State& state, const Workspace& work, double ahead, std::span<double> out) const {
-  bool any = !holders_.empty();
-  for_each_run(laws_, work.waking, [&]<class L>(const CableArray<L>& array, const CableRun& run) {
-    if (run.quiet && stay_straight(run.cable, run.count, constants_.rest_length, work.lines, work.paths, ahead)) return;
+  bool any = !hanger_joints_.empty();
+  for_each_run(laws_, work.active, [&]<class L>(const CableArray<L>& array, const CableSpan& run) {
+    if (run.on_linear_branch &&
+        remains_linear(run.cable, run.count, constants_.rest_length, work.lines, work.paths, ahead))
+      return;
     any = true;
     for_each_of(array, run, [&](const L& law, Slot slot, std::size_t c) {
       out[slot.mode] = law.guard(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]);
     });
   });
-  for (std::size_t h = 0; h < holders_.size(); ++h) {
+  for (std::size_t h = 0; h < hanger_joints_.size(); ++h) {
     if (state.mode[first_hanger_ + h] == 0)
-      out[first_hanger_ + h] = holders_[h].strength - pull_on(holders_[h], state, work);
+      out[first_hanger_ + h] = hanger_joints_[h].strength - pull_on(hanger_joints_[h], state, work);
   }
   return any;
 }
@@ -291,29 +294,29 @@ bool CableForces::guards(const State& state, const Workspace& work, double ahead
 void CableForces::for_each_taut(const State& state, const Workspace& work,
                                 const std::function<void(const TautCable&)>& visit) const {
   const auto goes_past_a_hanger = [&](std::size_t c) {
-    return std::any_of(work.rigging.chains.begin(), work.rigging.chains.end(), [c](const Chain& chain) {
+    return std::any_of(work.topology.chains.begin(), work.topology.chains.end(), [c](const Chain& chain) {
       return std::find(chain.cables.begin(), chain.cables.end(), c) != chain.cables.end();
     });
   };
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
     const Mode mode = state.mode[slot.mode];
     if (mode == 0 || goes_past_a_hanger(c)) return;
-    visit({c, local_slopes(law, kinematics(work, c), memory(law, state, slot), mode), constants_.share_a[c],
-           constants_.share_b[c]});
+    visit({c, local_slopes(law, kinematics(work, c), memory(law, state, slot), mode), constants_.symmetry_weight_a[c],
+           constants_.symmetry_weight_b[c]});
   });
 }
 
 double CableForces::stored_energy(const State& state, const Workspace& work) const {
   double sum = 0.0;
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    sum += copies_[c] * law.stored_energy(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]);
+    sum += multiplicities_[c] * law.stored_energy(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]);
   });
   return sum;
 }
 
 void CableForces::tensions(const State& state, const Workspace& work, std::span<double> out) const {
   TALUS_ASSERT(work.has_geometry());
-  if (work.waking.quiet && work.waking.whole) {
+  if (work.active.on_linear_branch && work.active.complete) {
     // Of a slack cable the line gives -0.
     for (std::size_t c = 0; c < size(); ++c)
       out[c] = work.paths.tension[c] + 0.0;

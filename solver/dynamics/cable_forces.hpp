@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/dynamics/cable_arrays.hpp"
-#include "solver/dynamics/runs.hpp"
+#include "solver/dynamics/spans.hpp"
 #include "solver/dynamics/workspace.hpp"
 #include "solver/laws/law_list.hpp"
 #include "solver/model/layout.hpp"
@@ -41,11 +41,11 @@ class CableForces {
 
   /// Points of the world at which cables end: once, when the workspace is made.
   void place_anchors(Workspace& work) const;
-  /// Brings the rigging up to the state's broken hangers; whether it changed.
-  bool rig(const State& state, Rigging& rigging) const;
+  /// Brings the topology up to the state's broken hangers; whether it changed.
+  bool update_topology(const State& state, HangerTopology& topology) const;
   /// Lists the joints and cables to compute: all, or those of which an end is on a body that is awake or held, and
   /// those that go on through broken hangers.
-  void list_awake(Waking& waking, const Rigging& rigging) const;
+  void list_awake(ActiveSet& active, const HangerTopology& topology) const;
   /// For rates alone, after the poses: writes what the cables pull on bodies to their wrenches, without any path and
   /// whatever the velocities. False if that takes paths.
   bool pull_rows(const State& state, Workspace& work) const;
@@ -54,14 +54,14 @@ class CableForces {
   /// Hangers on which the cables pull with their strength or more, and of these the ones most overloaded.
   std::vector<HangerId> overloaded(const State& state, const Workspace& work) const;
   /// Whether a cable has broken in a chain that was laid straight with it.
-  bool chain_parted(const State& state, const Workspace& work) const;
+  bool any_chain_broken(const State& state, const Workspace& work) const;
   /// The bodies at both ends of the hanger's cables.
   std::vector<BodyId> joined_bodies(HangerId hanger) const;
-  void settle(State& state, const Workspace& work) const;
+  void update_modes(State& state, const Workspace& work) const;
   /// Sums the tensions at the joints: the wrenches of the bodies, of which they are the first part; with out,
   /// dissipated power and the anchors' impulse as well.
   void load(const State& state, Workspace& work, Rates* out) const;
-  /// Whether some memory is taken along by settle() alone: of cables that yield.
+  /// Whether some memory is taken along by update_modes() alone: of cables that yield.
   bool follows(const State& state) const;
   /// Whether all guards() are infinite, as far as that is quickly said.
   bool none_ends(const Workspace& work, double ahead) const;
@@ -70,9 +70,9 @@ class CableForces {
   /// A cable that pulls, and runs straight between its own joints.
   struct TautCable {
     std::size_t index{};
-    Tangent slopes;    ///< of its tension
-    double share_a{};  ///< force on the body at end A for each unit of tension
-    double share_b{};
+    Tangent slopes;              ///< of its tension
+    double symmetry_weight_a{};  ///< force on the body at end A for each unit of tension
+    double symmetry_weight_b{};
   };
   void for_each_taut(const State& state, const Workspace& work,
                      const std::function<void(const TautCable&)>& visit) const;
@@ -90,21 +90,21 @@ class CableForces {
 
  private:
   /// A hanger, compiled.
-  struct Holder {
+  struct HangerJoint {
     std::size_t joint{};
     double strength{};
     std::vector<std::size_t> cables;  ///< one or two that end at its joint
   };
 
   std::size_t joint(const CableEnd& end);
-  void find_row(CableRun& run, const std::vector<std::size_t>& ends_at) const;
-  void lay_paths(const CableRun& run, Workspace& work) const;
+  void find_row(CableSpan& run, const std::vector<std::size_t>& ends_at) const;
+  void evaluate_paths(const CableSpan& run, Workspace& work) const;
   void sum_pulls(const State& state, Workspace& work, Rates* out) const;
-  void sum_pulls(const CableRun& run, Workspace& work) const;
+  void sum_pulls(const CableSpan& run, Workspace& work) const;
   /// Sum of the pulls on a hanger [F].
-  double pull_on(const Holder& holder, const State& state, const Workspace& work) const;
-  Chain chain_from(std::size_t cable, const Rigging& rigging, std::vector<char>& used) const;
-  void extend(Chain& chain, const Rigging& rigging, std::vector<char>& used) const;
+  double pull_on(const HangerJoint& holder, const State& state, const Workspace& work) const;
+  Chain chain_from(std::size_t cable, const HangerTopology& topology, std::vector<char>& used) const;
+  void extend(Chain& chain, const HangerTopology& topology, std::vector<char>& used) const;
   void straighten(Chain& chain, const State& state, Workspace& work) const;
   Kinematics kinematics(const Workspace& work, std::size_t cable) const {
     return {elongation(work, cable), work.paths.length_rate[cable]};
@@ -114,9 +114,9 @@ class CableForces {
   std::vector<Joint> joints_;
   std::vector<Ends> ends_;
   CableConstants constants_;
-  std::vector<double> copies_;
+  std::vector<double> multiplicities_;
   std::vector<CablePlace> places_;
-  std::vector<Holder> holders_;
+  std::vector<HangerJoint> hanger_joints_;
   std::size_t first_hanger_{};    ///< mode slot of the first hanger
   std::vector<Vec2> rest_pulls_;  ///< tension times direction, of each cable at rest
   std::vector<Tangent> tangents_;

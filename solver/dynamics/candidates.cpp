@@ -18,7 +18,7 @@ Bounds box(const HalfPlane&) { return {0.0, 0.0, false, true}; }
 Bounds box(const Terrain&) { return {1e150, 1e150, true, false}; }
 
 /// Half extents of the box along the axes of a frame in which it stands at R.
-Vec2 extent(const Bounds& bounds, Rotation R) {
+Vec2 deformation(const Bounds& bounds, Rotation R) {
   if (bounds.round) return {bounds.half_width, bounds.half_height};
   const double c = std::abs(R.cosine), s = std::abs(R.sine);
   return {c * bounds.half_width + s * bounds.half_height, s * bounds.half_width + c * bounds.half_height};
@@ -27,13 +27,13 @@ Vec2 extent(const Bounds& bounds, Rotation R) {
 /// Whether box A lies beyond a side of box B, by more than a margin: the test of separating axes with B's axes.
 bool beyond(const Bounds& a, const Pose& A, const Bounds& b, const Pose& B, double margin) {
   const Placement seen = placement(A, B);
-  const Vec2 reach = extent(a, seen.R);
+  const Vec2 reach = deformation(a, seen.R);
   return std::abs(seen.p.x) > b.half_width + reach.x + margin || std::abs(seen.p.y) > b.half_height + reach.y + margin;
 }
 
 bool above(const Bounds& bounds, const Pose& body, const Pose& plane, double margin) {
   const Vec2 n = plane.R_WB * Vec2{0.0, 1.0};
-  const Vec2 reach = extent(bounds, body.R_WB);
+  const Vec2 reach = deformation(bounds, body.R_WB);
   return dot(body.p_WB - plane.p_WB, n) > std::abs(n.x) * reach.x + std::abs(n.y) * reach.y + margin;
 }
 
@@ -68,7 +68,7 @@ constexpr std::size_t most_swept = 4000;
 
 /// Range along x, by the skin and a little more wider than the box.
 Stretch stretch(const Bounds& bounds, const Pose& pose, double skin) {
-  const double reach = skin + extent(bounds, pose.R_WB).x * (1.0 + 1e-12) + 1e-12 * std::abs(pose.p_WB.x);
+  const double reach = skin + deformation(bounds, pose.R_WB).x * (1.0 + 1e-12) + 1e-12 * std::abs(pose.p_WB.x);
   return {pose.p_WB.x - reach, pose.p_WB.x + reach};
 }
 
@@ -100,19 +100,19 @@ void ContactSearch::prepare(std::size_t bodies) {
     double& largest = swept_[place[index(body)]].reach;
     largest = std::max(largest, 0.5 * reach);
   };
-  leeways_ = {Row{bodies}, Row{bodies, std::numeric_limits<double>::infinity()}, bodies, 0};
+  skin_limits_ = {Row{bodies}, Row{bodies, std::numeric_limits<double>::infinity()}, bodies, 0};
   const auto bind = [this](BodyId body, const Bounds& bounds) {
     const std::size_t i = index(body);
     // A disc that turns moves no point of its outline; ground does not move.
-    leeways_.radius[i] = bounds.round ? 0.0 : furthest(bounds);
-    leeways_.way[i] = endless(bounds) ? 0.0 : skin_share * least_half_width(bounds);
-    leeways_.first = std::min(leeways_.first, i), leeways_.last = std::max(leeways_.last, i + 1);
+    skin_limits_.radius[i] = bounds.round ? 0.0 : furthest(bounds);
+    skin_limits_.way[i] = is_unbounded(bounds) ? 0.0 : skin_share * least_half_width(bounds);
+    skin_limits_.first = std::min(skin_limits_.first, i), skin_limits_.last = std::max(skin_limits_.last, i + 1);
   };
   for (const Candidate& pair : pairs_)
     bind(pair.a, pair.bounds_a), bind(pair.b, pair.bounds_b);
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const Candidate& pair = pairs_[p];
-    if (endless(pair.bounds_a) || endless(pair.bounds_b)) {
+    if (is_unbounded(pair.bounds_a) || is_unbounded(pair.bounds_b)) {
       single_.push_back(p);
       continue;
     }
@@ -137,7 +137,7 @@ void ContactSearch::prepare(std::size_t bodies) {
 }
 
 bool ContactSearch::find(const Poses& poses, std::vector<char>& found, Sweep& sweep) const {
-  if (sweep.places.x.size() == 0 || have_moved(poses, sweep.places, leeways_)) list_close(poses, sweep);
+  if (sweep.places.x.size() == 0 || any_exceeded_skin(poses, sweep.places, skin_limits_)) list_close(poses, sweep);
   bool any = false;
   for (const std::size_t p : sweep.close) {
     const Candidate& pair = pairs_[p];
@@ -160,13 +160,13 @@ void ContactSearch::list_close(const Poses& poses, Sweep& sweep) const {
   const auto look = [&](std::size_t p) {
     const Candidate& pair = pairs_[p];
     const std::size_t a = index(pair.a), b = index(pair.b);
-    if (!out_of_reach(pair, poses[a], poses[b], leeways_.way[a] + leeways_.way[b])) sweep.close.push_back(p);
+    if (!out_of_reach(pair, poses[a], poses[b], skin_limits_.way[a] + skin_limits_.way[b])) sweep.close.push_back(p);
   };
   for (const std::size_t p : single_)
     look(p);
   for (std::size_t i = 0; i < swept_.size(); ++i) {
     const auto& [body, bounds, reach] = swept_[i];
-    sweep.stretches[i] = stretch(bounds, poses[index(body)], leeways_.way[index(body)] + reach);
+    sweep.stretches[i] = stretch(bounds, poses[index(body)], skin_limits_.way[index(body)] + reach);
   }
   sort(sweep.order, sweep.stretches);
   for (std::size_t i = 0; i < sweep.order.size(); ++i) {

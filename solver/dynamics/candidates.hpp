@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "solver/base/ids.hpp"
-#include "solver/dynamics/runs.hpp"
+#include "solver/dynamics/spans.hpp"
 #include "solver/geometry/shape.hpp"
 
 namespace talus {
@@ -23,16 +23,17 @@ struct Bounds {
 [[nodiscard]] Bounds bounds(const Shape& shape);
 
 /// Whether it is ground that goes on for ever.
-[[nodiscard]] inline bool endless(const Bounds& bounds) { return bounds.plane || bounds.half_width > 1e100; }
+[[nodiscard]] inline bool is_unbounded(const Bounds& bounds) { return bounds.plane || bounds.half_width > 1e100; }
 
 /// Half the least width [L]; infinite of ground.
 [[nodiscard]] inline double least_half_width(const Bounds& bounds) {
-  return endless(bounds) ? std::numeric_limits<double>::infinity() : std::min(bounds.half_width, bounds.half_height);
+  return is_unbounded(bounds) ? std::numeric_limits<double>::infinity()
+                              : std::min(bounds.half_width, bounds.half_height);
 }
 
 /// Distance of its furthest point from the centre of mass, or more [L]; of endless ground, which does not turn, zero.
 [[nodiscard]] inline double furthest(const Bounds& bounds) {
-  if (endless(bounds)) return 0.0;
+  if (is_unbounded(bounds)) return 0.0;
   return bounds.round ? bounds.half_width : bounds.half_width + bounds.half_height;
 }
 
@@ -68,17 +69,17 @@ struct Candidate {
 }
 
 /// How far one body can move past another in a step and still be seen [L].
-[[nodiscard]] inline double seen_way(const Candidate& pair) {
+[[nodiscard]] inline double tunnelling_distance(const Candidate& pair) {
   return 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b));
 }
 
 /// Whether two bodies, neither of them ground, that close by such a way [L] >= 0 neither act on nor pass each other
 /// unseen, by circles around them: a cheap test that holds for most pairs.
-[[nodiscard]] inline bool stay_apart(const Candidate& pair, const Poses& poses, double way) {
+[[nodiscard]] inline bool cannot_touch(const Candidate& pair, const Poses& poses, double way) {
   const std::size_t a = index(pair.a), b = index(pair.b);
   const double x = poses.x[b] - poses.x[a], y = poses.y[b] - poses.y[a];
   const double reach = furthest(pair.bounds_a) + furthest(pair.bounds_b) + pair.reach + way;
-  return way <= seen_way(pair) && x * x + y * y > reach * reach;
+  return way <= tunnelling_distance(pair) && x * x + y * y > reach * reach;
 }
 
 /// Where a swept body lies along x [L].
@@ -126,7 +127,7 @@ class ContactSearch {
                                      ///< of too many bodies
   std::vector<Swept> swept_;
   std::vector<std::size_t> swept_pairs_;  ///< of each two swept bodies, row by row; the number of pairs for none
-  Leeways leeways_;
+  SkinLimits skin_limits_;
 };
 
 }  // namespace talus

@@ -63,7 +63,7 @@ void Dynamics::affine_piece(const State& state, const Workspace& work, AffinePie
       double sign;
       double share;
     };
-    const Side sides[] = {{contact.a, 1.0, contact.share_a}, {contact.b, -1.0, contact.share_b}};
+    const Side sides[] = {{contact.a, 1.0, contact.symmetry_weight_a}, {contact.b, -1.0, contact.symmetry_weight_b}};
     const auto along = [&](std::size_t i) {
       const Axis axis = layout_.coordinates[i].axis;
       return axis == Axis::x ? contact.n_AB.x : axis == Axis::y ? contact.n_AB.y : 0.0;

@@ -23,9 +23,10 @@ struct ContactGroup {
   BodyId b{};
   std::size_t first{};  ///< its instances in the array ...
   std::size_t last{};   ///< ... end before this one
-  double share_a{1.0};  ///< force on A for each unit of the law's force: above 1 when a contact that stands for several
-  double share_b{1.0};  ///< acts on a body that stands for itself alone
-  double copies{1.0};   ///< identical contacts that this one stands for
+  double symmetry_weight_a{
+      1.0};  ///< force on A for each unit of the law's force: above 1 when a contact that stands for several
+  double symmetry_weight_b{1.0};              ///< acts on a body that stands for itself alone
+  double multiplicity{1.0};                   ///< identical contacts that this one stands for
   std::optional<CoulombFriction> friction{};  ///< none: nothing tangential is computed
   Slot first_friction{};                      ///< of its instance `first`; those of the others follow
 };
@@ -112,15 +113,15 @@ class ContactCompiler {
   }
 
   ContactGroup group(BodyId a, BodyId b, std::size_t first) const {
-    const double copies = contact_->copies;
+    const double multiplicity = contact_->multiplicity;
     return {candidate_,
             a,
             b,
             first,
             first,
-            copies / model_.bodies[index(a)].copies,
-            copies / model_.bodies[index(b)].copies,
-            copies,
+            multiplicity / model_.bodies[index(a)].multiplicity,
+            multiplicity / model_.bodies[index(b)].multiplicity,
+            multiplicity,
             contact_->friction,
             next_friction_};
   }

@@ -121,27 +121,28 @@ void start_spring(State& state, const Workspace& work, const Slider& slider) {
   const double rate = work.rates[slider.instance];
   if (!(rate > 0.0)) return;
   const double slip = slip_rate(work, slider) * std::max(work.gaps[slider.instance].depth, 0.0) / rate;
-  state.z[slider.slot.memory] = slider.law.begin(slip, normal_force(work, slider));
+  state.z[slider.slot.memory] = slider.law.initial_stretch(slip, normal_force(work, slider));
 }
 
 /// Adds a force [F] on B, and its opposite on A, at the contact point.
 void add_pair(Workspace& work, const ContactGroup& group, const Gap& gap, Vec2 on_b) {
   const std::size_t a = index(group.a), b = index(group.b);
-  work.wrenches.add(b, work.poses[b].p_WB, gap.p_WC, group.share_b * on_b);
-  work.wrenches.add(a, work.poses[a].p_WB, gap.p_WC, -group.share_a * on_b);
+  work.wrenches.add(b, work.poses[b].p_WB, gap.p_WC, group.symmetry_weight_b * on_b);
+  work.wrenches.add(a, work.poses[a].p_WB, gap.p_WC, -group.symmetry_weight_a * on_b);
 }
 
 /// Whether it is a body and ground that goes on for ever.
-bool never_passes(const Candidate& pair) { return endless(pair.bounds_a) || endless(pair.bounds_b); }
+bool is_unbounded(const Candidate& pair) { return is_unbounded(pair.bounds_a) || is_unbounded(pair.bounds_b); }
 
 /// Brings the longest step down to what a pair allows that closes so fast [L/T], under this pull [L/T^2].
-void shorten(ContactForces::Passing& passing, const Candidate& pair, std::size_t contact, double speed, double pull) {
-  const double way = seen_way(pair);
-  const double most = passing.longest_step;
+void limit_step(ContactForces::TunnellingLimit& tunnelling_limit, const Candidate& pair, std::size_t contact,
+                double speed, double pull) {
+  const double way = tunnelling_distance(pair);
+  const double most = tunnelling_limit.longest_step;
   if ((speed + 0.5 * pull * most) * most <= way) return;
   // way = speed h + pull h^2/2, solved so that nothing cancels.
   const double step = 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * pull * way));
-  if (step < most) passing = {step, static_cast<ContactId>(contact)};
+  if (step < most) tunnelling_limit = {step, static_cast<ContactId>(contact)};
 }
 
 /// Computes the gaps that are wanted.
@@ -233,26 +234,26 @@ bool ContactForces::update_of(const State& state, std::span<const std::size_t> m
 }
 
 double ContactForces::update_far(const State& state, double ahead, double pull, Workspace& work) const {
-  Passing passing{ahead, {}};
+  TunnellingLimit tunnelling_limit{ahead, {}};
   bool any = false;
   for (std::size_t c = 0; c < candidates(); ++c) {
     char& near = work.near[c];
     const Candidate& pair = search_.pairs()[c];
-    const bool passes = !never_passes(pair);
+    const bool passes = !is_unbounded(pair);
     if (near) near = Workspace::known;
     if (near && !passes) continue;
     const auto way = [&](double speed) { return ahead * (speed + 0.5 * pull * ahead); };
-    if (!near && passes && stay_apart(pair, work.poses, way(closing_speed_bound(pair, work.poses)))) continue;
+    if (!near && passes && cannot_touch(pair, work.poses, way(closing_speed_bound(pair, work.poses)))) continue;
     const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
     const double speed = largest_closing_speed(pair, A, B);
-    if (passes) shorten(passing, pair, c, speed, pull);
+    if (passes) limit_step(tunnelling_limit, pair, c, speed, pull);
     if (near || out_of_reach(pair, A, B, way(speed))) continue;
     near = Workspace::wanted;
     any = true;
   }
   work.any_near = work.any_near || any;
   if (any) update_gaps(laws_, &state, work);
-  return passing.longest_step;
+  return tunnelling_limit.longest_step;
 }
 
 void ContactForces::begin(State& state, const Workspace& work) const {
@@ -278,12 +279,12 @@ void ContactForces::push(const State& state, Workspace& work) const {
 }
 
 // All laws' visits in line: a call for each array would cost more than most arrays do.
-[[gnu::flatten]] void ContactForces::settle(State& state, Workspace& work, const State* before) const {
+[[gnu::flatten]] void ContactForces::update_modes(State& state, Workspace& work, const State* before) const {
   if (starts_by_mass_) start_contacts(state, work);
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup& group) {
     // The gap declares onset: a contact that does not act stays so out of the law's reach.
     if (state.mode[slot.mode] == 0 && work.gaps[slot.mode].depth < -reach(law)) return;
-    settle_mode(law, slot, kinematics(work, slot.mode), state, group.copies);
+    update_mode(law, slot, kinematics(work, slot.mode), state, group.multiplicity);
   });
   if (!rough_) return;
   push(state, work);
@@ -291,7 +292,7 @@ void ContactForces::push(const State& state, Workspace& work) const {
     if (state.mode[slider.slot.mode] == CoulombFriction::open && normal_force(work, slider) > 0.0)
       start_spring(state, work, slider);
     double& stretch = state.z[slider.slot.memory];
-    auto settled = slider.law.settle(stretch, normal_force(work, slider), viscous_stretch(work, slider));
+    auto settled = slider.law.return_mapping(stretch, normal_force(work, slider), viscous_stretch(work, slider));
     // A dashpot that pulled back let the spring go beyond the limit: it takes the slider along as it is let go.
     if (slider.dashpot > 0.0 && state.mode[slider.slot.mode] == CoulombFriction::sticking &&
         CoulombFriction::slips(settled.mode))
@@ -303,7 +304,7 @@ void ContactForces::push(const State& state, Workspace& work) const {
     }
     stretch = settled.stretch;
     state.mode[slider.slot.mode] = settled.mode;
-    state.work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.copies * settled.dissipated;
+    state.work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * settled.dissipated;
   });
 }
 
@@ -324,7 +325,7 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
                     [&pair](const Gap& gap) { return gap.depth >= -pair.reach; });
     if (!touches) continue;
     for (const BodyId body : {pair.a, pair.b}) {
-      if (!work.waking.awake[index(body)]) woken.push_back(body);
+      if (!work.active.awake[index(body)]) woken.push_back(body);
     }
   }
 }
@@ -339,7 +340,8 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
     const Gap& gap = work.gaps[slot.mode];
     add_pair(work, group, gap, force.total() * gap.n_AB);
     if (out)
-      out->work[static_cast<std::size_t>(L::dissipation)] += group.copies * force.dissipative * work.rates[slot.mode];
+      out->work[static_cast<std::size_t>(L::dissipation)] +=
+          group.multiplicity * force.dissipative * work.rates[slot.mode];
   });
   work.evaluated = std::max(work.evaluated, Evaluated::forces);
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
@@ -353,7 +355,7 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
     if (out && (viscous != 0.0 || slips)) {
       const double lost = slips ? force : force - slider.law.stiffness * stretch;
       const double power = lost * slip_rate(work, slider);
-      out->work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.copies * power;
+      out->work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * power;
     }
   });
 }
@@ -423,12 +425,12 @@ bool ContactForces::follows(const State& state) const {
   return found;
 }
 
-ContactForces::Passing ContactForces::passing(const Workspace& work, double pull) const {
-  Passing found;
+ContactForces::TunnellingLimit ContactForces::tunnelling_limit(const Workspace& work, double pull) const {
+  TunnellingLimit found;
   for (std::size_t c = 0; c < candidates(); ++c) {
     const Candidate& pair = search_.pairs()[c];
-    if (never_passes(pair)) continue;
-    shorten(found, pair, c, largest_closing_speed(pair, work.poses[index(pair.a)], work.poses[index(pair.b)]), pull);
+    if (is_unbounded(pair)) continue;
+    limit_step(found, pair, c, largest_closing_speed(pair, work.poses[index(pair.a)], work.poses[index(pair.b)]), pull);
   }
   return found;
 }
@@ -465,7 +467,8 @@ std::vector<ContactForces::LinearContact> ContactForces::linear_contacts(const S
     if constexpr (HasLinearPart<L>) {
       const Tangent slopes = law.linear_part(memory(law, state, slot), state.mode[slot.mode]);
       if (slopes.stiffness == 0.0 && slopes.damping == 0.0) return;
-      found.push_back({group.a, group.b, work.gaps[slot.mode].n_AB, slopes, group.share_a, group.share_b});
+      found.push_back(
+          {group.a, group.b, work.gaps[slot.mode].n_AB, slopes, group.symmetry_weight_a, group.symmetry_weight_b});
     }
   });
   return found;
@@ -485,7 +488,8 @@ void ContactForces::for_each_acting(const State& state, const Workspace& work,
         const auto remembered = memory(law, state, slot);
         const Gap& gap = work.gaps[slot.mode];
         const Tangent slopes = local_slopes(law, kinematics(work, slot.mode), remembered, mode);
-        ActingContact contact{group.a, group.b, gap.n_AB, gap.p_WC, slopes, group.share_a, group.share_b, {}};
+        ActingContact contact{
+            group.a, group.b, gap.n_AB, gap.p_WC, slopes, group.symmetry_weight_a, group.symmetry_weight_b, {}};
         const Slot friction = friction_slot(group, i);
         if (group.friction && state.mode[friction.mode] != CoulombFriction::open) {
           contact.friction = {state.mode[friction.mode], friction.memory, group.friction->stiffness,
@@ -502,10 +506,10 @@ double ContactForces::stored_energy(const State& state, const Workspace& work) c
   for_each_near(laws_, work, [&]<class L>(const L& law, Slot slot, const ContactGroup& group) {
     const double stored =
         law.stored_energy(kinematics(work, slot.mode), memory(law, state, slot), state.mode[slot.mode]);
-    sum += group.copies * stored;
+    sum += group.multiplicity * stored;
   });
   for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
-    sum += slider.group.copies * slider.law.stored_energy(state.z[slider.slot.memory]);
+    sum += slider.group.multiplicity * slider.law.stored_energy(state.z[slider.slot.memory]);
   });
   return sum;
 }

@@ -47,26 +47,26 @@ class ContactForces {
   bool update_of(const State& state, std::span<const std::size_t> modes, Workspace& work) const;
   /// Whether a mode is of a contact or its friction.
   bool has(std::size_t mode) const { return mode < pair_of_.size() && pair_of_[mode] < candidates(); }
-  /// Before the first settle() of a run: friction within reach sticks, so that what pushes keeps the stretch it has.
+  /// Before the first update_modes() of a run: friction within reach sticks, so that what pushes keeps the stretch it has.
   void begin(State& state, const Workspace& work) const;
   /// Evaluates the normal forces of what acts, unless they are known: once for friction, wrenches and reports.
   void push(const State& state, Workspace& work) const;
-  /// `before`: see Dynamics::settle().
-  void settle(State& state, Workspace& work, const State* before) const;
+  /// `before`: see Dynamics::update_modes().
+  void update_modes(State& state, Workspace& work, const State* before) const;
   /// Lists the sleeping bodies that another touches.
   void list_woken(const Workspace& work, std::vector<BodyId>& woken) const;
   /// Adds the forces to the wrenches of both bodies; with out, the dissipated power as well, with `slip_power` also
   /// that of friction that slips.
   void add(const State& state, Workspace& work, Rates* out, bool slip_power) const;
-  /// Whether some memory is taken along by settle() alone: of latching springs that load, of friction that slips.
+  /// Whether some memory is taken along by update_modes() alone: of latching springs that load, of friction that slips.
   bool follows(const State& state) const;
   /// The longest step [T] in which no body passes half the least width of another, under this pull [L/T^2], and the
   /// contact that sets it; infinite where none does.
-  struct Passing {
+  struct TunnellingLimit {
     double longest_step{std::numeric_limits<double>::infinity()};
     ContactId contact{};
   };
-  Passing passing(const Workspace& work, double pull) const;
+  TunnellingLimit tunnelling_limit(const Workspace& work, double pull) const;
   /// The deepest overlap within reach, as a share of half the least width of the smaller of its bodies.
   struct Overlap {
     double share{};
@@ -81,9 +81,9 @@ class ContactForces {
     BodyId a{};
     BodyId b{};
     Vec2 n_AB;
-    Tangent slopes;    ///< of the law's force
-    double share_a{};  ///< see ContactGroup
-    double share_b{};
+    Tangent slopes;              ///< of the law's force
+    double symmetry_weight_a{};  ///< see ContactGroup
+    double symmetry_weight_b{};
   };
   /// Those of the instances within reach; of other laws none.
   std::vector<LinearContact> linear_contacts(const State& state, const Workspace& work) const;
@@ -93,9 +93,9 @@ class ContactForces {
     BodyId b{};
     Vec2 n_AB;
     Vec2 p_WC;
-    Tangent slopes;    ///< of the normal force
-    double share_a{};  ///< see ContactGroup
-    double share_b{};
+    Tangent slopes;              ///< of the normal force
+    double symmetry_weight_a{};  ///< see ContactGroup
+    double symmetry_weight_b{};
     struct Friction {
       Mode mode{};
       std::size_t memory{};  ///< of its stretch in the state

@@ -26,7 +26,7 @@ double inertia(const Model& model, const Coordinate& coordinate) {
 
 Dynamics::Dynamics(const Model& model)
     : model_{model},
-      pull_{norm(model.gravity)},
+      gravity_magnitude_{norm(model.gravity)},
       layout_{model},
       bodies_{model_, layout_},
       contacts_{model_, layout_},
@@ -45,14 +45,14 @@ void Dynamics::find_rest() {
   State rest = rest_state(model_);
   std::fill(rest.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper), rest.mode.end(), Mode{1});
   update_all(rest, work);
-  cables_.settle(rest, work);
+  cables_.update_modes(rest, work);
   cables_.keep_rest(rest, work);
   Rates accelerations{rest};
   cables_.load(rest, work, nullptr);
   bodies_.rates(work, accelerations, false);
   for (const BodyId body : layout_.sleepers) {
     const auto first = accelerations.v.begin() + static_cast<std::ptrdiff_t>(layout_.first[index(body)]);
-    if (std::any_of(first, first + 3, [](double a) { return a != 0.0; })) restless_.push_back(body);
+    if (std::any_of(first, first + 3, [](double a) { return a != 0.0; })) unbalanced_sleepers_.push_back(body);
   }
 }
 
@@ -66,53 +66,53 @@ Workspace Dynamics::workspace() const {
   work.normal_forces.resize(contacts_.size());
   work.near.resize(contacts_.candidates());
   work.paths = Paths(cables_.size());
-  work.lines = CableLines(cables_.size());
+  work.lines = CableLinearization(cables_.size());
   bodies_.place_fixed(work);
   cables_.place_anchors(work);
   const State rest = rest_state(model_);
-  cables_.rig(rest, work.rigging);
+  cables_.update_topology(rest, work.topology);
   list_awake(rest, work, true);
-  work.waking.modes.clear();  // stands for no state yet
+  work.active.modes.clear();  // stands for no state yet
   return work;
 }
 
 /// The sleeping bodies of the state, and what is to be computed: of the evaluation after a change of modes the whole,
 /// so that what goes on sleeping has its poses, paths and pulls from then.
 void Dynamics::list_awake(const State& state, Workspace& work, bool whole) const {
-  Waking& waking = work.waking;
+  ActiveSet& active = work.active;
   const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
-  waking.modes.assign(modes, state.mode.end());
-  waking.awake.assign(model_.bodies.size(), 1);
+  active.modes.assign(modes, state.mode.end());
+  active.awake.assign(model_.bodies.size(), 1);
   for (std::size_t i = 0; i < layout_.sleepers.size(); ++i)
-    waking.awake[index(layout_.sleepers[i])] = static_cast<char>(waking.modes[i]);
-  waking.any_asleep = std::find(waking.modes.begin(), waking.modes.end(), Mode{0}) != waking.modes.end();
-  waking.whole = whole;
-  bodies_.list_awake(waking);
-  cables_.list_awake(waking, work.rigging);
-  const auto last = std::find(waking.awake.rbegin(), waking.awake.rend(), char{1});
-  const auto awake = static_cast<std::size_t>(waking.awake.rend() - last);
-  waking.moving = layout_.first[awake];
-  waking.reached = whole ? model_.bodies.size() : awake;
-  for (const JointRun& run : waking.joints) {
-    if (run.on_body) waking.reached = std::max(waking.reached, run.body + run.count);
+    active.awake[index(layout_.sleepers[i])] = static_cast<char>(active.modes[i]);
+  active.any_asleep = std::find(active.modes.begin(), active.modes.end(), Mode{0}) != active.modes.end();
+  active.complete = whole;
+  bodies_.list_awake(active);
+  cables_.list_awake(active, work.topology);
+  const auto last = std::find(active.awake.rbegin(), active.awake.rend(), char{1});
+  const auto awake = static_cast<std::size_t>(active.awake.rend() - last);
+  active.moving = layout_.first[awake];
+  active.reached_bodies = whole ? model_.bodies.size() : awake;
+  for (const JointSpan& run : active.joints) {
+    if (run.on_body) active.reached_bodies = std::max(active.reached_bodies, run.body + run.count);
   }
 }
 
 std::size_t Dynamics::moving(const State& state, const Workspace& work) const {
-  if (layout_.sleepers.empty()) return work.waking.moving;
+  if (layout_.sleepers.empty()) return work.active.moving;
   const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
-  const std::vector<Mode>& known = work.waking.modes;
-  return std::equal(known.begin(), known.end(), modes, state.mode.end()) ? work.waking.moving : state.q.size();
+  const std::vector<Mode>& known = work.active.modes;
+  return std::equal(known.begin(), known.end(), modes, state.mode.end()) ? work.active.moving : state.q.size();
 }
 
-/// Brings the rigging and what is computed up to the state's hangers and sleepers.
+/// Brings the topology and what is computed up to the state's hangers and sleepers.
 void Dynamics::follow_modes(const State& state, Workspace& work) const {
-  const bool rerigged = cables_.rig(state, work.rigging);
+  const bool topology_changed = cables_.update_topology(state, work.topology);
   if (!layout_.sleepers.empty()) {
     const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
     const bool changed =
-        rerigged || !std::equal(work.waking.modes.begin(), work.waking.modes.end(), modes, state.mode.end());
-    const bool was_whole = work.waking.whole && work.evaluated == Evaluated::loads;
+        topology_changed || !std::equal(work.active.modes.begin(), work.active.modes.end(), modes, state.mode.end());
+    const bool was_whole = work.active.complete && work.evaluated == Evaluated::loads;
     if (changed || was_whole) list_awake(state, work, changed);
   }
 }
@@ -131,16 +131,16 @@ void Dynamics::update(const State& state, Workspace& work, Need need) const {
 
 void Dynamics::evaluate(State& state, Workspace& work, Rates& out, bool ledger) const {
   update(state, work, ledger ? Need::everything : Need::rates);
-  settle(state, work);
+  update_modes(state, work);
   rates(state, work, out, ledger);
 }
 
 void Dynamics::update_everywhere(const State& state, Workspace& work) const {
-  const bool rerigged = cables_.rig(state, work.rigging);
+  const bool topology_changed = cables_.update_topology(state, work.topology);
   const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(layout_.first_sleeper);
-  const std::vector<Mode>& known = work.waking.modes;
+  const std::vector<Mode>& known = work.active.modes;
   const bool changed = !std::equal(known.begin(), known.end(), modes, state.mode.end());
-  if (rerigged || changed || !work.waking.whole) list_awake(state, work, true);
+  if (topology_changed || changed || !work.active.complete) list_awake(state, work, true);
   bodies_.update(state, work);
   cables_.update(state, work);
   if (contacts_.find(state, work)) contacts_.update(state, work);
@@ -149,7 +149,7 @@ void Dynamics::update_everywhere(const State& state, Workspace& work) const {
 }
 
 void Dynamics::update_all(const State& state, Workspace& work) const {
-  cables_.rig(state, work.rigging);
+  cables_.update_topology(state, work.topology);
   // Without sleepers all cables are listed, whichever hangers are broken.
   if (!layout_.sleepers.empty()) list_awake(state, work, true);
   bodies_.update(state, work);
@@ -161,30 +161,30 @@ void Dynamics::update_all(const State& state, Workspace& work) const {
 
 void Dynamics::begin(State& state, Workspace& work) const {
   contacts_.begin(state, work);
-  settle(state, work);
+  update_modes(state, work);
 }
 
-bool Dynamics::settle(State& state, Workspace& work, const State* before) const {
+bool Dynamics::update_modes(State& state, Workspace& work, const State* before) const {
   TALUS_ASSERT(work.evaluated != Evaluated::nothing);
   work.evaluated = Evaluated::geometry;  // forces are in the modes of before
   // Calls of what has nothing to do would be a thirtieth of a small fence's step.
-  if (work.any_near) contacts_.settle(state, work, before);
-  if (!work.waking.quiet) cables_.settle(state, work);
-  if (!model_.hangers.empty() && (part_chains(state, work) || break_hangers(state, work))) {
-    settle(state, work);
+  if (work.any_near) contacts_.update_modes(state, work, before);
+  if (!work.active.on_linear_branch) cables_.update_modes(state, work);
+  if (!model_.hangers.empty() && (handle_broken_chains(state, work) || break_hangers(state, work))) {
+    update_modes(state, work);
     return true;
   }
-  if (!work.waking.any_asleep) return false;
+  if (!work.active.any_asleep) return false;
   std::vector<BodyId> woken;
-  std::copy_if(restless_.begin(), restless_.end(), std::back_inserter(woken),
-               [&work](BodyId body) { return !work.waking.awake[index(body)]; });
+  std::copy_if(unbalanced_sleepers_.begin(), unbalanced_sleepers_.end(), std::back_inserter(woken),
+               [&work](BodyId body) { return !work.active.awake[index(body)]; });
   contacts_.list_woken(work, woken);
   cables_.list_woken(state, work, model_.sleep == Sleep::exact ? 0.0 : 1e-13, woken);
   if (woken.empty()) return false;
   wake(state, woken);
   // A woken body's own cables may wake its neighbours.
   update(state, work);
-  settle(state, work);
+  update_modes(state, work);
   return true;
 }
 
@@ -210,8 +210,8 @@ bool Dynamics::break_hangers(State& state, Workspace& work) const {
 }
 
 /// Where a cable broke in a chain its tension is gone at once, and what the others held; false if none did.
-bool Dynamics::part_chains(State& state, Workspace& work) const {
-  if (!cables_.chain_parted(state, work)) return false;
+bool Dynamics::handle_broken_chains(State& state, Workspace& work) const {
+  if (!cables_.any_chain_broken(state, work)) return false;
   relax(state, work, cable_energy(state, work), Mechanism::cable_break);
   return true;
 }
@@ -223,7 +223,7 @@ Dynamics::Energy Dynamics::cable_energy(const State& state, const Workspace& wor
 /// Lets the cables take their places after a break, and books what they lose beyond what their own changes of mode do.
 void Dynamics::relax(State& state, Workspace& work, Energy before, Mechanism loss) const {
   update(state, work);
-  cables_.settle(state, work);
+  cables_.update_modes(state, work);
   const Energy after = cable_energy(state, work);
   state.work[static_cast<std::size_t>(loss)] += (before.stored - after.stored) - (after.lost - before.lost);
 }
@@ -277,7 +277,9 @@ void Dynamics::guards_of(const State& state, std::span<const std::size_t> modes,
 
 bool Dynamics::follows(const State& state) const { return contacts_.follows(state) || cables_.follows(state); }
 
-double Dynamics::longest_step(const Workspace& work) const { return contacts_.passing(work, pull_).longest_step; }
+double Dynamics::longest_step(const Workspace& work) const {
+  return contacts_.tunnelling_limit(work, gravity_magnitude_).longest_step;
+}
 
 std::vector<double> Dynamics::lengths() const {
   std::vector<double> lengths;

@@ -29,7 +29,7 @@ struct LawForces {
 /// One evaluation, evaluate(), and where each part of it is:
 ///
 ///   state q, v, z, modes
-///     |  1 hangers, sleepers   the rigging, and what is awake             follow_modes()
+///     |  1 hangers, sleepers   the topology, and what is awake             follow_modes()
 ///     |  2 bodies              poses                                      BodyForces::place()
 ///     |  3 cables, rates only  pulls of rows, without joints and paths    CableForces::pull_rows()
 ///     |  4 contacts            pairs within reach                         ContactForces::find()
@@ -37,7 +37,7 @@ struct LawForces {
 ///     |  6 cables              joints, paths, pulls of rows               CableForces::update(), unless 3 was enough
 ///     |  7 contacts            gaps                                       ContactForces::update()
 ///   geometry                                                              1 to 7 are update()
-///     |  8 modes               contacts, cables, hangers, sleepers        settle(); what breaks or wakes begins at 1 again
+///     |  8 modes               contacts, cables, hangers, sleepers        update_modes(); what breaks or wakes begins at 1 again
 ///     |  9 normal forces       once: for friction in 8, or else in 11     ContactForces::push()
 ///   forces
 ///     | 10 memory              slip rates                                 memory_rates()
@@ -66,7 +66,7 @@ class Dynamics {
   /// Poses, paths and gaps of the state: what every function below reads. Gaps are computed only of bodies within
   /// reach of each other.
   void update(const State& state, Workspace& work, Need need = Need::everything) const;
-  /// The whole evaluation: update(), settle() and rates().
+  /// The whole evaluation: update(), update_modes() and rates().
   void evaluate(State& state, Workspace& work, Rates& out, bool ledger) const;
   /// The same for who reports the state: sleeping bodies with their cables, too.
   void update_everywhere(const State& state, Workspace& work) const;
@@ -75,21 +75,21 @@ class Dynamics {
   /// After update(): the gaps of bodies out of reach as well that may come within it in the time ahead [T] at the speed
   /// they have, under their weight. Those of others have none, and infinite guards. As longest_step(), up to that time.
   double update_far(const State& state, double ahead, Workspace& work) const {
-    return contacts_.update_far(state, ahead, pull_, work);
+    return contacts_.update_far(state, ahead, gravity_magnitude_, work);
   }
   /// Whether some memory follows the motion, as that of friction does.
   bool follows_motion() const { return follows_motion_; }
   /// Rates of that memory alone, to out.z, which was made from a state.
   void memory_rates(const State& state, Workspace& work, Rates& out) const;
-  /// Brings the modes of a state with no motion behind it up to date: as settle(), but for friction where bodies
+  /// Brings the modes of a state with no motion behind it up to date: as update_modes(), but for friction where bodies
   /// overlap, whose springs have the stretch that the state says, and have not slipped since some touch before it.
   void begin(State& state, Workspace& work) const;
   /// Brings each law's mode up to date, breaks hangers, books the energy released by those changes, and wakes bodies on
   /// which something acts otherwise than at rest. `before`: the state at the beginning of the step that led here, if
   /// its rates were taken with `slip_power`. Whether something broke or woke: then it was evaluated again, by update().
-  bool settle(State& state, Workspace& work, const State* before = nullptr) const;
+  bool update_modes(State& state, Workspace& work, const State* before = nullptr) const;
   /// Rates of change in the state's modes; with `ledger` off the powers and impulses are left at zero. `slip_power`:
-  /// the work of friction that slips is a power, too, which a method integrates to its order. Without it settle()
+  /// the work of friction that slips is a power, too, which a method integrates to its order. Without it update_modes()
   /// accumulates that work with the limit at the end of the step.
   void rates(const State& state, Workspace& work, Rates& out, bool ledger = true, bool slip_power = false) const;
   /// Whether all guards() are infinite, as far as that is quickly said.
@@ -105,7 +105,7 @@ class Dynamics {
   /// may be asked after it without another update().
   void guards_of(const State& state, std::span<const std::size_t> modes, Workspace& work, std::span<double> out) const;
 
-  /// Whether some memory is taken along by settle() alone, in the state's modes.
+  /// Whether some memory is taken along by update_modes() alone, in the state's modes.
   [[nodiscard]] bool follows(const State& state) const;
   /// After update(): the longest step [T] from here in which no body can pass another unseen; infinite where none can.
   [[nodiscard]] double longest_step(const Workspace& work) const;
@@ -137,7 +137,7 @@ class Dynamics {
   void list_awake(const State& state, Workspace& work, bool whole) const;
   void wake(State& state, const std::vector<BodyId>& bodies) const;
   bool break_hangers(State& state, Workspace& work) const;
-  bool part_chains(State& state, Workspace& work) const;
+  bool handle_broken_chains(State& state, Workspace& work) const;
   /// What cables hold, and what has been lost in all [F L].
   struct Energy {
     double stored{};
@@ -147,14 +147,15 @@ class Dynamics {
   void relax(State& state, Workspace& work, Energy before, Mechanism loss) const;
 
   Model model_;
-  double pull_{};  ///< of gravity [L/T^2]
+  double gravity_magnitude_{};  ///< of gravity [L/T^2]
   Layout layout_;
   BodyForces bodies_;
   ContactForces contacts_;
   CableForces cables_;
   std::vector<double> inertias_;
   bool follows_motion_{};
-  std::vector<BodyId> restless_;  ///< bodies that may sleep but are not in balance at their reference position
+  std::vector<BodyId>
+      unbalanced_sleepers_;  ///< bodies that may sleep but are not in balance at their reference position
 };
 
 }  // namespace talus

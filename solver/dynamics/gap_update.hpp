@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "solver/dynamics/contact_arrays.hpp"
-#include "solver/dynamics/runs.hpp"
+#include "solver/dynamics/spans.hpp"
 #include "solver/dynamics/workspace.hpp"
 #include "solver/geometry/gap.hpp"
 

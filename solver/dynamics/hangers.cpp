@@ -8,50 +8,51 @@
 
 namespace talus {
 
-bool CableForces::rig(const State& state, Rigging& rigging) const {
-  if (holders_.empty()) return false;
+bool CableForces::update_topology(const State& state, HangerTopology& topology) const {
+  if (hanger_joints_.empty()) return false;
   const auto modes = state.mode.begin() + static_cast<std::ptrdiff_t>(first_hanger_);
-  const auto last = modes + static_cast<std::ptrdiff_t>(holders_.size());
-  if (std::equal(rigging.modes.begin(), rigging.modes.end(), modes, last)) return false;
-  rigging.modes.assign(modes, last);
-  rigging.broken.assign(joints_.size(), 0);
-  rigging.chains.clear();
-  rigging.loose.clear();
-  for (std::size_t h = 0; h < holders_.size(); ++h) {
-    rigging.broken[holders_[h].joint] = rigging.modes[h] != 0;
-    if (rigging.modes[h] != 0) rigging.loose.push_back(holders_[h].joint);
+  const auto last = modes + static_cast<std::ptrdiff_t>(hanger_joints_.size());
+  if (std::equal(topology.modes.begin(), topology.modes.end(), modes, last)) return false;
+  topology.modes.assign(modes, last);
+  topology.broken.assign(joints_.size(), 0);
+  topology.chains.clear();
+  topology.free_joints.clear();
+  for (std::size_t h = 0; h < hanger_joints_.size(); ++h) {
+    topology.broken[hanger_joints_[h].joint] = topology.modes[h] != 0;
+    if (topology.modes[h] != 0) topology.free_joints.push_back(hanger_joints_[h].joint);
   }
   std::vector<char> used(ends_.size(), 0);
   for (std::size_t c = 0; c < ends_.size(); ++c) {
-    if (used[c] || (!rigging.broken[ends_[c].a] && !rigging.broken[ends_[c].b])) continue;
-    rigging.chains.push_back(chain_from(c, rigging, used));
+    if (used[c] || (!topology.broken[ends_[c].a] && !topology.broken[ends_[c].b])) continue;
+    topology.chains.push_back(chain_from(c, topology, used));
   }
   return true;
 }
 
 /// The whole chain of which a cable is part, from an end that is held if there is one.
-Chain CableForces::chain_from(std::size_t cable, const Rigging& rigging, std::vector<char>& used) const {
+Chain CableForces::chain_from(std::size_t cable, const HangerTopology& topology, std::vector<char>& used) const {
   used[cable] = 1;
   Chain chain{.joints = {ends_[cable].a, ends_[cable].b}, .cables = {cable}};
-  extend(chain, rigging, used);
+  extend(chain, topology, used);
   std::reverse(chain.joints.begin(), chain.joints.end());
   std::reverse(chain.cables.begin(), chain.cables.end());
-  extend(chain, rigging, used);
-  if (rigging.broken[chain.joints.back()] && !rigging.broken[chain.joints.front()]) {
+  extend(chain, topology, used);
+  if (topology.broken[chain.joints.back()] && !topology.broken[chain.joints.front()]) {
     std::reverse(chain.joints.begin(), chain.joints.end());
     std::reverse(chain.cables.begin(), chain.cables.end());
   }
   const std::size_t start = chain.joints.front();
-  if (!rigging.broken[start]) return chain;
+  if (!topology.broken[start]) return chain;
   const std::size_t first = chain.cables.front();
-  const bool mirrored = (ends_[first].a == start ? constants_.share_a : constants_.share_b)[first] > 1.0;
-  chain.start = mirrored && !rigging.broken[chain.joints.back()] ? Chain::Start::mirrored : Chain::Start::loose;
+  const bool mirrored =
+      (ends_[first].a == start ? constants_.symmetry_weight_a : constants_.symmetry_weight_b)[first] > 1.0;
+  chain.start = mirrored && !topology.broken[chain.joints.back()] ? Chain::Start::mirrored : Chain::Start::free;
   return chain;
 }
 
 /// Goes on from the chain's last joint as long as that is a broken hanger with another cable.
-void CableForces::extend(Chain& chain, const Rigging& rigging, std::vector<char>& used) const {
-  for (bool found = true; found && rigging.broken[chain.joints.back()];) {
+void CableForces::extend(Chain& chain, const HangerTopology& topology, std::vector<char>& used) const {
+  for (bool found = true; found && topology.broken[chain.joints.back()];) {
     found = false;
     const std::size_t end = chain.joints.back();
     for (std::size_t c = 0; c < ends_.size() && !found; ++c) {
@@ -70,7 +71,7 @@ void CableForces::extend(Chain& chain, const Rigging& rigging, std::vector<char>
 /// in the plane of motion. Loose, or with a broken cable in it, it carries nothing.
 void CableForces::straighten(Chain& chain, const State& state, Workspace& work) const {
   double natural = 0.0, compliance = 0.0;
-  bool carries = chain.start != Chain::Start::loose;
+  bool carries = chain.start != Chain::Start::free;
   std::vector<double> lengths, compliances;
   for (const std::size_t c : chain.cables) {
     lengths.push_back(constants_.rest_length[c]);
@@ -89,7 +90,7 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
   const double across = joints_[last].along - joints_[first].along;
   Path whole = chain.start == Chain::Start::held ? path(p_WStart, v_WStart, p_WEnd, v_WEnd, across * across)
                                                  : Path{std::abs(across), 0.0, {}};
-  if (chain.start == Chain::Start::loose) whole.length = natural;
+  if (chain.start == Chain::Start::free) whole.length = natural;
   const double tension = carries ? (whole.length - natural) / compliance : 0.0;
   double along = 0.0;
   for (std::size_t i = 0; i < chain.cables.size(); ++i) {
@@ -108,13 +109,13 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
   if (chain.start != Chain::Start::held) work.joints.place(first, p_WEnd, v_WEnd);
 }
 
-double CableForces::pull_on(const Holder& holder, const State& state, const Workspace& work) const {
+double CableForces::pull_on(const HangerJoint& hanger, const State& state, const Workspace& work) const {
   Vec2 pull;
-  for (const std::size_t c : holder.cables) {
+  for (const std::size_t c : hanger.cables) {
     visit_cable(laws_, places_[c], [&]<class L>(const L& law, Slot slot) {
       const double tension = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
-      pull +=
-          (ends_[c].a == holder.joint ? constants_.share_a[c] : -constants_.share_b[c]) * tension * work.paths.pull(c);
+      pull += (ends_[c].a == hanger.joint ? constants_.symmetry_weight_a[c] : -constants_.symmetry_weight_b[c]) *
+              tension * work.paths.pull(c);
     });
   }
   return norm(pull);
@@ -123,9 +124,9 @@ double CableForces::pull_on(const Holder& holder, const State& state, const Work
 std::vector<HangerId> CableForces::overloaded(const State& state, const Workspace& work) const {
   std::vector<HangerId> found;
   double most = 1.0;
-  for (std::size_t h = 0; h < holders_.size(); ++h) {
+  for (std::size_t h = 0; h < hanger_joints_.size(); ++h) {
     if (state.mode[first_hanger_ + h] != 0) continue;
-    const double share = pull_on(holders_[h], state, work) / holders_[h].strength;
+    const double share = pull_on(hanger_joints_[h], state, work) / hanger_joints_[h].strength;
     if (share < most) continue;
     if (share > most) found.clear();
     most = share;
@@ -134,9 +135,9 @@ std::vector<HangerId> CableForces::overloaded(const State& state, const Workspac
   return found;
 }
 
-bool CableForces::chain_parted(const State& state, const Workspace& work) const {
+bool CableForces::any_chain_broken(const State& state, const Workspace& work) const {
   bool parted = false;
-  for (const Chain& chain : work.rigging.chains) {
+  for (const Chain& chain : work.topology.chains) {
     if (!chain.carries) continue;
     for (const std::size_t c : chain.cables) {
       visit_cable(laws_, places_[c],
@@ -148,7 +149,7 @@ bool CableForces::chain_parted(const State& state, const Workspace& work) const 
 
 std::vector<BodyId> CableForces::joined_bodies(HangerId hanger) const {
   std::vector<BodyId> bodies;
-  for (const std::size_t c : holders_[index(hanger)].cables) {
+  for (const std::size_t c : hanger_joints_[index(hanger)].cables) {
     for (const std::size_t j : {ends_[c].a, ends_[c].b}) {
       if (joints_[j].on_body) bodies.push_back(joints_[j].body);
     }

@@ -142,12 +142,12 @@ struct Paths {
 
 /// The straight lines of the cables' laws, each kept as long as the cable's mode and memory are those that it was
 /// computed for.
-struct CableLines {
+struct CableLinearization {
   std::vector<Mode> mode;
   std::vector<double> memory;
-  Row stiffness, natural, low, high;  ///< as in LinearPiece
+  Row stiffness, natural, low, high;  ///< as in LinearBranch
 
-  explicit CableLines(std::size_t count = 0)
+  explicit CableLinearization(std::size_t count = 0)
       : mode(count, std::numeric_limits<Mode>::max()),
         memory(count),
         stiffness(count),
@@ -155,28 +155,28 @@ struct CableLines {
         low(count),
         high(count) {}
 
-  void set(std::size_t i, const LinearPiece& piece) {
+  void set(std::size_t i, const LinearBranch& piece) {
     stiffness[i] = piece.stiffness, natural[i] = piece.natural;
     low[i] = piece.low, high[i] = piece.high;
   }
 };
 
 /// Neighbours in an array whose counterparts elsewhere are neighbours, too.
-struct BodyRun {
+struct BodySpan {
   std::size_t place{};  ///< of the first in the array of free bodies
   std::size_t body{};   ///< and in the model, whose coordinates follow one another
   std::size_t count{};
-  bool goes_on(const BodyRun& next) const { return next.place == place + count && next.body == body + count; }
+  bool goes_on(const BodySpan& next) const { return next.place == place + count && next.body == body + count; }
 };
 
 /// Joints that are on bodies, each on the one after its neighbour's; or joints that are on none.
-struct JointRun {
+struct JointSpan {
   std::size_t joint{};
   std::size_t body{};
   std::size_t count{};
   bool on_body{};
   bool in_row{};  ///< placed with the row of cables that they are in
-  bool goes_on(const JointRun& next) const {
+  bool goes_on(const JointSpan& next) const {
     return next.joint == joint + count && next.on_body == on_body && next.in_row == in_row &&
            (!on_body || next.body == body + count);
   }
@@ -184,7 +184,7 @@ struct JointRun {
 
 /// Cables of one law, each from where the one before it ends to the joint after. Neighbours in the model, they have
 /// their modes and memories side by side in the state.
-struct CableRun {
+struct CableSpan {
   std::size_t place{};  ///< of the first among the cables of its law
   std::size_t cable{};  ///< and in the model
   std::size_t a{};      ///< joint at its end A
@@ -193,11 +193,11 @@ struct CableRun {
   /// In a row no other cable ends at its joints a, a + 1 .. a + count, and all of them, or all but one at either end,
   /// are on neighbouring bodies: those from .. to - 1.
   bool row{};
-  std::size_t from{};     ///< counted from a
-  std::size_t to{};       ///< counted from a
-  std::ptrdiff_t body{};  ///< that joint a is on, or would be on
-  bool quiet{};           ///< of a row, as last laid: each cable stays on the straight line of its mode
-  bool goes_on(const CableRun& next) const {
+  std::size_t from{};       ///< counted from a
+  std::size_t to{};         ///< counted from a
+  std::ptrdiff_t body{};    ///< that joint a is on, or would be on
+  bool on_linear_branch{};  ///< of a row, as last laid: each cable stays on the straight line of its mode
+  bool goes_on(const CableSpan& next) const {
     return b == a + 1 && next.a == a + count && next.b == b + count && next.place == place + count &&
            next.cable == cable + count;
   }

@@ -6,13 +6,13 @@
 
 #include "solver/dynamics/workspace.hpp"
 #include "solver/laws/law.hpp"
-#include "solver/laws/settling.hpp"
+#include "solver/laws/mode_update.hpp"
 #include "solver/model/layout.hpp"
 #include "solver/state/state.hpp"
 
 namespace talus {
 
-/// Memory of one law instance in a state.
+/// Archive of one law instance in a state.
 template <class L>
 std::span<const double> memory(const L& law, const State& state, Slot slot) {
   return std::span{state.z}.subspan(slot.memory, memory_count(law));
@@ -29,20 +29,22 @@ Tangent local_slopes(const L& law, Kinematics x, std::span<const double> memory,
     return law.linear_part(memory, mode);
   } else {
     const auto difference = [&](double by, double at_rate) {
-      const Kinematics more{x.extent + by, x.extent_rate + at_rate}, less{x.extent - by, x.extent_rate - at_rate};
+      const Kinematics more{x.deformation + by, x.deformation_rate + at_rate},
+          less{x.deformation - by, x.deformation_rate - at_rate};
       return 0.5 * (law(more, memory, mode).total() - law(less, memory, mode).total());
     };
-    const double extent = 1e-6 * std::abs(x.extent), rate = std::max(std::abs(x.extent_rate), std::abs(x.extent));
-    if (extent == 0.0) return law.tangent();
-    return {difference(extent, 0.0) / extent, difference(0.0, rate) / rate};
+    const double deformation = 1e-6 * std::abs(x.deformation),
+                 rate = std::max(std::abs(x.deformation_rate), std::abs(x.deformation));
+    if (deformation == 0.0) return law.tangent();
+    return {difference(deformation, 0.0) / deformation, difference(0.0, rate) / rate};
   }
 }
 
 /// Brings the mode and memory of one law instance up to date, and books what that releases.
 template <Law L>
-void settle_mode(const L& law, Slot slot, Kinematics x, State& state, double copies) {
-  settle(law, memory(law, state, slot), x, state.mode[slot.mode],
-         [&](double released) { state.work[static_cast<std::size_t>(L::release)] += copies * released; });
+void update_mode(const L& law, Slot slot, Kinematics x, State& state, double multiplicity) {
+  update_mode(law, memory(law, state, slot), x, state.mode[slot.mode],
+              [&](double released) { state.work[static_cast<std::size_t>(L::release)] += multiplicity * released; });
 }
 
 }  // namespace talus

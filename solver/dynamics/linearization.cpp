@@ -9,13 +9,13 @@
 namespace talus {
 namespace {
 
-/// A force along one line between two bodies: how its extent changes with the coordinates, and what a unit of the force
+/// A force along one line between two bodies: how its deformation changes with the coordinates, and what a unit of the force
 /// does to their accelerations.
 class Line {
  public:
   Line(const Dynamics& dynamics, const Workspace& work) : dynamics_{dynamics}, work_{work} {}
 
-  /// A body whose point at p_WP moves the extent by `direction`, and feels `share` times the force against it.
+  /// A body whose point at p_WP moves the deformation by `direction`, and feels `share` times the force against it.
   void add(BodyId body, Vec2 p_WP, Vec2 direction, double share) {
     for_each_gradient(dynamics_, work_, body, p_WP, direction, [&](std::size_t coordinate, double gradient) {
       if (gradient != 0.0)
@@ -23,7 +23,7 @@ class Line {
     });
   }
 
-  /// Terms of a force [F] along this line that grows with the extent of `along` and its rate.
+  /// Terms of a force [F] along this line that grows with the deformation of `along` and its rate.
   void respond(const Line& along, double stiffness, double damping, AffinePiece& out) const {
     for (std::size_t i = 0; i < count_; ++i) {
       for (std::size_t j = 0; j < along.count_; ++j) {
@@ -37,7 +37,7 @@ class Line {
     for (std::size_t i = 0; i < count_; ++i)
       out.pulls.push_back({parts_[i].coordinate, memory, parts_[i].response * stiffness});
   }
-  /// Memory that has the rate of the extent.
+  /// Archive that has the rate of the deformation.
   void follow(std::size_t memory, AffinePiece& out) const {
     for (std::size_t j = 0; j < count_; ++j)
       out.memory.push_back({memory, parts_[j].coordinate, parts_[j].gradient});
@@ -63,14 +63,14 @@ void Dynamics::linearization(const State& state, const Workspace& work, AffinePi
   out.pulls.clear();
   contacts_.for_each_acting(state, work, [&](const ContactForces::ActingContact& contact) {
     Line normal{*this, work};
-    normal.add(contact.a, contact.p_WC, contact.n_AB, contact.share_a);
-    normal.add(contact.b, contact.p_WC, -contact.n_AB, contact.share_b);
+    normal.add(contact.a, contact.p_WC, contact.n_AB, contact.symmetry_weight_a);
+    normal.add(contact.b, contact.p_WC, -contact.n_AB, contact.symmetry_weight_b);
     normal.respond(normal, contact.slopes.stiffness, contact.slopes.damping, out);
     if (!contact.friction) return;
     const Vec2 across{-contact.n_AB.y, contact.n_AB.x};
     Line tangential{*this, work};
-    tangential.add(contact.b, contact.p_WC, across, contact.share_b);
-    tangential.add(contact.a, contact.p_WC, -across, contact.share_a);
+    tangential.add(contact.b, contact.p_WC, across, contact.symmetry_weight_b);
+    tangential.add(contact.a, contact.p_WC, -across, contact.symmetry_weight_a);
     tangential.follow(contact.friction->memory, out);
     if (contact.friction->mode == CoulombFriction::sticking) {
       tangential.respond(tangential, contact.friction->stiffness, contact.friction->dashpot, out);
@@ -88,8 +88,8 @@ void Dynamics::linearization(const State& state, const Workspace& work, AffinePi
     };
     const CableForces::Ends ends = cables_.ends()[cable.index];
     const Vec2 pull = work.paths.pull(cable.index);
-    add(cables_.joints()[ends.a], ends.a, -pull, cable.share_a);
-    add(cables_.joints()[ends.b], ends.b, pull, cable.share_b);
+    add(cables_.joints()[ends.a], ends.a, -pull, cable.symmetry_weight_a);
+    add(cables_.joints()[ends.b], ends.b, pull, cable.symmetry_weight_b);
     line.respond(line, cable.slopes.stiffness, cable.slopes.damping, out);
   });
 }

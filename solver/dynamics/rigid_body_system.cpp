@@ -32,14 +32,14 @@ void RigidBodySystem::begin(State& state) {
   dynamics_->begin(state, work_);
 }
 
-void RigidBodySystem::settle(State& state) {
+void RigidBodySystem::update_modes(State& state) {
   dynamics_->update(state, work_);
-  dynamics_->settle(state, work_);
+  dynamics_->update_modes(state, work_);
 }
 
-void RigidBodySystem::settle(State& state, const State& before) {
+void RigidBodySystem::update_modes(State& state, const State& before) {
   dynamics_->update(state, work_);
-  dynamics_->settle(state, work_, &before);
+  dynamics_->update_modes(state, work_, &before);
 }
 
 GuardBounds RigidBodySystem::guards(const State& state, bool same, double ahead, std::vector<double>& out) {

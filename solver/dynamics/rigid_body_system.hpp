@@ -24,11 +24,11 @@ class RigidBodySystem {
 
   void drift(State& state, double h);
   void kick(State& state, double h);
-  /// Modes of a run's first state; after it settle() alone.
+  /// Modes of a run's first state; after it update_modes() alone.
   void begin(State& state);
-  void settle(State& state);
+  void update_modes(State& state);
   /// At the end of a step of derivative(), from the state at its beginning: see Dynamics.
-  void settle(State& state, const State& before);
+  void update_modes(State& state, const State& before);
   void derivative(const State& state, Rates& out);
   void evaluate(State& state, Rates& out);
 
@@ -48,7 +48,7 @@ class RigidBodySystem {
   bool moves_memory() const { return dynamics_->follows_motion(); }
   void wake_all(State& state) const { dynamics_->wake_all(state); }
   /// Coordinates behind the first so many were of bodies that slept in the last state that was looked at.
-  std::size_t moving() const { return work_.waking.moving; }
+  std::size_t moving() const { return work_.active.moving; }
 
   const Dynamics& dynamics() const { return *dynamics_; }
   /// Force evaluations so far: one for each kick, derivative or evaluate.

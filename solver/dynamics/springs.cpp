@@ -87,8 +87,8 @@ class SpringMaker {
   }
 
  private:
-  Spring empty(double extent) const {
-    return {.extent = extent, .gradient = std::vector<double>(dynamics_.inertias().size())};
+  Spring empty(double deformation) const {
+    return {.deformation = deformation, .gradient = std::vector<double>(dynamics_.inertias().size())};
   }
   static double finite_mass(const Spring& spring) {
     return std::isfinite(spring.effective_mass) ? spring.effective_mass : 0.0;

@@ -10,9 +10,9 @@ namespace talus {
 struct Spring {
   double stiffness{};       ///< tangent stiffness while it acts [F/L]
   double damping{};         ///< [F T/L]
-  double extent{};          ///< overlap or elongation now [L]
+  double deformation{};     ///< overlap or elongation now [L]
   double effective_mass{};  ///< 1 / sum(gradient_i^2 / inertia_i) [M]: the inertia that its ends feel along its line
-  std::vector<double> gradient;  ///< d(extent)/dq_i, one for each coordinate
+  std::vector<double> gradient;  ///< d(deformation)/dq_i, one for each coordinate
 };
 
 /// All contact instances of a scene, then all cables, then the friction of contact instances that have it, each as the

@@ -11,19 +11,20 @@
 namespace talus {
 
 /// What of a scene an evaluation computes: all but sleeping bodies and the cables between them.
-struct Waking {
+struct ActiveSet {
   std::vector<Mode> modes;  ///< sleep modes of the state that the lists stand for
-  bool whole{true};         ///< all paths and poses are evaluated, because the modes have just changed; once such an
+  bool complete{true};      ///< all paths and poses are evaluated, because the modes have just changed; once such an
                             ///< evaluation has reached its loads, the next may leave out sleepers
   std::vector<char> awake;  ///< one for each body
   bool any_asleep{};        ///< whether one of them is not
   std::size_t moving{};     ///< coordinates before the last sleepers, behind whom none is awake
-  std::size_t reached{};    ///< bodies up to the last that is computed, or at the other end of a cable that is
-  std::vector<BodyRun> bodies;                ///< the awake free bodies
-  std::vector<JointRun> joints;               ///< joints to compute
-  std::vector<std::vector<CableRun>> cables;  ///< for each law, cables to compute
-  bool rows_only{};                           ///< all these cables are in rows, in the order of their joints
-  bool quiet{};  ///< as last laid, all of them stay on their straight lines: Workspace::pulls are what they pull
+  std::size_t reached_bodies{};   ///< bodies up to the last that is computed, or at the other end of a cable that is
+  std::vector<BodySpan> bodies;   ///< the awake free bodies
+  std::vector<JointSpan> joints;  ///< joints to compute
+  std::vector<std::vector<CableSpan>> cables;  ///< for each law, cables to compute
+  bool rows_only{};                            ///< all these cables are in rows, in the order of their joints
+  bool
+      on_linear_branch{};  ///< as last laid, all of them stay on their straight lines: Workspace::pulls are what they pull
   std::vector<std::size_t> borders;  ///< of these, the ones with a sleeping body at one end only
 };
 
@@ -33,7 +34,7 @@ struct Chain {
   enum class Start {
     held,      ///< a body or an anchor
     mirrored,  ///< the chain's own image behind a plane of symmetry of the scene: it runs straight along the fence
-    loose,     ///< nothing: its hanger broke and no other cable ended there
+    free,      ///< nothing: its hanger broke and no other cable ended there
   };
   Start start{Start::held};
   bool carries{true};               ///< as it was last laid straight: false with a broken cable in it
@@ -42,15 +43,15 @@ struct Chain {
 };
 
 /// How the cables run, by the hangers that are broken.
-struct Rigging {
-  std::vector<Mode> modes;         ///< of the hangers, for which the rest stands
-  std::vector<char> broken;        ///< one for each joint: no longer on its body
-  std::vector<std::size_t> loose;  ///< these joints
+struct HangerTopology {
+  std::vector<Mode> modes;               ///< of the hangers, for which the rest stands
+  std::vector<char> broken;              ///< one for each joint: no longer on its body
+  std::vector<std::size_t> free_joints;  ///< these joints
   std::vector<Chain> chains;
 };
 
 /// The stage that the evaluation of a state has reached; each has what those before it have. (Modes are of the state:
-/// settle() brings them up to the geometry.)
+/// update_modes() brings them up to the geometry.)
 enum class Evaluated : unsigned char {
   nothing,   ///< of no state
   geometry,  ///< poses, velocities, joints, paths and gaps
@@ -72,12 +73,12 @@ struct Workspace {
   Wrenches pulls;                       ///< of rows of cables alone
   JointPoints joints;                   ///< one for each joint
   Paths paths;                          ///< one for each cable
-  CableLines lines;                     ///< one for each cable
+  CableLinearization lines;             ///< one for each cable
   std::vector<Gap> gaps;                ///< one for each law instance of the contacts that is near
   std::vector<double> rates;            ///< their depth rates [L/T]
   std::vector<LawForce> normal_forces;  ///< of those that act [F]
-  Waking waking;
-  Rigging rigging;
+  ActiveSet active;
+  HangerTopology topology;
   Sweep sweep;  ///< of the contact search
   /// What is said of a pair of the contact search.
   static constexpr char wanted = 1;  ///< its gaps are computed with this evaluation

@@ -20,9 +20,9 @@ template <class L, class F>
 class ContactLanes {
  public:
   using Kernel = decltype(contact_kernel(std::declval<const L&>()));
-  static constexpr bool remembers = HasHysteresisLoss<Kernel>, turns = std::same_as<F, CoulombFriction>;
+  static constexpr bool has_history = HasHysteresisLoss<Kernel>, turns = std::same_as<F, CoulombFriction>;
 
-  [[gnu::always_inline]] ContactLanes(const L& law, const F& friction, const DiscSweep& sweep)
+  [[gnu::always_inline]] ContactLanes(const L& law, const F& friction, const StepBlock& sweep)
       : kernel_{contact_kernel(law)},
         friction_{friction},
         w_{sweep},
@@ -115,11 +115,11 @@ class ContactLanes {
     SweptContacts& contacts = *w_.contacts;
     Pack stretch, normal, begun, slid;
     collect(stretch, contacts.before.stretch.data(), from), collect(normal, contacts.before.normal.data(), from);
-    friction_.begun(slipped, force, begun);
+    friction_.initial_stretch(slipped, force, begun);
     const Sizes pushes = force > Pack{}, begins = pushes & (rate > Pack{}) & ~(normal > Pack{});
     stretch = begins ? begun : stretch;
     const Pack before = stretch;
-    friction_.settled(force, stretch, friction);
+    friction_.returned_force(force, stretch, friction);
     if (contacts.kinds.slid) {
       friction_.dissipated(before, force, stretch, slid);
       store(slid, &contacts.slid[at]);
@@ -130,14 +130,14 @@ class ContactLanes {
 
   Kernel kernel_;
   F friction_;
-  const DiscSweep& w_;
+  const StepBlock& w_;
   const std::uint32_t *first_, *second_;
   const double* radii_;
 };
 
 /// What these touching pairs, the last that were found, do to each other, without doing it.
 template <class L, class F>
-TALUS_CLONES [[gnu::noinline]] void push(const L& law, const F& friction, const DiscSweep& sweep,
+TALUS_CLONES [[gnu::noinline]] void push(const L& law, const F& friction, const StepBlock& sweep,
                                          std::span<const std::uint32_t> touching, Pushes out) {
   ContactLanes<L, F> lanes{law, friction, sweep};
   const std::size_t before = sweep.contacts->now.count - touching.size();

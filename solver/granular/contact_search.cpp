@@ -7,7 +7,7 @@
 
 namespace talus {
 
-TALUS_CLONES std::size_t find_near(const DiscSweep& sweep, double nearer, std::size_t from, std::size_t to,
+TALUS_CLONES std::size_t find_near(const StepBlock& sweep, double nearer, std::size_t from, std::size_t to,
                                    std::uint32_t* found) {
   const std::uint32_t *const first = sweep.pairs->first.data(), *const second = sweep.pairs->second.data();
   const double* const sums = sweep.pairs->radii.empty() ? nullptr : sweep.pairs->radii.data();
@@ -31,7 +31,7 @@ namespace stages {
 namespace {
 
 /// The contact that there was before has ended.
-[[gnu::noinline]] void part_before(const DiscSweep& w, std::size_t old) {
+[[gnu::noinline]] void part_before(const StepBlock& w, std::size_t old) {
   const SweptContacts& contacts = *w.contacts;
   const ContactMemory of = contacts.memory(contacts.before, old);
   const std::uint32_t pair = contacts.before.pair[old];
@@ -41,7 +41,7 @@ namespace {
 /// Which contacts those that touch were before; what lies between them has ended. number(t): of the t-th as those are
 /// numbered.
 template <class Number>
-[[gnu::always_inline]] inline void find_before(const DiscSweep& w, std::size_t count, Number&& number) {
+[[gnu::always_inline]] inline void find_before(const StepBlock& w, std::size_t count, Number&& number) {
   SweptContacts& contacts = *w.contacts;
   const std::uint32_t* const then = contacts.before.pair.data();
   std::uint32_t* const from = contacts.from.data();
@@ -61,12 +61,12 @@ template <class Number>
 
 }  // namespace
 
-void part(const DiscSweep& sweep, std::size_t listed, double largest, double stretch) {
+void part(const StepBlock& sweep, std::size_t listed, double largest, double stretch) {
   if (largest > 0.0 || (stretch != 0.0 && sweep.contacts->kinds.slid))
     sweep.parted->push_back({static_cast<std::uint32_t>(listed), largest, stretch});
 }
 
-std::span<const std::uint32_t> find_touching(const DiscSweep& sweep, std::size_t from, std::size_t to) {
+std::span<const std::uint32_t> find_touching(const StepBlock& sweep, std::size_t from, std::size_t to) {
   SweptContacts& contacts = *sweep.contacts;
   contacts.make_room(contacts.now.count + sweep_block + pack_size);
   std::uint32_t* const touching = contacts.now.pair.data() + contacts.now.count;
@@ -85,7 +85,7 @@ std::span<const std::uint32_t> find_touching(const DiscSweep& sweep, std::size_t
   return {touching, count};
 }
 
-void end_sweep(const DiscSweep& sweep) {
+void end_sweep(const StepBlock& sweep) {
   SweptContacts& contacts = *sweep.contacts;
   if (!contacts.kinds.remembered()) return;
   for (; contacts.passed < contacts.before.count; ++contacts.passed)

@@ -16,7 +16,7 @@ struct AnyDiscSystem {
   void drift(Discs& discs, double h);
   void kick(Discs& discs, double h);
   Discs drifted(const Discs& discs, double h) const;
-  void settle(Discs& discs);
+  void update_modes(Discs& discs);
   void evaluate(Discs& discs, DiscRates& out);
 };
 

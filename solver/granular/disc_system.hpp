@@ -17,7 +17,7 @@
 #include "solver/granular/neighbour_list.hpp"
 #include "solver/laws/coulomb_friction.hpp"
 #include "solver/laws/law.hpp"
-#include "solver/laws/settling.hpp"
+#include "solver/laws/mode_update.hpp"
 
 namespace talus {
 
@@ -93,7 +93,7 @@ class DiscSystem {
   Discs drifted(const Discs& discs, double h) const { return talus::drifted(discs, list_.box().sliding(), h); }
 
   /// Brings the modes up to date.
-  void settle(Discs& discs) {
+  void update_modes(Discs& discs) {
     const long evaluations = evaluations_;
     DiscRates none{discs};
     evaluate(discs, none);
@@ -126,15 +126,15 @@ class DiscSystem {
   template <class Visit>
   void for_each_contact(const Discs& discs, Visit&& visit) const {
     for_each_acting(discs, acts(), 0.0, [&](std::size_t a, std::size_t b, std::size_t pair, const Touch& touch) {
-      if (!(touch.x.extent > -reach(law_))) return;
+      if (!(touch.x.deformation > -reach(law_))) return;
       std::array<double, L::memory_size + 1> memory{};
       std::copy_n(contacts_.memory.data() + pair * L::memory_size, L::memory_size, memory.begin());
       const std::span<double> remembered{memory.data(), L::memory_size};
       Mode mode = contacts_.mode[pair];
-      talus::settle(law_, remembered, touch.x, mode, [](double) {});
+      talus::update_mode(law_, remembered, touch.x, mode, [](double) {});
       DiscContact contact{.a = a,
                           .b = b,
-                          .depth = touch.x.extent,
+                          .depth = touch.x.deformation,
                           .n_ab = touch.n,
                           .distance = touch.distance,
                           .force = mode == 0 ? 0.0 : law_(touch.x, remembered, mode).total(),
@@ -149,11 +149,11 @@ class DiscSystem {
 
   /// Names all that a run of these discs carries from step to step besides their state: of each contact its discs,
   /// mode and memory, and how much of the list's skin is used. `discs` are there already.
-  void remember(Memory& memory, const Discs& discs) {
-    memory.part("list", [&] { list_.remember(memory, shapes_); });
+  void serialize(Archive& archive, const Discs& discs) {
+    archive.scope("list", [&] { list_.serialize(archive, shapes_); });
     std::vector<double> firsts, seconds;
     Contacts acting;
-    if (memory.puts_back()) {
+    if (archive.is_loading()) {
       contacts_ = Contacts{list_.size()};
     } else {
       for_each_acting(discs, acts(), 0.0, [&](std::size_t a, std::size_t b, std::size_t pair, const Touch&) {
@@ -161,11 +161,11 @@ class DiscSystem {
         acting.append(contacts_, pair);
       });
     }
-    memory.part("contact", [&] {
-      memory.list("first", firsts), memory.list("second", seconds);
-      acting.remember(memory, firsts.size());
+    archive.scope("contact", [&] {
+      archive.list("first", firsts), archive.list("second", seconds);
+      acting.serialize(archive, firsts.size());
     });
-    if (memory.puts_back()) {
+    if (archive.is_loading()) {
       for (std::size_t k = 0; k < firsts.size(); ++k) {
         const std::size_t pair = list_.find(static_cast<std::size_t>(firsts[k]), static_cast<std::size_t>(seconds[k]));
         if (pair == list_.size()) {
@@ -225,8 +225,8 @@ class DiscSystem {
       if constexpr (turns) friction_mode.resize(pairs), stretch.resize(pairs);
       take(pairs - 1, from, was);
     }
-    void remember(Memory& to, std::size_t pairs) {
-      if (to.puts_back()) *this = Contacts{pairs};
+    void serialize(Archive& to, std::size_t pairs) {
+      if (to.is_loading()) *this = Contacts{pairs};
       to.numbers("mode", mode), to.numbers("memory", memory);
       to.numbers("friction_mode", friction_mode), to.numbers("stretch", stretch);
     }
@@ -242,7 +242,7 @@ class DiscSystem {
   double per_mass(std::size_t disc) const { return 2.0 / (shapes_.radius[disc] * shapes_.radius[disc]); }
 
   /// Arms of a touch: from each centre to the middle of the overlap [L].
-  double arm(std::size_t disc, const Touch& touch) const { return shapes_.radius[disc] - 0.5 * touch.x.extent; }
+  double arm(std::size_t disc, const Touch& touch) const { return shapes_.radius[disc] - 0.5 * touch.x.deformation; }
 
   /// Of the second past the first, along the normal turned counter-clockwise [L/T].
   double slip_rate(const Touch& touch, double arm_a, double spin_a, double arm_b, double spin_b) const {
@@ -308,11 +308,11 @@ class DiscSystem {
         if (square >= within * within && !contacts_.act(pair)) continue;
         Touch touch{d, {(v.x[j] + shift.vx) - v.x[i], v.y[j] - v.y[i]}, std::sqrt(square), radii};
         // Discs that are just within reach are out of it: a contact begins and ends with its overlap.
-        if (touch.x.extent == -reach(law_)) touch.x.extent = out_of_reach();
+        if (touch.x.deformation == -reach(law_)) touch.x.deformation = out_of_reach();
         const auto memory = std::span{contacts_.memory}.subspan(pair * L::memory_size, L::memory_size);
         double largest = 0.0;
         if constexpr (loses_by_memory) largest = memory[0];
-        talus::settle(law_, memory, touch.x, mode, [&](double energy) { released += energy; });
+        talus::update_mode(law_, memory, touch.x, mode, [&](double energy) { released += energy; });
         if constexpr (loses_by_memory) {
           if (memory[0] > largest) lost += law_.hysteresis_loss(memory[0]) - law_.hysteresis_loss(largest);
         }
@@ -322,7 +322,7 @@ class DiscSystem {
         if (mode == 0) continue;
         if (shapes_.wall[i] != DiscShapes::free) wall_forces_[shapes_.wall[i]] -= push.force;
         if (shapes_.wall[j] != DiscShapes::free) wall_forces_[shapes_.wall[j]] += push.force;
-        if constexpr (!loses_by_memory) power += force.dissipative * touch.x.extent_rate;
+        if constexpr (!loses_by_memory) power += force.dissipative * touch.x.deformation_rate;
         act(i, j, push);
       }
     }
@@ -337,11 +337,11 @@ class DiscSystem {
     Mode& mode = contacts_.friction_mode[of.pair];
     double& stretch = contacts_.stretch[of.pair];
     push.arm_a = arm(of.a, touch), push.arm_b = arm(of.b, touch);
-    if (mode == CoulombFriction::open && normal > 0.0 && touch.x.extent_rate > 0.0) {
+    if (mode == CoulombFriction::open && normal > 0.0 && touch.x.deformation_rate > 0.0) {
       const double slip = slip_rate(touch, push.arm_a, v.spin[of.a], push.arm_b, v.spin[of.b]);
-      stretch = friction_.begin(slip * std::max(touch.x.extent, 0.0) / touch.x.extent_rate, normal);
+      stretch = friction_.initial_stretch(slip * std::max(touch.x.deformation, 0.0) / touch.x.deformation_rate, normal);
     }
-    const auto settled = friction_.settle(stretch, normal);
+    const auto settled = friction_.return_mapping(stretch, normal);
     mode = settled.mode, stretch = settled.stretch;
     discs.work[static_cast<std::size_t>(Mechanism::friction)] += settled.dissipated;
     push.friction = friction_(stretch, normal);

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/state/state.hpp"
 
 namespace talus {
@@ -86,18 +86,18 @@ void kick_velocities(Discs& discs, const DiscRates& rates, double h);
 }
 
 /// Names the parts of a state or of rates; what is put back has its sizes already.
-inline void remember(Memory& memory, Discs& discs) {
-  memory.number("t", discs.t);
-  memory.number("slid", discs.slid);
-  memory.numbers("x", discs.x), memory.numbers("y", discs.y);
-  memory.numbers("vx", discs.vx), memory.numbers("vy", discs.vy);
-  memory.numbers("spin", discs.spin);
-  memory.numbers("work", discs.work);
+inline void serialize(Archive& archive, Discs& discs) {
+  archive.number("t", discs.t);
+  archive.number("slid", discs.slid);
+  archive.numbers("x", discs.x), archive.numbers("y", discs.y);
+  archive.numbers("vx", discs.vx), archive.numbers("vy", discs.vy);
+  archive.numbers("spin", discs.spin);
+  archive.numbers("work", discs.work);
 }
-inline void remember(Memory& memory, DiscRates& rates) {
-  memory.numbers("vx", rates.vx), memory.numbers("vy", rates.vy);
-  memory.numbers("spin", rates.spin);
-  memory.numbers("work", rates.work);
+inline void serialize(Archive& archive, DiscRates& rates) {
+  archive.numbers("vx", rates.vx), archive.numbers("vy", rates.vy);
+  archive.numbers("spin", rates.spin);
+  archive.numbers("work", rates.work);
 }
 
 }  // namespace talus

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
-#include "solver/granular/disc_sweep.hpp"
+#include "solver/granular/step_block.hpp"
 
 namespace talus {
 namespace {
@@ -25,7 +25,7 @@ FastDiscEngine::FastDiscEngine(const Traits& traits, DiscShapes shapes, Periodic
       shapes_{std::move(shapes)},
       list_{box, skin, traits.reach},
       skin_{skin},
-      kinds_{.largest = traits.remembers, .stretch = traits.turns, .normal = traits.turns},
+      kinds_{.largest = traits.has_history, .stretch = traits.turns, .normal = traits.turns},
       stripes_(threads) {
   if (threads == 0) throw InputError{"threads: found 0; it must be >= 1"};
   equal_radii_ = 2.0 * common(shapes_.radius);
@@ -94,7 +94,7 @@ void FastDiscEngine::evaluate(Discs& discs, DiscRates& out) {
   out.work[static_cast<std::size_t>(traits_.dissipation)] = power_;
 }
 
-void FastDiscEngine::settle(Discs& discs) {
+void FastDiscEngine::update_modes(Discs& discs) {
   DiscRates none{discs};
   evaluate(discs, none);
   --evaluations_;
@@ -108,7 +108,7 @@ void FastDiscEngine::sweep(double kick, double drift) {
   if (traits_.turns && drift != 0.0) {
     each([&](Stripe& stripe) {
       if (kick == 0.0) place_ghosts(stripe, places_.data(), &NeighbourList::Shift::x);
-      DiscSweep of = work(stripe, false, drift);
+      StepBlock of = work(stripe, false, drift);
       of.pairs = &numbered(stripe.own);
       stretch_contacts(of);
       of.pairs = &numbered(stripe.outgoing), of.contacts = &stripe.outgoing.contacts;
@@ -137,15 +137,15 @@ double FastDiscEngine::sweep_pairs(double kick, double drift) {
     each([&](Stripe& stripe) { find_outgoing(stripe); });
   }
   each([&](Stripe& stripe) {
-    DiscSweep of = work(stripe, kick != 0.0, drift);
+    StepBlock of = work(stripe, kick != 0.0, drift);
     of.later = moved_;
     for (const Stripe& earlier : stripes_) {
       if (&earlier == &stripe || kick == 0.0) break;
-      receive(of, earlier.pushes);
+      apply_incoming(of, earlier.pushes);
     }
-    stripe.fastest = sweep_discs(of);
+    stripe.fastest = kick_and_drift(of);
   });
-  if (kick != 0.0) book(), kick_walls(kick);
+  if (kick != 0.0) accumulate_ledger(), kick_walls(kick);
   double fastest = 0.0;
   for (const Stripe& stripe : stripes_)
     fastest = std::max(fastest, stripe.fastest);
@@ -174,7 +174,7 @@ void FastDiscEngine::kick_walls(double kick) {
 double FastDiscEngine::drift_walls(double drift) {
   double fastest = 0.0;
   for (const WallDiscs& of : moved_) {
-    DiscSweep those = work(stripes_.front(), false, drift);
+    StepBlock those = work(stripes_.front(), false, drift);
     those.begin = of.begin, those.end = of.end;
     fastest = std::max(fastest, move_discs(those));
   }
@@ -182,7 +182,7 @@ double FastDiscEngine::drift_walls(double drift) {
 }
 
 /// What contacts kept at this evaluation, in the order of pairs.
-void FastDiscEngine::book() {
+void FastDiscEngine::accumulate_ledger() {
   power_ = 0.0;
   parted_.clear();
   for (Stripe& stripe : stripes_) {
@@ -195,7 +195,7 @@ void FastDiscEngine::book() {
   double& released = work_[static_cast<std::size_t>(traits_.release)];
   double& slid = work_[static_cast<std::size_t>(Mechanism::friction)];
   auto parted = parted_.begin();
-  const auto book_parted = [&](std::size_t before) {
+  const auto record_parted = [&](std::size_t before) {
     for (; parted != parted_.end() && parted->pair < before; ++parted) {
       lost_ += hysteresis_loss(parted->largest);
       if (kinds.slid) slid += friction_energy(parted->stretch);
@@ -203,11 +203,11 @@ void FastDiscEngine::book() {
   };
   if (kinds.reported()) {
     for_each_touching([&](const SweptContacts& of, std::size_t t, std::size_t pair) {
-      if (kinds.slid) book_parted(pair), slid += of.slid[t];
+      if (kinds.slid) record_parted(pair), slid += of.slid[t];
       if (kinds.power) power_ += of.power[t], released += of.released[t];
     });
   }
-  book_parted(list_.size());
+  record_parted(list_.size());
 }
 
 void FastDiscEngine::copy_before(Stripe& stripe) {
@@ -223,12 +223,12 @@ void FastDiscEngine::find_outgoing(Stripe& stripe) {
   for (std::vector<Vec2>& pushes : stripe.wall_pushes)
     pushes.clear();
   if (stripes_.size() == 1) return;
-  DiscSweep of = work(stripe, true, 0.0);
+  StepBlock of = work(stripe, true, 0.0);
   of.pairs = &stripe.outgoing.near, of.contacts = &stripe.outgoing.contacts;
-  find_pushes(of, stripe.pushes);
+  evaluate_pair_forces(of, stripe.pushes);
 }
 
-DiscSweep FastDiscEngine::work(Stripe& stripe, bool kicks, double drift) {
+StepBlock FastDiscEngine::work(Stripe& stripe, bool kicks, double drift) {
   return {.kicks = kicks,
           .drift = drift,
           .reach = traits_.reach,
@@ -309,29 +309,29 @@ void FastDiscEngine::place_ghosts(Stripe& stripe, double* numbers, double Neighb
 
 double FastDiscEngine::lost() const {
   double lost = lost_;
-  if (!traits_.remembers) return lost;
+  if (!traits_.has_history) return lost;
   for_each_touching([&](const SweptContacts& contacts, std::size_t t, std::size_t) {
     lost += hysteresis_loss(contacts.memory(contacts.now, t).largest);
   });
   return lost;
 }
 
-void FastDiscEngine::remember(Memory& memory, const Discs& discs) {
-  memory.part("list", [&] { list_.remember(memory, shapes_); });
+void FastDiscEngine::serialize(Archive& archive, const Discs& discs) {
+  archive.scope("list", [&] { list_.serialize(archive, shapes_); });
   std::vector<double> first, second, largest, stretch, normal;
-  if (!memory.puts_back()) {
+  if (!archive.is_loading()) {
     for (const Kept& contact : kept_contacts()) {
       first.push_back(contact.first), second.push_back(contact.second);
       largest.push_back(contact.memory.largest), stretch.push_back(contact.memory.stretch);
       normal.push_back(contact.memory.normal);
     }
   }
-  memory.part("contact", [&] {
-    memory.list("first", first), memory.list("second", second);
-    memory.list("largest", largest), memory.list("stretch", stretch), memory.list("normal", normal);
+  archive.scope("contact", [&] {
+    archive.list("first", first), archive.list("second", second);
+    archive.list("largest", largest), archive.list("stretch", stretch), archive.list("normal", normal);
   });
-  memory.number("lost", lost_);
-  if (!memory.puts_back()) return;
+  archive.number("lost", lost_);
+  if (!archive.is_loading()) return;
   for (const auto* numbers : {&second, &largest, &stretch, &normal}) {
     if (numbers->size() != first.size()) {
       throw InputError{"contact: found " + std::to_string(numbers->size()) + " numbers of one kind and " +

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solver/base/huge_pages.hpp"
-#include "solver/base/team.hpp"
+#include "solver/base/thread_pool.hpp"
 #include "solver/base/vec.hpp"
 #include "solver/granular/discs.hpp"
 #include "solver/granular/neighbour_list.hpp"
@@ -42,7 +42,7 @@ namespace talus {
 /// 3. Lanes. Whether pairs are near, touch, and how they push is computed for four pairs at a time; the two coordinates
 ///    of a disc lie side by side and are fetched at once. Pairs across a border have a ghost as second disc: one more
 ///    place, that of the disc's image.
-/// 4. Memory of contacts that touch only, as a list in the order of their pairs: a sweep that finds the touching pairs
+/// 4. Archive of contacts that touch only, as a list in the order of their pairs: a sweep that finds the touching pairs
 ///    in that order goes along it. A pair that is not in it touches again.
 /// 5. Discs whose neighbours have neighbouring numbers: order_by_rows() and reordered() of disc_order.hpp give them.
 ///
@@ -70,7 +70,7 @@ class FastDiscEngine {
   /// Before begin(): Discs::work gets what dashpots and friction keep, as the twin's does. It takes up to half as long
   /// again where most pairs touch.
   void keep_work() {
-    kinds_.power = !traits_.remembers && traits_.needs_rate;
+    kinds_.power = !traits_.has_history && traits_.needs_rate;
     kinds_.normal = traits_.turns || kinds_.power;
     kinds_.slid = traits_.turns;
   }
@@ -85,7 +85,7 @@ class FastDiscEngine {
   Discs drifted(const Discs& discs, double h) const { return talus::drifted(discs, list_.box().sliding(), h); }
   /// Brings up to date what contacts remember, and sums the accelerations and the powers.
   void evaluate(Discs& discs, DiscRates& out);
-  void settle(Discs& discs);
+  void update_modes(Discs& discs);
   /// So many times kick() and drift(): the steps of EulerCromer and CentralDifference. Takes the time with it. Calls
   /// after() behind each; place() tells it where a disc is, wall_force() what pushed walls.
   template <class After>
@@ -101,7 +101,7 @@ class FastDiscEngine {
   double lost() const;
 
   /// Names all that a run of these discs carries from step to step besides their state. `discs` are there already.
-  void remember(Memory& memory, const Discs& discs);
+  void serialize(Archive& archive, const Discs& discs);
 
  protected:
   /// The law of contacts and their friction.
@@ -122,8 +122,8 @@ class FastDiscEngine {
   FastDiscEngine& operator=(FastDiscEngine&&) = default;
 
   /// The stages of a sweep in which the law and its friction act (disc_sweep.hpp).
-  virtual void find_pushes(const DiscSweep& sweep, DiscPushes& pushes) const = 0;
-  virtual double sweep_discs(const DiscSweep& sweep) const = 0;
+  virtual void evaluate_pair_forces(const StepBlock& sweep, PairForces& pushes) const = 0;
+  virtual double kick_and_drift(const StepBlock& sweep) const = 0;
   /// What a contact of a law with memory has lost by its largest overlap; of others 0 [F L].
   virtual double hysteresis_loss(double largest) const = 0;
   /// Energy of the spring of friction at a stretch [F L].
@@ -145,7 +145,7 @@ class FastDiscEngine {
     std::size_t begin{}, end{};
     std::size_t first_ghost{}, end_of_ghosts{};
     Swept own, outgoing;                         ///< with both discs of the stripe, or only the first
-    DiscPushes pushes;                           ///< of the outgoing ones
+    PairForces pushes;                           ///< of the outgoing ones
     std::vector<PartedPair> parted;              ///< since what contacts kept was booked
     std::vector<std::vector<Vec2>> wall_pushes;  ///< of each wall, the first of none: of its contacts [F]
     double fastest{};                            ///< square of own speed [L^2/T^2]
@@ -166,8 +166,8 @@ class FastDiscEngine {
   void find_outgoing(Stripe& stripe);
   void kick_walls(double kick);
   double drift_walls(double drift);
-  void book();
-  DiscSweep work(Stripe& stripe, bool kicks, double drift);
+  void accumulate_ledger();
+  StepBlock work(Stripe& stripe, bool kicks, double drift);
   void end_drift(Discs& discs, double h);
   void load(const Discs& discs);
   void store(Discs& discs);
@@ -223,7 +223,7 @@ class FastDiscEngine {
 
   SweptPairs pairs_;             ///< all listed
   std::vector<Stripe> stripes_;  ///< one for each thread
-  Team* team_{};                 ///< during advance(), of several threads
+  ThreadPool* pool_{};           ///< during advance(), of several threads
   bool all_near_{};              ///< the near list is all pairs
   double reach_{};               ///< s, of the near list beyond contact [L]
   double used_{};                ///< of s [L]
@@ -237,8 +237,8 @@ class FastDiscEngine {
 
 template <class Work>
 void FastDiscEngine::each(Work&& work) {
-  if (team_ != nullptr) {
-    team_->each([&](std::size_t k) { work(stripes_[k]); });
+  if (pool_ != nullptr) {
+    pool_->each([&](std::size_t k) { work(stripes_[k]); });
   } else {
     for (Stripe& stripe : stripes_)
       work(stripe);
@@ -248,12 +248,12 @@ void FastDiscEngine::each(Work&& work) {
 template <class After>
 void FastDiscEngine::advance(Discs& discs, double h, long steps, After&& after) {
   load(discs);
-  std::optional<Team> team;
-  if (stripes_.size() > 1) team_ = &team.emplace(stripes_.size());
+  std::optional<ThreadPool> pool;
+  if (stripes_.size() > 1) pool_ = &pool.emplace(stripes_.size());
   const struct Leave {
-    Team*& team;
-    ~Leave() { team = nullptr; }
-  } leave{team_};
+    ThreadPool*& pool;
+    ~Leave() { pool = nullptr; }
+  } leave{pool_};
   for (long n = 0; n < steps; ++n) {
     sweep(h, h);
     end_drift(discs, h);

@@ -7,8 +7,8 @@
 
 #include "solver/base/error.hpp"
 #include "solver/base/pack.hpp"
-#include "solver/granular/disc_sweep.hpp"
 #include "solver/granular/fast_disc_engine.hpp"
+#include "solver/granular/step_block.hpp"
 
 /// The lists of FastDiscEngine: stripes, places, near pairs, and the contacts that go from one list to the next.
 namespace talus {
@@ -27,7 +27,7 @@ constexpr std::size_t whole(std::size_t count, std::size_t of) { return (count +
 void FastDiscEngine::rebuild(Discs& discs) {
   std::vector<Kept> kept = kept_contacts();
   wrap(list_.box(), discs);
-  list_.build(shapes_, discs, team_);
+  list_.build(shapes_, discs, pool_);
   ++builds_;
   list_stripes();
   list_places();
@@ -152,7 +152,7 @@ void FastDiscEngine::prune() {
 }
 
 void FastDiscEngine::prune(Stripe& stripe) {
-  DiscSweep of = work(stripe, false, 0.0);
+  StepBlock of = work(stripe, false, 0.0);
   of.pairs = &pairs_;
   SweptPairs &own_near = stripe.own.near, &outgoing_near = stripe.outgoing.near;
   own_near.count = outgoing_near.count = 0;

@@ -9,11 +9,11 @@
 
 #include "solver/base/vec.hpp"
 #include "solver/granular/disc_contact.hpp"
-#include "solver/granular/disc_sweep.hpp"
 #include "solver/granular/fast_disc_engine.hpp"
+#include "solver/granular/step_block.hpp"
 #include "solver/laws/contact_kernel.hpp"
 #include "solver/laws/coulomb_friction.hpp"
-#include "solver/laws/settling.hpp"
+#include "solver/laws/mode_update.hpp"
 
 namespace talus {
 
@@ -29,13 +29,13 @@ template <Law L, class F = Frictionless>
 requires HasContactKernel<L>
 class FastDiscSystem : public FastDiscEngine {
  public:
-  static constexpr bool remembers = L::memory_size == 1, turns = std::same_as<F, CoulombFriction>;
+  static constexpr bool has_history = L::memory_size == 1, turns = std::same_as<F, CoulombFriction>;
 
   /// skin [L] > 0: how far beyond the law's reach the neighbour list goes. threads >= 1: of advance(); worth it from
   /// some thousand discs on, numbered by rows.
   FastDiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin, const F& friction = {},
                  std::size_t threads = 1)
-      : FastDiscEngine{{.remembers = remembers,
+      : FastDiscEngine{{.has_history = remembers,
                         .turns = turns,
                         .needs_rate = contact_kernel(law).needs_rate(),
                         .reach = reach(law),
@@ -62,12 +62,12 @@ class FastDiscSystem : public FastDiscEngine {
           const double distance = norm(d);
           const Vec2 n{d.x / distance, d.y / distance};
           const Kinematics x{shapes().radius[a] + shapes().radius[b] - distance, -dot(v, n)};
-          if (!(x.extent > -reach(law_))) return;
+          if (!(x.deformation > -reach(law_))) return;
           std::array<double, 1> memory{then.largest};
           const std::span<double> remembered{memory.data(), L::memory_size};
           Mode mode = 1;  // of what touches; settling finds whether another has followed
-          talus::settle(law_, remembered, x, mode, [](double) {});
-          DiscContact contact{.a = a, .b = b, .depth = x.extent, .n_ab = n, .distance = distance};
+          talus::update_mode(law_, remembered, x, mode, [](double) {});
+          DiscContact contact{.a = a, .b = b, .depth = x.deformation, .n_ab = n, .distance = distance};
           contact.force = mode == 0 ? 0.0 : law_(x, remembered, mode).total();
           contact.stored = law_.stored_energy(x, remembered, mode);
           if constexpr (turns) {
@@ -79,10 +79,10 @@ class FastDiscSystem : public FastDiscEngine {
   }
 
  private:
-  void find_pushes(const DiscSweep& sweep, DiscPushes& pushes) const override {
-    talus::find_pushes(law_, friction_, sweep, pushes);
+  void evaluate_pair_forces(const StepBlock& sweep, PairForces& pushes) const override {
+    talus::evaluate_pair_forces(law_, friction_, sweep, pushes);
   }
-  double sweep_discs(const DiscSweep& sweep) const override { return talus::sweep_discs(law_, friction_, sweep); }
+  double kick_and_drift(const StepBlock& sweep) const override { return talus::kick_and_drift(law_, friction_, sweep); }
   double hysteresis_loss([[maybe_unused]] double largest) const override {
     if constexpr (remembers) return law_.hysteresis_loss(largest);
     return 0.0;

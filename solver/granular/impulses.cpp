@@ -9,9 +9,9 @@ namespace {
 
 /// Gives discs the impulses of forces, in the order that it is told them.
 template <bool turns>
-class Giver {
+class ImpulseScatter {
  public:
-  [[gnu::always_inline]] explicit Giver(const DiscSweep& w)
+  [[gnu::always_inline]] explicit ImpulseScatter(const StepBlock& w)
       : w_{w},
         velocities_{w.velocities},
         per_force_{w.impulse_per_force},
@@ -39,7 +39,7 @@ class Giver {
   }
 
  private:
-  const DiscSweep& w_;
+  const StepBlock& w_;
   double* const velocities_;
   const double* const per_force_;
   const std::size_t unlike_mass_, first_wall_;
@@ -52,48 +52,48 @@ class Giver {
 }
 
 template <bool turns>
-void give_out(const DiscSweep& w, std::size_t to_place, NextOutgoing& next) {
-  const Giver<turns> giver{w};
-  for (; next.first < to_place; next.go_on(w)) {
-    const DiscPushes& out = *w.outgoing;
+void scatter_outgoing(const StepBlock& w, std::size_t to_place, NextOutgoing& next) {
+  const ImpulseScatter<turns> scatter{w};
+  for (; next.first < to_place; next.proceed(w)) {
+    const PairForces& out = *w.outgoing;
     const Place force = force_of(out.force.data(), next.pair);
-    giver.give(next.first, -force, out.friction.data(), out.arm_a.data(), next.pair);
-    giver.give_walls(next.first, own_place(w, out.second[next.pair]), force);
+    scatter.give(next.first, -force, out.friction.data(), out.arm_a.data(), next.pair);
+    scatter.give_walls(next.first, own_place(w, out.second[next.pair]), force);
   }
 }
 
 template <bool turns>
-[[gnu::always_inline]] inline void give_all(const DiscSweep& w, std::span<const std::uint32_t> touching,
+[[gnu::always_inline]] inline void give_all(const StepBlock& w, std::span<const std::uint32_t> touching,
                                             const Pushes& pushes, NextOutgoing& next) {
-  const Giver<turns> giver{w};
+  const ImpulseScatter<turns> scatter{w};
   const std::uint32_t *const firsts = w.pairs->first.data(), *const seconds = w.pairs->second.data();
   std::size_t next_out = next.first;
   for (std::size_t t = 0; t < touching.size(); ++t) {
     const std::size_t a = firsts[touching[t]], b = own_place(w, seconds[touching[t]]);
     if (next_out < a) {
-      give_out<turns>(w, a, next);
+      scatter_outgoing<turns>(w, a, next);
       next_out = next.first;
     }
     const Place force = force_of(pushes.force, t);
-    giver.give(a, -force, pushes.friction, pushes.arm_a, t);
-    giver.give(b, force, pushes.friction, pushes.arm_b, t);
-    giver.give_walls(a, b, force);
+    scatter.give(a, -force, pushes.friction, pushes.arm_a, t);
+    scatter.give(b, force, pushes.friction, pushes.arm_b, t);
+    scatter.give_walls(a, b, force);
   }
 }
 
 template <bool turns>
-void give_in(const DiscSweep& w, const DiscPushes& pushes) {
-  const Giver<turns> giver{w};
+void scatter_incoming(const StepBlock& w, const PairForces& pushes) {
+  const ImpulseScatter<turns> scatter{w};
   for (std::size_t k = 0; k < pushes.count; ++k) {
     const std::size_t b = own_place(w, pushes.second[k]);
     if (b >= 2 * w.begin && b < 2 * w.end)
-      giver.give(b, force_of(pushes.force.data(), k), pushes.friction.data(), pushes.arm_b.data(), k);
+      scatter.give(b, force_of(pushes.force.data(), k), pushes.friction.data(), pushes.arm_b.data(), k);
   }
 }
 
 }  // namespace
 
-TALUS_CLONES void give(const DiscSweep& sweep, std::span<const std::uint32_t> touching, Pushes pushes,
+TALUS_CLONES void give(const StepBlock& sweep, std::span<const std::uint32_t> touching, Pushes pushes,
                        NextOutgoing& next) {
   if (sweep.spins != nullptr)
     give_all<true>(sweep, touching, pushes, next);
@@ -101,14 +101,16 @@ TALUS_CLONES void give(const DiscSweep& sweep, std::span<const std::uint32_t> to
     give_all<false>(sweep, touching, pushes, next);
 }
 
-void give_outgoing(const DiscSweep& sweep, std::size_t to_place, NextOutgoing& next) {
-  sweep.spins != nullptr ? give_out<true>(sweep, to_place, next) : give_out<false>(sweep, to_place, next);
+void give_outgoing(const StepBlock& sweep, std::size_t to_place, NextOutgoing& next) {
+  sweep.spins != nullptr ? scatter_outgoing<true>(sweep, to_place, next)
+                         : scatter_outgoing<false>(sweep, to_place, next);
 }
 
 }  // namespace stages
 
-void receive(const DiscSweep& sweep, const DiscPushes& pushes) {
-  sweep.spins != nullptr ? stages::give_in<true>(sweep, pushes) : stages::give_in<false>(sweep, pushes);
+void apply_incoming(const StepBlock& sweep, const PairForces& pushes) {
+  sweep.spins != nullptr ? stages::scatter_incoming<true>(sweep, pushes)
+                         : stages::scatter_incoming<false>(sweep, pushes);
 }
 
 }  // namespace talus

@@ -11,18 +11,18 @@
 #include "solver/granular/contact_lanes.hpp"
 #include "solver/granular/disc_lanes.hpp"
 #include "solver/granular/disc_stages.hpp"
-#include "solver/granular/disc_sweep.hpp"
+#include "solver/granular/step_block.hpp"
 #include "solver/laws/law_list.hpp"
 
-/// Sweeps by a law and friction: the definitions of find_pushes() and sweep_discs(), and how they are instantiated.
+/// Sweeps by a law and friction: the definitions of evaluate_pair_forces() and kick_and_drift(), and how they are instantiated.
 namespace talus {
 namespace stages {
 
 /// Pairs with the lanes behind the last.
-inline std::size_t whole_packs(const DiscSweep& w) { return (w.pairs->count + pack_size - 1) / pack_size * pack_size; }
+inline std::size_t whole_packs(const StepBlock& w) { return (w.pairs->count + pack_size - 1) / pack_size * pack_size; }
 
 /// Moves the discs from <= i < to but for those that move later.
-inline void move_others(const DiscSweep& w, std::size_t from, std::size_t to, Sizes& fastest) {
+inline void move_others(const StepBlock& w, std::size_t from, std::size_t to, Sizes& fastest) {
   for (const WallDiscs& later : w.later) {
     if (later.end <= from || later.begin >= to) continue;
     if (from < later.begin) move(w, from, later.begin, fastest);
@@ -34,7 +34,7 @@ inline void move_others(const DiscSweep& w, std::size_t from, std::size_t to, Si
 }  // namespace stages
 
 template <class L, class F>
-double sweep_discs(const L& law, const F& friction, const DiscSweep& w) {
+double kick_and_drift(const L& law, const F& friction, const StepBlock& w) {
   constexpr std::size_t room = sweep_block + pack_size;
   std::array<double, 5 * room> numbers;
   const stages::Pushes pushes{&numbers[0], &numbers[2 * room], &numbers[3 * room], &numbers[4 * room]};
@@ -65,7 +65,7 @@ double sweep_discs(const L& law, const F& friction, const DiscSweep& w) {
 }
 
 template <class L, class F>
-void find_pushes(const L& law, const F& friction, const DiscSweep& w, DiscPushes& out) {
+void evaluate_pair_forces(const L& law, const F& friction, const StepBlock& w, PairForces& out) {
   const std::size_t pairs = stages::whole_packs(w);
   out.force.resize(2 * (pairs + pack_size));
   for (auto* numbers : {&out.friction, &out.arm_a, &out.arm_b})
@@ -91,7 +91,7 @@ template <class... L>
 struct LawSweeps<LawList<L...>> {
   template <class F>
   static auto with_friction() {
-    return std::tuple{&find_pushes<L, F>..., &sweep_discs<L, F>...};
+    return std::tuple{&evaluate_pair_forces<L, F>..., &kick_and_drift<L, F>...};
   }
   /// Never called: what it names is instantiated with it. (Variables that are marked as used end clang 14.)
   static auto all() { return std::tuple{with_friction<Frictionless>(), with_friction<CoulombFriction>()}; }

@@ -25,7 +25,7 @@ constexpr int image_bits = 8;
 constexpr Numbered numbered(std::size_t disc, std::uint8_t image) { return Numbered{disc} << image_bits | image; }
 
 /// A disc or an image of one.
-struct Standing {
+struct PlacedDisc {
   double x, y, radius;  ///< [L]
   Numbered number;
 };
@@ -39,9 +39,10 @@ std::size_t whole_between(double least, double x, double most) {
 /// around, where images are.
 class Cells {
  public:
-  Cells(const DiscShapes& shapes, const Discs& discs, const PeriodicBox& box, double offset, double reach, Team* team) {
+  Cells(const DiscShapes& shapes, const Discs& discs, const PeriodicBox& box, double offset, double reach,
+        ThreadPool* pool) {
     const auto range = [&](const std::vector<double>& at, double period) {
-      if (period < PeriodicBox::endless) return std::pair{-0.5 * period, 0.5 * period};
+      if (period < PeriodicBox::unbounded) return std::pair{-0.5 * period, 0.5 * period};
       const auto [low, high] = std::minmax_element(at.begin(), at.end());
       return std::pair{*low, *high};
     };
@@ -54,26 +55,26 @@ class Cells {
     stride_ = columns_ + 2;
 
     const auto disc = [&](std::size_t i) {
-      return Standing{discs.x[i], discs.y[i], shapes.radius[i], numbered(i, code({}))};
+      return PlacedDisc{discs.x[i], discs.y[i], shapes.radius[i], numbered(i, code({}))};
     };
     // Of each thread the images of its discs, and how many stand in each cell; then where its first there is to stand.
     struct Share {
-      std::vector<Standing> images;
+      std::vector<PlacedDisc> images;
       std::vector<std::uint32_t> in_cell;
     };
-    std::vector<Share> shares(team == nullptr ? 1 : team->size());
+    std::vector<Share> shares(pool == nullptr ? 1 : pool->size());
     const std::size_t cells = stride_ * (rows_ + 2);
     cell_.resize(discs.size());
-    in_parts(team, discs.size(), [&](const Part& part) {
+    in_ranges(pool, discs.size(), [&](const IndexRange& part) {
       Share& share = shares[part.number];
       share.in_cell.assign(cells, 0);
       for (std::size_t i = part.begin; i < part.end; ++i) {
-        const Standing one = disc(i);
+        const PlacedDisc one = disc(i);
         cell_[i] = static_cast<std::uint32_t>(cell(one));
         ++share.in_cell[cell_[i]];
         add_images(box, offset, reach, one, share.images);
       }
-      for (const Standing& image : share.images)
+      for (const PlacedDisc& image : share.images)
         ++share.in_cell[cell(image)];
     });
     begin_.resize(cells + 1);
@@ -85,18 +86,18 @@ class Cells {
     }
     begin_[cells] = count;
     standing_.resize(count);
-    in_parts(team, discs.size(), [&](const Part& part) {
+    in_ranges(pool, discs.size(), [&](const IndexRange& part) {
       Share& share = shares[part.number];
       for (std::size_t i = part.begin; i < part.end; ++i)
         standing_[share.in_cell[cell_[i]]++] = disc(i);
-      for (const Standing& image : share.images)
+      for (const PlacedDisc& image : share.images)
         standing_[share.in_cell[cell(image)]++] = image;
     });
   }
 
   /// All that stand in the cells around that of a disc: three times those of a row.
-  std::array<std::span<const Standing>, 3> around(std::size_t disc) const {
-    std::array<std::span<const Standing>, 3> rows;
+  std::array<std::span<const PlacedDisc>, 3> around(std::size_t disc) const {
+    std::array<std::span<const PlacedDisc>, 3> rows;
     for (std::size_t row = 0; row < rows.size(); ++row) {
       const std::size_t middle = cell_[disc] + row * stride_ - stride_;
       rows[row] = {standing_.data() + begin_[middle - 1], standing_.data() + begin_[middle + 2]};
@@ -106,9 +107,9 @@ class Cells {
 
  private:
   /// Those of a disc that discs in the rectangle may reach.
-  void add_images(const PeriodicBox& box, double offset, double reach, const Standing& disc,
-                  std::vector<Standing>& images) const {
-    const auto inside = [&](const Standing& one, double by) {
+  void add_images(const PeriodicBox& box, double offset, double reach, const PlacedDisc& disc,
+                  std::vector<PlacedDisc>& images) const {
+    const auto inside = [&](const PlacedDisc& one, double by) {
       return one.x > left_ + by && one.x < right_ - by && one.y > bottom_ + by && one.y < top_ - by;
     };
     if (inside(disc, reach)) return;
@@ -117,12 +118,12 @@ class Cells {
       for (int right = -beside; right <= beside; ++right) {
         const PeriodicBox::Image which{static_cast<double>(right), static_cast<double>(up)};
         const Vec2 shift = box.shift(which, offset);
-        const Standing image{disc.x + shift.x, disc.y + shift.y, disc.radius, disc.number + code(which) - code({})};
+        const PlacedDisc image{disc.x + shift.x, disc.y + shift.y, disc.radius, disc.number + code(which) - code({})};
         if (image.number != disc.number && inside(image, -reach)) images.push_back(image);
       }
     }
   }
-  std::size_t cell(const Standing& one) const {
+  std::size_t cell(const PlacedDisc& one) const {
     // Discs at an edge are inside, however that rounds; images may be outside.
     const double outside = (one.number & numbered(0, 0xff)) == code({}) ? 0.0 : 1.0;
     const auto place = [&](double at, double low, double high, std::size_t count) {
@@ -137,7 +138,7 @@ class Cells {
   std::size_t stride_{};              ///< from a row of cells to the next
   std::vector<std::uint32_t> begin_;  ///< of each cell in standing_
   std::vector<std::uint32_t> cell_;   ///< of each disc
-  std::vector<Standing> standing_;
+  std::vector<PlacedDisc> standing_;
 };
 
 }  // namespace
@@ -165,13 +166,13 @@ void NeighbourList::check_periods() const {
   }
 }
 
-void NeighbourList::build(const DiscShapes& shapes, const Discs& discs, Team* team) {
+void NeighbourList::build(const DiscShapes& shapes, const Discs& discs, ThreadPool* pool) {
   used_ = 0.0;
   slid_ = discs.slid;
   offset_ = box_.offset(discs.slid);
   x_ = discs.x, y_ = discs.y;
   find_flow(discs);
-  find_pairs(shapes, discs, team);
+  find_pairs(shapes, discs, pool);
 }
 
 void NeighbourList::find_flow(const Discs& discs) {
@@ -209,21 +210,21 @@ double NeighbourList::furthest(const Discs& discs) const {
   return std::sqrt(most);
 }
 
-void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, Team* team) {
+void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, ThreadPool* pool) {
   reach_ = 2.0 * *std::max_element(shapes.radius.begin(), shapes.radius.end()) + margin_;
   check_periods();
-  const Cells cells{shapes, discs, box_, offset_, reach_, team};
+  const Cells cells{shapes, discs, box_, offset_, reach_, pool};
   first_.resize(shapes.size() + 1);
   first_[0] = 0;
   // The first thread's pairs stand where they belong; those of the others join them, with where each disc's end.
   struct Found {
-    Part of;
+    IndexRange of;
     std::vector<std::uint32_t> second;
     std::vector<std::uint8_t> image;
   };
-  std::vector<Found> found(team == nullptr ? 1 : team->size());
+  std::vector<Found> found(pool == nullptr ? 1 : pool->size());
   found[0].second.swap(second_), found[0].image.swap(image_);
-  in_parts(team, shapes.size(), [&](const Part& part) {
+  in_ranges(pool, shapes.size(), [&](const IndexRange& part) {
     auto& [of, second, image] = found[part.number];
     of = part;
     second.clear(), image.clear();
@@ -234,8 +235,8 @@ void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, Tea
       // Whether one is near is as good as drawn by lot: written down is each, and kept if it is.
       std::size_t count = 0;
       const Numbered own = numbered(i, 0xff);
-      for (const std::span<const Standing> standing : around) {
-        for (const Standing& other : standing) {
+      for (const std::span<const PlacedDisc> standing : around) {
+        for (const PlacedDisc& other : standing) {
           const double dx = other.x - discs.x[i], dy = other.y - discs.y[i];
           const double within = shapes.radius[i] + other.radius + margin_;
           row[count] = other.number;
@@ -265,14 +266,14 @@ void NeighbourList::find_pairs(const DiscShapes& shapes, const Discs& discs, Tea
   if (4 * second_.capacity() > 5 * second_.size()) second_.shrink_to_fit(), image_.shrink_to_fit();
 }
 
-void NeighbourList::remember(Memory& memory, const DiscShapes& shapes) {
-  memory.number("used", used_);
-  memory.number("slid", slid_);
-  memory.number("offset", offset_);
-  if (memory.puts_back()) x_.resize(shapes.size()), y_.resize(shapes.size());
-  memory.numbers("x", x_), memory.numbers("y", y_);
-  memory.number("flow_x", flow_.x), memory.number("flow_y", flow_.y), memory.number("flow_rate", flow_.rate);
-  if (!memory.puts_back()) return;
+void NeighbourList::serialize(Archive& archive, const DiscShapes& shapes) {
+  archive.number("used", used_);
+  archive.number("slid", slid_);
+  archive.number("offset", offset_);
+  if (archive.is_loading()) x_.resize(shapes.size()), y_.resize(shapes.size());
+  archive.numbers("x", x_), archive.numbers("y", y_);
+  archive.number("flow_x", flow_.x), archive.number("flow_y", flow_.y), archive.number("flow_rate", flow_.rate);
+  if (!archive.is_loading()) return;
   Discs then;
   then.x = x_, then.y = y_;
   find_pairs(shapes, then, nullptr);

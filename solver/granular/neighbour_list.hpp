@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/base/team.hpp"
+#include "solver/base/thread_pool.hpp"
 #include "solver/base/vec.hpp"
 #include "solver/granular/discs.hpp"
 #include "solver/granular/periodic_box.hpp"
@@ -35,10 +35,10 @@ class NeighbourList {
   /// Lists the pairs of which at least one disc can move, of discs in the box (wrap()). Errors: InputError if a period
   /// is shorter than the discs and the skin need so that no disc meets two images of another. With a team by its
   /// threads, the same list.
-  void build(const DiscShapes& shapes, const Discs& discs, Team* team = nullptr);
+  void build(const DiscShapes& shapes, const Discs& discs, ThreadPool* pool = nullptr);
 
   /// Names what the list is made of. The list that is put back is the one that was saved. Errors: as build().
-  void remember(Memory& memory, const DiscShapes& shapes);
+  void serialize(Archive& archive, const DiscShapes& shapes);
 
   /// A mean flow (x + rate y, y) [L/T] that discs near each other share: what they move from it is their own.
   struct Flow {
@@ -109,7 +109,7 @@ class NeighbourList {
 
  private:
   void check_periods() const;
-  void find_pairs(const DiscShapes& shapes, const Discs& discs, Team* team);
+  void find_pairs(const DiscShapes& shapes, const Discs& discs, ThreadPool* pool);
   double furthest(const Discs& discs) const;
   void find_flow(const Discs& discs);
 

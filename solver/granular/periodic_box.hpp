@@ -10,14 +10,14 @@ namespace talus {
 /// The plane, or a strip or rectangle of it that repeats itself. The rectangle above may slide over the one below at a
 /// constant rate (Lees & Edwards 1972): uniform shear without walls.
 struct PeriodicBox {
-  static constexpr double endless = std::numeric_limits<double>::infinity();
+  static constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-  double width{endless};   ///< period along x [L] > 0
-  double height{endless};  ///< period along y [L] > 0
-  double shear_rate{};     ///< du/dy of the mean flow [1/T]; needs a height
+  double width{unbounded};   ///< period along x [L] > 0
+  double height{unbounded};  ///< period along y [L] > 0
+  double shear_rate{};       ///< du/dy of the mean flow [1/T]; needs a height
 
-  bool repeats_x() const { return width < endless; }
-  bool repeats_y() const { return height < endless; }
+  bool repeats_x() const { return width < unbounded; }
+  bool repeats_y() const { return height < unbounded; }
   /// Velocity of the box above over this one [L/T].
   double sliding() const { return repeats_y() ? shear_rate * height : 0.0; }
   /// What is left of a way that the box above has slid, less whole widths: within half a width [L].

@@ -12,7 +12,7 @@
 namespace talus {
 
 /// What the first discs of pairs do to the second.
-struct DiscPushes {
+struct PairForces {
   std::vector<std::uint32_t> first, second;    ///< where the places begin
   std::vector<double> force;                   ///< on the second: x, y of each [F]
   std::vector<double> friction, arm_a, arm_b;  ///< turns both [F], at [L]
@@ -26,7 +26,7 @@ struct WallDiscs {
 
 /// What a sweep works on, as FastDiscSystem lays it out: some of the discs, which nobody else moves meanwhile, and
 /// pairs of them.
-struct DiscSweep {
+struct StepBlock {
   bool kicks{};    ///< whether velocities change, by impulse_per_force
   double drift{};  ///< how long places change [T]; 0: not at all
   double reach{};  ///< how far apart surfaces may be where they touch, as the law understands it [L]
@@ -52,7 +52,7 @@ struct DiscSweep {
   SweptContacts* contacts{};          ///< of these pairs
   std::vector<PartedPair>* parted{};  ///< is added to
   std::vector<Vec2>* wall_pushes{};   ///< of each wall are added to: forces of its contacts [F]
-  const DiscPushes* outgoing{};       ///< of pairs whose first disc is of this sweep and whose second is not
+  const PairForces* outgoing{};       ///< of pairs whose first disc is of this sweep and whose second is not
 };
 
 }  // namespace talus

@@ -24,10 +24,10 @@ bool VirtualDiscs::holds(const Discs& discs) {
   return true;
 }
 
-void VirtualDiscs::remember(Memory& memory, const DiscShapes& shapes) {
-  if (memory.puts_back()) x_.resize(shapes.size());
-  memory.numbers("x", x_);
-  if (!memory.puts_back()) return;
+void VirtualDiscs::serialize(Archive& archive, const DiscShapes& shapes) {
+  if (archive.is_loading()) x_.resize(shapes.size());
+  archive.numbers("x", x_);
+  if (!archive.is_loading()) return;
   Discs then;
   then.x = x_;
   build(shapes, then);

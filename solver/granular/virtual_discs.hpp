@@ -18,7 +18,7 @@ class VirtualDiscs : public NeighbourList {
   /// Whether all discs are still in the field; finds the pairs' virtual discs.
   bool holds(const Discs& discs);
   /// Names where discs were when virtual ones were found.
-  void remember(Memory& memory, const DiscShapes& shapes);
+  void serialize(Archive& archive, const DiscShapes& shapes);
 
  private:
   void find_nearest(const Discs& discs);

@@ -36,7 +36,7 @@ void drift_coordinates(StateOf<Scalar>& state, std::type_identity_t<Scalar> h) {
 
 /// Advances work and impulse by h times their rates.
 template <class Scalar>
-void book_rates(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::type_identity_t<Scalar> h) {
+void accumulate_work(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::type_identity_t<Scalar> h) {
   if (!rates.accounts) return;
   for (std::size_t i = 0; i < state.work.size(); ++i)
     state.work[i] += h * rates.work[i];
@@ -48,7 +48,7 @@ void book_rates(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::type_
 template <class Scalar>
 void kick_velocities(StateOf<Scalar>& state, const RatesOf<Scalar>& rates, std::type_identity_t<Scalar> h) {
   advance(state.v, state.v, h, rates.v, std::min(rates.moving, state.v.size()));
-  book_rates(state, rates, h);
+  accumulate_work(state, rates, h);
 }
 
 /// The same with the memory: all that has a rate of its own.

@@ -11,7 +11,7 @@ namespace talus {
 ///
 ///   a = a0 - sum stiffness (q - q0) - sum damping (v - v0) - sum pull (z - z0),   dz/dt = dz0/dt + sum slope (v - v0).
 ///
-/// Terms of the same row and column add up. No terms: free flight. Memory that follows the motion, as the stretch of
+/// Terms of the same row and column add up. No terms: free flight. Archive that follows the motion, as the stretch of
 /// friction, is in the stiffness too, as if it had no memory: the solver's z - z0 is what it misses beyond that.
 struct AffinePiece {
   struct Term {

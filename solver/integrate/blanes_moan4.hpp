@@ -8,7 +8,7 @@
 #include "solver/integrate/advance.hpp"
 #include "solver/integrate/concepts.hpp"
 #include "solver/integrate/linear_limit.hpp"
-#include "solver/state/state_memory.hpp"
+#include "solver/state/state_archive.hpp"
 
 namespace talus {
 
@@ -75,10 +75,10 @@ class BlanesMoan4Of {
     state.t += h;
   }
 
-  void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
-    if (memory.puts_back()) rates_ = Rates{like};
-    using talus::remember;
-    memory.part("rates", [&] { remember(memory, rates_); });
+  void serialize(Archive& archive, const StateType& like) requires std::same_as<Scalar, double> {
+    if (archive.is_loading()) rates_ = Rates{like};
+    using talus::serialize;
+    archive.scope("rates", [&] { serialize(archive, rates_); });
   }
 
  private:

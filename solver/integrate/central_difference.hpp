@@ -53,7 +53,7 @@ struct CentralDifferenceOf {
   }
 
   /// Nothing: the stagger is in the state.
-  void remember(Memory&, const StateType&) const {}
+  void serialize(Archive&, const StateType&) const {}
 };
 
 using CentralDifference = CentralDifferenceOf<State>;

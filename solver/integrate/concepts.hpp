@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/base/named_member.hpp"
 #include "solver/state/state.hpp"
 
@@ -34,13 +34,13 @@ concept Splittable = DriftedFits<S, StateType> && requires(S& system, StateType&
 };
 
 /// A system that gives its rates of change, and drifts as above.
-///   settle(state)         brings the modes up to date with coordinates and velocities
+///   update_modes(state)         brings the modes up to date with coordinates and velocities
 ///   evaluate(state, out)  the same and the rates then, for one force evaluation
 template <class S, class StateType = State>
 concept Evaluable = requires(S& system, StateType& state, typename StateType::Rates& rates,
                              typename StateType::Number h) {
   system.drift(state, h);
-  system.settle(state);
+  system.update_modes(state);
   system.evaluate(state, rates);
 };
 
@@ -194,12 +194,12 @@ concept Staggered = requires(const I& integrator, S& system, StateType& copy, ty
 /// Nothing else in the solver goes by a method's name: see traits_of and integrator_list.hpp.
 template <class I, class S, class StateType = State>
 concept IntegratorFor = requires(I integrator, S& system, StateType& state, const StateType& fixed,
-                                 typename StateType::Number h, Memory& memory) {
+                                 typename StateType::Number h, Archive& archive) {
   requires Described<I> && ToleranceFits<I> && OptionalMembersFit<I> && std::semiregular<I>;
   requires !NamesSynchronize<I> || Staggered<I, S, StateType>;
   integrator.start(system, state, h);
   integrator.step(system, state, h);
-  integrator.remember(memory, fixed);
+  integrator.serialize(archive, fixed);
 };
 
 /// Brings all parts of a copy of the method's state to the same time, copy.t: what observers see.

@@ -155,12 +155,12 @@ void Differences::basis(double t, std::size_t terms, std::span<Basis> out) const
   integrate_basis(times_.data(), t, terms, out.data());
 }
 
-void Differences::remember(Memory& memory, std::size_t width) {
+void Differences::serialize(Archive& archive, std::size_t width) {
   width_ = width;
   stride_ = whole_packs(width);
-  memory.list("times", times_);
-  memory.list("differences", table_);
-  if (!memory.puts_back()) return;
+  archive.list("times", times_);
+  archive.list("differences", table_);
+  if (!archive.is_loading()) return;
   const bool falling = std::adjacent_find(times_.begin(), times_.end(), std::less_equal{}) == times_.end();
   if (times_.size() > most || !falling)
     throw InputError{

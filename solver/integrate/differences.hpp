@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 
 namespace talus {
 
@@ -54,7 +54,7 @@ class Differences {
                                 std::span<const double> factors) const;
 
   /// Names its parts; one that puts back is told its width. Errors when putting back: InputError if they do not fit.
-  void remember(Memory& memory, std::size_t width);
+  void serialize(Archive& archive, std::size_t width);
 
  private:
   std::vector<double> times_;  ///< newest first

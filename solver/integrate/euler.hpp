@@ -34,7 +34,7 @@ class EulerOf {
   template <Evaluable<StateType> System>
   void start(System& system, StateType& state, Scalar) {
     rates_ = Rates{state};
-    system.settle(state);
+    system.update_modes(state);
   }
 
   template <Evaluable<StateType> System>
@@ -46,8 +46,8 @@ class EulerOf {
   }
 
   /// Nothing but room for the rates.
-  void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
-    if (memory.puts_back()) rates_ = Rates{like};
+  void serialize(Archive& archive, const StateType& like) requires std::same_as<Scalar, double> {
+    if (archive.is_loading()) rates_ = Rates{like};
   }
 
  private:

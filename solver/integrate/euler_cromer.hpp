@@ -33,7 +33,7 @@ struct EulerCromerOf {
     state.t += h;
   }
 
-  void remember(Memory&, const StateType&) const {}
+  void serialize(Archive&, const StateType&) const {}
 };
 
 using EulerCromer = EulerCromerOf<State>;

@@ -63,15 +63,15 @@ bool EventSearch::begin_segment(HybridSystem& system, const State& start, const 
   ask(system, {&start, true}, endless);
   guards_.fill_in();
   const std::vector<double>& guards = guards_.each;
-  dormant_.resize(guards.size());
+  masked_.resize(guards.size());
   ended_.reserve(guards.size());
-  any_dormant_ = false;
+  any_masked_ = false;
   bool in_doubt = false;
   for (std::size_t i = 0; i < guards.size(); ++i) {
-    const bool lasted = dormant_[i] != 0.0 && before[i] == start.mode[i];
-    dormant_[i] = guards[i] > 0.0 ? 0.0 : lasted ? 2.0 : 1.0;
-    any_dormant_ = any_dormant_ || dormant_[i] != 0.0;
-    in_doubt = in_doubt || dormant_[i] == 1.0;
+    const bool lasted = masked_[i] != 0.0 && before[i] == start.mode[i];
+    masked_[i] = guards[i] > 0.0 ? 0.0 : lasted ? 2.0 : 1.0;
+    any_masked_ = any_masked_ || masked_[i] != 0.0;
+    in_doubt = in_doubt || masked_[i] == 1.0;
   }
   return in_doubt;
 }
@@ -82,15 +82,15 @@ double EventSearch::find(HybridSystem& system, const State& begin, double end, d
   ask(system, near_end, steps_ahead * next);
   if (guards_.all_endless) {
     forget_dormant();
-    go_on(begin.t);
+    proceed(begin.t);
     return endless;
   }
   before_.fill_in(), earlier_.fill_in();
   list_finite();
   bool near = false, worse = false;
   for (const std::size_t i : finite_) {
-    near |= dormant_[i] == 0.0 && may_have_ended(i);
-    worse |= dormant_[i] == 1.0 && guards_.each[i] <= 0.0 && guards_.each[i] < before_.each[i];
+    near |= masked_[i] == 0.0 && may_have_ended(i);
+    worse |= masked_[i] == 1.0 && guards_.each[i] <= 0.0 && guards_.each[i] < before_.each[i];
   }
   std::optional<double> last = near ? std::optional{end} : dip(begin.t, end);
   const auto ends_by = [&](const std::optional<double>& t) { return t && find_ended(system, begin, *t, state_at); };
@@ -104,8 +104,8 @@ double EventSearch::find(HybridSystem& system, const State& begin, double end, d
     if (worse) return end;
     // What has come out of its end is looked at from the next step on.
     for (std::size_t i = 0; i < guards_.each.size(); ++i)
-      dormant_[i] = guards_.each[i] > 0.0 ? 0.0 : dormant_[i];
-    go_on(begin.t);
+      masked_[i] = guards_.each[i] > 0.0 ? 0.0 : masked_[i];
+    proceed(begin.t);
     return endless;
   }
   const double after = least_share();
@@ -123,12 +123,12 @@ double EventSearch::find(HybridSystem& system, const State& begin, double end, d
 
 /// What was dormant may end again.
 void EventSearch::forget_dormant() {
-  if (any_dormant_) std::fill(dormant_.begin(), dormant_.end(), 0.0);
-  any_dormant_ = false;
+  if (any_masked_) std::fill(masked_.begin(), masked_.end(), 0.0);
+  any_masked_ = false;
 }
 
 /// No event ended the step that began then.
-void EventSearch::go_on(double begin) {
+void EventSearch::proceed(double begin) {
   std::swap(earlier_, before_);
   earlier_time_ = begin;
 }
@@ -158,8 +158,7 @@ std::optional<double> EventSearch::dip(double begin, double end) const {
     const double curvature = (to - from) * per_both;  // half the second derivative
     const double slope = to - curvature * b;          // at the beginning of the step; at its end: to + curvature b
     // All asked at once: hardly any guard turns in a step, and each answer alone is hard to foretell.
-    if (!((curvature > 0.0) & (curvature < endless) & (slope < 0.0) & (to + curvature * b > 0.0) &
-          (dormant_[i] == 0.0)))
+    if (!((curvature > 0.0) & (curvature < endless) & (slope < 0.0) & (to + curvature * b > 0.0) & (masked_[i] == 0.0)))
       continue;
     const double s = std::min(-0.5 * slope / curvature, b);
     const double share = 1.0 + 0.5 * slope * s / before_.each[i];
@@ -182,7 +181,7 @@ void EventSearch::look_at(HybridSystem& system, const State& begin, double t, co
 bool EventSearch::find_ended(HybridSystem& system, const State& begin, double t, const StateAt& state_at) {
   ended_.clear();
   for (const std::size_t i : finite_) {
-    if (dormant_[i] == 0.0) ended_.push_back(i);
+    if (masked_[i] == 0.0) ended_.push_back(i);
   }
   look_at(system, begin, t, state_at);
   std::erase_if(ended_, [this](std::size_t i) { return !(looked_[i] <= 0.0); });
@@ -200,28 +199,28 @@ double EventSearch::least_share() const {
   return least;
 }
 
-void EventSearch::settle(HybridSystem& system, State& at, const State& before) {
+void EventSearch::update_modes(HybridSystem& system, State& at, const State& before) {
   modes_ = at.mode;
-  system.settle(at, before);
+  system.update_modes(at, before);
   // What slid is at first brought to its limit, and only then seen to stick. What is out of reach lasts: nothing ahead.
   if (!system.guards(at, true, 0.0, looked_).finite) return;
   bool lasts = true;
   for (std::size_t i = 0; i < looked_.size(); ++i)
-    lasts = lasts && (looked_[i] > 0.0 || dormant_[i] != 0.0 || at.mode[i] != modes_[i]);
-  if (!lasts) system.settle(at);
+    lasts = lasts && (looked_[i] > 0.0 || masked_[i] != 0.0 || at.mode[i] != modes_[i]);
+  if (!lasts) system.update_modes(at);
 }
 
-void EventSearch::remember(Memory& memory, std::size_t modes) {
+void EventSearch::serialize(Archive& archive, std::size_t modes) {
   guards_.fill_in(), earlier_.fill_in();
-  memory.list("guards", guards_.each);
-  memory.list("earlier", earlier_.each);
-  memory.number("earlier_time", earlier_time_);
-  memory.list("dormant", dormant_);
-  memory.number("longest_step", longest_step_);
-  any_dormant_ = true;
-  if (guards_.each.size() != dormant_.size() || (!guards_.each.empty() && guards_.each.size() != modes))
+  archive.list("guards", guards_.each);
+  archive.list("earlier", earlier_.each);
+  archive.number("earlier_time", earlier_time_);
+  archive.list("dormant", masked_);
+  archive.number("longest_step", longest_step_);
+  any_masked_ = true;
+  if (guards_.each.size() != masked_.size() || (!guards_.each.empty() && guards_.each.size() != modes))
     throw InputError{fmt::format("guards: found {}, of which {} may be dormant; there must be {}", guards_.each.size(),
-                                 dormant_.size(), modes)};
+                                 masked_.size(), modes)};
 }
 
 }  // namespace talus

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/integrate/hybrid_system.hpp"
 #include "solver/state/state.hpp"
 
@@ -46,10 +46,10 @@ class EventSearch {
   /// how long the next may be at most; infinite of a system that was never asked.
   double longest_step() const { return longest_step_; }
   /// Brings the modes up to date at an event, from the state at the beginning of the step.
-  void settle(HybridSystem& system, State& at, const State& before);
+  void update_modes(HybridSystem& system, State& at, const State& before);
 
   /// Names its parts, for a state of so many modes. Errors when putting back: InputError if they do not fit.
-  void remember(Memory& memory, std::size_t modes);
+  void serialize(Archive& archive, std::size_t modes);
 
  private:
   /// Of a state, one for each mode.
@@ -61,7 +61,7 @@ class EventSearch {
 
   void ask(HybridSystem& system, NearEnd at, double ahead);
   void forget_dormant();
-  void go_on(double begin);
+  void proceed(double begin);
   void list_finite();
   bool may_have_ended(std::size_t guard) const;
   std::optional<double> dip(double begin, double end) const;
@@ -69,12 +69,12 @@ class EventSearch {
   bool find_ended(HybridSystem& system, const State& begin, double t, const StateAt& state_at);
   double least_share() const;
 
-  Guards guards_;                ///< at the end of the last step
-  Guards earlier_;               ///< at the beginning of the last step; empty in the first of a piece
-  double earlier_time_{};        ///< and when that was
-  std::vector<double> dormant_;  ///< of guards that are past their end since the piece began: 1, or 2 where the mode
-                                 ///< was seen to last all the same (a slider whose limit falls)
-  bool any_dormant_{};           ///< there may be some
+  Guards guards_;               ///< at the end of the last step
+  Guards earlier_;              ///< at the beginning of the last step; empty in the first of a piece
+  double earlier_time_{};       ///< and when that was
+  std::vector<double> masked_;  ///< of guards that are past their end since the piece began: 1, or 2 where the mode
+                                ///< was seen to last all the same (a slider whose limit falls)
+  bool any_masked_{};           ///< there may be some
   double longest_step_{std::numeric_limits<double>::infinity()};
 
   // Scratch of a step.

@@ -95,19 +95,19 @@ void LinearMotion::complete(HybridSystem& system, const State& begin, State& end
   }
 }
 
-void LinearMotion::remember(Memory& memory, const State& like) {
+void LinearMotion::serialize(Archive& archive, const State& like) {
   q0_.resize(like.q.size()), v0_.resize(like.q.size()), a0_.resize(like.q.size());
-  memory.numbers("piece_coordinates", q0_);
-  memory.numbers("piece_velocities", v0_);
-  memory.numbers("piece_accelerations", a0_);
-  memory.number("step", step_);
-  memory.number("share", share_);
+  archive.numbers("piece_coordinates", q0_);
+  archive.numbers("piece_velocities", v0_);
+  archive.numbers("piece_accelerations", a0_);
+  archive.number("step", step_);
+  archive.number("share", share_);
   std::vector<double> numbers;
   for (const AffinePiece::Term& term : piece_.terms)
     numbers.insert(numbers.end(),
                    {static_cast<double>(term.row), static_cast<double>(term.column), term.stiffness, term.damping});
-  memory.list("terms", numbers);
-  if (!memory.puts_back()) return;
+  archive.list("terms", numbers);
+  if (!archive.is_loading()) return;
   const double size = static_cast<double>(like.q.size());
   const auto place = [size](double x) {
     if (!(x >= 0.0 && x < size && x == std::floor(x)))

@@ -32,7 +32,7 @@ class LinearMotion {
   bool ends_at_outputs(const HybridSystem& system) const { return system.keeps_accounts(); }
   double next_step() const { return step_; }
   double usual_step() const { return step_; }
-  void remember(Memory& memory, const State& like);
+  void serialize(Archive& archive, const State& like);
 
  private:
   void sum_series(const State& begin, double h, State& out) const;

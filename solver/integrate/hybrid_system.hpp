@@ -27,7 +27,7 @@ TALUS_NAMED_MEMBER(NamesWakeAll, wake_all);
 template <class S>
 concept Guarded = requires(S& system, State& end, const State& state, std::vector<double>& all,
                            std::span<const std::size_t> modes, std::span<double> some) {
-  system.settle(end, state);
+  system.update_modes(end, state);
   { system.guards(state, true, 0.0, all) } -> std::same_as<GuardBounds>;
   system.guards_of(state, modes, some);
   { system.follows(state) } -> std::same_as<bool>;
@@ -66,7 +66,7 @@ concept WakeAllFits = !NamesWakeAll<S> || requires(S & system, State& state) {
 ///                           `same`: of the state that was brought up to date, or whose derivative was evaluated, last.
 ///                           One that at the present speeds cannot end within the time `ahead` [T] may be infinite
 ///   guards_of(state, modes, out)     those of a few modes; the numbers of others may change, too
-///   settle(state, before)   brings modes and memory up to date at the end of a step, from the state at its beginning
+///   update_modes(state, before)   brings modes and memory up to date at the end of a step, from the state at its beginning
 ///   bool follows(state)     whether some memory must be brought up to date so as the motion continues in these modes
 ///   vector<double> lengths()         for each coordinate, the length [L] by which one unit of it moves its body: the
 ///                           same at all times; else 1
@@ -86,8 +86,8 @@ concept Hybrid = Differentiable<S> &&(Guarded<S> || NamesNoGuards<S>)&&AffinePie
 class HybridSystem {
  public:
   virtual void derivative(const State& state, Rates& out) = 0;
-  virtual void settle(State& state) = 0;
-  virtual void settle(State& state, const State& before) = 0;
+  virtual void update_modes(State& state) = 0;
+  virtual void update_modes(State& state, const State& before) = 0;
   /// Without guards none is finite, and no step too long.
   virtual GuardBounds guards(const State& state, bool same, double ahead, std::vector<double>& out) = 0;
   virtual void guards_of(const State& state, std::span<const std::size_t> modes, std::span<double> out) = 0;
@@ -112,12 +112,12 @@ class HybridSystemOf final : public HybridSystem {
   explicit HybridSystemOf(System& system) : system_{system} {}
 
   void derivative(const State& state, Rates& out) override { system_.derivative(state, out); }
-  void settle(State& state) override { system_.settle(state); }
-  void settle(State& state, const State& before) override {
+  void update_modes(State& state) override { system_.update_modes(state); }
+  void update_modes(State& state, const State& before) override {
     if constexpr (Guarded<System>)
-      system_.settle(state, before);
+      system_.update_modes(state, before);
     else
-      system_.settle(state);
+      system_.update_modes(state);
   }
   GuardBounds guards(const State& state, bool same, double ahead, std::vector<double>& out) override {
     if constexpr (Guarded<System>) return system_.guards(state, same, ahead, out);

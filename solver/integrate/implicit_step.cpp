@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/state/state_memory.hpp"
+#include "solver/state/state_archive.hpp"
 
 namespace talus {
 namespace {
@@ -195,11 +195,11 @@ void ImplicitStep::state_at(const State& begin, double t, State& out) const {
   cubic(begin.impulse, end.impulse, begin_rates_.impulse, end_rates_.impulse, out.impulse);
 }
 
-void ImplicitStep::remember(Memory& memory, const State& like) {
-  if (memory.puts_back()) *this = ImplicitStep{like};
-  memory.part("begin_rates", [&] { talus::remember(memory, begin_rates_); });
-  memory.part("end_rates", [&] { talus::remember(memory, end_rates_); });
-  memory.part("end", [&] { talus::remember(memory, end_); });
+void ImplicitStep::serialize(Archive& archive, const State& like) {
+  if (archive.is_loading()) *this = ImplicitStep{like};
+  archive.scope("begin_rates", [&] { talus::serialize(archive, begin_rates_); });
+  archive.scope("end_rates", [&] { talus::serialize(archive, end_rates_); });
+  archive.scope("end", [&] { talus::serialize(archive, end_); });
 }
 
 }  // namespace talus

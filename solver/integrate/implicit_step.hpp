@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/integrate/affine_piece.hpp"
 #include "solver/integrate/hybrid_system.hpp"
 
@@ -42,7 +42,7 @@ class ImplicitStep {
   void state_at(const State& begin, double t, State& out) const;
 
   /// Names what is needed within the last step, of states like this one.
-  void remember(Memory& memory, const State& like);
+  void serialize(Archive& archive, const State& like);
 
  private:
   static constexpr std::size_t stages = 6;

@@ -16,7 +16,7 @@ namespace {
 struct AnySystem {
   void drift(State& state, double h);
   void kick(State& state, double h);
-  void settle(State& state);
+  void update_modes(State& state);
   void evaluate(State& state, Rates& out);
   void derivative(const State& state, Rates& out);
 };

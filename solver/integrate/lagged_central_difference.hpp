@@ -55,7 +55,7 @@ class LaggedCentralDifferenceOf {
     std::swap(state.v, old_velocity_);
     system.evaluate(state, rates_);
     advance(state.v, old_velocity_, h, rates_.v, std::min(rates_.moving, state.v.size()));
-    book_rates(state, rates_, h);
+    accumulate_work(state, rates_, h);
     system.drift(state, h);
     state.t += h;
   }
@@ -66,9 +66,9 @@ class LaggedCentralDifferenceOf {
     CentralDifferenceOf<StateType>{}.synchronize(system, copy, h);
   }
 
-  void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
-    if (memory.puts_back()) rates_ = Rates{like}, old_velocity_ = like.v;
-    memory.numbers("old_velocity", old_velocity_);
+  void serialize(Archive& archive, const StateType& like) requires std::same_as<Scalar, double> {
+    if (archive.is_loading()) rates_ = Rates{like}, old_velocity_ = like.v;
+    archive.numbers("old_velocity", old_velocity_);
   }
 
  private:

@@ -13,7 +13,7 @@
 #include "solver/integrate/event_search.hpp"
 #include "solver/integrate/hybrid_system.hpp"
 #include "solver/integrate/internal_steps.hpp"
-#include "solver/state/state_memory.hpp"
+#include "solver/state/state_archive.hpp"
 
 namespace talus {
 
@@ -33,7 +33,7 @@ namespace talus {
 template <class M>
 concept Motion = std::semiregular<M> && std::constructible_from<M, const State&, double> &&
     requires(M& motion, const M& fixed, HybridSystem& system, const State& begin, State& end, double t,
-             Memory& memory) {
+             Archive& archive) {
   { M::name } -> std::same_as<const std::string_view&>;
   { M::order } -> std::same_as<const int&>;
   { M::step_control } -> std::same_as<const StepControl&>;
@@ -46,7 +46,7 @@ concept Motion = std::semiregular<M> && std::constructible_from<M, const State&,
   { fixed.ends_at_outputs(system) } -> std::same_as<bool>;
   { fixed.next_step() } -> std::same_as<double>;
   { fixed.usual_step() } -> std::same_as<double>;
-  { motion.remember(memory, begin) } -> std::same_as<void>;
+  { motion.serialize(archive, begin) } -> std::same_as<void>;
 };
 
 /// A method of integration: steps of a motion, each cut at its first event, to round-off; there modes change, and the
@@ -68,7 +68,7 @@ class LocatedSteps {
   template <Hybrid System>
   void start(System& system, State& state, double) {
     if constexpr (NamesWakeAll<System>) system.wake_all(state);
-    system.settle(state);
+    system.update_modes(state);
     reset(state);
   }
 
@@ -84,17 +84,17 @@ class LocatedSteps {
   /// Why there are no more steps; empty while there are.
   const std::string& failure() const { return failure_; }
 
-  void remember(Memory& memory, const State& like) {
-    if (memory.puts_back()) reset(like);
-    memory.part("begin", [&] { talus::remember(memory, begin_); });
-    memory.part("end", [&] { talus::remember(memory, end_); });
-    memory.flag("fresh", needs_restart_);
-    motion_.remember(memory, end_);
-    search_.remember(memory, end_.mode.size());
-    memory.flag("follows", follows_);
-    memory.number("event_time", event_time_);
-    memory.count("events", events_);
-    memory.count("crowd", accumulated_);
+  void serialize(Archive& archive, const State& like) {
+    if (archive.is_loading()) reset(like);
+    archive.scope("begin", [&] { talus::serialize(archive, begin_); });
+    archive.scope("end", [&] { talus::serialize(archive, end_); });
+    archive.flag("fresh", needs_restart_);
+    motion_.serialize(archive, end_);
+    search_.serialize(archive, end_.mode.size());
+    archive.flag("follows", follows_);
+    archive.number("event_time", event_time_);
+    archive.count("events", events_);
+    archive.count("crowd", accumulated_);
   }
 
  private:
@@ -120,7 +120,7 @@ class LocatedSteps {
     }
     if (failure_.empty()) {
       state_at(t, state);
-      if (follows_ && t < end_.t) system.settle(state, begin_);
+      if (follows_ && t < end_.t) system.update_modes(state, begin_);
     }
     state.t = t;
   }
@@ -158,7 +158,7 @@ class LocatedSteps {
     if (std::isfinite(event)) return settle_event(system);
     if (!follows_) return;
     modes_ = end_.mode;
-    system.settle(end_, begin_);
+    system.update_modes(end_, begin_);
     if (end_.mode != modes_) ++events_, needs_restart_ = true;
   }
 
@@ -170,7 +170,7 @@ class LocatedSteps {
 
   void settle_event(HybridSystem& system) {
     modes_ = end_.mode;
-    search_.settle(system, end_, begin_);
+    search_.update_modes(system, end_, begin_);
     if (end_.mode != modes_) ++events_;
     accumulated_ = end_.t - event_time_ <= 1e-3 * motion_.usual_step() ? accumulated_ + 1 : 0;
     event_time_ = end_.t;

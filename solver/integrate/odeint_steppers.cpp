@@ -85,15 +85,15 @@ class Adams8 {
     corrector_.do_step(system, x, predicted_, t + h, x, h, predictor_.step_storage());
   }
 
-  void remember(Memory& memory, std::size_t size) {
+  void serialize(Archive& archive, std::size_t size) {
     long kept = kept_;
-    memory.count("derivatives_kept", kept);
-    if (memory.puts_back()) {
+    archive.count("derivatives_kept", kept);
+    if (archive.is_loading()) {
       if (kept > most) throw InputError{fmt::format("derivatives_kept: found {}; it must be at most {}", kept, most)};
       count_steps(kept, size);
     }
     for (long i = 0; i < kept_; ++i)
-      memory.numbers(fmt::format("derivative_{}", i), predictor_.step_storage()[static_cast<std::size_t>(i)].m_v);
+      archive.numbers(fmt::format("derivative_{}", i), predictor_.step_storage()[static_cast<std::size_t>(i)].m_v);
   }
 
  private:
@@ -244,15 +244,15 @@ std::string OdeintStepper::advance(const Derivative& derivative, const Accepted&
       method_->stepper);
 }
 
-void OdeintStepper::remember(Memory& memory, std::size_t size) {
-  memory.number("internal_step", method_->internal_step);
+void OdeintStepper::serialize(Archive& archive, std::size_t size) {
+  archive.number("internal_step", method_->internal_step);
   std::visit(
       [&]<class Stepper>(Stepper& stepper) {
         if constexpr (keeps_derivative<Stepper>) {
           method_->last_derivative.resize(size);
-          memory.numbers("last_derivative", method_->last_derivative);
+          archive.numbers("last_derivative", method_->last_derivative);
         } else if constexpr (std::is_same_v<Stepper, Adams8>) {
-          stepper.remember(memory, size);
+          stepper.serialize(archive, size);
         }
       },
       method_->stepper);

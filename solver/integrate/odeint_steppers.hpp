@@ -62,7 +62,7 @@ class OdeintStepper {
                                     double h);
 
   /// Names what is carried to the next advance(), of vectors of `size` numbers.
-  void remember(Memory& memory, std::size_t size);
+  void serialize(Archive& archive, std::size_t size);
 
  private:
   struct Method;
@@ -91,7 +91,7 @@ class Odeint {
 
   template <Differentiable System>
   void start(System& system, State& state, double) {
-    system.settle(state);
+    system.update_modes(state);
     prepare(state);
   }
 
@@ -107,7 +107,7 @@ class Odeint {
     const auto accepted = [&](OdeintStepper::Vector& x, double t) {
       unpack(x, state);
       state.t = t;
-      system.settle(state);
+      system.update_modes(state);
       pack(state, x);
     };
     // By reference: functions that hold so much would take memory at each step.
@@ -117,9 +117,9 @@ class Odeint {
   /// Why there are no more steps; empty while there are.
   const std::string& failure() const { return failure_; }
 
-  void remember(Memory& memory, const State& like) {
-    if (memory.puts_back()) prepare(like);
-    stepper_->remember(memory, x_.size());
+  void serialize(Archive& archive, const State& like) {
+    if (archive.is_loading()) prepare(like);
+    stepper_->serialize(archive, x_.size());
   }
 
  private:

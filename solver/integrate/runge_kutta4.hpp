@@ -42,7 +42,7 @@ class RungeKutta4Of {
   requires VectorState<StateType>
   void start(System& system, StateType& state, Scalar) {
     rates_.fill(Rates{state});
-    system.settle(state);
+    system.update_modes(state);
   }
 
   template <Evaluable<StateType> System>
@@ -69,12 +69,12 @@ class RungeKutta4Of {
     for (std::size_t s = 0; s < node.size(); ++s)
       advance_rates(state, rates_[s], weight[s] * h);
     state.t += h;
-    system.settle(state);
+    system.update_modes(state);
   }
 
   /// Nothing but room for the stages.
-  void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
-    if (memory.puts_back()) rates_.fill(Rates{like});
+  void serialize(Archive& archive, const StateType& like) requires std::same_as<Scalar, double> {
+    if (archive.is_loading()) rates_.fill(Rates{like});
   }
 
  private:

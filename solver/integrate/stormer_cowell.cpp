@@ -338,19 +338,19 @@ void PolynomialMotion::choose_next(double h, const Errors& errors) {
   usual_ = best < most ? step_ : std::max(usual_, step_);
 }
 
-void PolynomialMotion::remember(Memory& memory, const State& like) {
-  memory.flag("hesitates", probes_);
-  memory.flag("moves_memory", moves_memory_);
-  memory.flag("keeps_accounts", keeps_accounts_);
+void PolynomialMotion::serialize(Archive& archive, const State& like) {
+  archive.flag("hesitates", probes_);
+  archive.flag("moves_memory", moves_memory_);
+  archive.flag("keeps_accounts", keeps_accounts_);
   new_.resize(width(like));
   miss_.resize(new_.size());
-  memory.part("rates", [&] { rates_.remember(memory, new_.size()); });
-  memory.numbers("new_rates", new_);
-  memory.numbers("miss", miss_);
-  memory.number("last_value", last_value_);
+  archive.scope("rates", [&] { rates_.serialize(archive, new_.size()); });
+  archive.numbers("new_rates", new_);
+  archive.numbers("miss", miss_);
+  archive.number("last_value", last_value_);
   const auto count = [&](const char* part, std::size_t& value) {
     long whole = static_cast<long>(value);
-    memory.count(part, whole);
+    archive.count(part, whole);
     value = static_cast<std::size_t>(whole);
     const std::size_t allowed = std::clamp<std::size_t>(rates_.count() + 1, 1, most_terms);
     if (value < 1 || value > allowed)
@@ -358,22 +358,22 @@ void PolynomialMotion::remember(Memory& memory, const State& like) {
   };
   count("order", order_);
   count("used", used_);
-  memory.number("step", step_);
-  memory.number("usual_step", usual_);
-  memory.number("way", way_);
-  memory.number("speed", speed_);
-  memory.numbers("start", start_);
-  memory.flag("implicit", implicit_);
-  memory.flag("implicit_last", implicit_last_);
-  if (memory.puts_back()) implicit_rates_ = Rates{like};
-  memory.part("implicit_rates", [&] { talus::remember(memory, implicit_rates_); });
-  memory.part("implicit_step", [&] { implicit_step_.remember(memory, like); });
-  memory.number("explicit_step", explicit_step_);
-  memory.number("implicit_start", implicit_start_);
-  memory.count("implicit_count", implicit_count_);
-  memory.count("held", held_);
-  memory.number("held_step", held_step_);
-  memory.count("patience", patience_);
+  archive.number("step", step_);
+  archive.number("usual_step", usual_);
+  archive.number("way", way_);
+  archive.number("speed", speed_);
+  archive.numbers("start", start_);
+  archive.flag("implicit", implicit_);
+  archive.flag("implicit_last", implicit_last_);
+  if (archive.is_loading()) implicit_rates_ = Rates{like};
+  archive.scope("implicit_rates", [&] { talus::serialize(archive, implicit_rates_); });
+  archive.scope("implicit_step", [&] { implicit_step_.serialize(archive, like); });
+  archive.number("explicit_step", explicit_step_);
+  archive.number("implicit_start", implicit_start_);
+  archive.count("implicit_count", implicit_count_);
+  archive.count("held", held_);
+  archive.number("held_step", held_step_);
+  archive.count("patience", patience_);
 }
 
 }  // namespace talus

@@ -39,7 +39,7 @@ class PolynomialMotion {
   bool ends_at_outputs(const HybridSystem&) const { return false; }
   double next_step() const { return step_; }
   double usual_step() const { return usual_; }
-  void remember(Memory& memory, const State& like);
+  void serialize(Archive& archive, const State& like);
 
  private:
   using Basis = Differences::Basis;

@@ -32,7 +32,7 @@ class TaylorOf {
   template <Evaluable<StateType> System>
   void start(System& system, StateType& state, Scalar) {
     rates_ = Rates{state};
-    system.settle(state);
+    system.update_modes(state);
   }
 
   /// Two half kicks around the drift: the second half is of the same acceleration.
@@ -46,8 +46,8 @@ class TaylorOf {
   }
 
   /// Nothing but room for the rates.
-  void remember(Memory& memory, const StateType& like) requires std::same_as<Scalar, double> {
-    if (memory.puts_back()) rates_ = Rates{like};
+  void serialize(Archive& archive, const StateType& like) requires std::same_as<Scalar, double> {
+    if (archive.is_loading()) rates_ = Rates{like};
   }
 
  private:

@@ -173,12 +173,12 @@ Group watch_group(std::string id, std::string head) {
               .about =
                   "what the run monitor does when it finds a limit exceeded; \"off\" in place of the table: "
                   "nothing"};
-  for (const WatchRules::Choice& watched : WatchRules::choices()) {
+  for (const MonitorRules::Choice& watched : MonitorRules::choices()) {
     const std::string meaning = watched.name == "instability" ? "step beyond the linear limit of the springs that act"
                                 : watched.name == "tunnelling"
                                     ? "bodies that may pass each other in a step, or overlap half-way"
                                     : "contacts of few steps, large overlaps, error of the energy balance";
-    group.fields.push_back(choice(std::string{watched.name}, meaning, WatchRules{}.*watched.member));
+    group.fields.push_back(choice(std::string{watched.name}, meaning, MonitorRules{}.*watched.member));
   }
   return group;
 }

@@ -8,14 +8,14 @@ namespace talus {
 /// after its mode was updated is one expression of the overlap, its rate and the largest overlap since the contact
 /// began; beyond, there is no force and no past.
 ///
-///   force(overlap, rate, largest, out)   for overlap > -reach(law): the force [F], with the bits of settle() and
-///                                        law(x, memory, mode), and as `largest` the memory that settle() leaves.
+///   force(overlap, rate, largest, out)   for overlap > -reach(law): the force [F], with the bits of update_mode() and
+///                                        law(x, memory, mode), and as `largest` the memory that update_mode() leaves.
 ///                                        `largest` [L] is 0 where the contact begins; a law without memory leaves it
 ///   needs_rate()                         whether the rate has a part in the force
 ///   hysteresis_loss(largest)             of laws with memory: what the contact has lost so far [F L]
 ///   dissipated_power(overlap, rate, before, force, power, released)
 ///                                        of laws without memory, at an evaluation: the power of the dissipative force
-///                                        [F L/T] and what settle() releases [F L], from the force now and at the
+///                                        [F L/T] and what update_mode() releases [F L], from the force now and at the
 ///                                        evaluation before (< 0: the contact is new, 0: it was there without pushing)
 ///
 /// Number is double, or a pack of them that are evaluated side by side, each as it would be alone. They are passed by

@@ -19,7 +19,7 @@ namespace talus {
 ///   open       s = 0,                       F = 0                   without a normal force that pushes
 ///
 /// Between two force evaluations the stretch follows the slip; each evaluation takes it back to the limit of the normal
-/// force of that moment (`settle`). The first evaluation of a contact comes after the touch: it starts with the slip of
+/// force of that moment (`return_mapping`). The first evaluation of a contact comes after the touch: it starts with the slip of
 /// the time since (`begin`), without which a contact that sticks would be a method of first order. A contact that is
 /// there when a run begins starts unstretched.
 ///
@@ -45,13 +45,13 @@ struct CoulombFriction {
   }
 
   /// The stretch of a contact that has slipped so far since the touch, under its first normal force [L].
-  constexpr double begin(double slip, double normal) const {
+  constexpr double initial_stretch(double slip, double normal) const {
     const double limit = coefficient * std::max(normal, 0.0) / stiffness;
     return std::clamp(slip, -limit, limit);
   }
 
   /// What a return to the limit leaves, and what it cost.
-  struct Settled {
+  struct ReturnMapping {
     Mode mode{};
     double stretch{};     ///< [L]
     double dissipated{};  ///< work of the slider, and of the spring let go where the contact opens [F L]
@@ -59,7 +59,7 @@ struct CoulombFriction {
 
   /// `stretch` as it stands after the slip so far, `normal` the normal force [F], <= 0 where nothing pushes;
   /// `viscous` = c_s u/k_s, the stretch that would add as much force as the dashpot does [L].
-  constexpr Settled settle(double stretch, double normal, double viscous = 0.0) const {
+  constexpr ReturnMapping return_mapping(double stretch, double normal, double viscous = 0.0) const {
     if (!(normal > 0.0)) return {open, 0.0, stored_energy(stretch)};
     const double limit = coefficient * normal / stiffness;
     const double loaded = stretch + viscous;
@@ -78,24 +78,25 @@ struct CoulombFriction {
     return std::clamp(stiffness * (stretch + viscous), -limit, limit);
   }
 
-  /// begin(), then settle() and the force, while the normal force pushes: the same bits. Number is double, or a pack of
+  /// initial_stretch(), then return_mapping() and the force, while the normal force pushes: the same bits. Number is double, or a pack of
   /// them that are computed side by side.
   template <class Number>
-  [[gnu::always_inline]] constexpr void begun(const Number& slip, const Number& normal, Number& stretch) const {
+  [[gnu::always_inline]] constexpr void initial_stretch(const Number& slip, const Number& normal,
+                                                        Number& stretch) const {
     const Number limit = coefficient * normal / stiffness, back = -limit;
     stretch = slip < back ? back : slip;
     stretch = limit < stretch ? limit : stretch;
   }
   template <class Number>
-  [[gnu::always_inline]] constexpr void settled(const Number& normal, Number& stretch, Number& force) const {
-    begun(Number{stretch}, normal, stretch);
+  [[gnu::always_inline]] constexpr void returned_force(const Number& normal, Number& stretch, Number& force) const {
+    initial_stretch(Number{stretch}, normal, stretch);
     const Number limit = coefficient * normal, back = -limit;
     force = stiffness * stretch;
     force = force < back ? back : force;
     force = limit < force ? limit : force;
   }
 
-  /// What settle() dissipates of a stretch, by the one that it leaves.
+  /// What return_mapping() dissipates of a stretch, by the one that it leaves.
   template <class Number>
   [[gnu::always_inline]] constexpr void dissipated(const Number& stretch, const Number& normal, const Number& left,
                                                    Number& energy) const {

@@ -57,25 +57,25 @@ struct ElasticPlastic {
   }
 
   constexpr LawForce operator()(Kinematics x, std::span<const double> memory, Mode mode) const {
-    if (mode == taut) return {stiffness * (x.extent - memory[0]), 0.0};
+    if (mode == taut) return {stiffness * (x.deformation - memory[0]), 0.0};
     if (mode != yielding) return {};
     // What the cable is drawn out by is lost; only as far as it hardens does its stored energy grow. Less than the
     // yield force is met only when steps are so coarse that the cable is already shortening.
-    const Piece at = drawn_piece(x.extent);
-    const double tension = std::clamp(stiffness * (x.extent - memory[0]), 0.0, backbone(at, x.extent));
+    const Piece at = drawn_piece(x.deformation);
+    const double tension = std::clamp(stiffness * (x.deformation - memory[0]), 0.0, backbone(at, x.deformation));
     const double elastic = at.slope / (stiffness + at.slope);
     return {elastic * tension, (1.0 - elastic) * tension};
   }
 
   constexpr double stored_energy(Kinematics x, std::span<const double> memory, Mode mode) const {
-    if (mode == taut) return 0.5 * stiffness * (x.extent - memory[0]) * (x.extent - memory[0]);
+    if (mode == taut) return 0.5 * stiffness * (x.deformation - memory[0]) * (x.deformation - memory[0]);
     if (mode != yielding) return 0.0;
-    const double tension = backbone(drawn_piece(x.extent), x.extent);
+    const double tension = backbone(drawn_piece(x.deformation), x.deformation);
     return 0.5 * tension * tension / stiffness;
   }
 
   constexpr double guard(Kinematics x, std::span<const double> memory, Mode mode) const {
-    const double elastic = x.extent - memory[0];
+    const double elastic = x.deformation - memory[0];
     if (mode == slack) return -elastic;
     if (mode == taut) return std::min(elastic, limit(memory[0]) / stiffness - elastic);
     if (mode == yielding) {
@@ -83,24 +83,24 @@ struct ElasticPlastic {
       // as a share, goes with the rate: one unit for all ends, and through zero where one of them is reached.
       const double stretch = stretch_at(x, memory);
       const double left = std::min(1.0 - stretch / rupture, 1.0 - yield_force(stretch) / strength);
-      return left * (left > 0.0 ? x.extent_rate : std::abs(x.extent_rate));
+      return left * (left > 0.0 ? x.deformation_rate : std::abs(x.deformation_rate));
     }
     return 1.0;
   }
 
   constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
-    const double elastic = x.extent - memory[0];
+    const double elastic = x.deformation - memory[0];
     if (mode == yielding) {
       const double tension = yield_force(memory[0]);
       return memory[0] >= rupture || tension >= strength ? broken_with(tension) : Reset{taut, 0.0};
     }
-    if (elastic < 0.0 || (elastic == 0.0 && x.extent_rate < 0.0)) return {slack, 0.0};
+    if (elastic < 0.0 || (elastic == 0.0 && x.deformation_rate < 0.0)) return {slack, 0.0};
     const double tension = stiffness * elastic;
     if (tension < limit(memory[0])) return {taut, 0.0};
     if (strength <= yield_force(memory[0])) return broken_with(tension);
     draw_out(x, memory);
     if (memory[0] >= rupture) return broken_with(yield_force(memory[0]));
-    return {x.extent_rate > 0.0 ? yielding : taut, 0.0};
+    return {x.deformation_rate > 0.0 ? yielding : taut, 0.0};
   }
 
   /// While the cable yields its plastic stretch follows the elongation.
@@ -110,7 +110,7 @@ struct ElasticPlastic {
 
   constexpr Tangent tangent() const { return {stiffness, 0.0}; }
 
-  constexpr LinearPiece linear_piece(std::span<const double> memory, Mode mode) const {
+  constexpr LinearBranch linear_piece(std::span<const double> memory, Mode mode) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (mode == slack) return {.natural = memory[0], .low = -infinity, .high = memory[0]};
     // A hair short of its end, so that no rounding says it lasts where the guard does not.
@@ -190,7 +190,7 @@ struct ElasticPlastic {
   }
   /// Plastic stretch of a cable with this memory once it is drawn out to this elongation [L].
   constexpr double stretch_at(Kinematics x, std::span<const double> memory) const {
-    return std::max(memory[0], drawn(drawn_piece(x.extent), x.extent));
+    return std::max(memory[0], drawn(drawn_piece(x.deformation), x.deformation));
   }
   constexpr void draw_out(Kinematics x, std::span<double> memory) const { memory[0] = stretch_at(x, memory); }
   constexpr Reset broken_with(double tension) const { return {broken, 0.5 * tension * tension / stiffness}; }

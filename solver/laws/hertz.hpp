@@ -64,7 +64,7 @@ struct Hertz {
 
   /// The linear spring and dashpot that push alike at this overlap.
   UnilateralSpring spring(Kinematics x) const {
-    const double root = std::sqrt(std::max(x.extent, 0.0) / radius);
+    const double root = std::sqrt(std::max(x.deformation, 0.0) / radius);
     return {4.0 / 3.0 * modulus * radius * root, damping * std::sqrt(root), end_rule};
   }
 };

@@ -11,8 +11,8 @@ namespace talus {
 /// A contact passes its overlap (`depth`, > 0 when the surfaces interpenetrate), a cable its elongation (> 0 when
 /// taut).
 struct Kinematics {
-  double extent{};       ///< overlap or elongation [L]
-  double extent_rate{};  ///< its rate [L/T]; > 0 while the contact closes or the cable lengthens
+  double deformation{};       ///< overlap or elongation [L]
+  double deformation_rate{};  ///< its rate [L/T]; > 0 while the contact closes or the cable lengthens
 };
 
 /// The force of a law, split by what becomes of its work: `elastic` can be had back, `dissipative` cannot.
@@ -31,12 +31,12 @@ struct Tangent {
 
 /// What a law is in one mode where that is a straight line and the rate has no part in it:
 ///
-///   F = stiffness (extent - natural), nothing lost,   and the mode lasts while low < extent < high
+///   F = stiffness (deformation - natural), nothing lost,   and the mode lasts while low < deformation < high
 ///
 /// It may last beyond: the law's own guard decides there. As it stands, an empty range: the mode has no such line.
-struct LinearPiece {
+struct LinearBranch {
   double stiffness{};                                     ///< [F/L]
-  double natural{};                                       ///< extent without force [L]
+  double natural{};                                       ///< deformation without force [L]
   double low{std::numeric_limits<double>::infinity()};    ///< [L]
   double high{-std::numeric_limits<double>::infinity()};  ///< [L]
 };

@@ -52,10 +52,10 @@ struct LatchingSpring {
 
   static constexpr bool acts(Mode mode) { return mode == loading || mode == unloading; }
   constexpr LawForce operator()(Kinematics x, std::span<const double> memory, Mode mode) const {
-    if (mode == unloading) return {unloading_force(x.extent, memory[0]), 0.0};
+    if (mode == unloading) return {unloading_force(x.deformation, memory[0]), 0.0};
     if (mode != loading) return {};
     // What could be had back, (K1 d)^2/(2 K2), grows by this force; the rest of K1 d is lost.
-    const double force = stiffness * x.extent, back = unloading_stiffness_at(x.extent);
+    const double force = stiffness * x.deformation, back = unloading_stiffness_at(x.deformation);
     const double lost = force - force * (stiffness / back) * (1.0 - 0.5 * growth * force / back);
     return {force - lost, lost};  // one of the differences is exact: both parts together are the force to the last bit
   }
@@ -77,37 +77,38 @@ struct LatchingSpring {
   }
 
   constexpr double stored_energy(Kinematics x, std::span<const double> memory, Mode mode) const {
-    if (mode == loading) return energy(stiffness * x.extent, unloading_stiffness_at(x.extent));
-    if (mode == unloading) return energy(unloading_force(x.extent, memory[0]), unloading_stiffness_at(memory[0]));
+    if (mode == loading) return energy(stiffness * x.deformation, unloading_stiffness_at(x.deformation));
+    if (mode == unloading) return energy(unloading_force(x.deformation, memory[0]), unloading_stiffness_at(memory[0]));
     return 0.0;
   }
 
   constexpr double guard(Kinematics x, std::span<const double> memory, Mode mode) const {
-    if (mode == open) return -x.extent;
+    if (mode == open) return -x.deformation;
     // Rounded, an overlap may fall behind its largest while the bodies still close.
-    if (mode == loading) return x.extent > 0.0 && x.extent >= memory[0] ? x.extent_rate : x.extent - memory[0];
-    const double left = unloading_force(x.extent, memory[0]) / unloading_stiffness;
-    if (mode == slack) return std::min(x.extent, -left);
-    return std::min(memory[0] - x.extent, left);
+    if (mode == loading)
+      return x.deformation > 0.0 && x.deformation >= memory[0] ? x.deformation_rate : x.deformation - memory[0];
+    const double left = unloading_force(x.deformation, memory[0]) / unloading_stiffness;
+    if (mode == slack) return std::min(x.deformation, -left);
+    return std::min(memory[0] - x.deformation, left);
   }
 
   constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
-    if (x.extent < 0.0 || (x.extent == 0.0 && x.extent_rate < 0.0)) {
+    if (x.deformation < 0.0 || (x.deformation == 0.0 && x.deformation_rate < 0.0)) {
       memory[0] = 0.0;
       return {open, 0.0};
     }
-    const bool further = x.extent > memory[0] || (x.extent == memory[0] && x.extent_rate > 0.0);
+    const bool further = x.deformation > memory[0] || (x.deformation == memory[0] && x.deformation_rate > 0.0);
     if (mode == open || further) {
-      memory[0] = x.extent;
+      memory[0] = x.deformation;
       return {loading, 0.0};
     }
-    return {unloading_force(x.extent, memory[0]) > 0.0 ? unloading : slack, 0.0};
+    return {unloading_force(x.deformation, memory[0]) > 0.0 ? unloading : slack, 0.0};
   }
 
   /// While the contact loads its largest overlap follows the overlap.
   static constexpr bool memory_follows(Mode mode) { return mode == loading; }
   constexpr void track(Kinematics x, std::span<double> memory, Mode mode) const {
-    if (mode == loading) memory[0] = std::max(memory[0], x.extent);
+    if (mode == loading) memory[0] = std::max(memory[0], x.deformation);
   }
 
   /// The stiffest piece of a contact hardly pressed; with growth, one that was pressed is stiffer.

@@ -112,7 +112,7 @@ concept HasLinearPart = requires(const L law, std::span<const double> memory, Mo
 };
 template <class L>
 concept HasLinearPiece = L::memory_size <= 1 && requires(const L law, std::span<const double> memory, Mode mode) {
-  { law.linear_piece(memory, mode) } -> std::same_as<LinearPiece>;
+  { law.linear_piece(memory, mode) } -> std::same_as<LinearBranch>;
 };
 template <class L>
 concept HasNaturalElongation = requires(const L law, std::span<const double> memory) {

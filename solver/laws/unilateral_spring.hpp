@@ -22,7 +22,7 @@ struct Names<EndRule> {
 
 /// A spring and a dashpot side by side that act in one direction only:
 ///
-///   F = k s + c ds/dt   while acting,   0 otherwise,      s = extent [L]
+///   F = k s + c ds/dt   while acting,   0 otherwise,      s = deformation [L]
 ///
 /// Modes and what ends them (a mode lasts while its guard is > 0):
 ///
@@ -44,7 +44,7 @@ struct UnilateralSpring {
 
   constexpr LawForce operator()(Kinematics x, Mode mode) const {
     if (mode != acting) return {};
-    return {stiffness * x.extent, damping * x.extent_rate};
+    return {stiffness * x.deformation, damping * x.deformation_rate};
   }
 
   /// Energy that the spring would give back if the law stayed in this mode [F L]; the elastic force is its derivative.
@@ -52,13 +52,13 @@ struct UnilateralSpring {
 
   /// Positive while the mode lasts.
   constexpr double guard(Kinematics x, Mode mode) const {
-    if (mode == open) return -x.extent;
-    if (end_rule == EndRule::attractive) return x.extent;
-    return std::min(x.extent, (mode == acting ? pull(x) : -pull(x)) / stiffness);
+    if (mode == open) return -x.deformation;
+    if (end_rule == EndRule::attractive) return x.deformation;
+    return std::min(x.deformation, (mode == acting ? pull(x) : -pull(x)) / stiffness);
   }
 
   /// Its straight line: open, or acting without a dashpot.
-  constexpr LinearPiece linear_piece(Mode mode) const {
+  constexpr LinearBranch linear_piece(Mode mode) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (mode == open) return {.low = -infinity, .high = 0.0};
     if (mode == acting && damping == 0.0) return {.stiffness = stiffness, .low = 0.0, .high = infinity};
@@ -67,15 +67,15 @@ struct UnilateralSpring {
 
   /// The mode that follows `mode` when its guard is no longer positive.
   constexpr Reset reset(Kinematics x, Mode mode) const {
-    if (mode == open) return {x.extent > 0.0 || x.extent_rate >= 0.0 ? acting : open, 0.0};
-    if (x.extent == 0.0 && x.extent_rate >= 0.0) return {acting, 0.0};
-    if (x.extent <= 0.0) return {open, 0.0};
+    if (mode == open) return {x.deformation > 0.0 || x.deformation_rate >= 0.0 ? acting : open, 0.0};
+    if (x.deformation == 0.0 && x.deformation_rate >= 0.0) return {acting, 0.0};
+    if (x.deformation <= 0.0) return {open, 0.0};
     return mode == acting ? Reset{released, energy(x)} : Reset{acting, -energy(x)};
   }
 
  private:
-  constexpr double pull(Kinematics x) const { return stiffness * x.extent + damping * x.extent_rate; }
-  constexpr double energy(Kinematics x) const { return 0.5 * stiffness * x.extent * x.extent; }
+  constexpr double pull(Kinematics x) const { return stiffness * x.deformation + damping * x.deformation_rate; }
+  constexpr double energy(Kinematics x) const { return 0.5 * stiffness * x.deformation * x.deformation; }
 };
 
 }  // namespace talus

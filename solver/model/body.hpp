@@ -43,13 +43,13 @@ struct Body {
   double mass{};     ///< [M] > 0 unless fixed
   double inertia{};  ///< about the centre of mass [M L^2] > 0 if it turns
   Shape shape{};
-  Vec2 p_WB{};      ///< reference position of the centre of mass, world [L]
-  double angle{};   ///< reference orientation [rad], counter-clockwise > 0
-  Vec2 p_BPin{};    ///< of a pinned or guided body: the pin in body coordinates [L]
-  Vec2 force{};     ///< constant applied force at the centre of mass, world [F]
-  double moment{};  ///< constant applied moment [F L], counter-clockwise > 0
-  bool sleeps{};    ///< may sleep: while it is in balance at its reference position nothing is computed of it
-  int copies{1};    ///< number of identical bodies that this one stands for, by symmetry of the scene
+  Vec2 p_WB{};          ///< reference position of the centre of mass, world [L]
+  double angle{};       ///< reference orientation [rad], counter-clockwise > 0
+  Vec2 p_BPin{};        ///< of a pinned or guided body: the pin in body coordinates [L]
+  Vec2 force{};         ///< constant applied force at the centre of mass, world [F]
+  double moment{};      ///< constant applied moment [F L], counter-clockwise > 0
+  bool sleeps{};        ///< may sleep: while it is in balance at its reference position nothing is computed of it
+  int multiplicity{1};  ///< number of identical bodies that this one stands for, by symmetry of the scene
 
   static constexpr std::array<Field<Body>, 4> fields() {
     return {

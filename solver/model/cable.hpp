@@ -22,7 +22,7 @@ struct Cable {
   CableEnd b{};
   double rest_length{};  ///< length at which the tension law sees no elongation [L] >= 0
   CableLaw law{};
-  int copies{1};  ///< number of identical cables that this one stands for, by symmetry of the scene
+  int multiplicity{1};  ///< number of identical cables that this one stands for, by symmetry of the scene
 };
 
 }  // namespace talus

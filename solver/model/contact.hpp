@@ -33,7 +33,7 @@ struct Contact {
   std::array<int, 2> nodes{12, 12};  ///< boundary nodes of a and b when method is `nodes`: of a circle or superquadric
   NodeDepth node_depth{NodeDepth::nearest};   ///< of nodes in a superquadric when method is `nodes`
   std::optional<CoulombFriction> friction{};  ///< none: the contact is smooth, and keeps no memory for it
-  int copies{1};  ///< number of identical contacts that this one stands for, by symmetry of the scene
+  int multiplicity{1};  ///< number of identical contacts that this one stands for, by symmetry of the scene
 };
 
 }  // namespace talus

@@ -46,23 +46,23 @@ Accounts EnergyLedger::accounts(const Snapshot& snapshot) {
   return now;
 }
 
-void Accounts::remember(Memory& memory) {
-  memory.number("kinetic", energies.kinetic);
-  memory.number("gravity", energies.gravity);
-  memory.number("applied", energies.applied);
-  memory.number("contacts", energies.contacts);
-  memory.number("cables", energies.cables);
-  memory.numbers("lost", lost);
-  memory.vector("momentum", momenta.linear);
-  memory.number("angular_momentum", momenta.angular);
-  memory.number("energy_closure", energy_closure);
-  memory.vector("momentum_closure", momentum_closure);
-  memory.number("angular_momentum_closure", angular_momentum_closure);
+void Accounts::serialize(Archive& archive) {
+  archive.number("kinetic", energies.kinetic);
+  archive.number("gravity", energies.gravity);
+  archive.number("applied", energies.applied);
+  archive.number("contacts", energies.contacts);
+  archive.number("cables", energies.cables);
+  archive.numbers("lost", lost);
+  archive.vector("momentum", momenta.linear);
+  archive.number("angular_momentum", momenta.angular);
+  archive.number("energy_closure", energy_closure);
+  archive.vector("momentum_closure", momentum_closure);
+  archive.number("angular_momentum_closure", angular_momentum_closure);
 }
 
-void EnergyLedger::remember(Memory& memory) {
-  memory.number("largest_energy_closure", largest_energy_closure_);
-  memory.number("energy_scale", energy_scale_);
+void EnergyLedger::serialize(Archive& archive) {
+  archive.number("largest_energy_closure", largest_energy_closure_);
+  archive.number("energy_scale", energy_scale_);
 }
 
 }  // namespace talus

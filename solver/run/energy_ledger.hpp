@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/run/snapshot.hpp"
 
 namespace talus {
@@ -19,7 +19,7 @@ struct Accounts {
   double dissipated() const;  ///< sum of `lost` [F L]
 
   /// Names all parts.
-  void remember(Memory& memory);
+  void serialize(Archive& archive);
 };
 
 /// Keeps the accounts of energy and momentum of a run against its first state.
@@ -43,7 +43,7 @@ class EnergyLedger {
   double energy_scale() const { return energy_scale_; }
 
   /// Names what the ledger carries from one step to the next; a ledger of the same start goes on from it.
-  void remember(Memory& memory);
+  void serialize(Archive& archive);
 
  private:
   const Dynamics* dynamics_;

@@ -14,12 +14,12 @@ void Extremes::add(double time, std::span<const double> values) {
                 largest_time_.data());
 }
 
-void Extremes::remember(Memory& memory, std::size_t count) {
+void Extremes::serialize(Archive& archive, std::size_t count) {
   std::vector<double> numbers;
   for (std::size_t i = 0; i < size(); ++i)
     numbers.insert(numbers.end(), {least_[i], least_time_[i], largest_[i], largest_time_[i]});
   numbers.resize(4 * count);
-  memory.numbers("extremes", numbers);
+  archive.numbers("extremes", numbers);
   for (std::vector<double>* const list : {&least_, &least_time_, &largest_, &largest_time_})
     list->clear();
   for (std::size_t i = 0; i < numbers.size(); i += 4) {

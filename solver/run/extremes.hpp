@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 
 namespace talus {
 
@@ -26,7 +26,7 @@ class Extremes {
   Extreme operator[](std::size_t i) const { return {least_[i], least_time_[i], largest_[i], largest_time_[i]}; }
 
   /// Names the extremes of `count` quantities.
-  void remember(Memory& memory, std::size_t count);
+  void serialize(Archive& archive, std::size_t count);
 
  private:
   std::vector<double> least_, least_time_, largest_, largest_time_;

@@ -72,7 +72,7 @@ void FailureLog::operator()(const State& state, const StepInfo&) {
 }
 
 /// Times by the place of what is waited for, and the order in which it came.
-void FailureLog::remember(Memory& memory) {
+void FailureLog::serialize(Archive& archive) {
   std::vector<double> times, places;
   for (const Failure& failure : failures_) {
     const auto is = [&](const Failure& awaited) {
@@ -81,10 +81,10 @@ void FailureLog::remember(Memory& memory) {
     places.push_back(static_cast<double>(std::find_if(awaited_.begin(), awaited_.end(), is) - awaited_.begin()));
     times.push_back(failure.time);
   }
-  memory.list("times", times);
+  archive.list("times", times);
   places.resize(times.size());
-  memory.numbers("places", places);
-  if (!memory.puts_back()) return;
+  archive.numbers("places", places);
+  if (!archive.is_loading()) return;
   failures_.clear();
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!(places[i] >= 0.0 && places[i] < static_cast<double>(watches_.size()))) {

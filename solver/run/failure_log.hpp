@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/dynamics/dynamics.hpp"
 #include "solver/run/observer.hpp"
 
@@ -27,7 +27,7 @@ class FailureLog {
   void operator()(const State& state, const StepInfo& info);
 
   /// Names what it carries from one step to the next; a log of the same scene goes on from it.
-  void remember(Memory& memory);
+  void serialize(Archive& archive);
 
   const std::vector<Failure>& failures() const { return failures_; }
 

@@ -53,7 +53,7 @@ std::vector<Column> history_columns(const Model& model, bool ledger) {
   return found;
 }
 
-void History::go_on() {
+void History::proceed() {
   if (row_of_stop) rows.pop_back();
   row_of_stop = false;
 }
@@ -63,13 +63,13 @@ void History::add(std::vector<double> row, bool due) {
   row_of_stop = !due;
 }
 
-void History::remember(Memory& memory) {
-  memory.flag("row_of_stop", row_of_stop);
+void History::serialize(Archive& archive) {
+  archive.flag("row_of_stop", row_of_stop);
   std::vector<double> numbers;
   for (const std::vector<double>& row : rows)
     numbers.insert(numbers.end(), row.begin(), row.end());
-  memory.list("rows", numbers);
-  if (!memory.puts_back()) return;
+  archive.list("rows", numbers);
+  if (!archive.is_loading()) return;
   if (numbers.size() % columns.size() != 0) {
     throw InputError{
         fmt::format("rows: found {} numbers; it must be whole rows of {}", numbers.size(), columns.size())};
@@ -94,16 +94,16 @@ void Recorder::operator()(const Snapshot& snapshot, const StepInfo& info) {
   if (ledger_) accounts_ = ledger_->accounts(snapshot);
   fill_row(snapshot);
   extremes_.add(snapshot.state().t, row_);
-  history_.go_on();
+  history_.proceed();
   if (info.due || info.stop) history_.add(row_, info.due);
 }
 
-void Recorder::remember(Memory& memory) {
-  memory.part("history", [&] { history_.remember(memory); });
-  extremes_.remember(memory, history_.columns.size());
+void Recorder::serialize(Archive& archive) {
+  archive.scope("history", [&] { history_.serialize(archive); });
+  extremes_.serialize(archive, history_.columns.size());
   if (!ledger_) return;
-  memory.part("ledger", [&] { ledger_->remember(memory); });
-  memory.part("accounts", [&] { accounts_.remember(memory); });
+  archive.scope("ledger", [&] { ledger_->serialize(archive); });
+  archive.scope("accounts", [&] { accounts_.serialize(archive); });
 }
 
 void Recorder::fill_row(const Snapshot& snapshot) {

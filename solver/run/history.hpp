@@ -29,12 +29,12 @@ struct History {
   bool row_of_stop{false};  ///< the last row is there only because the run stopped
 
   /// Before what a step adds: a row of a stop gives way, now that the run was taken on.
-  void go_on();
+  void proceed();
   /// Adds the row of a step at which one is due, or with which the run stops.
   void add(std::vector<double> row, bool due);
 
   /// Names the rows; the columns are the scene's.
-  void remember(Memory& memory);
+  void serialize(Archive& archive);
 };
 
 /// Fills a history and keeps the extreme values of every step: for each body that moves x, y, vx, vy and, if it turns,
@@ -51,7 +51,7 @@ class Recorder {
   void operator()(const Snapshot& snapshot, const StepInfo& info);
 
   /// Names what the recorder carries from one step to the next; a recorder of the same start goes on from it.
-  void remember(Memory& memory);
+  void serialize(Archive& archive);
 
   const History& history() const { return history_; }
   /// All columns at the last step seen.

@@ -8,33 +8,34 @@
 namespace talus {
 
 /// What a run does when the watch over it finds a limit passed.
-enum class Breach {
+enum class CheckAction {
   off,      ///< nothing is looked for
   warning,  ///< it says so and goes on
   error,    ///< it ends as diverged
 };
 template <>
-struct Names<Breach> {
+struct Names<CheckAction> {
   static constexpr std::array<std::string_view, 3> list{"off", "warning", "error"};
 };
 
 /// What is watched during a run, and what follows a breach.
-struct WatchRules {
-  Breach instability{Breach::error};  ///< the springs that act are beyond the linear limit of the method
-  Breach tunnelling{Breach::error};   ///< bodies may pass each other in a step, or press half-way into each other
-  Breach accuracy{Breach::warning};   ///< contacts of few steps, deep overlaps, a ledger that does not close
+struct MonitorRules {
+  CheckAction instability{CheckAction::error};  ///< the springs that act are beyond the linear limit of the method
+  CheckAction tunnelling{
+      CheckAction::error};  ///< bodies may pass each other in a step, or press half-way into each other
+  CheckAction accuracy{CheckAction::warning};  ///< contacts of few steps, deep overlaps, a ledger that does not close
 
   /// A kind of breach, by its name in scenes.
   struct Choice {
     std::string_view name;
-    Breach WatchRules::*member;
+    CheckAction MonitorRules::*member;
   };
   static constexpr std::array<Choice, 3> choices() {
-    return {{{"instability", &WatchRules::instability},
-             {"tunnelling", &WatchRules::tunnelling},
-             {"accuracy", &WatchRules::accuracy}}};
+    return {{{"instability", &MonitorRules::instability},
+             {"tunnelling", &MonitorRules::tunnelling},
+             {"accuracy", &MonitorRules::accuracy}}};
   }
-  friend bool operator==(const WatchRules&, const WatchRules&) = default;
+  friend bool operator==(const MonitorRules&, const MonitorRules&) = default;
 };
 
 /// How long a scene runs, in which steps, and how often it is looked at.
@@ -47,7 +48,7 @@ struct RunPlan {
   double interval{};
   /// Whether the balances of energy and impulse are recorded (`ledger = off` saves their cost; the summary says so).
   bool ledger{true};
-  WatchRules watch{};
+  MonitorRules watch{};
 };
 
 }  // namespace talus

@@ -5,16 +5,17 @@
 #include "solver/dynamics/rigid_body_system.hpp"
 #include "solver/integrate/concepts.hpp"
 #include "solver/run/run_plan.hpp"
-#include "solver/state/state_memory.hpp"
+#include "solver/state/state_archive.hpp"
 
 namespace talus {
 
-void RunState::remember(Memory& memory) {
-  memory.number("start", start);
-  memory.count("step", step);
-  memory.count("evaluations", evaluations);
-  memory.part("state", [&] { talus::remember(memory, state); });
-  memory.part(name(integrator), [&] { std::visit([&](auto& method) { method.remember(memory, state); }, integrator); });
+void RunState::serialize(Archive& archive) {
+  archive.number("start", start);
+  archive.count("step", step);
+  archive.count("evaluations", evaluations);
+  archive.scope("state", [&] { talus::serialize(archive, state); });
+  archive.scope(name(integrator),
+                [&] { std::visit([&](auto& method) { method.serialize(archive, state); }, integrator); });
 }
 
 RunState initial_run_state(const Integrator& integrator, const State& state) {
@@ -24,7 +25,7 @@ RunState initial_run_state(const Integrator& integrator, const State& state) {
 State synchronized(const RunState& run_state, RigidBodySystem& system, const RunPlan& plan) {
   State state = std::visit([&](const auto& method) { return synchronized(method, system, run_state.state, plan.step); },
                            run_state.integrator);
-  system.settle(state);
+  system.update_modes(state);
   return state;
 }
 

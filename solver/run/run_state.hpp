@@ -5,7 +5,7 @@
 
 namespace talus {
 
-class Memory;
+class Archive;
 class RigidBodySystem;
 struct RunPlan;
 
@@ -19,7 +19,7 @@ struct RunState {
 
   /// Names all parts but the kind of the integrator. Before it is put back, integrator and state are those of the same
   /// scene, at any time.
-  void remember(Memory& memory);
+  void serialize(Archive& archive);
 };
 
 /// The run of an integrator from a state and its time, before its first step.

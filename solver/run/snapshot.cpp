@@ -29,7 +29,7 @@ void Snapshot::evaluate_state() const {
   synchronise_(state_);
   dynamics_->update_everywhere(state_, work_);
   // What breaks or wakes is evaluated again at once, but without what sleeps beside it.
-  if (dynamics_->settle(state_, work_)) work_.evaluated = Evaluated::nothing;
+  if (dynamics_->update_modes(state_, work_)) work_.evaluated = Evaluated::nothing;
   done(Stage::state);
 }
 
@@ -47,7 +47,7 @@ void Snapshot::evaluate_depths() const {
 void Snapshot::evaluate_pulls() const {
   static_cast<void>(geometry());
   // Rows of cables on straight lines have them already.
-  if (!work_.waking.quiet) dynamics_->cables().load(state_, work_, nullptr);
+  if (!work_.active.on_linear_branch) dynamics_->cables().load(state_, work_, nullptr);
   done(Stage::pulls);
 }
 

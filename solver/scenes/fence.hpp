@@ -188,7 +188,7 @@ struct FenceOptions {
   ColumnGround column_ground{ColumnGround::none};
   FenceEnd end{FenceEnd::steps};
   Sleep sleep{Sleep::exact};  ///< of columns that nothing has moved; `on` forgoes the smallest digits of the listing
-  WatchRules watch{};         ///< what ends a run, or is warned of
+  MonitorRules watch{};       ///< what ends a run, or is warned of
   std::string integrator{"lagged_central_difference"};
   double tolerance{};  ///< step control of the integrator; 0: none (1993)
 

@@ -27,7 +27,7 @@ CableId FenceMaker::add_cable(const std::string& name, CableEnd a, CableEnd b, d
           fmt::format("fence: cable '{}' is stretched by {:.6g}, at which it breaks", name, stretched.stretch)};
   }
   Cable cable{.name = name, .a = a, .b = b, .rest_length = rest_length, .law = law};
-  cable.copies = full() ? 1 : 2;
+  cable.multiplicity = full() ? 1 : 2;
   return builder_.add(cable);
 }
 
@@ -78,7 +78,7 @@ void FenceMaker::add_layer(int layer) {
     // The terms of equal columns are written so that nothing is lost in their sum.
     const double lower = place.y_top == column(0).y_top ? 0.0 : column(0).y_top - place.y_top;
     made.p_WB = {x, e.position.y + shape.heights[static_cast<std::size_t>(i)] + lower};
-    if (!full() && !(centre && (!even() || doubled()))) made.copies = 2;
+    if (!full() && !(centre && (!even() || doubled()))) made.multiplicity = 2;
     if (centre && doubled()) made.mass *= 2.0, made.inertia *= 2.0;
     hung.emplace_back();
     const int sides = full() && !(centre && !even()) ? 2 : 1;
@@ -87,7 +87,7 @@ void FenceMaker::add_layer(int layer) {
         Column column{.number = fmt::format("{}{}", side == 1 ? "-" : "", i + 1)};
         column.along = (side == 1 ? -1 : 1) * (inner + i * fence_.spacing);
         column.height = made.p_WB.y;
-        column.mass = made.mass, column.inertia = made.inertia, column.copies = made.copies;
+        column.mass = made.mass, column.inertia = made.inertia, column.multiplicity = made.multiplicity;
         column.place = i;
         column.struck = std::ranges::any_of(fence_.rocks, [&](const FenceElement& r) { return meets(r, column); });
         made.name = fmt::format("{}column{}", prefix(layer), column.number);

@@ -66,7 +66,7 @@ void FenceMaker::add_rock_contacts(std::size_t i) {
                              rocks_[i], column.body, law);
       made.nodes = {node_count(rock), node_count(fence_.column)};
       made.node_depth = node_depth(NodeDepth::side_face);
-      made.copies = column.copies;
+      made.multiplicity = column.multiplicity;
       builder_.add(made);
       if (first) made_.rock_column = law;
       first = false;
@@ -110,7 +110,7 @@ void FenceMaker::add_column_pairs() {
     Contact made = contact(fmt::format("column{0}-back_column{0}", front.number), front.body, layers_[1][c].body, law);
     made.nodes = {node_count(fence_.column), node_count(fence_.column)};
     made.node_depth = node_depth(NodeDepth::centroid_ray);
-    made.copies = front.copies;
+    made.multiplicity = front.multiplicity;
     builder_.add(made);
     if (first) made_.column_column = law;
     first = false;
@@ -125,7 +125,7 @@ void FenceMaker::add_columns_on_ground() {
       Contact made = contact(fmt::format("{}column{}-ground", prefix(static_cast<int>(layer) + 1), column.number),
                              column.body, ground_, law);
       made.nodes = {node_count(fence_.column), 3};
-      made.copies = column.copies;
+      made.multiplicity = column.multiplicity;
       builder_.add(made);
     }
   }

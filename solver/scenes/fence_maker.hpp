@@ -34,7 +34,7 @@ class FenceMaker {
     double height{};     ///< of its centroid, y [L]
     double mass{};       ///< of the body: twice its own where one stands for two
     double inertia{};
-    int copies{1};
+    int multiplicity{1};
     bool struck{};  ///< stands in front of a rock
   };
   double column_weight() const { return mass_properties(fence_.column).mass * fence_.gravity; }

@@ -32,7 +32,7 @@ Model FenceMaker::balanced(Model model) const {
   Workspace work = dynamics.workspace();
   Rates rates{state};
   dynamics.update(state, work);
-  dynamics.settle(state, work);
+  dynamics.update_modes(state, work);
   for (std::size_t h = 0; h < model.hangers.size(); ++h) {
     if (state.mode[dynamics.layout().first_hanger + h] == 0) continue;
     throw InputError{fmt::format("fence: hanger '{}' breaks under the weight alone; hanger_strength must be more",
@@ -108,7 +108,7 @@ Model FenceMaker::hung(Model model) {
     Workspace work = dynamics.workspace();
     Rates rates{state};
     dynamics.update_all(state, work);
-    dynamics.cables().settle(state, work);
+    dynamics.cables().update_modes(state, work);
     dynamics.cables().load(state, work, nullptr);
     Eigen::VectorXd sum(count);
     for (Eigen::Index i = 0; i < count; ++i) {

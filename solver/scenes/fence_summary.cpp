@@ -10,7 +10,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/scenes/fence_element.hpp"
-#include "solver/state/state_memory.hpp"
+#include "solver/state/state_archive.hpp"
 
 namespace talus::scenes {
 namespace {
@@ -44,55 +44,55 @@ const Item* largest(const std::vector<Item>& items, Value&& value) {
 int place(const std::string& name) { return std::stoi(name.substr(name.find_first_of("123456789"))); }
 
 /// Errors: InputError where the number in the checkpoint is none of a verdict.
-void remember(Memory& memory, std::string_view name, Verdict& verdict) {
+void serialize(Archive& archive, std::string_view name, Verdict& verdict) {
   constexpr long count = Names<Verdict>::list.size();
   long number = static_cast<long>(verdict);
-  memory.count(name, number);
+  archive.count(name, number);
   if (number >= count) throw InputError{fmt::format("{}: found {}; it must be below {}", name, number, count)};
   verdict = static_cast<Verdict>(number);
 }
 
-void remember(Memory& memory, ForceRecord& record) {
-  memory.number("peak", record.peak);
-  memory.number("peak_time", record.peak_time);
-  memory.vector("at_peak", record.at_peak);
-  memory.vector("impulse", record.impulse);
+void serialize(Archive& archive, ForceRecord& record) {
+  archive.number("peak", record.peak);
+  archive.number("peak_time", record.peak_time);
+  archive.vector("at_peak", record.at_peak);
+  archive.vector("impulse", record.impulse);
 }
 
-void remember(Memory& memory, RockPassage& rock) {
-  memory.flag("touched", rock.touched);
-  memory.number("touch_time", rock.touch_time);
-  memory.vector("approach_velocity", rock.approach_velocity);
-  memory.number("approach_spin", rock.approach_spin);
-  memory.number("approach_energy", rock.approach_energy);
-  memory.flag("left", rock.left);
-  memory.number("exit_time", rock.exit_time);
-  memory.vector("exit_velocity", rock.exit_velocity);
-  memory.number("exit_spin", rock.exit_spin);
-  memory.number("exit_energy", rock.exit_energy);
-  memory.flag("turned", rock.turned);
-  memory.number("braking_time", rock.braking_time);
-  memory.number("travel", rock.travel);
-  remember(memory, "verdict", rock.verdict);
-  memory.number("passed_time", rock.passed_time);
-  memory.vector("end_velocity", rock.end_velocity);
-  memory.number("end_energy", rock.end_energy);
-  memory.number("highest", rock.highest);
-  memory.number("distance", rock.distance);
+void serialize(Archive& archive, RockPassage& rock) {
+  archive.flag("touched", rock.touched);
+  archive.number("touch_time", rock.touch_time);
+  archive.vector("approach_velocity", rock.approach_velocity);
+  archive.number("approach_spin", rock.approach_spin);
+  archive.number("approach_energy", rock.approach_energy);
+  archive.flag("left", rock.left);
+  archive.number("exit_time", rock.exit_time);
+  archive.vector("exit_velocity", rock.exit_velocity);
+  archive.number("exit_spin", rock.exit_spin);
+  archive.number("exit_energy", rock.exit_energy);
+  archive.flag("turned", rock.turned);
+  archive.number("braking_time", rock.braking_time);
+  archive.number("travel", rock.travel);
+  serialize(archive, "verdict", rock.verdict);
+  archive.number("passed_time", rock.passed_time);
+  archive.vector("end_velocity", rock.end_velocity);
+  archive.number("end_energy", rock.end_energy);
+  archive.number("highest", rock.highest);
+  archive.number("distance", rock.distance);
 }
 
-void remember(Memory& memory, LayerRecord::Height& height) {
-  memory.number("start", height.start);
-  memory.number("extreme", height.extreme);
-  memory.number("extreme_time", height.extreme_time);
-  memory.number("end", height.end);
+void serialize(Archive& archive, LayerRecord::Height& height) {
+  archive.number("start", height.start);
+  archive.number("extreme", height.extreme);
+  archive.number("extreme_time", height.extreme_time);
+  archive.number("end", height.end);
 }
 
 /// Each element as a part of its own, by its number.
 template <class List, class Visit>
-void each(Memory& memory, std::string_view name, List& list, Visit&& visit) {
+void each(Archive& archive, std::string_view name, List& list, Visit&& visit) {
   for (std::size_t i = 0; i < list.size(); ++i)
-    memory.part(fmt::format("{}_{}", name, i), [&] { visit(list[i]); });
+    archive.scope(fmt::format("{}_{}", name, i), [&] { visit(list[i]); });
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ const ColumnRecord* FenceSummary::closest_hanger() const {
   return largest(columns, [](const ColumnRecord& column) { return column.margin(); });
 }
 
-FenceWatch::FenceWatch(const Fence& fence, const FenceScene& made, const Dynamics& dynamics)
+FenceMonitor::FenceMonitor(const Fence& fence, const FenceScene& made, const Dynamics& dynamics)
     : fence_{&fence}, made_{&made}, dynamics_{&dynamics} {
   list_parts();
   list_places();
@@ -140,7 +140,7 @@ FenceWatch::FenceWatch(const Fence& fence, const FenceScene& made, const Dynamic
 }
 
 /// What does not move, once for all.
-void FenceWatch::list_places() {
+void FenceMonitor::list_places() {
   const Model& model = dynamics_->model();
   const Body& ground = model.bodies[index(*made_->members.front().body)];
   const bool plane = !std::holds_alternative<Terrain>(ground.shape);
@@ -172,7 +172,7 @@ void FenceWatch::list_places() {
   }
 }
 
-void FenceWatch::add_column(const Joint& hanger, int layer) {
+void FenceMonitor::add_column(const Joint& hanger, int layer) {
   const Model& model = dynamics_->model();
   double y_bottom = fence_->y_bottom, strength = std::numeric_limits<double>::infinity();
   for (const ChangedColumn& changed : fence_->changed_columns) {
@@ -187,7 +187,7 @@ void FenceWatch::add_column(const Joint& hanger, int layer) {
 
 /// Rocks by the numbering of 1993; columns, segments and anchors by the cables, so that both sides of a full model are
 /// in. A segment begins at a column; names tell top from bottom.
-void FenceWatch::list_parts() {
+void FenceMonitor::list_parts() {
   const Model& model = dynamics_->model();
   const CableForces& cables = dynamics_->cables();
   const auto layer_at = [&](double x) {
@@ -233,12 +233,12 @@ void FenceWatch::list_parts() {
   }
 }
 
-bool FenceWatch::touches(std::size_t rock, const State& state) const {
+bool FenceMonitor::touches(std::size_t rock, const State& state) const {
   return std::any_of(touching_[rock].begin(), touching_[rock].end(),
                      [&](Modes modes) { return any_set(&state.mode[modes.first], modes.count); });
 }
 
-double FenceWatch::kinetic(std::size_t rock, const State& state) const {
+double FenceMonitor::kinetic(std::size_t rock, const State& state) const {
   const std::size_t body = index(rocks_[rock]);
   double energy = 0.0;
   for (std::size_t i = dynamics_->layout().first[body]; i < dynamics_->layout().first[body + 1]; ++i)
@@ -247,7 +247,7 @@ double FenceWatch::kinetic(std::size_t rock, const State& state) const {
 }
 
 /// A rock that touches from the start approaches as the deck says: a half kick has by then taken a little of it.
-void FenceWatch::begin(const State& state) {
+void FenceMonitor::begin(const State& state) {
   begun_ = true;
   time_ = state.t;
   summary_.start = summary_.at_travel = state;
@@ -264,7 +264,7 @@ void FenceWatch::begin(const State& state) {
   }
 }
 
-void FenceWatch::operator()(const Snapshot& snapshot, const StepInfo& info) {
+void FenceMonitor::operator()(const Snapshot& snapshot, const StepInfo& info) {
   const State& state = snapshot.state();
   now_ = &snapshot.pulls(), forces_now_ = &snapshot.forces();
   if (!begun_) begin(state);
@@ -273,13 +273,13 @@ void FenceWatch::operator()(const Snapshot& snapshot, const StepInfo& info) {
   watch_cables(state);
   watch_anchors(state);
   watch_heights(state);
-  history_.go_on();
+  history_.proceed();
   if (info.due || info.stop) history_.add(row(state), info.due);
   time_ = state.t;
 }
 
-bool FenceWatch::anything_broken(const State& state) const {
-  const auto& broken = now_->rigging.broken;
+bool FenceMonitor::anything_broken(const State& state) const {
+  const auto& broken = now_->topology.broken;
   if (std::find(broken.begin(), broken.end(), true) != broken.end()) return true;
   const Model& model = dynamics_->model();
   for (std::size_t c = 0; c < model.cables.size(); ++c) {
@@ -290,7 +290,7 @@ bool FenceWatch::anything_broken(const State& state) const {
 }
 
 /// After the step's touch is known.
-void FenceWatch::watch_passing(std::size_t i, const State& state) {
+void FenceMonitor::watch_passing(std::size_t i, const State& state) {
   RockPassage& rock = summary_.rocks[i];
   const Pose now = now_->poses[index(rocks_[i])];
   rock.end_velocity = now.v_WB, rock.end_energy = kinetic(i, state);
@@ -322,7 +322,7 @@ void FenceWatch::watch_passing(std::size_t i, const State& state) {
   rock.verdict = all ? last->how : rock.touched && (speed <= 0.0 || still) ? Verdict::stopped : Verdict::undecided;
 }
 
-void FenceWatch::watch_rocks(const State& state) {
+void FenceMonitor::watch_rocks(const State& state) {
   for (std::size_t i = 0; i < rocks_.size(); ++i) {
     RockPassage& rock = summary_.rocks[i];
     const Pose now = now_->poses[index(rocks_[i])];
@@ -352,9 +352,9 @@ void FenceWatch::watch_rocks(const State& state) {
   }
 }
 
-void FenceWatch::watch_columns(const State& state) {
+void FenceMonitor::watch_columns(const State& state) {
   const double h = state.t - time_, before = summary_.travel;
-  const std::vector<char>& broken = now_->rigging.broken;
+  const std::vector<char>& broken = now_->topology.broken;
   for (std::size_t i = 0; i < summary_.columns.size(); ++i) {
     ColumnRecord& column = summary_.columns[i];
     const Vec2 pull = !broken.empty() && broken[hangers_[i]] ? Vec2{} : now_->joints.force(hangers_[i]);
@@ -366,7 +366,7 @@ void FenceWatch::watch_columns(const State& state) {
   if (summary_.travel > before) summary_.at_travel = state;
 }
 
-void FenceWatch::watch_cables(const State& state) {
+void FenceMonitor::watch_cables(const State& state) {
   const double h = state.t - time_;
   for (std::size_t i = 0; i < summary_.segments.size(); ++i) {
     SegmentRecord& segment = summary_.segments[i];
@@ -378,7 +378,7 @@ void FenceWatch::watch_cables(const State& state) {
 }
 
 /// Each segment pulls an anchor towards its other end, in space.
-void FenceWatch::watch_anchors(const State& state) {
+void FenceMonitor::watch_anchors(const State& state) {
   const double h = state.t - time_;
   for (std::size_t i = 0; i < summary_.anchors.size(); ++i) {
     Vec3 force;
@@ -392,11 +392,11 @@ void FenceWatch::watch_anchors(const State& state) {
   }
 }
 
-void FenceWatch::watch_heights(const State& state) {
+void FenceMonitor::watch_heights(const State& state) {
   const bool first = state.t == summary_.start.t;
   const JointPoints& joints = now_->joints;
   // The cable at a broken hanger has left the column's joint.
-  const bool by_cables = cabled_ && !ground_.body && now_->rigging.loose.empty();
+  const bool by_cables = cabled_ && !ground_.body && now_->topology.free_joints.empty();
   const Vec2 p_W = ground_.p_W, up_W = ground_.up_W;
   for (std::size_t layer = 0; layer < summary_.layers.size(); ++layer) {
     const LayerJoints& of_columns = of_layer_[layer];
@@ -420,7 +420,7 @@ void FenceWatch::watch_heights(const State& state) {
   }
 }
 
-std::vector<double> FenceWatch::row(const State& state) const {
+std::vector<double> FenceMonitor::row(const State& state) const {
   std::vector<double> row{state.t};
   for (const BodyId rock : rocks_) {
     const Pose now = now_->poses[index(rock)];
@@ -437,44 +437,44 @@ std::vector<double> FenceWatch::row(const State& state) const {
   return row;
 }
 
-void FenceWatch::remember(Memory& memory) {
+void FenceMonitor::serialize(Archive& archive) {
   FenceSummary& s = summary_;
-  const auto force = [&memory](Vec3& value) { memory.vector("force", value); };
-  memory.flag("begun", begun_);
-  memory.number("time", time_);
-  memory.numbers("touch_x", touch_x_);
-  memory.numbers("last_spin", last_spin_);
-  memory.numbers("last_tension", last_tension_);
-  memory.list("directions", directions_);
+  const auto force = [&archive](Vec3& value) { archive.vector("force", value); };
+  archive.flag("begun", begun_);
+  archive.number("time", time_);
+  archive.numbers("touch_x", touch_x_);
+  archive.numbers("last_spin", last_spin_);
+  archive.numbers("last_tension", last_tension_);
+  archive.list("directions", directions_);
   for (std::size_t i = 0; i < crossings_.size(); ++i) {
-    each(memory, fmt::format("crossing_{}", i), crossings_[i], [&](Crossing& crossing) {
-      memory.flag("beyond", crossing.beyond);
-      scenes::remember(memory, "how", crossing.how);
-      memory.number("time", crossing.time);
+    each(archive, fmt::format("crossing_{}", i), crossings_[i], [&](Crossing& crossing) {
+      archive.flag("beyond", crossing.beyond);
+      scenes::serialize(archive, "how", crossing.how);
+      archive.number("time", crossing.time);
     });
   }
-  each(memory, "last_hanger", last_hanger_, force);
-  each(memory, "last_anchor", last_anchor_, force);
-  each(memory, "rock", s.rocks, [&](RockPassage& rock) { scenes::remember(memory, rock); });
-  each(memory, "column", s.columns, [&](ColumnRecord& column) {
-    scenes::remember(memory, column.hanger);
-    memory.number("travel", column.travel);
-    memory.number("travel_time", column.travel_time);
+  each(archive, "last_hanger", last_hanger_, force);
+  each(archive, "last_anchor", last_anchor_, force);
+  each(archive, "rock", s.rocks, [&](RockPassage& rock) { scenes::serialize(archive, rock); });
+  each(archive, "column", s.columns, [&](ColumnRecord& column) {
+    scenes::serialize(archive, column.hanger);
+    archive.number("travel", column.travel);
+    archive.number("travel_time", column.travel_time);
   });
-  each(memory, "segment", s.segments, [&](SegmentRecord& segment) {
-    memory.number("peak", segment.peak);
-    memory.number("peak_time", segment.peak_time);
-    memory.number("impulse", segment.impulse);
+  each(archive, "segment", s.segments, [&](SegmentRecord& segment) {
+    archive.number("peak", segment.peak);
+    archive.number("peak_time", segment.peak_time);
+    archive.number("impulse", segment.impulse);
   });
-  each(memory, "anchor", s.anchors, [&](AnchorRecord& anchor) { scenes::remember(memory, anchor.force); });
-  each(memory, "layer", s.layers, [&](LayerRecord& layer) {
-    memory.part("top", [&] { scenes::remember(memory, layer.top); });
-    memory.part("bottom", [&] { scenes::remember(memory, layer.bottom); });
+  each(archive, "anchor", s.anchors, [&](AnchorRecord& anchor) { scenes::serialize(archive, anchor.force); });
+  each(archive, "layer", s.layers, [&](LayerRecord& layer) {
+    archive.scope("top", [&] { scenes::serialize(archive, layer.top); });
+    archive.scope("bottom", [&] { scenes::serialize(archive, layer.bottom); });
   });
-  memory.number("travel", s.travel);
-  memory.part("start", [&] { talus::remember(memory, s.start); });
-  memory.part("at_travel", [&] { talus::remember(memory, s.at_travel); });
-  memory.part("history", [&] { history_.remember(memory); });
+  archive.number("travel", s.travel);
+  archive.scope("start", [&] { talus::serialize(archive, s.start); });
+  archive.scope("at_travel", [&] { talus::serialize(archive, s.at_travel); });
+  archive.scope("history", [&] { history_.serialize(archive); });
 }
 
 }  // namespace talus::scenes

@@ -126,14 +126,14 @@ struct FenceSummary {
 };
 
 /// Watches a fence's run and sums it up. Every step counts; integrals are trapezoids between steps.
-class FenceWatch {
+class FenceMonitor {
  public:
   /// All arguments must outlive it.
-  FenceWatch(const Fence& fence, const FenceScene& made, const Dynamics& dynamics);
+  FenceMonitor(const Fence& fence, const FenceScene& made, const Dynamics& dynamics);
 
   void operator()(const Snapshot& snapshot, const StepInfo& info);
   /// Names what it carries from one step to the next; one of the same run goes on from it.
-  void remember(Memory& memory);
+  void serialize(Archive& archive);
 
   const FenceSummary& summary() const { return summary_; }
   /// When a row is due, and at the last step: time, each rock's x, y and velocity along x, largest hanger force,

@@ -201,7 +201,7 @@ std::vector<StudyMean> shear_study(const std::vector<StudyPoint>& points, const 
   }
   for (const StudyPoint* point : cells) {
     const ShearCell cell = study_cell(*point, 1);
-    if (const auto found = objections(cell, plan_of(cell, plan.time)); !found.empty())
+    if (const auto found = validation_errors(cell, plan_of(cell, plan.time)); !found.empty())
       throw InputError{fmt::format("{}: {}", found.front().field, found.front().words)};
   }
   std::vector<std::optional<StudyMean::Run>> runs(cells.size() * seeds);

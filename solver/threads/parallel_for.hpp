@@ -13,7 +13,7 @@ namespace talus {
 /// Errors: what work(i) throws, that of the smallest i for any number of threads; no call begins after one has thrown.
 /// Threads that the system cannot start are done without.
 ///
-/// Threads are started by each call, some 20 us each. For stages of a step there is Team (solver/base/team.hpp), whose
+/// Threads are started by each call, some 20 us each. For stages of a step there is ThreadPool (solver/base/thread_pool.hpp), whose
 /// threads stay.
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work);
 

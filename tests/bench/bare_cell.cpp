@@ -52,8 +52,8 @@ void BareCell::advance(Discs& discs, double h, long steps) {
   store(discs);
 }
 
-DiscSweep BareCell::all(double drift) {
-  DiscSweep all;
+StepBlock BareCell::all(double drift) {
+  StepBlock all;
   all.drift = drift, all.flow = list_.flow();
   all.places = places_.data(), all.velocities = velocities_.data(), all.end = shapes_.size();
   all.equal_radii = diameter_;

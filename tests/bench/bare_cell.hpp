@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "solver/cell/shear_cell.hpp"
-#include "solver/granular/disc_sweep.hpp"
 #include "solver/granular/neighbour_list.hpp"
+#include "solver/granular/step_block.hpp"
 #include "solver/granular/swept_pairs.hpp"
 #include "solver/laws/latching_spring.hpp"
 
@@ -32,7 +32,7 @@ class BareCell {
     return place < velocities_.size() ? place : ghosts_[(place - velocities_.size()) / 2];
   }
   /// All discs, to be moved so long.
-  DiscSweep all(double drift);
+  StepBlock all(double drift);
   void place_ghosts();
   void prune();
   std::size_t push();

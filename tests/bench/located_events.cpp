@@ -26,7 +26,7 @@ class Unguarded {
  public:
   explicit Unguarded(const Dynamics& dynamics) : system_{dynamics, false} {}
   void drift(State& state, double h) { system_.drift(state, h); }
-  void settle(State& state) { system_.settle(state); }
+  void update_modes(State& state) { system_.update_modes(state); }
   void derivative(const State& state, Rates& out) { system_.derivative(state, out); }
   void evaluate(State& state, Rates& out) { system_.evaluate(state, out); }
   bool keeps_accounts() const { return false; }

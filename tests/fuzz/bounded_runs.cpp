@@ -9,8 +9,8 @@
 #include "solver/app/run_summary.hpp"
 #include "solver/app/scene_request.hpp"
 #include "solver/app/scene_run.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/base/error.hpp"
-#include "solver/base/memory.hpp"
 #include "solver/cell/cell_run.hpp"
 #include "solver/io/cell/cell_restart.hpp"
 #include "solver/io/cell/write_cell.hpp"
@@ -47,7 +47,7 @@ bool advance(app::SceneRun& run) {
     return cut || ++steps >= Bounds::steps;
   };
   Progress progress;
-  const Outcome outcome = run.go_on(stop, progress);
+  const Outcome outcome = run.proceed(stop, progress);
   if (outcome.kind == Outcome::Kind::diverged && (outcome.words.empty() || !std::isfinite(outcome.time)))
     throw std::logic_error{fmt::format("diverged at {} because of '{}'", outcome.time, outcome.words)};
   const RunRecord record = run.record(outcome);
@@ -106,9 +106,9 @@ bool resume_scene(const fs::path& checkpoint) {
   options.resume = checkpoint.parent_path();
   const app::SceneRequest request = app::scene_request(options);
   app::SceneRun run{request.file, {}, request.name(), 0, request.sheet};
-  app::restore(request.run, [&](Memory& memory) {
-    run.remember(memory);
-    if (const auto names = memory.left_over(); !names.empty()) throw InputError{"found " + names.front()};
+  app::restore(request.run, [&](Archive& archive) {
+    run.serialize(archive);
+    if (const auto names = archive.left_over(); !names.empty()) throw InputError{"found " + names.front()};
   });
   return advance(run);
 }
@@ -119,11 +119,11 @@ bool resume_cell(const fs::path& checkpoint) {
   const app::RunRequest request = app::run_request("cell", options, {});
   const CellScene scene = read_cell(request.scene, {});
   CellRun run{scene.cell, scene.plan};
-  app::restore(request, [&](Memory& memory) {
+  app::restore(request, [&](Archive& archive) {
     std::string choice;
-    memory.part("choices", [&] { memory.text("integrator", choice); });
-    memory.part("run", [&] { run.remember(memory); });
-    if (const auto names = memory.left_over(); !names.empty()) throw InputError{"found " + names.front()};
+    archive.scope("choices", [&] { archive.text("integrator", choice); });
+    archive.scope("run", [&] { run.serialize(archive); });
+    if (const auto names = archive.left_over(); !names.empty()) throw InputError{"found " + names.front()};
   });
   return advance(run, scene);
 }
@@ -133,20 +133,20 @@ void leave_scene_run(const fs::path& scene, const fs::path& folder) {
   const SceneFile file = read_scene_file(scene);
   app::SceneRun run{file, folder, scene, 3, false};
   Progress progress;
-  const RunRecord record = run.record(run.go_on({}, progress));
+  const RunRecord record = run.record(run.proceed({}, progress));
   run.write(record);
   write_whole(folder / "summary.json", summary_json(record));
 
   app::SceneRun begun{file, {}, scene, 0, false};
   long steps = 0;
-  static_cast<void>(begun.go_on([&](const Snapshot&) { return ++steps >= saved_steps; }, progress));
-  Memory memory;
-  begun.remember(memory);
+  static_cast<void>(begun.proceed([&](const Snapshot&) { return ++steps >= saved_steps; }, progress));
+  Archive archive;
+  begun.serialize(archive);
   Checkpoint checkpoint = saved(scene);
   checkpoint.integrator = name(file.scene.integrator), checkpoint.tolerance = tolerance(file.scene.integrator);
   checkpoint.step = file.scene.plan.step, checkpoint.end = file.scene.plan.end;
   checkpoint.steps = begun.run_state().step;
-  checkpoint.memory = memory.items();
+  checkpoint.memory = archive.items();
   write_whole(folder / "saved.json", checkpoint_text(checkpoint, TALUS_VERSION));
 }
 
@@ -156,15 +156,15 @@ void leave_cell_run(const fs::path& scene, const fs::path& folder) {
   CellRun run{read.cell, read.plan};
   while (run.steps() < saved_steps)
     run.advance();
-  Memory memory;
+  Archive archive;
   std::string choice;
-  memory.part("choices", [&] { memory.text("integrator", choice); });
-  memory.part("run", [&] { run.remember(memory); });
+  archive.scope("choices", [&] { archive.text("integrator", choice); });
+  archive.scope("run", [&] { run.serialize(archive); });
   Checkpoint checkpoint = saved(scene);
   checkpoint.integrator = read.plan.integrator;
   checkpoint.step = read.plan.step, checkpoint.end = read.plan.end;
   checkpoint.steps = run.steps();
-  checkpoint.memory = memory.items();
+  checkpoint.memory = archive.items();
   write_whole(folder / "saved.json", checkpoint_text(checkpoint, TALUS_VERSION));
   write_whole(folder / "RESTART.DAT", cell_restart_text(read.cell, run.discs(), run.steps()));
   write_whole(folder / "cell.vtp", cell_state_vtp(run));

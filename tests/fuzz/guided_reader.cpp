@@ -44,7 +44,7 @@ class Target {
   ~Target() { remove(); }
 
   /// What is wrong about how the reader ended; empty if nothing is.
-  std::string flaw_of(std::string input) const {
+  std::string case_error(std::string input) const {
     if (reader_->seal) reader_->seal(input);
     return talus::fuzz::read(*reader_, talus::fuzz::put(*reader_, input, folder_ / "input")).flaw;
   }
@@ -75,7 +75,7 @@ const Target& target() {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string flaw = target().flaw_of({reinterpret_cast<const char*>(data), size});
+  const std::string flaw = target().case_error({reinterpret_cast<const char*>(data), size});
   if (flaw.empty()) return 0;
   fmt::print(stderr, "talus_guided_reader: {}\n", flaw);
   std::abort();

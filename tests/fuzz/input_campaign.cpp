@@ -47,7 +47,7 @@ struct Progress {
   long accepted{}, refused{}, cut_short{};
 };
 
-/// Memory that child processes share.
+/// Archive that child processes share.
 class SharedProgress {
  public:
   SharedProgress()

@@ -276,7 +276,7 @@ bool says_where(std::string_view rest) {
 
 /// What is wrong with an error's message; empty if nothing is. It names the file, or one of those beside it, and a line
 /// or a field in it; not so where the system refuses the file, it is empty, or is another value than an object.
-std::string flaw_of(const std::string& message, const fs::path& file) {
+std::string case_error(const std::string& message, const fs::path& file) {
   const std::string name = file.string(), folder = file.parent_path().string() + "/";
   const std::size_t place = message.find(name), beside = message.find(folder);
   if (beside == std::string::npos) return "the error does not name the file: " + message;
@@ -303,7 +303,7 @@ std::vector<Reader> all_readers(const fs::path& scratch) {
 
 Reading read(const Reader& reader, const fs::path& file) {
   const auto refused = [&](const std::exception& error) -> Reading {
-    return {Ending::refused, error.what(), flaw_of(error.what(), file)};
+    return {Ending::refused, error.what(), case_error(error.what(), file)};
   };
   try {
     return {reader.read(file) ? Ending::accepted : Ending::cut_short, {}, {}};

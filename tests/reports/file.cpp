@@ -10,7 +10,7 @@
 #include "tests/reports/scratch.hpp"
 
 namespace fs = std::filesystem;
-using talus::reports::Workshop;
+using talus::reports::StagingFolder;
 
 namespace {
 
@@ -29,11 +29,11 @@ pid_t ended_process() {
 BOOST_AUTO_TEST_CASE(what_is_not_published_is_removed) {
   const Scratch scratch("file");
   {
-    const Workshop workshop{scratch.folder};
-    std::ofstream{workshop.folder() / "whole"} << "text";
-    std::ofstream{workshop.folder() / "half"} << "te";
-    workshop.publish("whole");
-    BOOST_TEST(workshop.folder().filename() == partial(::getpid()));
+    const StagingFolder staging{scratch.folder};
+    std::ofstream{staging.folder() / "whole"} << "text";
+    std::ofstream{staging.folder() / "half"} << "te";
+    staging.publish("whole");
+    BOOST_TEST(staging.folder().filename() == partial(::getpid()));
   }
   BOOST_TEST(fs::exists(scratch.folder / "whole"));
   BOOST_TEST(std::distance(fs::directory_iterator{scratch.folder}, {}) == 1);
@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(folders_of_killed_processes_are_removed) {
   const std::string killed = partial(ended_process()), alive = partial(::getppid());
   for (const std::string& name : {killed, alive, std::string{".partial-"}, std::string{".partial-1x"}})
     fs::create_directories(scratch.folder / name / "figures");
-  const Workshop workshop{scratch.folder};
+  const StagingFolder staging{scratch.folder};
   BOOST_TEST(!fs::exists(scratch.folder / killed));
   for (const std::string& name : {alive, std::string{".partial-"}, std::string{".partial-1x"}})
     BOOST_TEST(fs::exists(scratch.folder / name), name);

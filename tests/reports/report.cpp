@@ -268,11 +268,11 @@ Page two_panels() {
       .name = "page", .title = "Two", .columns = 2, .panels = {panel, panel}, .scale = Scale{"tension", 0.0, 8.0, "N"}};
 }
 
-const Workplace workplace{find_resources(), 2};
+const ToolPaths tools{find_resources(), 2};
 
 std::string complaint_of(const Pictures& pictures, const fs::path& target) {
   try {
-    make_pictures(pictures, target, {"svg"}, workplace);
+    make_pictures(pictures, target, {"svg"}, tools);
   } catch (const RecordError& wrong) {
     return wrong.what();
   }
@@ -287,7 +287,7 @@ BOOST_AUTO_TEST_CASE(a_page_shows_shapes_in_the_colours_of_their_values) {
   const Made made = make_pictures({.pages = {page},
                                    .films = {{"film", 0.1, {page, page}}},
                                    .players = {{"play", "A <b>", R"({"title": "</script>"})"}}},
-                                  scratch.folder, {"svg", "ps"}, workplace);
+                                  scratch.folder, {"svg", "ps"}, tools);
   BOOST_TEST(made.warnings == "");
   BOOST_TEST(made.files.size() == 4U);
   const std::string svg = read_whole(scratch.folder / "page.svg");
@@ -326,7 +326,7 @@ BOOST_AUTO_TEST_CASE(circles_are_filled_by_their_values) {
         .pages = {
             {.name = "page", .title = "", .columns = 1, .panels = {figure}, .scale = Scale{"speed", 0.0, 8.0, "m/s"}}}};
   };
-  BOOST_TEST(make_pictures(page(panel), scratch.folder, {"svg"}, workplace).warnings == "");
+  BOOST_TEST(make_pictures(page(panel), scratch.folder, {"svg"}, tools).warnings == "");
   const std::string svg = read_whole(scratch.folder / "page.svg");
   for (const char* part : {"rgb(103,   0,  31)", "rgb(254, 196,  79)", "rgb(160, 176, 192)", ">wall<", "speed [m/s]"})
     BOOST_TEST(contains(svg, part), part);

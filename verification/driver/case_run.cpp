@@ -91,7 +91,7 @@ void plant_all(const Case& verification_case, Record& record) {
 }
 
 /// Main checks that were not made, and claims that no check or no run of the case backs; empty if there are none.
-std::string undelivered(const Record& record) {
+std::string missing_checks(const Record& record) {
   std::string words;
   const auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
   for (const auto& name : record.main_checks) {
@@ -177,7 +177,7 @@ void judge(Record& record) {
                                   record.controls.size());
   }
   // With no check at all nothing is delivered: that is said already.
-  if (const std::string words = undelivered(record); !words.empty() && !record.checks.empty()) {
+  if (const std::string words = missing_checks(record); !words.empty() && !record.checks.empty()) {
     record.message += (record.message.empty() ? "" : "; ") + words;
   }
   record.status = record.message.empty() ? Status::pass : Status::fail;

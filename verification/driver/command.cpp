@@ -18,10 +18,10 @@
 #include "solver/base/error.hpp"
 #include "verification/catalogue/catalogue.hpp"
 #include "verification/driver/baseline_gate.hpp"
+#include "verification/driver/case_error.hpp"
 #include "verification/driver/case_run.hpp"
 #include "verification/driver/earlier_record.hpp"
 #include "verification/driver/exit_code.hpp"
-#include "verification/driver/flaw.hpp"
 #include "verification/driver/junit.hpp"
 #include "verification/driver/provenance.hpp"
 #include "verification/driver/results.hpp"
@@ -174,7 +174,7 @@ std::vector<Record> records_of(const std::vector<Case>& selection, const std::ve
   std::vector<Case> sound;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < selection.size(); ++i) {
-    const std::string flaw = flaw_of(selection[i], all, catalogue);
+    const std::string flaw = case_error(selection[i], all, catalogue);
     if (flaw.empty()) {
       sound.push_back(selection[i]);
       places.push_back(i);
@@ -191,7 +191,7 @@ std::vector<Record> records_of(const std::vector<Case>& selection, const std::ve
   return records;
 }
 
-/// Memory that is given back when there is no more, so that what was found can still be written. Never touched, it
+/// Archive that is given back when there is no more, so that what was found can still be written. Never touched, it
 /// costs address space only.
 constexpr std::size_t reserve_size = std::size_t{16} << 20U;
 

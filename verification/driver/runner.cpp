@@ -37,8 +37,8 @@ struct Child {
   std::size_t index = 0;  ///< Place in the list of cases.
   pid_t pid = 0;
   Clock::time_point start;
-  bool late = false;  ///< Killed at its time limit.
-  bool fat = false;   ///< Killed at its memory limit.
+  bool timed_out = false;    ///< Killed at its time limit.
+  bool over_memory = false;  ///< Killed at its memory limit.
 };
 
 /// The child's side: does not return. What the case prints goes to output.txt, not between the driver's lines.
@@ -128,10 +128,10 @@ Record outcome_of(const Child& child, int status, const Case& verification_case,
     write_record(record, folder);  // The folder says the same as results.json.
     return record;
   };
-  if (child.late) {
+  if (child.timed_out) {
     return failed(Status::timeout, fmt::format("stopped at its time limit of {:g} s", verification_case.time_limit));
   }
-  if (child.fat) {
+  if (child.over_memory) {
     return failed(Status::error,
                   fmt::format("stopped at its memory limit of {:g} GiB", verification_case.memory_limit));
   }
@@ -156,7 +156,7 @@ Record outcome_of(const Child& child, int status, const Case& verification_case,
   }
 }
 
-/// Memory that a process holds [GiB]; 0 once it has ended. What is reserved but was never touched does not count.
+/// Archive that a process holds [GiB]; 0 once it has ended. What is reserved but was never touched does not count.
 double memory_of(pid_t pid) {
   std::ifstream file("/proc/" + std::to_string(pid) + "/statm");
   double all = 0.0, resident = 0.0;
@@ -168,10 +168,10 @@ double memory_of(pid_t pid) {
 bool has_ended(Child& child, const Case& verification_case, int& status) {
   const pid_t ended = ::waitpid(child.pid, &status, WNOHANG);
   if (ended == child.pid) return true;
-  if (child.late || child.fat) return false;
-  child.late = seconds_since(child.start) > verification_case.time_limit;
-  child.fat = !child.late && memory_of(child.pid) > verification_case.memory_limit;
-  if (child.late || child.fat) ::kill(-child.pid, SIGKILL);
+  if (child.timed_out || child.over_memory) return false;
+  child.timed_out = seconds_since(child.start) > verification_case.time_limit;
+  child.over_memory = !child.timed_out && memory_of(child.pid) > verification_case.memory_limit;
+  if (child.timed_out || child.over_memory) ::kill(-child.pid, SIGKILL);
   return false;
 }
 

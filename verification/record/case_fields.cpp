@@ -16,16 +16,16 @@ void demand_sound(const Node& node, const Record& record) {
   demand_distinct_names(node, "tables", record.tables);
   for (const Check& check : record.checks) {
     if (check.main != is_main(record, check)) {
-      node.at("checks").complain(fmt::format("check '{}' must {}be marked as main: it is {}in main_checks", check.name,
-                                             check.main ? "not " : "", check.main ? "not " : ""));
+      node.at("checks").fail(fmt::format("check '{}' must {}be marked as main: it is {}in main_checks", check.name,
+                                         check.main ? "not " : "", check.main ? "not " : ""));
     }
   }
   if (record.status != Status::pass) return;
-  if (record.checks.empty()) node.complain("passes without a check");
+  if (record.checks.empty()) node.fail("passes without a check");
   if (std::any_of(record.checks.begin(), record.checks.end(), [](const Check& check) { return !check.pass; }))
-    node.complain("passes with a failed check");
+    node.fail("passes with a failed check");
   if (std::any_of(record.controls.begin(), record.controls.end(), [](const Control& each) { return !each.pass(); }))
-    node.complain("passes with a control that did not turn red");
+    node.fail("passes with a control that did not turn red");
 }
 
 }  // namespace talus::records

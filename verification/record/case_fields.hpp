@@ -36,7 +36,7 @@ void fields(auto& f, Like<Check> auto& check) {
 
 inline void demand_sound(const Node& node, const Check& check) {
   if (const std::string fault = contradiction(check); !fault.empty())
-    node.complain(fmt::format("check '{}': {}", check.name, fault));
+    node.fail(fmt::format("check '{}': {}", check.name, fault));
 }
 
 void fields(auto& f, Like<Control> auto& control) {
@@ -70,11 +70,11 @@ void fields(auto& f, Like<Table> auto& table) {
 }
 
 inline void demand_sound(const Node& node, const Table& table) {
-  if (table.columns.empty()) node.at("columns").complain("must hold at least one column");
+  if (table.columns.empty()) node.at("columns").fail("must hold at least one column");
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     if (table.rows[i].size() == table.columns.size()) continue;
-    node.complain_of(fmt::format("rows[{}]", i),
-                     fmt::format("has {} cells, the table {} columns", table.rows[i].size(), table.columns.size()));
+    node.fail_at(fmt::format("rows[{}]", i),
+                 fmt::format("has {} cells, the table {} columns", table.rows[i].size(), table.columns.size()));
   }
 }
 

@@ -11,39 +11,39 @@ namespace {
 constexpr int most_columns = 12;
 constexpr int most_divisions = 100;
 
-void demand_sound(const Axis& axis, const std::string& part, const Complain& complain) {
+void demand_sound(const Axis& axis, const std::string& part, const Complain& fail) {
   if (axis.log && ((axis.min && *axis.min <= 0.0) || (axis.max && *axis.max <= 0.0)))
-    complain(part, "limits of a log axis must be > 0");
+    fail(part, "limits of a log axis must be > 0");
   if (axis.divisions < 0 || axis.divisions > most_divisions) {
-    complain(part + ".divisions", fmt::format("must be from 0 to {}, found {}", most_divisions, axis.divisions));
+    fail(part + ".divisions", fmt::format("must be from 0 to {}, found {}", most_divisions, axis.divisions));
   }
 }
 
-void demand_colour(const std::string& colour, const std::string& part, const Complain& complain) {
+void demand_colour(const std::string& colour, const std::string& part, const Complain& fail) {
   const bool fine = colour.size() == 7 && colour[0] == '#' &&
                     colour.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-  if (!colour.empty() && !fine) complain(part, fmt::format("must be a colour such as #0072b2, found '{}'", colour));
+  if (!colour.empty() && !fine) fail(part, fmt::format("must be a colour such as #0072b2, found '{}'", colour));
 }
 
-void demand_sound(const Figure& figure, const Series& series, const std::string& part, const Complain& complain) {
+void demand_sound(const Figure& figure, const Series& series, const std::string& part, const Complain& fail) {
   const bool by_value = coloured_by_value(series);
-  demand_colour(series.look.colour, part + ".colour", complain);
-  demand_colour(series.look.fill, part + ".fill", complain);
+  demand_colour(series.look.colour, part + ".colour", fail);
+  demand_colour(series.look.fill, part + ".fill", fail);
   if (has_look(series.style) && series.look.colour.empty() && series.look.fill.empty() && !by_value)
-    complain(part, "shapes need a colour, a fill or a value");
+    fail(part, "shapes need a colour, a fill or a value");
   if (series.style == Style::circles && series.look.fill.empty() && !by_value)
-    complain(part, "circles need a fill or a value");
+    fail(part, "circles need a fill or a value");
   if (series.style == Style::circles && series.radius.empty() && series.columns.radius.empty())
-    complain(part + ".radius", "is missing: circles need it");
+    fail(part + ".radius", "is missing: circles need it");
   const bool bars = (!series.y_low.empty() && !series.y_high.empty()) ||
                     (!series.columns.y_low.empty() && !series.columns.y_high.empty());
-  if (series.style == Style::errorbars && !bars) complain(part, "error bars need y_low and y_high");
-  if (series.style == Style::heat && !by_value) complain(part, "a heat map needs a value for each point");
+  if (series.style == Style::errorbars && !bars) fail(part, "error bars need y_low and y_high");
+  if (series.style == Style::heat && !by_value) fail(part, "a heat map needs a value for each point");
   if (series.style == Style::heat && (!figure.scale || figure.panels.empty()))
-    complain(part, "a heat map needs panels and a scale");
+    fail(part, "a heat map needs panels and a scale");
   const int panels = std::max(1, static_cast<int>(figure.panels.size()));
   if (series.panel < 0 || series.panel >= panels) {
-    complain(part + ".panel", fmt::format("must be from 0 to {}, found {}", panels - 1, series.panel));
+    fail(part + ".panel", fmt::format("must be from 0 to {}, found {}", panels - 1, series.panel));
   }
 }
 
@@ -76,35 +76,34 @@ std::vector<std::string> series_keys(const Figure& figure) {
 
 }  // namespace
 
-void demand_sound(const Scale& scale, const Complain& complain) {
+void demand_sound(const Scale& scale, const Complain& fail) {
   if (!(scale.min < scale.max))
-    complain("scale", fmt::format("min must be less than max, found {} and {}", scale.min, scale.max));
+    fail("scale", fmt::format("min must be less than max, found {} and {}", scale.min, scale.max));
 }
 
-void demand_sound(const Figure& figure, const Complain& complain) {
-  demand_sound(figure.x, "x", complain);
-  demand_sound(figure.y, "y", complain);
-  if (figure.series.empty()) complain("series", "must hold at least one series");
+void demand_sound(const Figure& figure, const Complain& fail) {
+  demand_sound(figure.x, "x", fail);
+  demand_sound(figure.y, "y", fail);
+  if (figure.series.empty()) fail("series", "must hold at least one series");
   if (figure.columns < 1 || figure.columns > most_columns)
-    complain("columns", fmt::format("must be from 1 to {}, found {}", most_columns, figure.columns));
-  if (figure.scale) demand_sound(*figure.scale, complain);
+    fail("columns", fmt::format("must be from 1 to {}, found {}", most_columns, figure.columns));
+  if (figure.scale) demand_sound(*figure.scale, fail);
   for (std::size_t i = 0; i < figure.series.size(); ++i)
-    demand_sound(figure, figure.series[i], fmt::format("series[{}]", i), complain);
+    demand_sound(figure, figure.series[i], fmt::format("series[{}]", i), fail);
   for (std::size_t i = 0; i < figure.slopes.size(); ++i) {
     const std::string part = fmt::format("slopes[{}]", i);
-    if (!figure.x.log || !figure.y.log) complain(part, "a slope needs both axes to be log");
-    if (!(figure.slopes[i].x > 0.0 && figure.slopes[i].y > 0.0)) complain(part, "x and y must be > 0");
+    if (!figure.x.log || !figure.y.log) fail(part, "a slope needs both axes to be log");
+    if (!(figure.slopes[i].x > 0.0 && figure.slopes[i].y > 0.0)) fail(part, "x and y must be > 0");
   }
   for (std::size_t i = 0; i < figure.lines.size(); ++i) {
     const Line& line = figure.lines[i];
     const std::string part = fmt::format("lines[{}]", i);
-    if (line.axis != 'x' && line.axis != 'y')
-      complain(part + ".axis", fmt::format("must be x or y, found {}", line.axis));
+    if (line.axis != 'x' && line.axis != 'y') fail(part + ".axis", fmt::format("must be x or y, found {}", line.axis));
     if ((line.axis == 'x' ? figure.x : figure.y).log && line.at <= 0.0)
-      complain(part + ".at", fmt::format("must be > 0 on a log axis, found {}", line.at));
+      fail(part + ".at", fmt::format("must be > 0 on a log axis, found {}", line.at));
   }
   if (figure.equal && (!figure.x.min || !figure.x.max || !figure.y.min || !figure.y.max))
-    complain("", "a figure with equal units needs min and max of both axes");
+    fail("", "a figure with equal units needs min and max of both axes");
 }
 
 void name_columns(Figure& figure) {

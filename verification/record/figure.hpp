@@ -153,10 +153,10 @@ using Complain = std::function<void(const std::string& part, const std::string& 
 
 /// Demands what all figures must fulfil, whether made or read: limits and lines of logarithmic axes > 0, panels and
 /// scales that exist, colours that are colours.
-void demand_sound(const Figure& figure, const Complain& complain);
+void demand_sound(const Figure& figure, const Complain& fail);
 
 /// Demands min < max.
-void demand_sound(const Scale& scale, const Complain& complain);
+void demand_sound(const Scale& scale, const Complain& fail);
 
 /// Names the CSV file of a figure (NAME.csv) and the columns of its series: x, y, those of bars and values if it has
 /// them, and in the column `series` its label in lower case with '_' for all but letters and digits, numbered where two

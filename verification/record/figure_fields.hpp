@@ -80,7 +80,7 @@ void fields(auto& f, Like<Figure> auto& figure) {
 }
 
 inline void demand_sound(const Node& node, const Figure& figure) {
-  demand_sound(figure, [&](const std::string& part, const std::string& fault) { node.complain_of(part, fault); });
+  demand_sound(figure, [&](const std::string& part, const std::string& fault) { node.fail_at(part, fault); });
 }
 
 }  // namespace talus::records

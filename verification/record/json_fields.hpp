@@ -227,7 +227,7 @@ void demand_distinct_names(const Node& node, const char* key, const Things& thin
     names.push_back(thing.name);
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());
-  if (twice != names.end()) node.at(key).complain("'" + *twice + "' occurs twice");
+  if (twice != names.end()) node.at(key).fail("'" + *twice + "' occurs twice");
 }
 
 }  // namespace talus::records

@@ -23,15 +23,15 @@ Json read_json(const std::filesystem::path& file) {
   }
 }
 
-void Node::complain(const std::string& what) const { throw RecordError(place_ + ": " + what); }
+void Node::fail(const std::string& what) const { throw RecordError(place_ + ": " + what); }
 
-void Node::complain_of(const std::string& part, const std::string& what) const {
+void Node::fail_at(const std::string& part, const std::string& what) const {
   throw RecordError(fmt::format("{}{}{}: {}", place_, part.empty() ? "" : ".", part, what));
 }
 
 void Node::refuse(const std::string& allowed) const {
   const std::string text = value_->dump(-1, ' ', false, Json::error_handler_t::replace);
-  complain(fmt::format("must be {}, found {}", allowed, text.size() > 60 ? text.substr(0, 57) + "..." : text));
+  fail(fmt::format("must be {}, found {}", allowed, text.size() > 60 ? text.substr(0, 57) + "..." : text));
 }
 
 void Node::demand_object() const {

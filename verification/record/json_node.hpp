@@ -25,9 +25,9 @@ class Node {
   Node(const Json& value, std::string place) : value_(&value), place_(std::move(place)) {}
 
   /// Throws RecordError: the place, then `what`.
-  [[noreturn]] void complain(const std::string& what) const;
+  [[noreturn]] void fail(const std::string& what) const;
   /// The same for a part of this value, e.g. "series[1].colour"; empty: the value itself.
-  [[noreturn]] void complain_of(const std::string& part, const std::string& what) const;
+  [[noreturn]] void fail_at(const std::string& part, const std::string& what) const;
   /// Throws RecordError: "must be ALLOWED, found VALUE", a long value cut short.
   [[noreturn]] void refuse(const std::string& allowed) const;
 

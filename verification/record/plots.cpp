@@ -15,7 +15,7 @@ void fields(auto& f, Like<Plots> auto& plots) {
 }
 
 void demand_sound(const Node& node, const Plots& plots) {
-  if (plots.figures.empty()) node.at("figures").complain("must hold at least one figure");
+  if (plots.figures.empty()) node.at("figures").fail("must hold at least one figure");
   demand_distinct_names(node, "figures", plots.figures);
 }
 

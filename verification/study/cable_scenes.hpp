@@ -23,7 +23,7 @@ inline constexpr double cable_length = 8.0;
 [[nodiscard]] Scene parted_pair_scene(const reference::HungPair& pair, const State& at_break);
 
 /// A run until its time is up, or until the first cable, having pulled, is slack or broken.
-struct CableRun {
+struct CableSpan {
   State end;
   std::vector<double> time, elongation, tension;  ///< of the first cable, every step, if it is watched
   std::vector<double> second_tension;             ///< of the second, if there is one
@@ -37,8 +37,8 @@ struct CableRunPlan {
   bool watched{false};
 };
 
-[[nodiscard]] CableRun run_cables(const Scene& scene, const State& start, const Integrator& method,
-                                  const CableRunPlan& plan, Findings& findings);
+[[nodiscard]] CableSpan run_cables(const Scene& scene, const State& start, const Integrator& method,
+                                   const CableRunPlan& plan, Findings& findings);
 
 /// Work booked under one mechanism.
 [[nodiscard]] double booked(const State& state, Mechanism mechanism);

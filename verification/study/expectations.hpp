@@ -31,7 +31,7 @@ inline bool expect_each(Findings& findings, std::string name, const std::vector<
 }
 
 /// Of two ratios the one farther from 1; a NaN stays.
-[[nodiscard]] inline double farther_from_one(double ratio, double other) {
+[[nodiscard]] inline double worst_ratio(double ratio, double other) {
   return std::isnan(ratio) || std::abs(other - 1.0) < std::abs(ratio - 1.0) ? ratio : other;
 }
 

@@ -7,14 +7,14 @@
 #include <variant>
 #include <vector>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/io/output/checkpoint.hpp"
 
 namespace talus::verification::problems {
 
 /// A 64-bit hash of items, of each its name and content, bit by bit (FNV-1a, in hexadecimal digits). Items that differ in
 /// any bit, the sign of a zero included, have different fingerprints, but for one chance in 2^64.
-inline std::string fingerprint(const MemoryItems& items) {
+inline std::string fingerprint(const ArchiveItems& items) {
   std::string bytes;
   const auto add_number = [&](double value) {
     for (std::uint64_t bits = std::bit_cast<std::uint64_t>(value), i = 0; i < 8; ++i, bits >>= 8)

@@ -26,7 +26,7 @@ class Potential {
   /// Puts the bodies where the state has them and settles its modes; what follows is asked of this state.
   void stand(State& state) {
     dynamics_.update(state, work_);
-    dynamics_.settle(state, work_);
+    dynamics_.update_modes(state, work_);
   }
   /// Stored in contact and cable [F L].
   double energy(const State& state) const {

@@ -26,7 +26,7 @@ class DeckHistoryOutput {
     write_whole(folder_ / (name_ + ".json"), history_.json_text(), Durability::later);
   }
   std::vector<std::string> files() const { return {name_ + ".csv", name_ + ".json"}; }
-  void remember(Memory& memory) { history_.remember(memory); }
+  void serialize(Archive& archive) { history_.serialize(archive); }
   const std::vector<std::string>& left_out() const { return history_.left_out(); }
 
  private:

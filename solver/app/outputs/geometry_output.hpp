@@ -22,7 +22,7 @@ class GeometryOutput {
   void operator()(const Snapshot& snapshot, const StepInfo& info) { series_(snapshot, info); }
   void write(const OutputSource&) const { series_.write_index(); }
   std::vector<std::string> files() const { return {index_}; }
-  void remember(Memory& memory) { series_.remember(memory); }
+  void serialize(Archive& archive) { series_.serialize(archive); }
   void bring_files(const std::filesystem::path& from) { series_.bring_files(from); }
 
  private:

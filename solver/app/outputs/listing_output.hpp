@@ -22,7 +22,7 @@ class ListingOutput {
   void operator()(const Snapshot& snapshot, const StepInfo& info) { listing_(snapshot.state(), info); }
   void write(const OutputSource&) const { write_whole(file_, listing_.text(), Durability::later); }
   std::vector<std::string> files() const { return {file_.filename().string()}; }
-  void remember(Memory& memory) { listing_.remember(memory); }
+  void serialize(Archive& archive) { listing_.serialize(archive); }
 
  private:
   std::filesystem::path file_;

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/dynamics/dynamics.hpp"
 #include "solver/io/output/run_record.hpp"
 #include "solver/io/scene/scene_file.hpp"
@@ -30,8 +30,8 @@ struct OutputRequest {
 /// The run when its files are written.
 struct OutputSource {
   const RunRecord& record;
-  const Snapshot& end;                ///< of its last step
-  const scenes::FenceWatch* fence{};  ///< of a fence, else null
+  const Snapshot& end;                  ///< of its last step
+  const scenes::FenceMonitor* fence{};  ///< of a fence, else null
 };
 
 /// A kind of file that a run leaves in its folder. A new one is a type in a file of this folder, and its name in the
@@ -59,8 +59,8 @@ concept StepwiseOutput = requires(T& output, const Snapshot& snapshot, const Ste
   output(snapshot, info);
 };
 template <class T>
-concept LastingOutput = requires(T& output, Memory& memory) {
-  output.remember(memory);
+concept LastingOutput = requires(T& output, Archive& archive) {
+  output.serialize(archive);
 };
 template <class T>
 concept BroughtOutput = requires(T& output, const std::filesystem::path& from) {

@@ -32,9 +32,9 @@ class OutputList {
     for_each(*this, [&](const auto& output) { output.write(source); });
   }
   /// Names what the outputs carry from one step to the next; those of the same run go on from it.
-  void remember(Memory& memory) {
+  void serialize(Archive& archive) {
     for_each(*this, [&]<class T>(T& output) {
-      if constexpr (LastingOutput<T>) memory.part(T::name, [&] { output.remember(memory); });
+      if constexpr (LastingOutput<T>) archive.scope(T::name, [&] { output.serialize(archive); });
     });
   }
   /// After they were put back: brings what was written to the folder in which the run stood. Errors: IoError.

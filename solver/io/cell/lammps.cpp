@@ -30,7 +30,7 @@ double mass(const LammpsScene& scene, std::size_t disc) {
 
 /// Ends of the box along one axis; of what does not repeat, around all discs.
 std::pair<double, double> ends(const std::vector<double>& at, double period, double room) {
-  if (period < PeriodicBox::endless) return {-0.5 * period, 0.5 * period};
+  if (period < PeriodicBox::unbounded) return {-0.5 * period, 0.5 * period};
   const auto [low, high] = std::minmax_element(at.begin(), at.end());
   return {*low - room, *high + room};
 }

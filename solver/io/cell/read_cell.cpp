@@ -36,16 +36,16 @@ std::string_view option_of(const CellChoices& choices, std::string_view field) {
   if (field == "jump" && choices.jump) return "--jump";
   return {};
 }
-/// An objection to what the command line said. Errors: InputError if it did.
-void blame_option(const CellChoices& choices, const CellObjection& objection) {
-  if (const std::string_view option = option_of(choices, objection.field); !option.empty())
-    throw InputError{fmt::format("{}: {}", option, objection.words)};
+/// An error to what the command line said. Errors: InputError if it did.
+void blame_option(const CellChoices& choices, const CellError& error) {
+  if (const std::string_view option = option_of(choices, error.field); !option.empty())
+    throw InputError{fmt::format("{}: {}", option, error.words)};
 }
 
 /// A run as that of 1989 may have been: Euler, K1/K2 = .45 and a step of 1e-7 (both from the thesis; that the method is
 /// Euler's is inferred from them).
-std::vector<CellObjection> historical_objections(const CellScene& scene) {
-  std::vector<CellObjection> found;
+std::vector<CellError> historical_objections(const CellScene& scene) {
+  std::vector<CellError> found;
   const LatchingSpring* const law = scene.cell.law_of_1989();
   if (!scene.plan.historical || law == nullptr) return found;
   const double ratio = law->stiffness / law->unloading_stiffness;
@@ -62,8 +62,8 @@ std::vector<CellObjection> historical_objections(const CellScene& scene) {
   return found;
 }
 
-std::vector<CellObjection> all_objections(const CellScene& scene) {
-  std::vector<CellObjection> found = objections(scene.cell, scene.plan);
+std::vector<CellError> all_objections(const CellScene& scene) {
+  std::vector<CellError> found = validation_errors(scene.cell, scene.plan);
   const auto more = historical_objections(scene);
   found.insert(found.end(), more.begin(), more.end());
   return found;
@@ -101,7 +101,7 @@ class ControlReader {
     record_ = names;
   }
 
-  /// `field`: what objections call it.
+  /// `field`: what validation_errors call it.
   double real(std::string_view name, std::string_view field) {
     const std::string_view text = value(name);
     places_[std::string{field}] = {input_.line(), std::string{record_}, std::string{name}};
@@ -121,11 +121,11 @@ class ControlReader {
     return static_cast<int>(number);
   }
 
-  [[noreturn]] void fail(const CellObjection& objection) const {
-    const auto place = places_.find(objection.field);
-    if (place == places_.end()) throw InputError{fmt::format("{}: {}: {}", name_, objection.field, objection.words)};
+  [[noreturn]] void fail(const CellError& error) const {
+    const auto place = places_.find(error.field);
+    if (place == places_.end()) throw InputError{fmt::format("{}: {}: {}", name_, error.field, error.words)};
     const auto& [line, record, name] = place->second;
-    fail(line, record, name, objection.words);
+    fail(line, record, name, error.words);
   }
 
  private:
@@ -184,8 +184,8 @@ CellScene read_control(std::string_view text, std::string_view name, const CellC
 bool has_first(SceneTable& table, std::string_view first, std::string_view second) {
   if (table.has(first) == table.has(second)) {
     const bool both = table.has(first);
-    table.complain(both ? second : first, both ? fmt::format("found beside {}; only one of them may stand", first)
-                                               : fmt::format("it is missing; it, or else {}, must stand", second));
+    table.report(both ? second : first, both ? fmt::format("found beside {}; only one of them may stand", first)
+                                             : fmt::format("it is missing; it, or else {}, must stand", second));
   }
   return table.has(first);
 }
@@ -209,13 +209,13 @@ void read_law(SceneTable& table, double mass, L& law) {
   if (restitution) table.placed([&] { law.set_restitution(*restitution, 0.5 * mass); });
 }
 
-/// Reports an objection; where it found what the file has in other units, that stands before it.
-void object(const SceneTable& table, const CellObjection& objection) {
+/// Reports an error; where it found what the file has in other units, that stands before it.
+void object(const SceneTable& table, const CellError& error) {
   constexpr std::string_view found = "found ";
-  const std::string written = table.written(objection.field);
-  const std::string_view rest = std::string_view{objection.words}.substr(found.size());
-  if (written.empty() || rest.starts_with(written)) return table.complain(objection.field, objection.words);
-  table.complain(objection.field, fmt::format("found \"{}\", in {}: {}", written, table.units().name, rest));
+  const std::string written = table.written(error.field);
+  const std::string_view rest = std::string_view{error.words}.substr(found.size());
+  if (written.empty() || rest.starts_with(written)) return table.report(error.field, error.words);
+  table.report(error.field, fmt::format("found \"{}\", in {}: {}", written, table.units().name, rest));
 }
 
 const Field<ShearCell>& mass_field() {
@@ -260,7 +260,7 @@ void read_cell_table(SceneTable& table, ShearCell& cell) {
     cell.block_mass = table.quantity("block_mass", dimension::mass, Range::positive);
   } else if (table.has("overburden")) {
     const double pressure = table.quantity("overburden", dimension::pressure, Range::positive);
-    if (cell.gravity == 0.0) table.complain("overburden", "found with gravity = 0; without it a mass presses nothing");
+    if (cell.gravity == 0.0) table.report("overburden", "found with gravity = 0; without it a mass presses nothing");
     cell.block_mass = pressure * cell.wall_discs * cell.diameter * cell.diameter / cell.gravity;
   }
   if (table.has("seed")) {
@@ -293,14 +293,14 @@ void read_run_table(SceneTable& run, CellScene& scene) {
   scene.pictures = on(run, "pictures");
 }
 
-/// Reports all objections to a cell and its run that the fields' own ranges leave.
+/// Reports all validation_errors to a cell and its run that the fields' own ranges leave.
 void check_whole(const CellScene& scene, const CellChoices& choices, const SceneTable& cell, const SceneTable& run) {
-  const std::vector<CellObjection> found = all_objections(scene);
+  const std::vector<CellError> found = all_objections(scene);
   if (!found.empty()) blame_option(choices, found.front());
   const std::vector<std::string> keys = run_keys();
-  for (const CellObjection& objection : found) {
-    if (!option_of(choices, objection.field).empty()) continue;
-    object(std::ranges::find(keys, objection.field) != keys.end() ? run : cell, objection);
+  for (const CellError& error : found) {
+    if (!option_of(choices, error.field).empty()) continue;
+    object(std::ranges::find(keys, error.field) != keys.end() ? run : cell, error);
   }
 }
 

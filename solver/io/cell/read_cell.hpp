@@ -43,7 +43,7 @@ struct CellChoices {
 /// `shear_stiffness`, and `seed`; and [run] with the fields of CellPlan and `pictures`.
 ///
 /// Errors: IoError; InputError with file, line, field, what was found and what is allowed, for what cannot be read and
-/// for all objections to the cell.
+/// for all validation_errors to the cell.
 [[nodiscard]] CellScene read_cell(const std::filesystem::path& file, const CellChoices& choices);
 /// The same from a text; `name` is the file named in errors.
 [[nodiscard]] CellScene read_cell(std::string_view text, std::string_view name, const CellChoices& choices);

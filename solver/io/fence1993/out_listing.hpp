@@ -27,7 +27,7 @@ class OutListing {
   void operator()(const State& state, const StepInfo& info);
 
   /// Names what it carries from one step to the next; one of the same run goes on from it.
-  void remember(Memory& memory) { memory.text("text", text_); }
+  void serialize(Archive& archive) { archive.text("text", text_); }
 
   std::string text() const { return text_ + of_stop_; }
 

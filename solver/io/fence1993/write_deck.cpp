@@ -91,7 +91,7 @@ std::vector<std::string> choices(const scenes::FenceOptions& options) {
   for_each_choice(options, [&](std::string_view name, auto choice) {
     result.push_back(fmt::format("{} = \"{}\"", name, choice_name(choice)));
   });
-  for (const WatchRules::Choice& choice : WatchRules::choices())
+  for (const MonitorRules::Choice& choice : MonitorRules::choices())
     result.push_back(fmt::format("watch {} = \"{}\"", choice.name, choice_name(options.watch.*choice.member)));
   result.push_back(fmt::format("integrator = \"{}\"", options.integrator));
   for (const auto& field : scenes::FenceOptions::fields())

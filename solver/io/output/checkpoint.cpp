@@ -58,8 +58,8 @@ class Reader {
       refuse("steps", value.dump(), "a whole number > 0");
     return value.get<long>();
   }
-  MemoryItems memory() const {
-    MemoryItems items;
+  ArchiveItems memory() const {
+    ArchiveItems items;
     for (const auto& [name, value] : member("memory", "a table of lists and texts").items()) {
       if (value.is_string()) {
         items.emplace(name, value.get<std::string>());

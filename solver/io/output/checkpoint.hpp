@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 
 namespace talus {
 
@@ -18,7 +18,7 @@ namespace talus {
 ///                                     scene's units
 ///   steps                             steps done
 ///   memory                            numbers (a list in the fewest digits that give the same double back; what is
-///                                     not finite as "nan", "inf", "-inf") and texts, by name: see Memory
+///                                     not finite as "nan", "inf", "-inf") and texts, by name: see Archive
 ///   fnv1a                             hash of all above, to notice damage
 struct Checkpoint {
   std::string scene_file;
@@ -28,7 +28,7 @@ struct Checkpoint {
   double step{};
   double end{};
   long steps{};  ///< steps done
-  MemoryItems memory;
+  ArchiveItems memory;
 };
 
 /// FNV-1a of a text, 64 bits, in hexadecimal digits: against accidents, not against malice.

@@ -36,7 +36,7 @@ FenceHistory::FenceHistory(const scenes::Fence& fence, const scenes::FenceScene&
 }
 
 void FenceHistory::choose(int number) {
-  std::vector<std::pair<std::string_view, std::vector<int>>> objections;
+  std::vector<std::pair<std::string_view, std::vector<int>>> validation_errors;
   for (const int which : fence_->history_codes) {
     const FenceCode& code = fence_codes()[static_cast<std::size_t>(which - 1)];
     const std::string_view why = objection(number, code);
@@ -45,10 +45,10 @@ void FenceHistory::choose(int number) {
       history_.columns.push_back({fmt::format("element{}.{}", number, code.name), code.dimension});
       continue;
     }
-    if (objections.empty() || objections.back().first != why) objections.push_back({why, {}});
-    objections.back().second.push_back(which);
+    if (validation_errors.empty() || validation_errors.back().first != why) validation_errors.push_back({why, {}});
+    validation_errors.back().second.push_back(which);
   }
-  for (const auto& [why, codes] : objections) {
+  for (const auto& [why, codes] : validation_errors) {
     left_out_.push_back(fmt::format("element {}: {} {} left out: {}", number, codes.size() == 1 ? "code" : "codes",
                                     fmt::join(codes, ", "), why));
   }
@@ -80,7 +80,7 @@ const scenes::FenceElement& FenceHistory::element(int number) const {
 }
 
 void FenceHistory::operator()(const Snapshot& snapshot, const StepInfo& info) {
-  history_.go_on();
+  history_.proceed();
   const bool due = info.step % fence_->history_every == 0;
   if (!due && !info.last) return;
   const State& state = snapshot.state();

@@ -22,7 +22,7 @@ class FenceHistory {
   void operator()(const Snapshot& snapshot, const StepInfo& info);
 
   /// Names what it carries from one step to the next; one of the same run goes on from it.
-  void remember(Memory& memory) { history_.remember(memory); }
+  void serialize(Archive& archive) { history_.serialize(archive); }
 
   /// Columns "time", "element3.top_joint_force", ...
   const History& history() const { return history_; }

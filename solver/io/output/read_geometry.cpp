@@ -28,11 +28,11 @@ class VtkFile {
         fmt::format("{}:{}: not XML: {}", name_, 1 + std::count(text.begin(), end, '\n'), result.description())};
   }
 
-  [[noreturn]] void complain(std::string_view words) const { throw InputError{fmt::format("{}: {}", name_, words)}; }
+  [[noreturn]] void report(std::string_view words) const { throw InputError{fmt::format("{}: {}", name_, words)}; }
 
   pugi::xml_node part(const char* path) const {
     const pugi::xml_node found = document_.first_element_by_path(path);
-    if (!found) complain(fmt::format("{}: it is missing; `talus run` writes VTK poly data", path));
+    if (!found) report(fmt::format("{}: it is missing; `talus run` writes VTK poly data", path));
     return found;
   }
 
@@ -41,7 +41,7 @@ class VtkFile {
   std::vector<Number> array(const char* section, const char* name) const {
     const pugi::xml_node found =
         part("VTKFile/PolyData/Piece").child(section).find_child_by_attribute("DataArray", "Name", name);
-    if (!found) complain(fmt::format("{}: array '{}': it is missing", section, name));
+    if (!found) report(fmt::format("{}: array '{}': it is missing", section, name));
     std::string_view rest{found.text().get()};
     std::vector<Number> numbers;
     for (;;) {
@@ -50,7 +50,7 @@ class VtkFile {
       Number value{};
       const auto [end, failure] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
       if (failure != std::errc{}) {
-        complain(fmt::format("{}: array '{}': found \"{}\"; it must be a number", section, name, rest.substr(0, 20)));
+        report(fmt::format("{}: array '{}': found \"{}\"; it must be a number", section, name, rest.substr(0, 20)));
       }
       numbers.push_back(value);
       rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
@@ -78,11 +78,11 @@ std::vector<GeometryFile> read_geometry_index(const std::filesystem::path& file)
     const std::string_view time{set.attribute("timestep").value()};
     double value = 0.0;
     if (std::from_chars(time.data(), time.data() + time.size(), value).ec != std::errc{}) {
-      index.complain(fmt::format("timestep: found \"{}\"; it must be a number", time));
+      index.report(fmt::format("timestep: found \"{}\"; it must be a number", time));
     }
     files.push_back({value, file.parent_path() / set.attribute("file").value()});
   }
-  if (files.empty()) index.complain("Collection: it names no file: the run left no geometry");
+  if (files.empty()) index.report("Collection: it names no file: the run left no geometry");
   return files;
 }
 
@@ -98,18 +98,18 @@ GeometryFrame read_geometry(const GeometryFile& file) {
   const auto slacks = vtk.array<int>("CellData", "slack");
   for (const std::size_t count : {bodies.size(), cables.size(), tensions.size(), slacks.size()}) {
     if (count != offsets.size())
-      vtk.complain(fmt::format("CellData: found {} values for {} lines", count, offsets.size()));
+      vtk.report(fmt::format("CellData: found {} values for {} lines", count, offsets.size()));
   }
   GeometryFrame frame{file.time, {}};
   std::size_t begin = 0;
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     GeometryLine line{bodies[i], cables[i], tensions[i], slacks[i] != 0, {}, {}};
     if (offsets[i] < begin || offsets[i] > connectivity.size())
-      vtk.complain(fmt::format("Lines: offsets: line {} has a wrong offset", i));
+      vtk.report(fmt::format("Lines: offsets: line {} has a wrong offset", i));
     for (; begin < offsets[i]; ++begin) {
       const std::size_t at = connectivity[begin];
       if (at >= point_bodies.size() || 3 * at + 2 >= points.size())
-        vtk.complain(fmt::format("Lines: connectivity: found point {}, which is not there", at));
+        vtk.report(fmt::format("Lines: connectivity: found point {}, which is not there", at));
       line.points.push_back({points[3 * at], points[3 * at + 1], points[3 * at + 2]});
       line.bodies.push_back(point_bodies[at]);
     }
@@ -128,7 +128,7 @@ DiscFrame read_discs(const GeometryFile& file) {
   const auto ends = vtk.array<std::size_t>("Lines", "connectivity");
   const auto forces = vtk.array<double>("CellData", "force");
   for (const std::size_t count : {points.size() / 3, radii.size(), velocities.size() / 3, walls.size()}) {
-    if (count != ids.size()) vtk.complain(fmt::format("PointData: found {} values for {} points", count, ids.size()));
+    if (count != ids.size()) vtk.report(fmt::format("PointData: found {} values for {} points", count, ids.size()));
   }
   DiscFrame frame{file.time, {}, {}};
   // The discs by their numbers, then images of some of them.
@@ -137,15 +137,15 @@ DiscFrame read_discs(const GeometryFile& file) {
         {{points[3 * i], points[3 * i + 1]}, radii[i], {velocities[3 * i], velocities[3 * i + 1]}, walls[i] != 0});
   }
   const std::size_t discs = frame.discs.size(), lines = ends.size() / 2;
-  if (discs == 0) vtk.complain("PointData: array 'id': found no disc, which is numbered from 1");
+  if (discs == 0) vtk.report("PointData: array 'id': found no disc, which is numbered from 1");
   if (forces.size() != discs + lines) {
-    vtk.complain(
+    vtk.report(
         fmt::format("CellData: array 'force': found {} values for {} discs and {} lines", forces.size(), discs, lines));
   }
   for (std::size_t k = 0; k < lines; ++k) {
     const std::size_t a = ends[2 * k], b = ends[2 * k + 1];
     if (a >= discs || b >= ids.size() || disc_of(ids[b]) >= discs) {
-      vtk.complain(fmt::format("Lines: connectivity: line {} joins no two of its {} discs", k, discs));
+      vtk.report(fmt::format("Lines: connectivity: line {} joins no two of its {} discs", k, discs));
     }
     frame.contacts.push_back(
         {a, disc_of(ids[b]), frame.discs[a].p, {points[3 * b], points[3 * b + 1]}, forces[discs + k]});

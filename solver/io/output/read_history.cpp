@@ -10,7 +10,7 @@
 namespace talus {
 namespace {
 
-KeptColumn column(std::string_view header) {
+SavedColumn column(std::string_view header) {
   const std::size_t bracket = header.rfind(" [");
   if (bracket == std::string_view::npos || header.back() != ']') return {std::string{header}, "", {}};
   return {
@@ -19,19 +19,19 @@ KeptColumn column(std::string_view header) {
 
 }  // namespace
 
-std::string KeptColumn::subject() const {
+std::string SavedColumn::subject() const {
   const std::size_t dot = name.rfind('.');
   return dot == std::string::npos ? "" : name.substr(0, dot);
 }
 
-std::string KeptColumn::quantity() const {
+std::string SavedColumn::quantity() const {
   const std::size_t dot = name.rfind('.');
   return dot == std::string::npos ? name : name.substr(dot + 1);
 }
 
-const KeptColumn* KeptHistory::find(const std::string& name) const {
+const SavedColumn* KeptHistory::find(const std::string& name) const {
   const auto place =
-      std::find_if(columns.begin(), columns.end(), [&](const KeptColumn& each) { return each.name == name; });
+      std::find_if(columns.begin(), columns.end(), [&](const SavedColumn& each) { return each.name == name; });
   return place == columns.end() ? nullptr : &*place;
 }
 
@@ -40,7 +40,7 @@ KeptHistory read_history(const std::filesystem::path& file) {
   try {
     const records::Csv csv = records::read_csv(file);
     for (std::size_t i = 0; i < csv.header().size(); ++i) {
-      KeptColumn& each = history.columns.emplace_back(column(csv.header()[i]));
+      SavedColumn& each = history.columns.emplace_back(column(csv.header()[i]));
       each.values.reserve(csv.rows());
       for (std::size_t row = 0; row < csv.rows(); ++row)
         each.values.push_back(csv.number(row, i));

@@ -7,7 +7,7 @@
 namespace talus {
 
 /// One quantity of a history as it stands in its file.
-struct KeptColumn {
+struct SavedColumn {
   std::string name;            ///< "rock.vx", "element3.top_tension", "energy.kinetic", "time"
   std::string unit;            ///< its symbol, e.g. "ft/s"; empty if the file has none
   std::vector<double> values;  ///< one for each row
@@ -21,10 +21,10 @@ struct KeptColumn {
 /// A history that a run left.
 struct KeptHistory {
   std::filesystem::path file;
-  std::vector<KeptColumn> columns;  ///< the first one is time
+  std::vector<SavedColumn> columns;  ///< the first one is time
 
   /// The column of that name; null if there is none.
-  const KeptColumn* find(const std::string& name) const;
+  const SavedColumn* find(const std::string& name) const;
 };
 
 /// Reads a history as csv() writes it; lines that begin with # are passed over. Errors: IoError; InputError with file,

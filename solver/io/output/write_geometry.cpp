@@ -89,7 +89,7 @@ std::optional<std::string> GeometryText::text(const Snapshot& snapshot) const {
   for (std::size_t c = 0; c < cables.size(); ++c) {
     for (const std::size_t j : {cables.ends()[c].a, cables.ends()[c].b}) {
       const Joint& joint = cables.joints()[j];
-      const bool held = joint.on_body && (work.rigging.broken.empty() || !work.rigging.broken[j]);
+      const bool held = joint.on_body && (work.topology.broken.empty() || !work.topology.broken[j]);
       lines.add(work.joints.p_WP(j), joint.along, held ? static_cast<long>(index(joint.body)) : -1);
     }
     lines.end(-1, static_cast<long>(c), forces.tensions[c], forces.tensions[c] == 0.0);
@@ -128,21 +128,21 @@ std::string VtpSeries::path(const File& file) const {
   return fmt::format("{0}_geometry/{0}_{1:08}.vtp", name_, file.step);
 }
 
-void VtpSeries::remember(Memory& memory) {
-  memory.count("every", every_);
+void VtpSeries::serialize(Archive& archive) {
+  archive.count("every", every_);
   std::vector<double> times;
   for (const File& file : files_)
     times.push_back(file.time);
-  memory.list("times", times);
+  archive.list("times", times);
   files_.resize(times.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     files_[i].time = times[i];
-    memory.count(fmt::format("step_{}", i), files_[i].step);
+    archive.count(fmt::format("step_{}", i), files_[i].step);
   }
   // At step 0 one is always due.
   long step = of_stop_ ? of_stop_->step : 0;
-  memory.count("step_of_stop", step);
-  if (memory.puts_back() && step > 0) of_stop_ = File{0.0, step};
+  archive.count("step_of_stop", step);
+  if (archive.is_loading() && step > 0) of_stop_ = File{0.0, step};
 }
 
 void VtpSeries::bring_files(const std::filesystem::path& from) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/dynamics/dynamics.hpp"
 #include "solver/run/observer.hpp"
 #include "solver/run/snapshot.hpp"
@@ -47,7 +47,7 @@ class VtpSeries {
   void write_index() const;
 
   /// Names what it carries from one step to the next; one of the same run goes on from it.
-  void remember(Memory& memory);
+  void serialize(Archive& archive);
   /// After it was put back: copies the files written so far from the folder in which they were, if that is another, but
   /// for that of the stop. Errors: IoError for one that is missing.
   void bring_files(const std::filesystem::path& from);

@@ -18,7 +18,7 @@ using scenes::ForceRecord;
 /// Writes one run's sheet; quantities turn into SI here.
 class Sheet {
  public:
-  Sheet(const RunRecord& record, const FenceInput& input, const Dynamics& dynamics, const scenes::FenceWatch& watch,
+  Sheet(const RunRecord& record, const FenceInput& input, const Dynamics& dynamics, const scenes::FenceMonitor& watch,
         const State& end)
       : record_{record}, input_{input}, dynamics_{dynamics}, watch_{watch}, summary_{watch.summary()}, end_{end} {}
 
@@ -98,7 +98,7 @@ class Sheet {
   const RunRecord& record_;
   const FenceInput& input_;
   const Dynamics& dynamics_;
-  const scenes::FenceWatch& watch_;
+  const scenes::FenceMonitor& watch_;
   const FenceSummary& summary_;
   const State& end_;
 };
@@ -274,7 +274,7 @@ Json Sheet::history() const {
 }  // namespace
 
 std::string sheet_json(const RunRecord& record, const FenceInput& input, const Dynamics& dynamics,
-                       const scenes::FenceWatch& watch, const State& end) {
+                       const scenes::FenceMonitor& watch, const State& end) {
   return Sheet{record, input, dynamics, watch, end}.json().dump(1) + "\n";
 }
 

@@ -21,7 +21,7 @@ void read_law(SceneTable& table, SceneContact& read) {
     const std::string_view field = L::restitution_field.name;
     const auto rule = table.choice_or("restitution_rule", RestitutionRule::effective_mass);
     if (table.has("restitution") == table.has(field)) {
-      table.complain(field, "give either this or restitution, one of the two");
+      table.report(field, "give either this or restitution, one of the two");
     }
     if (table.has("restitution")) {
       const double e = table.number("restitution", Range::positive_fraction);
@@ -73,7 +73,7 @@ SceneContact read_contact(SceneTable table, const BodyNames& bodies) {
     if (table.has("nodes")) table.guard([&] { contact.nodes = read_nodes(table); });
     contact.node_depth = table.choice_or("node_depth", contact.node_depth);
     if (has_law && table.has("restitution") && !read.restitution) {
-      table.complain("restitution_rule", "contact by nodes has no single effective mass; it must be \"eq_21\"");
+      table.report("restitution_rule", "contact by nodes has no single effective mass; it must be \"eq_21\"");
     }
   } else {
     for (const std::string_view key : {"nodes", "node_depth"})

@@ -56,7 +56,7 @@ void read_outline(SceneTable& table, FenceElement& element) {
     return table.refuse("exponent", "only a superquadric has one; leave it out or give shape = \"superquadric\"");
   element.exponent = table.number("exponent", Range::positive);
   if (!(element.exponent > 1.0) || element.exponent > 1e4)
-    table.complain("exponent", fmt::format("found {}; it must be > 1 and at most 10000", element.exponent));
+    table.report("exponent", fmt::format("found {}; it must be > 1 and at most 10000", element.exponent));
 }
 
 /// Power 0 of a block or cylinder in contacts by resultants: n = 2/power is a rectangle, as a cylinder is from the
@@ -74,7 +74,7 @@ void read_density(SceneTable& table, FenceElement& element, ElementPart part) {
     element.density = 1.0;
     element.density = mass / mass_properties(element).mass;
   } else if (table.has("density") || part != ElementPart::ground) {
-    if (!table.has("density")) return table.complain("density", "it is missing; give density or mass");
+    if (!table.has("density")) return table.report("density", "it is missing; give density or mass");
     element.density = table.quantity("density", dimension::density, Range::positive);
   } else {
     element.density = 1.0;  // the ground is held: nothing follows from its mass
@@ -131,7 +131,7 @@ scenes::FenceOptions read_options(SceneTable table, scenes::FenceOptions options
   }
   table.read_fields(options);
   if (options.end == scenes::FenceEnd::exit && !table.has("exit_x"))
-    table.complain("exit_x", "it is missing; a run that ends by exit needs the x that the rocks pass");
+    table.report("exit_x", "it is missing; a run that ends by exit needs the x that the rocks pass");
   if (table.has("table")) {
     table.guard([&] {
       for (const auto& [strain, multiple] : table.pairs("table", dimension::number, dimension::number))
@@ -159,7 +159,7 @@ std::optional<double> read_steps(SceneTable& table, Fence& fence) {
   } else if (table.has("steps")) {
     table.read_count(fence, count_field("steps"));
   } else {
-    table.complain("duration", "it is missing; give the time that the run lasts, e.g. \"0.5 s\" (or steps)");
+    table.report("duration", "it is missing; give the time that the run lasts, e.g. \"0.5 s\" (or steps)");
   }
   for (const std::string_view name : {"print_every", "history_every"}) {
     if (table.has(name)) table.read_count(fence, count_field(name));
@@ -204,12 +204,12 @@ void check_changed(const std::vector<SceneTable>& tables, const Fence& fence) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const int place = columns[i].place;
     if (const int most = columns_of_half(fence); place > most) {
-      tables[i].complain("place", fmt::format("found {}; it must be in 1 .. {}", place, most));
+      tables[i].report("place", fmt::format("found {}; it must be in 1 .. {}", place, most));
     }
-    if (!(columns[i].y_top > columns[i].y_bottom)) tables[i].complain("y_top", "it must be above the bottom joint");
+    if (!(columns[i].y_top > columns[i].y_bottom)) tables[i].report("y_top", "it must be above the bottom joint");
     const auto before = columns.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::ranges::find(columns.begin(), before, place, &scenes::ChangedColumn::place) != before)
-      tables[i].complain("place", fmt::format("found {} again; each place can be changed once", place));
+      tables[i].report("place", fmt::format("found {} again; each place can be changed once", place));
   }
 }
 
@@ -263,7 +263,7 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   for (const SceneTable& rock : table.numbered_tables("rock"))
     fence.rocks.push_back(read(rock, ElementPart::rock));
   if (!table.has("rock") || (fence.rocks.empty() && !source.has_nameless("rock")))
-    table.complain("rock", "it is missing; a fence has at least one rock, headed [[fence.rock]]");
+    table.report("rock", "it is missing; a fence has at least one rock, headed [[fence.rock]]");
   source.guard(table.line(), [&] { fence.column = read(table.table("column"), ElementPart::column); });
   if (table.has("ground_profile")) {
     table.guard([&] {
@@ -295,7 +295,7 @@ Fence read_fence(SceneTable& file, SceneSource& source) {
   source.collect();
   check_changed(changed, fence);
   for (const FenceFault& fault : faults(fence))
-    (fault.element == 0 ? table : elements[fault.element - 1]).complain(fault.field, fault.words);
+    (fault.element == 0 ? table : elements[fault.element - 1]).report(fault.field, fault.words);
   source.check();
   set_steps(table, fence, duration);
   return fence;

@@ -40,7 +40,7 @@ struct SceneRun {
   bool automatic_step{};             ///< step = "auto"
   std::optional<double> interval{};  ///< [T]
   bool ledger{true};
-  WatchRules watch;
+  MonitorRules watch;
 };
 
 /// Rows of the history of a run that does not say how many.
@@ -195,16 +195,16 @@ State start_state(const Parts& parts, const Model& model) {
 
 }  // namespace
 
-WatchRules read_watch(SceneTable& owner, std::string_view key) {
-  WatchRules rules;
+MonitorRules read_watch(SceneTable& owner, std::string_view key) {
+  MonitorRules rules;
   if (owner.is_text(key)) {
     static_cast<void>(owner.choice(key, {"off"}));
-    for (const WatchRules::Choice& choice : WatchRules::choices())
-      rules.*choice.member = Breach::off;
+    for (const MonitorRules::Choice& choice : MonitorRules::choices())
+      rules.*choice.member = CheckAction::off;
     return rules;
   }
   SceneTable table = owner.table(key);
-  for (const WatchRules::Choice& choice : WatchRules::choices())
+  for (const MonitorRules::Choice& choice : MonitorRules::choices())
     rules.*choice.member = table.choice_or(choice.name, rules.*choice.member);
   table.allow({});
   return rules;

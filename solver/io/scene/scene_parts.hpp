@@ -78,7 +78,7 @@ class BodyNames {
 [[nodiscard]] std::vector<SceneHanger> read_hangers(SceneTable& file, const BodyNames& bodies);
 
 /// What is watched during a run: `watch = { instability = "error", .. }`, or "off".
-[[nodiscard]] WatchRules read_watch(SceneTable& owner, std::string_view key);
+[[nodiscard]] MonitorRules read_watch(SceneTable& owner, std::string_view key);
 
 /// Calls visit with a default-made value of the alternative of a variant whose `name` is this; false if there is none.
 template <class Variant, std::size_t I = 0, class Visit>

@@ -79,7 +79,7 @@ bool SceneTable::is_text(std::string_view key) const {
 
 const TomlValue* SceneTable::demand(std::string_view key) {
   if (has(key)) return find(key);
-  if (std::find(misspelt_.begin(), misspelt_.end(), key) == misspelt_.end()) complain_at(line_, key, "it is missing");
+  if (std::find(misspelt_.begin(), misspelt_.end(), key) == misspelt_.end()) report_at(line_, key, "it is missing");
   return nullptr;
 }
 
@@ -96,13 +96,13 @@ std::string SceneTable::full_message(int line, std::string_view key, std::string
   return fmt::format("{}{}{}: {}", place(line), noun, key, message);
 }
 
-void SceneTable::complain_at(int line, std::string_view key, std::string_view message) const {
+void SceneTable::report_at(int line, std::string_view key, std::string_view message) const {
   if (!source_->collects()) throw InputError{full_message(line, key, message)};
   source_->add(line, full_message(line, key, message));
 }
 
 void SceneTable::fail_at(int line, std::string_view key, std::string_view message) const {
-  complain_at(line, key, message);
+  report_at(line, key, message);
   throw SceneSource::Collected{full_message(line, key, message)};
 }
 
@@ -111,9 +111,9 @@ void SceneTable::fail(std::string_view key, std::string_view message) const {
   fail_at(value != nullptr ? value->line : line_, key, message);
 }
 
-void SceneTable::complain(std::string_view key, std::string_view message) const {
+void SceneTable::report(std::string_view key, std::string_view message) const {
   const TomlValue* value = find(key);
-  complain_at(value != nullptr ? value->line : line_, key, message);
+  report_at(value != nullptr ? value->line : line_, key, message);
 }
 
 double SceneTable::quantity_of(std::string_view key, const TomlValue& value, Dimension dimension, Range range) const {
@@ -122,9 +122,9 @@ double SceneTable::quantity_of(std::string_view key, const TomlValue& value, Dim
   if (text == nullptr) {
     const bool bare = std::holds_alternative<double>(value.data) || std::holds_alternative<std::int64_t>(value.data);
     const std::string example = fmt::format("\"{} {}\"", bare ? found(value) : "1", symbol(source_->units, dimension));
-    complain_at(value.line, key,
-                bare ? fmt::format("found {}; the unit is missing; write e.g. {}", found(value), example)
-                     : fmt::format("found {}; it must be a quantity in quotes, e.g. {}", found(value), example));
+    report_at(value.line, key,
+              bare ? fmt::format("found {}; the unit is missing; write e.g. {}", found(value), example)
+                   : fmt::format("found {}; it must be a quantity in quotes, e.g. {}", found(value), example));
     return placeholder;
   }
   std::string wrong;
@@ -135,7 +135,7 @@ double SceneTable::quantity_of(std::string_view key, const TomlValue& value, Dim
   } catch (const InputError& error) {
     wrong = error.what();
   }
-  complain_at(value.line, key, wrong);
+  report_at(value.line, key, wrong);
   return placeholder;
 }
 
@@ -160,13 +160,13 @@ std::vector<double> SceneTable::quantities(std::string_view key, Dimension dimen
   if (elements == nullptr) {
     const std::string example = fmt::format("\"1 {}\"", symbol(source_->units, dimension));
     const std::vector<std::string> examples(least, example);
-    complain_at(value.line, key,
-                fmt::format("found {}; it must be an array of {} quantities, e.g. [{}]", found(value), count,
-                            fmt::join(examples, ", ")));
+    report_at(value.line, key,
+              fmt::format("found {}; it must be an array of {} quantities, e.g. [{}]", found(value), count,
+                          fmt::join(examples, ", ")));
     return std::vector<double>(least);
   }
   if (elements->size() < least || elements->size() > most) {
-    complain_at(value.line, key, fmt::format("found {} components; it must have {}", elements->size(), count));
+    report_at(value.line, key, fmt::format("found {} components; it must have {}", elements->size(), count));
     return std::vector<double>(least);
   }
   std::vector<double> result;
@@ -197,12 +197,12 @@ double SceneTable::number_of(std::string_view key, const TomlValue& value, Range
   } else if (const auto* integer = std::get_if<std::int64_t>(&value.data)) {
     number = static_cast<double>(*integer);
   } else {
-    complain_at(value.line, key,
-                fmt::format("found {}; it must be a pure number without quotes, e.g. 0.5", found(value)));
+    report_at(value.line, key,
+              fmt::format("found {}; it must be a pure number without quotes, e.g. 0.5", found(value)));
     return placeholder;
   }
   if (std::isfinite(number) && contains(range, number)) return number;
-  complain_at(value.line, key, fmt::format("found {}; it must be {}", found(value), words(range)));
+  report_at(value.line, key, fmt::format("found {}; it must be {}", found(value), words(range)));
   return placeholder;
 }
 
@@ -216,7 +216,7 @@ std::int64_t SceneTable::whole_between(std::string_view key, std::int64_t least,
   if (integer != nullptr && *integer >= least && *integer <= most) return *integer;
   const std::string allowed = most - least == 1 ? fmt::format("{} or {}", least, most)
                                                 : fmt::format("a whole number between {} and {}", least, most);
-  complain_at(value.line, key, fmt::format("found {}; it must be {}", found(value), allowed));
+  report_at(value.line, key, fmt::format("found {}; it must be {}", found(value), allowed));
   return least;
 }
 
@@ -342,8 +342,8 @@ std::vector<SceneTable> SceneTable::numbered_tables(std::string_view key) {
   const auto* elements = std::get_if<TomlArray>(&value.data);
   const auto is_table = [](const TomlValue& element) { return std::holds_alternative<TomlTable>(element.data); };
   if (elements == nullptr || !std::all_of(elements->begin(), elements->end(), is_table)) {
-    complain_at(value.line, key,
-                fmt::format("found {}; each {} is a separate table, headed [[{}]]", found(value), key, key));
+    report_at(value.line, key,
+              fmt::format("found {}; each {} is a separate table, headed [[{}]]", found(value), key, key));
     return result;
   }
   const std::string of = noun_.empty() ? "" : noun_ + ": ";
@@ -368,7 +368,7 @@ std::vector<SceneTable> SceneTable::tables(std::string_view key) {
 }
 
 void SceneTable::refuse(std::string_view key, std::string_view why) {
-  if (find(key) != nullptr) complain(key, why);
+  if (find(key) != nullptr) report(key, why);
 }
 
 void SceneTable::allow(std::vector<std::string> keys) {
@@ -378,9 +378,8 @@ void SceneTable::allow(std::vector<std::string> keys) {
   for (const auto& [name, value] : *table_) {
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
     misspelt_.push_back(nearest_name(name, known_));
-    complain_at(
-        value.line, name,
-        fmt::format("this key is not known; nearest: {}; known: {}", misspelt_.back(), fmt::join(known_, ", ")));
+    report_at(value.line, name,
+              fmt::format("this key is not known; nearest: {}; known: {}", misspelt_.back(), fmt::join(known_, ", ")));
   }
 }
 

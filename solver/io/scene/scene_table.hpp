@@ -163,7 +163,7 @@ class SceneTable {
   /// Throws an error about a key (or about the table itself, if it has no such key).
   [[noreturn]] void fail(std::string_view key, std::string_view message) const;
   /// Adds such an error to the source's, or throws it if the source does not collect them.
-  void complain(std::string_view key, std::string_view message) const;
+  void report(std::string_view key, std::string_view message) const;
   /// Calls `action`; an InputError of it gets this table's file and line in front.
   template <class Action>
   auto placed(Action&& action) const {
@@ -184,7 +184,7 @@ class SceneTable {
   double quantity_of(std::string_view key, const TomlValue& value, Dimension dimension, Range range) const;
   int whole_of(std::string_view key, const TomlValue& value) const;
   [[noreturn]] void fail_at(int line, std::string_view key, std::string_view message) const;
-  void complain_at(int line, std::string_view key, std::string_view message) const;
+  void report_at(int line, std::string_view key, std::string_view message) const;
   std::string full_message(int line, std::string_view key, std::string_view message) const;
   std::string place(int line) const;
 

@@ -88,7 +88,7 @@ std::string option_lines(const scenes::FenceOptions& options, const UnitSystem& 
     text += fmt::format("{} = \"{}\"\n", name, choice_name(choice));
   });
   std::vector<std::string> watched;
-  for (const WatchRules::Choice& choice : WatchRules::choices())
+  for (const MonitorRules::Choice& choice : MonitorRules::choices())
     watched.push_back(fmt::format("{} = \"{}\"", choice.name, choice_name(options.watch.*choice.member)));
   text += fmt::format("watch = {{ {} }}\n", fmt::join(watched, ", "));
   text += fmt::format("integrator = \"{}\"\n", options.integrator) + number_lines(options, units);

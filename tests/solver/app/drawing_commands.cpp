@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(snapshots_show_what_the_histories_say) {
   std::size_t taut = 0;
   std::size_t cables = 0;
   double sum = 0.0;
-  for (const talus::KeptColumn& column : kept.columns) {
+  for (const talus::SavedColumn& column : kept.columns) {
     if (column.quantity() != "tension") continue;
     ++cables;
     sum += column.values.front();

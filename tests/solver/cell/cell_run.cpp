@@ -118,11 +118,11 @@ void expect_same_when_put_back(const ShearCell& cell, const std::string& method,
   CellRun whole{cell, how};
   while (whole.steps() < whole.last_step() / 3)
     whole.advance();
-  Memory saved;
-  whole.remember(saved);
+  Archive saved;
+  whole.serialize(saved);
   CellRun rest{cell, how};
-  Memory putting_back{saved.items()};
-  rest.remember(putting_back);
+  Archive putting_back{saved.items()};
+  rest.serialize(putting_back);
   BOOST_TEST(putting_back.left_over().empty());
   run(whole), run(rest);
   BOOST_TEST((whole.discs() == rest.discs()));
@@ -292,7 +292,7 @@ BOOST_AUTO_TEST_CASE(plans_that_cannot_be) {
   const auto refused = [&](const char* field, auto&& change) {
     CellPlan how = plan(cell, 20.0);
     change(how);
-    const auto found = objections(cell, how);
+    const auto found = validation_errors(cell, how);
     BOOST_REQUIRE(!found.empty());
     BOOST_TEST(found.front().field == field);
     BOOST_CHECK_THROW(CellRun(cell, how), InputError);
@@ -306,20 +306,20 @@ BOOST_AUTO_TEST_CASE(plans_that_cannot_be) {
   refused("step", [](CellPlan& how) { how.step = 1e-16 * how.end; });
   CellPlan how = plan(cell, 20.0, 40.0);
   how.integrator = "euler", how.historical = true;
-  BOOST_TEST(objections(cell, how).empty());
+  BOOST_TEST(validation_errors(cell, how).empty());
   refused("jump", [](CellPlan& changed) { changed.images = Images::virtual_discs, changed.jump = true; });
   ShearCell large = cell;
   large.rows = 200;
   how = plan(large, 20.0);
   how.images = Images::virtual_discs;
-  BOOST_TEST(objections(large, how).front().field == "images");
+  BOOST_TEST(validation_errors(large, how).front().field == "images");
   // Ten steps in a contact whose way back takes less than one.
   ShearCell dull = cell;
   dull.law = LatchingSpring{1.7e4, 1.7e4 / 0.0009, 0.0};
   how = plan(dull, 20.0, 20.0);
-  BOOST_TEST(objections(dull, how).front().field == "step");
+  BOOST_TEST(validation_errors(dull, how).front().field == "step");
   how.step = std::sqrt(dull.mass / (2.0 * 1.7e4 / 0.0009));
-  BOOST_TEST(objections(dull, how).empty());
+  BOOST_TEST(validation_errors(dull, how).empty());
   CellRun ran{dull, how};
   BOOST_TEST(std::abs(run(ran).ledger().unaccounted()) < CellRun::most_unaccounted);
   // What is known of the law of 1989 alone.
@@ -327,11 +327,11 @@ BOOST_AUTO_TEST_CASE(plans_that_cannot_be) {
     if (other.law_of_1989() != nullptr) continue;
     how = plan(other, 20.0);
     how.historical = true;
-    BOOST_TEST(objections(other, how).front().field == "historical");
+    BOOST_TEST(validation_errors(other, how).front().field == "historical");
     for (const char* const name : {"euler", "taylor"}) {
       how = plan(other, 20.0, 1e4);
       how.integrator = name;
-      BOOST_TEST(objections(other, how).front().field == "integrator");
+      BOOST_TEST(validation_errors(other, how).front().field == "integrator");
     }
   }
 }

@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(pairs_are_found_from_the_reach_of_their_law_on) {
         nearer += found[p] && !others[p];
         found_at_a_distance += found[p] && depth < 0.0 && depth > -pair.reach;
         BOOST_TEST((found[p] || !others[p]));
-        if (!endless(pair.bounds_b)) BOOST_TEST(!(depth > -pair.reach && stay_apart(pair, acting.poses, 0.0)));
+        if (!is_unbounded(pair.bounds_b)) BOOST_TEST(!(depth > -pair.reach && cannot_touch(pair, acting.poses, 0.0)));
       }
       acting.wander(move % 10 == 9 ? 0.5 : 0.003), touching.wander(move % 10 == 9 ? 0.5 : 0.003);
     }
@@ -235,11 +235,11 @@ BOOST_AUTO_TEST_CASE(what_is_said_at_once_is_never_too_little) {
     for (std::size_t body = 0; body < Strewn::bodies; ++body)
       poses.vx[body] = speed(random), poses.vy[body] = speed(random), poses.w[body] = speed(random);
     for (const Candidate& pair : strewn.search.pairs()) {
-      if (endless(pair.bounds_a) || endless(pair.bounds_b)) continue;
+      if (is_unbounded(pair.bounds_a) || is_unbounded(pair.bounds_b)) continue;
       const Pose A = poses[index(pair.a)], B = poses[index(pair.b)];
       BOOST_REQUIRE(closing_speed_bound(pair, poses) >= largest_closing_speed(pair, A, B));
       const double way = size(random);
-      if (!stay_apart(pair, poses, way)) continue;
+      if (!cannot_touch(pair, poses, way)) continue;
       ++apart;
       BOOST_REQUIRE(norm(B.p_WB - A.p_WB) - largest_radius(pair.bounds_a) - largest_radius(pair.bounds_b) > way);
       BOOST_REQUIRE(way <= 0.5 * (least_half_width(pair.bounds_a) + least_half_width(pair.bounds_b)));

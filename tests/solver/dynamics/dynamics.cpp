@@ -78,7 +78,7 @@ struct Evaluation {
 Evaluation evaluate(const Dynamics& dynamics, State state) {
   Workspace work = dynamics.workspace();
   dynamics.update(state, work);
-  dynamics.settle(state, work);
+  dynamics.update_modes(state, work);
   Rates rates{state};
   dynamics.rates(state, work, rates);
   return {state, work, rates};
@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(spring_gradients_are_the_derivatives_of_their_extents) {
     up.q[i] += h, down.q[i] -= h;
     const auto above = springs(dynamics, up), below = springs(dynamics, down);
     for (std::size_t s = 0; s < found.size(); ++s) {
-      BOOST_TEST(std::abs((above[s].extent - below[s].extent) / (2 * h) - found[s].gradient[i]) < 1e-8);
+      BOOST_TEST(std::abs((above[s].deformation - below[s].deformation) / (2 * h) - found[s].gradient[i]) < 1e-8);
     }
   }
 }

@@ -106,16 +106,16 @@ BOOST_AUTO_TEST_CASE(rows_of_any_length_pull_as_their_cables_do_one_by_one) {
         Workspace work = dynamics.workspace();
         Rates rates{state};
         dynamics.update(state, work);
-        dynamics.settle(state, work);
+        dynamics.update_modes(state, work);
         // In the modes that are found now, laws of straight lines stay on them.
         dynamics.update(state, work);
-        BOOST_TEST(work.waking.quiet == std::holds_alternative<ElasticPlastic>(law));
+        BOOST_TEST(work.active.on_linear_branch == std::holds_alternative<ElasticPlastic>(law));
         dynamics.rates(state, work, rates);
 
         Workspace bare = dynamics.workspace();
         Rates alone{state};
         dynamics.update(state, bare, Need::rates);
-        BOOST_TEST(bare.pulled == work.waking.quiet);
+        BOOST_TEST(bare.pulled == work.active.on_linear_branch);
         dynamics.rates(state, bare, alone, false);
         BOOST_TEST(alone.v == rates.v);
 

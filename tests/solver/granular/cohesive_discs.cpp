@@ -45,7 +45,7 @@ template <class System>
 Course course(System&& system, Discs discs, long steps) {
   Course found;
   system.begin(discs);
-  system.settle(discs);
+  system.update_modes(discs);
   const auto kinetic = [&] { return 0.5 * (discs.vx[0] * discs.vx[0] + discs.vx[1] * discs.vx[1]); };
   const double start = kinetic() + stored(system, discs);
   for (long n = 0; n < steps; ++n) {

@@ -399,11 +399,11 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_put_back_goes_on_bit_for_bit) {
     method.start(system, p.discs, 1e-3);
     for (long n = 0; n < 1234; ++n)
       method.step(system, p.discs, 1e-3);
-    Memory saved;
-    const auto pass = [](Memory& memory, auto& discs, auto& of, auto& stepper) {
-      memory.part("discs", [&] { remember(memory, discs); });
-      memory.part("system", [&] { of.remember(memory, discs); });
-      memory.part("method", [&] { stepper.remember(memory, discs); });
+    Archive saved;
+    const auto pass = [](Archive& archive, auto& discs, auto& of, auto& stepper) {
+      archive.scope("discs", [&] { serialize(archive, discs); });
+      archive.scope("system", [&] { of.serialize(archive, discs); });
+      archive.scope("method", [&] { stepper.serialize(archive, discs); });
     };
     pass(saved, p.discs, system, method);
 
@@ -411,7 +411,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_put_back_goes_on_bit_for_bit) {
     again.discs.spin.resize(again.discs.size());
     VelocityVerletOf<Discs> stepper;
     DiscSystem other{again.shapes, box, law, 0.3, rough};
-    Memory putting_back{saved.items()};
+    Archive putting_back{saved.items()};
     pass(putting_back, again.discs, other, stepper);
     BOOST_TEST(putting_back.left_over().empty());
     BOOST_TEST((again.discs == p.discs));

@@ -94,7 +94,7 @@ class Twins {
   }
 
   /// The next thing that is drawn.
-  void go_on() {
+  void proceed() {
     const double h = draw_.below(2) == 0 ? step : step * (0.75 + draw_.within(0.25));
     switch (draw_.below(10)) {
       case 0:
@@ -104,7 +104,7 @@ class Twins {
       case 2:
         return evaluate();
       case 3:
-        return plain_.settle(theirs_), fast_->settle(ours_);
+        return plain_.update_modes(theirs_), fast_->update_modes(ours_);
       case 4:
         return put_back();
       default:
@@ -127,21 +127,21 @@ class Twins {
   }
   /// The fast one saved, and put back into another.
   void put_back() {
-    Memory saved;
-    fast_->remember(saved, ours_);
+    Archive saved;
+    fast_->serialize(saved, ours_);
     contacts_ += saved_contacts(saved);
     prunings_ += fast_->prunings();
     fast_ = made();
-    Memory memory{saved.items()};
-    fast_->remember(memory, ours_);
+    Archive archive{saved.items()};
+    fast_->serialize(archive, ours_);
   }
 
   bool same() const {
     Discs theirs = theirs_;
     constexpr auto lost = static_cast<std::size_t>(L::dissipation);
     if (!keeps_) theirs.work = ours_.work;
-    if (fast_->remembers) theirs.work[lost] = ours_.work[lost];
-    const double loss = fast_->remembers ? theirs_.work[lost] : 0.0;
+    if (fast_->has_history) theirs.work[lost] = ours_.work[lost];
+    const double loss = fast_->has_history ? theirs_.work[lost] : 0.0;
     return rates_ && theirs == ours_ && (loss == 0.0 || std::abs(fast_->lost() - loss) <= 1e-11 * loss);
   }
   bool same_walls() const {
@@ -161,10 +161,10 @@ class Twins {
     if (keeps_) made->keep_work();
     return made;
   }
-  static long saved_contacts(const Memory& saved) {
-    Memory memory{saved.items()};
+  static long saved_contacts(const Archive& saved) {
+    Archive archive{saved.items()};
     std::vector<double> first;
-    memory.part("contact", [&] { memory.list("first", first); });
+    archive.scope("contact", [&] { archive.list("first", first); });
     return static_cast<long>(first.size());
   }
 
@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(whatever_both_are_asked_they_answer_the_same) {
       Twins twins{scene, law, friction, draw};
       bool same = true;
       for (int n = 0; n < 150 && same; ++n)
-        twins.go_on(), same = twins.same();
+        twins.proceed(), same = twins.same();
       twins.advance(step, 1);
       BOOST_TEST_CONTEXT("seed " << seed) {
         BOOST_TEST(same);
@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE(all_laws_of_discs_answer_the_same) {
       const Scene scene = drawn(draw);
       Twins twins{scene, law, friction, draw};
       for (int n = 0; n < 60; ++n)
-        twins.go_on();
+        twins.proceed();
       BOOST_TEST(twins.same());
       BOOST_TEST(twins.same_walls());
     }

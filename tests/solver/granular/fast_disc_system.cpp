@@ -69,20 +69,20 @@ bool same(const L&, Discs a, const Discs& b) {
 template <class L, class F>
 bool same_memory(DiscSystem<L, F>& plain, FastDiscSystem<L, F>& fast, const Discs& discs) {
   constexpr bool turns = DiscSystem<L, F>::turns;
-  Memory of_plain, of_fast;
-  plain.remember(of_plain, discs), fast.remember(of_fast, discs);
+  Archive of_plain, of_fast;
+  plain.serialize(of_plain, discs), fast.serialize(of_fast, discs);
   struct Contact {
     double first, second, largest, stretch;
     bool operator==(const Contact&) const = default;
   };
-  const auto read = [](const Memory& from, const char* of_largest) {
-    Memory memory{from.items()};
+  const auto read = [](const Archive& from, const char* of_largest) {
+    Archive archive{from.items()};
     std::vector<double> first, second, largest, stretch;
-    memory.part("contact", [&] { memory.list("first", first), memory.list("second", second); });
+    archive.scope("contact", [&] { archive.list("first", first), archive.list("second", second); });
     largest.resize(L::memory_size * first.size()), stretch.resize(turns ? first.size() : 0);
-    memory.part("contact", [&] {
-      if (L::memory_size > 0) memory.numbers(of_largest, largest);
-      if (turns) memory.numbers("stretch", stretch);
+    archive.scope("contact", [&] {
+      if (L::memory_size > 0) archive.numbers(of_largest, largest);
+      if (turns) archive.numbers("stretch", stretch);
     });
     std::vector<Contact> contacts;
     for (std::size_t k = 0; k < first.size(); ++k) {
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(fast_and_plain_give_the_same_bits) {
         BOOST_TEST(state);
         BOOST_TEST(memory);
         BOOST_TEST(hits > 100);
-        if constexpr (!fast.remembers) {
+        if constexpr (!fast.has_history) {
           BOOST_TEST((kept(Mechanism::contact_damping) > 0.0) == contact_kernel(law).needs_rate());
           BOOST_TEST((kept(Mechanism::contact_release) > 0.0) == (law == dashpot));
         }
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits) {
         together.t = alone.t;
         BOOST_TEST((together == alone));
         BOOST_TEST(several.builds() > 1);
-        if constexpr (FastDiscSystem<std::decay_t<decltype(law)>>::remembers) BOOST_TEST(several.lost() == one.lost());
+        if constexpr (FastDiscSystem<std::decay_t<decltype(law)>>::has_history) BOOST_TEST(several.lost() == one.lost());
       }
     }
   });
@@ -223,7 +223,7 @@ void expect_contacts_of_the_plain_one(const L& law, const F& friction, double sk
                ours[c].stored == theirs[c].stored && ours[c].n_ab == theirs[c].n_ab;
       ++compared;
     }
-    if constexpr (FastDiscSystem<L>::remembers) {
+    if constexpr (FastDiscSystem<L>::has_history) {
       const double lost = discs.work[static_cast<std::size_t>(Mechanism::contact_damping)];
       losses = losses && std::abs(fast.lost() - lost) <= 1e-11 * lost;
     }
@@ -281,13 +281,13 @@ BOOST_AUTO_TEST_CASE(what_is_put_back_goes_on_with_the_same_bits) {
       whole.keep_work();
       whole.begin(discs);
       whole.advance(discs, 1e-3, 307);
-      Memory saved;
-      whole.remember(saved, discs);
+      Archive saved;
+      whole.serialize(saved, discs);
       Discs again = discs;
       FastDiscSystem other{p.shapes, p.box, law, 0.5, friction, 2};
       other.keep_work();
-      Memory put_back{saved.items()};
-      other.remember(put_back, again);
+      Archive put_back{saved.items()};
+      other.serialize(put_back, again);
       whole.advance(discs, 1e-3, 500), other.advance(again, 1e-3, 500);
       BOOST_TEST((discs == again));
     }

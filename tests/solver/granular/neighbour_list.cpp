@@ -129,10 +129,10 @@ BOOST_AUTO_TEST_CASE(any_number_of_threads_makes_the_same_list) {
       NeighbourList alone{box, 0.3};
       alone.build(p.shapes, p.discs);
       for (const std::size_t threads : {1U, 2U, 3U, 7U}) {
-        Team team{threads};
+        ThreadPool pool{threads};
         NeighbourList list{box, 0.3};
         for (int again = 0; again < 2; ++again)
-          list.build(p.shapes, p.discs, &team);
+          list.build(p.shapes, p.discs, &pool);
         BOOST_REQUIRE(list.size() == alone.size());
         for (std::size_t i = 0; i < discs; ++i)
           BOOST_TEST((list.begin(i) == alone.begin(i) && list.end(i) == alone.end(i)));

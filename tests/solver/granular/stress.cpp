@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(contacts_carry_their_force_across_the_distance_of_the_centr
   const PeriodicBox box{.width = 6.0 * (1.0 - overlap), .height = height};
   DiscSystem system{shapes, box, LinearSpringDashpot{stiffness, 0.0, EndRule::clamped}, 0.1};
   system.begin(discs);
-  system.settle(discs);
+  system.update_modes(discs);
   const ContactSums sums = contact_sums(system, discs);
   BOOST_TEST(sums.contacts == 6U);
   BOOST_TEST(sums.virial.xx / (box.width * height) == stiffness * overlap / height,
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(contacts_carry_their_force_across_the_distance_of_the_centr
   leaning.add(0.0, 0.0, 0.0, 0.0), leaning.add(along, along, 0.0, 0.0);
   DiscSystem pair{two, {}, LinearSpringDashpot{stiffness, 0.0, EndRule::clamped}, 0.1};
   pair.begin(leaning);
-  pair.settle(leaning);
+  pair.update_modes(leaning);
   const Virial virial = contact_sums(pair, leaning).virial;
   const double each = 0.5 * stiffness * overlap * (1.0 - overlap);
   for (const double found : {virial.xx, virial.xy, virial.yx, virial.yy})

@@ -22,7 +22,7 @@ struct Motion {
   long evaluations{};  ///< at which errors are compared: all of their power law there
 
   void drift(State& state, double h) { drift_coordinates(state, h); }
-  void settle(State&) {}
+  void update_modes(State&) {}
   void derivative(const State& state, Rates& out) { out.v[0] = acceleration(state.q[0]); }
   void evaluate(State& state, Rates& out) { derivative(state, out); }
   State start() const {

@@ -121,7 +121,7 @@ struct Fall {
     write(state, rates);
     kick_velocities(state, rates, h);
   }
-  void settle(StateOf<Scalar>&) {}
+  void update_modes(StateOf<Scalar>&) {}
   void derivative(const StateOf<Scalar>& state, RatesOf<Scalar>& out) {
     calls.emplace_back('e', Scalar{});
     write(state, out);
@@ -408,11 +408,11 @@ BOOST_AUTO_TEST_CASE(a_copy_of_a_running_method_and_one_put_back_go_on_as_the_or
                 method.step(system, state, 0.05);
               Method copy = method;
               State twin = state, third = state;
-              Memory saving;
-              method.remember(saving, state);
+              Archive saving;
+              method.serialize(saving, state);
               Method fresh = std::get<Method>(integrator);
-              Memory putting_back{saving.items()};
-              fresh.remember(putting_back, state);
+              Archive putting_back{saving.items()};
+              fresh.serialize(putting_back, state);
               for (int i = 0; i < 10; ++i) {
                 method.step(system, state, 0.05);
                 copy.step(system, twin, 0.05);

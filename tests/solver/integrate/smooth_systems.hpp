@@ -20,7 +20,7 @@ struct Duffing {
     derivative(state, rates);
     kick_velocities(state, rates, h);
   }
-  void settle(State&) {}
+  void update_modes(State&) {}
   void derivative(const State& state, Rates& out) {
     ++evaluations;
     out.v[0] = -state.q[0] * state.q[0] * state.q[0];

@@ -120,7 +120,7 @@ Fence beyond_the_deck() {
   fence.options.shear_ratio = 0.3;
   fence.options.contact = scenes::FenceContact::smoother;
   fence.options.column_ground = scenes::ColumnGround::contact;
-  fence.options.watch = {Breach::warning, Breach::off, Breach::error};
+  fence.options.watch = {CheckAction::warning, CheckAction::off, CheckAction::error};
   fence.rocks[0].along = -3.75;
   fence.rocks[0].solid = scenes::ElementSolid::block;
   fence.ground_profile = {{-40.0, -6.0}, {0.0, -4.5}, {40.0, 3.25}};
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(what_no_deck_has_is_kept_by_scene_files_and_refused_by_deck
   refused(one);
   one = sound, one.options.table = {{0.01, 1.2}};
   refused(one);
-  one = sound, one.options.watch.accuracy = Breach::off, refused(one);
+  one = sound, one.options.watch.accuracy = CheckAction::off, refused(one);
   one = sound, one.rocks[0].along = 1.0, refused(one);
   one = sound, one.ground_profile = fence.ground_profile, refused(one);
   one = sound, one.changed_columns = fence.changed_columns, refused(one);

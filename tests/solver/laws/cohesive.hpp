@@ -38,19 +38,19 @@ struct Cohesive {
   static constexpr bool acts(Mode mode) { return mode == 1; }
   constexpr LawForce operator()(Kinematics x, std::span<const double>, Mode mode) const {
     if (mode == 0) return {};
-    return {stiffness * x.extent * (1.0 + x.extent / range), damping * x.extent_rate};
+    return {stiffness * x.deformation * (1.0 + x.deformation / range), damping * x.deformation_rate};
   }
   constexpr double stored_energy(Kinematics x, std::span<const double>, Mode mode) const {
     if (mode == 0) return 0.0;
-    const double s = x.extent;
+    const double s = x.deformation;
     return stiffness * (0.5 * s * s + s * s * s / (3.0 * range) - range * range / 6.0);
   }
   constexpr double guard(Kinematics x, std::span<const double>, Mode mode) const {
-    return mode == 0 ? -(x.extent + range) : x.extent + range;
+    return mode == 0 ? -(x.deformation + range) : x.deformation + range;
   }
   constexpr Reset reset(Kinematics x, std::span<double>, Mode) const {
-    const double inside = x.extent + range;
-    return {static_cast<Mode>(inside > 0.0 || (inside == 0.0 && x.extent_rate >= 0.0) ? 1 : 0), 0.0};
+    const double inside = x.deformation + range;
+    return {static_cast<Mode>(inside > 0.0 || (inside == 0.0 && x.deformation_rate >= 0.0) ? 1 : 0), 0.0};
   }
   /// At half the range of overlap.
   constexpr Tangent tangent() const { return {2.0 * stiffness, damping}; }

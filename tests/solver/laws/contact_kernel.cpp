@@ -9,7 +9,7 @@
 
 #include "solver/base/pack.hpp"
 #include "solver/laws/law_list.hpp"
-#include "solver/laws/settling.hpp"
+#include "solver/laws/mode_update.hpp"
 #include "tests/solver/laws/cohesive.hpp"
 #include "tests/solver/laws/law_examples.hpp"
 
@@ -41,7 +41,7 @@ std::vector<Kinematics> way(unsigned seed) {
   std::uniform_real_distribution<double> unit{-1.0, 1.0};
   std::vector<Kinematics> points{{-0.1, 1.0}};
   for (int n = 0; n < 4000; ++n) {
-    const double to = points.back().extent + 0.05 * unit(random) - 0.02 * points.back().extent;
+    const double to = points.back().deformation + 0.05 * unit(random) - 0.02 * points.back().deformation;
     // The rate need not be that of the way: rounding may part them.
     points.push_back({std::round(1e3 * to) * 1e-3, 100.0 * unit(random)});
   }
@@ -62,19 +62,19 @@ BOOST_AUTO_TEST_CASE(kernels_give_the_bits_of_the_modes) {
       std::array<double, 1> memory{};
       double largest = 0.0, before = -1.0, let_go = 0.0;
       for (const Kinematics& x : way(seed)) {
-        if (x.extent == -reach(law)) continue;
+        if (x.deformation == -reach(law)) continue;
         const std::span<double> remembered{memory.data(), L::memory_size};
         double released = 0.0;
-        settle(law, remembered, x, mode, [&](double energy) { released += energy; });
+        update_mode(law, remembered, x, mode, [&](double energy) { released += energy; });
         const LawForce parts = mode == 0 ? LawForce{} : law(x, remembered, mode);
         const double expected = parts.total();
         double force = 0.0;
-        if (x.extent > -reach(law)) {
-          kernel.force(x.extent, x.extent_rate, largest, force);
+        if (x.deformation > -reach(law)) {
+          kernel.force(x.deformation, x.deformation_rate, largest, force);
           if constexpr (L::memory_size == 0) {
             double power = 0.0, energy = 0.0;
-            kernel.dissipated_power(x.extent, x.extent_rate, before, force, power, energy);
-            same_kept = same_kept && power == parts.dissipative * x.extent_rate && energy == released;
+            kernel.dissipated_power(x.deformation, x.deformation_rate, before, force, power, energy);
+            same_kept = same_kept && power == parts.dissipative * x.deformation_rate && energy == released;
             let_go += std::abs(energy);
             before = std::max(force, 0.0);
           }

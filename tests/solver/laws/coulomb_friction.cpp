@@ -17,7 +17,7 @@ struct Drawn {
   Mode mode{CoulombFriction::open};
 
   double slip(double by, double normal) {
-    const auto settled = law.settle(stretch + by, normal);
+    const auto settled = law.return_mapping(stretch + by, normal);
     stretch = settled.stretch;
     dissipated += settled.dissipated;
     mode = settled.mode;
@@ -64,17 +64,17 @@ BOOST_AUTO_TEST_CASE(forgets_when_it_opens_and_books_the_spring) {
 
 BOOST_AUTO_TEST_CASE(begins_with_the_slip_since_the_touch_up_to_the_limit) {
   const CoulombFriction law{0.5, 8.0};
-  BOOST_TEST(law.begin(0.125, 4.0) == 0.125);
-  BOOST_TEST(law.begin(-0.125, 4.0) == -0.125);
-  BOOST_TEST(law.begin(9.0, 4.0) == 0.25);
-  BOOST_TEST(law.begin(-9.0, 4.0) == -0.25);
+  BOOST_TEST(law.initial_stretch(0.125, 4.0) == 0.125);
+  BOOST_TEST(law.initial_stretch(-0.125, 4.0) == -0.125);
+  BOOST_TEST(law.initial_stretch(9.0, 4.0) == 0.25);
+  BOOST_TEST(law.initial_stretch(-9.0, 4.0) == -0.25);
 }
 
 BOOST_AUTO_TEST_CASE(a_pull_has_no_friction) {
   const CoulombFriction law{0.5, 8.0};
-  BOOST_TEST(law.begin(0.125, -4.0) == 0.0);
+  BOOST_TEST(law.initial_stretch(0.125, -4.0) == 0.0);
   BOOST_TEST(law(0.125, -4.0) == 0.0);
-  BOOST_TEST(law.settle(0.125, -4.0).mode == CoulombFriction::open);
+  BOOST_TEST(law.return_mapping(0.125, -4.0).mode == CoulombFriction::open);
 }
 
 BOOST_AUTO_TEST_CASE(guard_is_positive_while_the_mode_lasts) {

@@ -28,12 +28,12 @@ struct DrawnCable {
     for (int i = 0; i < steps; ++i) {
       const double before = law({elongation, step}, memory, mode).dissipative;
       elongation += step;
-      settle({elongation, step});
+      press({elongation, step});
       dissipated += 0.5 * (before + law({elongation, step}, memory, mode).dissipative) * step;
     }
   }
 
-  void settle(Kinematics x) {
+  void press(Kinematics x) {
     law.track(x, memory, mode);
     for (std::size_t pass = 0; pass < ElasticPlastic::modes.size(); ++pass) {
       if (law.guard(x, memory, mode) > 0.0) return;

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "solver/laws/settling.hpp"
+#include "solver/laws/mode_update.hpp"
 #include "tests/solver/laws/cohesive.hpp"
 #include "tests/solver/laws/law_examples.hpp"
 
@@ -30,7 +30,7 @@ void over_all_laws(Test&& test) {
   each(Cohesive{});
 }
 
-/// Memory of the size the law asks for, all zero.
+/// Archive of the size the law asks for, all zero.
 template <class L>
 std::vector<double> memory_of(const L&) {
   return std::vector<double>(L::memory_size);
@@ -47,14 +47,14 @@ SteppedImpact stepped_impact(const L& law, std::vector<double> memory, double ma
   Kinematics x{0.5 * step * speed, speed};
   Mode mode = 0;
   for (double time = 0.5 * step; time < 1e6 * step; time += step) {
-    settle(law, std::span{memory}, x, mode, [](double) {});
+    update_mode(law, std::span{memory}, x, mode, [](double) {});
     if (!L::acts(mode)) {
-      found.contact_time = time - 0.5 * step, found.restitution = -x.extent_rate / speed;
+      found.contact_time = time - 0.5 * step, found.restitution = -x.deformation_rate / speed;
       return found;
     }
-    found.largest_overlap = std::max(found.largest_overlap, x.extent);
-    x.extent_rate -= step * law(x, memory, mode).total() / mass;
-    x.extent += step * x.extent_rate;
+    found.largest_overlap = std::max(found.largest_overlap, x.deformation);
+    x.deformation_rate -= step * law(x, memory, mode).total() / mass;
+    x.deformation += step * x.deformation_rate;
   }
   return found;
 }
@@ -166,8 +166,8 @@ BOOST_AUTO_TEST_CASE(linear_parts_are_the_slopes_of_the_force) {
         for (const auto& [from, to] :
              {std::pair{Kinematics{0.1, 1.0}, Kinematics{0.3, 1.0}}, {Kinematics{0.2, -1.0}, Kinematics{0.2, 3.0}}}) {
           const double change = law(to, memory, mode).total() - law(from, memory, mode).total();
-          const double by_slopes =
-              slopes.stiffness * (to.extent - from.extent) + slopes.damping * (to.extent_rate - from.extent_rate);
+          const double by_slopes = slopes.stiffness * (to.deformation - from.deformation) +
+                                   slopes.damping * (to.deformation_rate - from.deformation_rate);
           BOOST_TEST(std::abs(change - by_slopes) < 1e-14 * (1.0 + std::abs(change)));
           linear += change != 0.0;
         }
@@ -192,9 +192,9 @@ BOOST_AUTO_TEST_CASE(elastic_force_is_the_derivative_of_the_stored_energy) {
       auto memory = memory_of(law);
       Mode mode = 0;
       for (const Kinematics& x : path)
-        settle(law, std::span{memory}, x, mode, [](double) {});
+        update_mode(law, std::span{memory}, x, mode, [](double) {});
       seen[mode] = true;
-      const double s = path.back().extent, d = std::abs(s) * 1e-3;
+      const double s = path.back().deformation, d = std::abs(s) * 1e-3;
       // The difference over four points is exact up to fourth powers, and off by 1e-12 where the energy grows with the
       // power 5/2; the rest is the round-off of energies over the step.
       const auto difference = [&](double by) {
@@ -243,7 +243,7 @@ BOOST_AUTO_TEST_CASE(power_of_two_scaling_is_exact) {
       scaled.*field.member = std::ldexp(law.*field.member, 3 * of.length - 2 * of.mass + of.time);
     }
     const Kinematics x{0.1234567, -0.7654321};
-    const Kinematics y{std::ldexp(x.extent, 3), std::ldexp(x.extent_rate, 2)};
+    const Kinematics y{std::ldexp(x.deformation, 3), std::ldexp(x.deformation_rate, 2)};
     BOOST_TEST(scaled(y, memory, 1).total() == std::ldexp(law(x, memory, 1).total(), -1));
   });
 }
@@ -322,19 +322,19 @@ BOOST_AUTO_TEST_CASE(a_straight_line_is_the_law_as_long_as_it_lasts) {
       for (Mode mode = 0; mode < L::modes.size(); ++mode) {
         for (const double kept : {0.0, 0.3, 1.7}) {
           const std::vector<double> memory(L::memory_size, kept);
-          const LinearPiece piece = law.linear_piece(memory, mode);
+          const LinearBranch piece = law.linear_piece(memory, mode);
           lines += piece.low < piece.high;
           for (int i = -400; i <= 400; ++i) {
             for (const double end : {0.0, piece.low, piece.high}) {
               // Spread over the range, and by single roundings around its ends.
-              const double extent = end == 0.0 ? 0.01 * i : end + i * 0x1p-52 * std::abs(end);
-              if (!(piece.low < extent && extent < piece.high)) continue;
-              const double force = piece.stiffness * (extent - piece.natural);
+              const double deformation = end == 0.0 ? 0.01 * i : end + i * 0x1p-52 * std::abs(end);
+              if (!(piece.low < deformation && deformation < piece.high)) continue;
+              const double force = piece.stiffness * (deformation - piece.natural);
               for (const double rate : {-2.0, 0.0, 2.0}) {
-                const Kinematics x{extent, rate};
+                const Kinematics x{deformation, rate};
                 const LawForce asked = law(x, memory, mode);
                 if (asked.total() != force || asked.dissipative != 0.0 || !(law.guard(x, memory, mode) > 0.0))
-                  BOOST_ERROR(L::name << ", mode " << mode << ": not on its line at " << extent);
+                  BOOST_ERROR(L::name << ", mode " << mode << ": not on its line at " << deformation);
               }
             }
           }

@@ -26,12 +26,12 @@ struct PressedContact {
     for (int i = 0; i < steps; ++i) {
       const double before = force(step);
       overlap += step;
-      settle({overlap, step});
+      press({overlap, step});
       work += 0.5 * (before + force(step)) * step;
     }
   }
 
-  void settle(Kinematics x) {
+  void press(Kinematics x) {
     law.track(x, memory, mode);
     for (std::size_t pass = 0; pass < LatchingSpring::modes.size(); ++pass) {
       if (law.guard(x, memory, mode) > 0.0) return;
@@ -106,9 +106,9 @@ BOOST_AUTO_TEST_CASE(stiffens_with_the_largest_force) {
 BOOST_AUTO_TEST_CASE(turns_round_where_it_stands) {
   PressedContact contact{.law = quarter};
   contact.press(1.0, 80);
-  contact.settle({1.0, 0.0});
+  contact.press({1.0, 0.0});
   BOOST_TEST(contact.mode == LatchingSpring::unloading);
   BOOST_TEST(contact.force(0.0) == 4.0);
-  contact.settle({1.0, 1.0});
+  contact.press({1.0, 1.0});
   BOOST_TEST(contact.mode == LatchingSpring::loading);
 }

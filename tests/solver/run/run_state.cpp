@@ -58,10 +58,10 @@ class Leg {
     BOOST_TEST(run_state_.step == step);
   }
 
-  void remember(Memory& memory) {
-    memory.part("run", [&] { run_state_.remember(memory); });
-    memory.part("recorder", [&] { recorder_.remember(memory); });
-    memory.part("failures", [&] { failures_.remember(memory); });
+  void serialize(Archive& archive) {
+    archive.scope("run", [&] { run_state_.serialize(archive); });
+    archive.scope("recorder", [&] { recorder_.serialize(archive); });
+    archive.scope("failures", [&] { failures_.serialize(archive); });
   }
 
   Left left() {
@@ -119,23 +119,23 @@ void stopped_runs_end_alike(const Scene& scene, const std::vector<std::vector<lo
   const Left wanted = whole.left();
   for (const std::vector<long>& stops : places) {
     BOOST_TEST_CONTEXT("first stop after step " << stops.front() << " of " << steps) {
-      MemoryItems kept;
+      ArchiveItems kept;
       {
         Leg first{scene};
         first.run_to(stops.front());
-        Memory saving;
-        first.remember(saving);
+        Archive saving;
+        first.serialize(saving);
         kept = saving.items();
       }
       for (std::size_t i = 1; i <= stops.size(); ++i) {
         Leg next{scene};
-        Memory putting_back{kept};
-        next.remember(putting_back);
+        Archive putting_back{kept};
+        next.serialize(putting_back);
         BOOST_TEST(putting_back.left_over().empty());
         next.run_to(i < stops.size() ? stops[i] : steps);
         if (i == stops.size()) same_bits(next.left(), wanted);
-        Memory saving;
-        next.remember(saving);
+        Archive saving;
+        next.serialize(saving);
         kept = saving.items();
       }
     }
@@ -234,16 +234,16 @@ BOOST_AUTO_TEST_CASE(what_is_put_back_must_fit) {
   scene.integrator = make_integrator("velocity_verlet");
   Leg first{scene};
   first.run_to(10);
-  Memory saving;
-  first.remember(saving);
+  Archive saving;
+  first.serialize(saving);
   const auto message = [&](const char* item, std::variant<std::vector<double>, std::string> value) {
-    MemoryItems kept = saving.items();
+    ArchiveItems kept = saving.items();
     BOOST_REQUIRE(kept.contains(item));
     kept[item] = std::move(value);
     Leg next{scene};
-    Memory putting_back{kept};
+    Archive putting_back{kept};
     try {
-      next.remember(putting_back);
+      next.serialize(putting_back);
     } catch (const InputError& error) {
       return std::string{error.what()};
     }
@@ -257,11 +257,11 @@ BOOST_AUTO_TEST_CASE(what_is_put_back_must_fit) {
   BOOST_TEST(message("run.state.mode", std::vector{0.0, 0.0, 65536.0}) ==
              "run.state.mode: found 65536; it must be a whole number from 0 to 65535");
   BOOST_TEST(message("recorder.history.rows", std::vector{1.0}).starts_with("rows: found 1 numbers; it must be whole"));
-  MemoryItems kept = saving.items();
+  ArchiveItems kept = saving.items();
   kept.erase("run.start");
   Leg next{scene};
-  Memory putting_back{kept};
-  BOOST_CHECK_EXCEPTION(next.remember(putting_back), InputError, [](const InputError& error) {
+  Archive putting_back{kept};
+  BOOST_CHECK_EXCEPTION(next.serialize(putting_back), InputError, [](const InputError& error) {
     return std::string{error.what()} == "run.start: it is missing; it must be a list of numbers";
   });
 }

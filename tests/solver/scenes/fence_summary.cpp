@@ -264,16 +264,16 @@ BOOST_AUTO_TEST_CASE(a_watch_goes_on) {
   const std::size_t half = seen.size() / 2;
   for (std::size_t i = 0; i < half; ++i)
     first.watch(Snapshot{first.dynamics, seen[i]}, {static_cast<long>(i), 0, false, false, false, &seen[i]});
-  Memory saving;
-  first.watch.remember(saving);
-  Memory putting_back{saving.items()};
-  second.watch.remember(putting_back);
+  Archive saving;
+  first.watch.serialize(saving);
+  Archive putting_back{saving.items()};
+  second.watch.serialize(putting_back);
   BOOST_TEST(putting_back.left_over().empty());
   for (std::size_t i = half; i < seen.size(); ++i)
     second.watch(Snapshot{second.dynamics, seen[i]}, {static_cast<long>(i), 0, false, false, false, &seen[i]});
-  Memory one, other;
-  whole.watch.remember(one);
-  second.watch.remember(other);
+  Archive one, other;
+  whole.watch.serialize(one);
+  second.watch.serialize(other);
   for (const auto& [name, value] : one.items()) {
     if (!name.starts_with("history.")) BOOST_TEST((other.items().at(name) == value), name);
   }

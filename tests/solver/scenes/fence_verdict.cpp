@@ -148,18 +148,18 @@ BOOST_AUTO_TEST_CASE(the_worst_of_several_rocks_counts) {
 BOOST_AUTO_TEST_CASE(a_verdict_is_put_back) {
   Story one{far_rock()};
   one.then({-2.0, 9.0}, -20.0);
-  Memory saving;
-  one.watch.remember(saving);
+  Archive saving;
+  one.watch.serialize(saving);
   Watched other{far_rock()};
-  Memory putting_back{saving.items()};
-  other.watch.remember(putting_back);
+  Archive putting_back{saving.items()};
+  other.watch.serialize(putting_back);
   other.show(one.at({-3.0, 1.0}, -20.0), 9.0);
   BOOST_TEST((other.summary().verdict() == Verdict::passed_over));
   BOOST_TEST(other.summary().rocks.front().passed_time == 1.0);
-  MemoryItems wrong = saving.items();
+  ArchiveItems wrong = saving.items();
   wrong.at("rock_0.verdict") = std::vector{7.0};
-  Memory refused{wrong};
-  BOOST_CHECK_THROW(other.watch.remember(refused), std::exception);
+  Archive refused{wrong};
+  BOOST_CHECK_THROW(other.watch.serialize(refused), std::exception);
 }
 
 BOOST_AUTO_TEST_CASE(geometry_that_is_unlikely_to_be_meant) {

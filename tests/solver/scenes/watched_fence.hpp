@@ -60,7 +60,7 @@ struct Watched {
   FenceScene made;
   Dynamics dynamics;
   RigidBodySystem system;
-  FenceWatch watch;
+  FenceMonitor watch;
   State state;
   std::function<void(const State&)> also{[](const State&) {}};
   long shown{0};

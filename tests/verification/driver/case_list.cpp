@@ -6,7 +6,7 @@
 #include <boost/test/unit_test.hpp>
 #include <set>
 
-#include "verification/driver/flaw.hpp"
+#include "verification/driver/case_error.hpp"
 
 using namespace talus::verification;
 
@@ -47,7 +47,7 @@ std::set<std::string> cited_works() {
 BOOST_AUTO_TEST_CASE(all_cases_are_well_formed) {
   BOOST_TEST(!cases().empty());
   for (const Case& c : cases())
-    BOOST_TEST(flaw_of(c, cases(), catalogue()) == "", c.id);
+    BOOST_TEST(case_error(c, cases(), catalogue()) == "", c.id);
 }
 
 BOOST_AUTO_TEST_CASE(each_erratum_is_proved_by_a_case) {

@@ -89,9 +89,8 @@ BOOST_AUTO_TEST_CASE(errors_name_file_path_what_was_found_and_what_is_allowed) {
   BOOST_TEST(refused("{}", [&](const Node& node) { text(node.at("y")); }) == "a.json: all.x.y: is missing");
   BOOST_TEST(refused("3", [](const Node& node) { (void)node.has("y"); }) ==
              "a.json: all.x: must be an object, found 3");
-  BOOST_TEST(refused("3", [](const Node& node) { node.complain("is odd"); }) == "a.json: all.x: is odd");
-  BOOST_TEST(refused("3", [](const Node& node) { node.complain_of("y[1]", "is odd"); }) ==
-             "a.json: all.x.y[1]: is odd");
+  BOOST_TEST(refused("3", [](const Node& node) { node.fail("is odd"); }) == "a.json: all.x: is odd");
+  BOOST_TEST(refused("3", [](const Node& node) { node.fail_at("y[1]", "is odd"); }) == "a.json: all.x.y[1]: is odd");
   const std::string long_text = "\"" + std::string(200, 'a') + "\"";
   BOOST_TEST(refused(long_text, flag) ==
              "a.json: all.x: must be true or false, found \"" + std::string(56, 'a') + "...");

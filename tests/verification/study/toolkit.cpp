@@ -65,10 +65,10 @@ BOOST_AUTO_TEST_CASE(the_worst_keeps_its_sign_and_a_nan_stays) {
   BOOST_TEST(std::isnan(worst));
   BOOST_TEST(worst_error({1.0, 2.5, 3.0}, {1.0, 2.0, 3.25}) == 0.5);
   BOOST_CHECK_THROW((void)worst_error({1.0}, {1.0, 2.0}), std::out_of_range);
-  BOOST_TEST(farther_from_one(1.1, 0.8) == 0.8);
-  BOOST_TEST(farther_from_one(0.8, 1.1) == 0.8);
-  BOOST_TEST(std::isnan(farther_from_one(1.1, not_a_number)));
-  BOOST_TEST(std::isnan(farther_from_one(not_a_number, 1.1)));
+  BOOST_TEST(worst_ratio(1.1, 0.8) == 0.8);
+  BOOST_TEST(worst_ratio(0.8, 1.1) == 0.8);
+  BOOST_TEST(std::isnan(worst_ratio(1.1, not_a_number)));
+  BOOST_TEST(std::isnan(worst_ratio(not_a_number, 1.1)));
 }
 
 BOOST_AUTO_TEST_CASE(each_component_is_compared_by_one_check) {

@@ -37,12 +37,12 @@ struct LaidChain {
   double lost{};                 ///< energy recorded as lost by breaking cables [J]
 };
 
-Body hung(const char* name, double x, int copies = 1) {
-  return {.name = name, .mobility = Mobility::particle, .mass = 1.0, .p_WB = {x, -1.0}, .copies = copies};
+Body hung(const char* name, double x, int multiplicity = 1) {
+  return {.name = name, .mobility = Mobility::particle, .mass = 1.0, .p_WB = {x, -1.0}, .multiplicity = multiplicity};
 }
 
 LaidChain laid(const std::vector<ChainPoint>& points, const std::vector<ChainCable>& cables, const Listing& listing,
-               int copies = 1) {
+               int multiplicity = 1) {
   ModelBuilder builder;
   std::vector<CableEnd> ends;
   for (const ChainPoint& point : points)
@@ -54,7 +54,7 @@ LaidChain laid(const std::vector<ChainPoint>& points, const std::vector<ChainCab
                       .b = ends[c + 1 - turned(c)],
                       .rest_length = cables[c].rest,
                       .law = cables[c].law,
-                      .copies = copies});
+                      .multiplicity = multiplicity});
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i].body) builder.add(Hanger{"at " + points[i].body->name, *ends[i].body, points[i].p, 1.0});
   const Model model = builder.build();
@@ -64,7 +64,7 @@ LaidChain laid(const std::vector<ChainPoint>& points, const std::vector<ChainCab
               Mode{1});
   Workspace work = dynamics.workspace();
   dynamics.update(state, work);
-  dynamics.settle(state, work);
+  dynamics.update_modes(state, work);
   const Snapshot seen{dynamics, state};
   LaidChain found;
   found.places.resize(points.size());

@@ -303,7 +303,7 @@ void check_verlet(Findings& findings, const Setup& setup) {
     const double e = std::sqrt(ratio);
     keep_worst(rms, e * s.found.rms()), keep_worst(largest, e * s.found.max());
     keep_worst(predicted_rms, e * s.predicted.rms()), keep_worst(predicted, e * s.predicted.max());
-    over = farther_from_one(over, s.found.rms() / s.predicted.rms());
+    over = worst_ratio(over, s.found.rms() / s.predicted.rms());
   }
   findings.expect("restitution by Verlet at 60 steps in a contact, rms error, largest of three ratios", rms, 0.0,
                   Tolerance::truncation(predicted_rms, 3e-4 / predicted_rms,

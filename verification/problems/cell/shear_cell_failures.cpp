@@ -22,13 +22,13 @@ enum class Wrong { flag_cleared, d0_forgotten };
 template <Wrong wrong>
 struct WrongLatch : LatchingSpring {
   constexpr double guard(Kinematics x, std::span<const double> memory, Mode mode) const {
-    if (mode == slack && wrong == Wrong::flag_cleared) return x.extent;
+    if (mode == slack && wrong == Wrong::flag_cleared) return x.deformation;
     if (mode == slack && wrong == Wrong::d0_forgotten) return -1.0;
     return LatchingSpring::guard(x, memory, mode);
   }
   constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
-    if (mode == slack && wrong == Wrong::d0_forgotten && x.extent > 0.0) {
-      memory[0] = x.extent;
+    if (mode == slack && wrong == Wrong::d0_forgotten && x.deformation > 0.0) {
+      memory[0] = x.deformation;
       return {loading, 0.0};
     }
     return LatchingSpring::reset(x, memory, mode);

@@ -154,10 +154,10 @@ void expect_mirror(Findings& findings, const Setup& setup) {
 
 /// A second run continues from what the first remembers; both go to their ends.
 void resume(CellRun& whole, CellRun& rest) {
-  Memory saved;
-  whole.remember(saved);
-  Memory putting_back{saved.items()};
-  rest.remember(putting_back);
+  Archive saved;
+  whole.serialize(saved);
+  Archive putting_back{saved.items()};
+  rest.serialize(putting_back);
   run_to_end(whole), run_to_end(rest);
 }
 

@@ -77,7 +77,7 @@ HalfAndFull half_from_full(const Setup& setup) {
   std::size_t longest = 0;
   const Dynamics of_half{half.made.scene.model}, of_full{full.made.scene.model};
   const Snapshot at_half{of_half, half.end}, at_full{of_full, full.end};
-  for (const Chain& chain : at_half.geometry().rigging.chains)
+  for (const Chain& chain : at_half.geometry().topology.chains)
     longest = std::max(longest, chain.cables.size());
   Workspace fresh = of_half.workspace();
   of_half.update_all(half.end, fresh);

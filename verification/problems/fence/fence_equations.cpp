@@ -32,7 +32,7 @@ struct Resultants {
     Workspace work = dynamics.workspace();
     Rates rates{state};
     dynamics.update(state, work);
-    dynamics.settle(state, work);
+    dynamics.update_modes(state, work);
     dynamics.rates(state, work, rates, false);
     const auto acceleration = [&](BodyId body, std::size_t axis) {
       return rates.v[dynamics.layout().first[index(body)] + axis];
@@ -172,7 +172,7 @@ void check_initial_tension(Findings& findings, const Setup& setup) {
   State state = rest_state(model);
   Workspace work = dynamics.workspace();
   dynamics.update(state, work);
-  dynamics.settle(state, work);
+  dynamics.update_modes(state, work);
   LawForces forces;
   dynamics.forces(state, work, forces);
   // Section 2.4 by hand: half the central column's weight at a slope W/(2 H).

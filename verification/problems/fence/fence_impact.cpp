@@ -49,16 +49,16 @@ class WatchedFence {
   }
 
   void drift(State& state, double h) const { drift_coordinates(state, h); }
-  void settle(State& state) {
+  void update_modes(State& state) {
     dynamics_.update(state, work_);
-    dynamics_.settle(state, work_);
+    dynamics_.update_modes(state, work_);
   }
   void derivative(const State& state, Rates& out) {
     dynamics_.update(state, work_);
     dynamics_.rates(state, work_, out, false);
   }
   void evaluate(State& state, Rates& out) {
-    settle(state);
+    update_modes(state);
     dynamics_.rates(state, work_, out, false);
     watch(state);
     ++run_.evaluations;
@@ -136,7 +136,7 @@ FenceRun run_fence(const scenes::Fence& fence, long every) {
   WatchedFence system{made, step, every};
   State state = made.scene.initial;
   auto& method = std::get<LaggedCentralDifference>(made.scene.integrator);
-  system.settle(state);
+  system.update_modes(state);
   method.start(system, state, step);
   for (long n = 0; n < fence.steps; ++n) {
     state.t = static_cast<double>(n) * step;

@@ -104,7 +104,7 @@ Pulls pulls_of(const Model& model) {
     for (const auto& [end, sign] : {std::pair{&cable.a, 1.0}, {&cable.b, -1.0}}) {
       if (!end->body) continue;
       const std::size_t body = index(*end->body);
-      const double share = static_cast<double>(cable.copies) / model.bodies[body].copies;
+      const double share = static_cast<double>(cable.multiplicity) / model.bodies[body].multiplicity;
       const double pull = sign * share * segment.tension / segment.length;
       pulls.up[body] += pull * segment.line.y, pulls.along[body] += pull * segment.line.z;
     }
@@ -127,8 +127,8 @@ void check_hanging(Findings& findings, const Setup& setup) {
       if (!is_column(body)) continue;
       const bool other = is_unlike(fence, body);
       const double a = other ? unlike.a : fence.column.a, b = other ? unlike.b : fence.column.b;
-      masses += static_cast<double>(body.copies) * body.mass / (other ? mass_of_unlike() : usual);
-      inertias += static_cast<double>(body.copies) * body.inertia /
+      masses += static_cast<double>(body.multiplicity) * body.mass / (other ? mass_of_unlike() : usual);
+      inertias += static_cast<double>(body.multiplicity) * body.inertia /
                   ((other ? mass_of_unlike() : usual) * inertia_of_mass(a, b));
       keep_worst(off_plane,
                  fence.column.position.x - (body.name.starts_with("back") ? fence.layer_spacing : 0.0) - body.p_WB.x);
@@ -238,7 +238,7 @@ void check_linearization(Findings& findings) {
     const Dynamics dynamics{model};
     Workspace work = dynamics.workspace();
     State state = rest_state(model);
-    dynamics.update(state, work), dynamics.settle(state, work);
+    dynamics.update(state, work), dynamics.update_modes(state, work);
     AffinePiece piece;
     dynamics.linearization(state, work, piece);
     for (std::size_t i = 0; i < model.bodies.size(); ++i) {
@@ -283,7 +283,7 @@ void check_numbers(Findings& findings, const Setup& setup) {
     for (const Body& body : model.bodies) {
       if (!is_column(body)) continue;
       const Contact& contact = model.contacts[index(*find_contact(model, body.name + "-ground"))];
-      keep_worst(ground, contact.copies - body.copies);
+      keep_worst(ground, contact.multiplicity - body.multiplicity);
       keep_worst(ground, std::get<LinearSpringDashpot>(contact.law).stiffness /
                                  (2.0 * body.mass * speed * speed / (overlap * overlap)) -
                              1.0);
@@ -328,7 +328,7 @@ void check_hangers(Findings& findings) {
     for (std::size_t i = 0; i < made.scene.model.hangers.size(); ++i)
       made.scene.model.hangers[i].strength = 1e5 * static_cast<double>(i + 1);
     const Dynamics dynamics{made.scene.model};
-    const scenes::FenceWatch watch{fence, made, dynamics};
+    const scenes::FenceMonitor watch{fence, made, dynamics};
     double listed = 0.0;
     for (const scenes::ColumnRecord& column : watch.summary().columns)
       for (const Hanger& hanger : made.scene.model.hangers)

@@ -82,10 +82,10 @@ void WatchedSummary::operator()(const Snapshot& seen, const StepInfo& info) {
   }
   if (!saved_.empty()) return resumed_(seen, info);
   if (seen.state().t < stop_) return;
-  Memory saving;
-  watch_.remember(saving), saved_ = saving.items();
-  Memory loading{saved_};
-  resumed_.remember(loading);
+  Archive saving;
+  watch_.serialize(saving), saved_ = saving.items();
+  Archive loading{saved_};
+  resumed_.serialize(loading);
   at_resume_ = differences(Numbers{summary()}.all, Numbers{resumed()}.all);
 }
 
@@ -95,7 +95,7 @@ double WatchedSummary::largest_hanger(const Snapshot& seen) const {
   const Workspace& pulled = seen.pulls();
   double largest = 0.0;
   for (std::size_t j = 0; j < joints.size(); ++j) {
-    const bool broken = !pulled.rigging.broken.empty() && pulled.rigging.broken[j];
+    const bool broken = !pulled.topology.broken.empty() && pulled.topology.broken[j];
     if (joints[j].on_body && joints[j].p.y > 0.0 && !broken) largest = std::max(largest, norm(pulled.joints.force(j)));
   }
   return largest;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 #include "solver/scenes/fence_summary.hpp"
 
 /// A fence's summary beside what it should say, for the case `second_rock`.
@@ -32,9 +32,9 @@ class WatchedSummary {
 
   const scenes::Fence* fence_;
   const Model* model_;
-  scenes::FenceWatch watch_, resumed_;
+  scenes::FenceMonitor watch_, resumed_;
   double stop_{}, tension_error_{}, hanger_error_{}, at_resume_{}, rock_height_{}, rock_distance_{};
-  MemoryItems saved_;
+  ArchiveItems saved_;
   scenes::LayerRecord heights_;
   bool begun_{false};
 };

@@ -74,7 +74,7 @@ void check_errors(const PhaseErrors& errors, const PivotedRun& run, double n, do
   findings.in("rms_errors")
       ->expect(fmt::format("rms errors of V1 and overlap over the predicted, farther one, {:g} steps per contact, {}",
                            n, name),
-               farther_from_one(rock, overlap), 1.0, near);
+               worst_ratio(rock, overlap), 1.0, near);
 }
 
 /// Errors of the impact at fixed stiffness by velocity Verlet against the soft reference, over the phases of the touch:

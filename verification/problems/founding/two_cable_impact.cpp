@@ -15,11 +15,11 @@ namespace {
 const reference::TwoCable problem{};
 
 /// Follows the particle: when the contact has ended, and how far Eq. 27 holds from there on.
-class ParticleWatch {
+class ParticleMonitor {
  public:
-  explicit ParticleWatch(const Model& model) : probe_{model} {}
+  explicit ParticleMonitor(const Model& model) : probe_{model} {}
 
-  void look(const State& state) {
+  void check(const State& state) {
     probe_.evaluate(state);
     const bool acts = state.mode[0] == UnilateralSpring::acting && probe_.overlap(0) >= 0.0;
     touched_ = touched_ || acts;
@@ -82,11 +82,11 @@ TwoCableRun simulated(Scene scene, double gap, double step, bool to_the_turn, Fi
   scene.initial.q[2] -= gap;
   RunLedger ledger{scene.model, scene.initial};
   TurningPointFinder finder{0};
-  ParticleWatch watch{scene.model};
+  ParticleMonitor watch{scene.model};
   TwoCableRun run;
   const Watcher watcher = [&](const State& state, const StepInfo& info) {
     finder(state, info);
-    watch.look(state);
+    watch.check(state);
     if (!to_the_turn) return;
     const Accounts accounts = ledger(state);
     run.energy_closure = accounts.energy_closure;

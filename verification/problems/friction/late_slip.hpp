@@ -23,8 +23,8 @@ class LateSlipSystem {
   }
   void kick(State& state, double h) { system_.kick(state, h); }
   void begin(State& state) { system_.begin(state); }
-  void settle(State& state) { system_.settle(state); }
-  void settle(State& state, const State& before) { system_.settle(state, before); }
+  void update_modes(State& state) { system_.update_modes(state); }
+  void update_modes(State& state, const State& before) { system_.update_modes(state, before); }
   void derivative(const State& state, Rates& out) { system_.derivative(state, out); }
   void evaluate(State& state, Rates& out) { system_.evaluate(state, out); }
   long evaluations() const { return system_.evaluations(); }

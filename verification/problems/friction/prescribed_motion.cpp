@@ -39,7 +39,7 @@ class ForcedSystem {
     kick_velocities(state, rates_, h);
   }
   void begin(State& state) { system_.begin(state); }
-  void settle(State& state) { system_.settle(state); }
+  void update_modes(State& state) { system_.update_modes(state); }
   void derivative(const State& state, Rates& out) {
     system_.derivative(state, out);
     add(state, out);

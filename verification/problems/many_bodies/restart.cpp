@@ -46,8 +46,8 @@ std::string rounded_digits(const std::string& text) {
 /// Saves the run to a file, and puts it back from there into one that has not begun.
 RunState through_file(RunState& run_state, const Scene& scene, const Integrator& method, const Setup& setup) {
   namespace fs = std::filesystem;
-  Memory saving;
-  run_state.remember(saving);
+  Archive saving;
+  run_state.serialize(saving);
   const Checkpoint kept{.scene_file = "scene",
                         .scene_fnv1a = fnv1a("scene"),
                         .integrator = std::string{name(method)},
@@ -67,8 +67,8 @@ RunState through_file(RunState& run_state, const Scene& scene, const Integrator&
   const Checkpoint read = read_checkpoint(file, "case");
   fs::remove(file);
   RunState other = initial_run_state(method, scene.initial);
-  Memory restoring{read.memory};
-  other.remember(restoring);
+  Archive restoring{read.memory};
+  other.serialize(restoring);
   if (setup.has("stretch_forgotten")) std::fill(other.state.z.begin(), other.state.z.end(), 0.0);
   return other;
 }

@@ -35,11 +35,11 @@ Scene scene_of(Mobility mobility, Bodies bodies, const Setup& setup) {
                                        .angle = 0.2,
                                        .force = {-0.4, 0.3},
                                        .moment = 0.15});
-  const int copies = bodies == Bodies::half ? 2 : 1;
+  const int multiplicity = bodies == Bodies::half ? 2 : 1;
   std::vector<BodyId> blocks;
   for (const char* const name : {"block", "other"}) {
     Body block{.name = name, .mobility = mobility, .mass = 1.7, .inertia = 0.45, .shape = Rectangle{0.7, 0.35}};
-    block.p_WB = {0.5, 0.6}, block.angle = 0.35, block.p_BPin = {0.3, -0.2}, block.copies = copies;
+    block.p_WB = {0.5, 0.6}, block.angle = 0.35, block.p_BPin = {0.3, -0.2}, block.multiplicity = multiplicity;
     if (mobility != Mobility::fixed) block.force = {0.6, 0.9};
     if (turns(mobility)) block.moment = -0.25;
     blocks.push_back(builder.add(block));
@@ -48,7 +48,7 @@ Scene scene_of(Mobility mobility, Bodies bodies, const Setup& setup) {
                   .a = disc,
                   .b = blocks.back(),
                   .law = LinearSpringDashpot{400.0, 6.0, EndRule::clamped},
-                  .copies = copies};
+                  .multiplicity = multiplicity};
     touch.friction = CoulombFriction{0.3, 250.0, 2.0};
     builder.add(std::move(touch));
     builder.add(Cable{.name = stem + "_tie",
@@ -56,14 +56,14 @@ Scene scene_of(Mobility mobility, Bodies bodies, const Setup& setup) {
                       .b = {blocks.back(), {-0.5, 0.2}},
                       .rest_length = 1.2,
                       .law = ElasticPlastic{.stiffness = 20.0, .yield = 3.0, .hardening = 4.0},
-                      .copies = copies});
+                      .multiplicity = multiplicity});
     if (mobility != Mobility::fixed) {
       builder.add(Cable{.name = stem + "_stay",
                         .a = {{}, {-1.4, 2.1}},
                         .b = {blocks.back(), {-0.6, -0.3}},
                         .rest_length = 1.1,
                         .law = TensionOnly{8.0, 0.7},
-                        .copies = copies});
+                        .multiplicity = multiplicity});
     }
     if (bodies == Bodies::half) break;
   }
@@ -92,13 +92,13 @@ Sums sums_of(const Model& model, const State& state) {
     if (body.mobility == Mobility::fixed) continue;
     const auto id = static_cast<BodyId>(i);
     const Pose now = pose(model, state, id);
-    const double copies = body.copies, spin = turns(body.mobility) ? body.inertia * now.w_WB : 0.0;
-    sums.kinetic += 0.5 * copies * (body.mass * dot(now.v_WB, now.v_WB) + spin * now.w_WB);
-    sums.gravity -= copies * body.mass * dot(model.gravity, now.p_WB);
+    const double multiplicity = body.multiplicity, spin = turns(body.mobility) ? body.inertia * now.w_WB : 0.0;
+    sums.kinetic += 0.5 * multiplicity * (body.mass * dot(now.v_WB, now.v_WB) + spin * now.w_WB);
+    sums.gravity -= multiplicity * body.mass * dot(model.gravity, now.p_WB);
     sums.applied -=
-        copies * (dot(body.force, now.p_WB - body.p_WB) + body.moment * (angle(model, state, id) - body.angle));
-    sums.momentum += copies * body.mass * now.v_WB;
-    sums.angular += copies * (body.mass * cross(now.p_WB, now.v_WB) + spin);
+        multiplicity * (dot(body.force, now.p_WB - body.p_WB) + body.moment * (angle(model, state, id) - body.angle));
+    sums.momentum += multiplicity * body.mass * now.v_WB;
+    sums.angular += multiplicity * (body.mass * cross(now.p_WB, now.v_WB) + spin);
   }
   return sums;
 }
@@ -249,11 +249,11 @@ void check_mirrored_impact(Findings& findings, const Setup& setup) {
   builder.gravity(gravity);
   Body disc{.name = "disc", .mobility = Mobility::sliding_x, .mass = m, .shape = Circle{0.5}, .p_WB = {-1.25, 0.0}};
   const BodyId striker = builder.add(disc);
-  disc.name = "pair", disc.mass = each, disc.p_WB = {}, disc.copies = 2;
+  disc.name = "pair", disc.mass = each, disc.p_WB = {}, disc.multiplicity = 2;
   const BodyId pair = builder.add(disc);
   LinearSpringDashpot law{300.0, 0.0, EndRule::clamped};
   law.set_every_restitution(setup.has("other_restitution") ? 0.999 * e : e);
-  builder.add(Contact{.name = "touch", .a = striker, .b = pair, .law = law, .copies = 2});
+  builder.add(Contact{.name = "touch", .a = striker, .b = pair, .law = law, .multiplicity = 2});
   Scene scene{.title = "Impact on a mirrored disc", .model = builder.build()};
   scene.initial = rest_state(scene.model);
   set_velocity(scene.model, scene.initial, striker, {speed, 0.0}, 0.0);

@@ -38,7 +38,7 @@ class SwingingBody {
     evaluate(state, rates_);
     kick_velocities(state, rates_, h);
   }
-  void settle(StateOf<Scalar>&) {}
+  void update_modes(StateOf<Scalar>&) {}
   void derivative(const StateOf<Scalar>& state, RatesOf<Scalar>& out) {
     ++evaluations_;
     const Scalar acceleration = -state.q[0] - damping_ * state.v[0];

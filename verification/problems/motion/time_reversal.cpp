@@ -64,7 +64,7 @@ std::vector<Reversible> reversible_scenes() {
 }
 
 /// Goes on from a state for `steps` steps; what is not finite is what a diverged run ends with.
-State go_on(const Scene& scene, State state, const Integrator& method, double step, long steps, Findings& findings) {
+State proceed(const Scene& scene, State state, const Integrator& method, double step, long steps, Findings& findings) {
   Scene from = scene;
   from.initial = std::move(state);
   from.initial.t = 0.0;
@@ -85,8 +85,8 @@ struct Return {
 Return there_and_back(const Reversible& one, const Integrator& method, double step, long steps, bool explain,
                       Findings& findings) {
   const State start = one.scene.initial;
-  const State there = go_on(one.scene, start, method, step, steps, findings);
-  const State back = turned(go_on(one.scene, turned(there), method, step, steps, findings));
+  const State there = proceed(one.scene, start, method, step, steps, findings);
+  const State back = turned(proceed(one.scene, turned(there), method, step, steps, findings));
   const Difference missed = difference(start, back);
   Return found{std::max(missed.place, missed.velocity), 0.0, 1.0};
   if (!explain) return found;
@@ -102,7 +102,7 @@ Return there_and_back(const Reversible& one, const Integrator& method, double st
     State other = turned(there);
     for (std::size_t k = 0; k < other.q.size(); ++k)
       other.q[k] += any(random), other.v[k] += any(random);
-    const Difference grown = difference(back, turned(go_on(one.scene, other, method, step, steps, findings)));
+    const Difference grown = difference(back, turned(proceed(one.scene, other, method, step, steps, findings)));
     found.growth = std::max({found.growth, grown.place / change, grown.velocity / change});
   }
   found.rounding = std::sqrt(2.0 * static_cast<double>(steps)) * 0x1p-53 * largest * found.growth;

@@ -219,7 +219,7 @@ void check_heights(Findings& findings, const Setup& setup) {
     for (int n = 1; n <= (fall.xi == 0.0 ? count : setup.coarse ? compared : count); ++n) {
       const auto at = static_cast<std::size_t>(n - 1);
       const double predicted = predicted_rms(fall, n, production_steps, errors);
-      if (fall.xi == 0.0 || n <= compared) worst = farther_from_one(worst, errors.found[at].rms() / predicted);
+      if (fall.xi == 0.0 || n <= compared) worst = worst_ratio(worst, errors.found[at].rms() / predicted);
       if (n == 1 || n == count)
         table.rows.push_back({name_of(fall), fmt::format("{}", n), fmt::format("{:.6f}", exact[at].apex_gap),
                               fmt::format("{:.6f}", fall_height * std::pow(e, 2 * n)),

@@ -91,14 +91,14 @@ struct SignedDiscs {
     return state;
   }
   void drift(State& state, double h) const { drift_coordinates(state, h); }
-  void settle(State& state) const {
+  void update_modes(State& state) const {
     State turned = seen(state);
-    system->settle(turned);
+    system->update_modes(turned);
     state.mode = turned.mode;
   }
   void derivative(const State& state, Rates& rates) const { system->derivative(seen(state), rates); }
   void evaluate(State& state, Rates& rates) const {
-    settle(state);
+    update_modes(state);
     derivative(state, rates);
   }
 };

@@ -160,7 +160,7 @@ void check_damped(Findings& findings, const Setup& setup) {
       const Ball b = ball(xi, rule, setup);
       const Comparison c = compare(b, production_steps, findings);
       const double found = c.found.restitution.rms(), predicted = c.predicted.restitution.rms();
-      worst = farther_from_one(worst, found / predicted);
+      worst = worst_ratio(worst, found / predicted);
       table.rows.push_back({word, fmt::format("{:g}", xi), fmt::format("{:.4f}", b.exact.restitution),
                             fmt::format("{:.2e}", found), fmt::format("{:.2e}", predicted)});
     }

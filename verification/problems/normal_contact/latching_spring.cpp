@@ -158,11 +158,11 @@ void check_targets(Findings& findings, const Setup& setup) {
       return found.rms() / predicted.rms();
     };
     const ImpactErrors &f = c.found, &p = c.predicted;
-    ratio = {farther_from_one(ratio.restitution, over(f.restitution, p.restitution)),
-             farther_from_one(ratio.contact_time, over(f.contact_time, p.contact_time)),
-             farther_from_one(ratio.largest, over(f.largest, p.largest)),
-             farther_from_one(ratio.residual, over(f.residual, p.residual)),
-             farther_from_one(ratio.closure, over(f.closure, p.closure))};
+    ratio = {worst_ratio(ratio.restitution, over(f.restitution, p.restitution)),
+             worst_ratio(ratio.contact_time, over(f.contact_time, p.contact_time)),
+             worst_ratio(ratio.largest, over(f.largest, p.largest)),
+             worst_ratio(ratio.residual, over(f.residual, p.residual)),
+             worst_ratio(ratio.closure, over(f.closure, p.closure))};
     table.rows.push_back({fmt::format("{:.2f}", e * e), fmt::format("{:g}", e), number(f.restitution.rms()),
                           number(p.restitution.rms()), number(f.contact_time.rms()), number(p.contact_time.rms()),
                           number(f.largest.rms()), number(p.largest.rms()), number(f.closure.rms()),
@@ -208,7 +208,7 @@ void check_growth(Findings& findings, const Setup& setup) {
   for (const double speed : {0.0625, 0.25, 1.0, 4.0, 16.0}) {
     const Latch l = growing_latch(speed, setup);
     const Comparison c = compare(l, production_steps, findings, setup);
-    worst = farther_from_one(worst, c.found.restitution.rms() / c.predicted.restitution.rms());
+    worst = worst_ratio(worst, c.found.restitution.rms() / c.predicted.restitution.rms());
     points.add(speed, l.exact.restitution * (1.0 + c.found.mean_restitution));
   }
   for (double speed = 0.04; speed < 25.0; speed *= 1.2) {

@@ -116,7 +116,7 @@ void check_restitution_orders(Findings& findings, const Setup& setup) {
 /// Errors over predicted ones; of several the one farthest from 1 stays.
 struct Ratio {
   double farthest{1.0};
-  void add(double measured, double predicted) { farthest = farther_from_one(farthest, measured / predicted); }
+  void add(double measured, double predicted) { farthest = worst_ratio(farthest, measured / predicted); }
 };
 
 /// Check of e, ratios of the others and table row of one target.

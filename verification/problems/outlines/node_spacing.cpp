@@ -49,7 +49,7 @@ Rolled roll(int nodes, double overlap, ContactMethod method, const Setup& setup)
     State state = rest_state(model);
     state.q = {-radius * angle, radius - overlap, angle};
     dynamics.update_all(state, work);
-    dynamics.settle(state, work);
+    dynamics.update_modes(state, work);
     const double depth = dynamics.contact_depth(work, ContactId{0});
     rolled.deepest = std::max(rolled.deepest, depth);
     rolled.shallowest = std::min(rolled.shallowest, depth);

@@ -199,9 +199,9 @@ void check_scenes(Findings& findings, const Setup& setup) {
     Workspace searched = dynamics.workspace(), whole = dynamics.workspace();
     State a = rest_state(model), b = a;
     dynamics.update(a, searched);
-    dynamics.settle(a, searched);
+    dynamics.update_modes(a, searched);
     dynamics.update_all(b, whole);
-    dynamics.settle(b, whole);
+    dynamics.update_modes(b, whole);
     Rates of_a{a}, of_b{b};
     dynamics.rates(a, searched, of_a);
     dynamics.rates(b, whole, of_b);

@@ -25,7 +25,7 @@
 #include "solver/scenes/pendulum.hpp"
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "solver/scenes/two_cable.hpp"
-#include "solver/stability/watch.hpp"
+#include "solver/stability/run_monitor.hpp"
 #include "verification/study/fingerprint.hpp"
 #include "verification/study/lively_scenes.hpp"
 #include "verification/study/scene_run.hpp"
@@ -37,28 +37,28 @@ namespace {
 using Take = std::function<void(const RunResult&)>;
 
 template <class Object, class... More>
-MemoryItems saved(Object& object, More&... more) {
-  Memory saving;
-  if constexpr (requires { object.remember(saving, more...); }) {
-    object.remember(saving, more...);
+ArchiveItems saved(Object& object, More&... more) {
+  Archive saving;
+  if constexpr (requires { object.serialize(saving, more...); }) {
+    object.serialize(saving, more...);
   } else {
-    remember(saving, object);
+    serialize(saving, object);
   }
   return saving.items();
 }
 
 /// 1 if an object differs from what was saved of another, once that is put back into it.
 template <class Object, class... More>
-int differs_restored(const MemoryItems& items, Object& object, More&... more) {
-  Memory loading{items};
-  object.remember(loading, more...);
+int differs_restored(const ArchiveItems& items, Object& object, More&... more) {
+  Archive loading{items};
+  object.serialize(loading, more...);
   return fingerprint(items) == fingerprint(saved(object, more...)) && loading.left_over().empty() ? 0 : 1;
 }
 
 // --- Bodies -------------------------------------------------------------------------------------
 
 /// The springs and dashpots that act in a state, and how long a step may be there.
-MemoryItems linear_parts(const Dynamics& dynamics, const State& state) {
+ArchiveItems linear_parts(const Dynamics& dynamics, const State& state) {
   const Snapshot seen{dynamics, state};
   AffinePiece piece;
   dynamics.linearization(state, seen.geometry(), piece);
@@ -76,7 +76,7 @@ MemoryItems linear_parts(const Dynamics& dynamics, const State& state) {
 }
 
 /// The same run with nobody to see it, its balances off.
-MemoryItems unseen(const Scene& scene, Findings& findings) {
+ArchiveItems unseen(const Scene& scene, Findings& findings) {
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics, false};
   RunState run_state = initial_run_state(scene.integrator, scene.initial);
@@ -84,7 +84,7 @@ MemoryItems unseen(const Scene& scene, Findings& findings) {
   plan.ledger = false;
   const Outcome outcome = simulate(system, run_state, plan);
   findings.count(system.evaluations());
-  MemoryItems items = saved(run_state);
+  ArchiveItems items = saved(run_state);
   items["outcome"] = std::vector{static_cast<double>(outcome.kind), outcome.time};
   return items;
 }
@@ -97,18 +97,18 @@ void run_bodies(const std::string& group, const std::string& name, const SceneFi
   RunState run_state = initial_run_state(scene.integrator, scene.initial);
   const State first = first_state(scene);
   Recorder recorder{dynamics, first, scene.plan.ledger};
-  std::optional<scenes::FenceWatch> watch;
+  std::optional<scenes::FenceMonitor> watch;
   if (file.fence) watch.emplace(file.fence->fence, file.fence->made, dynamics);
-  Watch limits{scene, dynamics, first};
+  RunMonitor limits{scene, dynamics, first};
   const std::vector<Observer> observers{[&](const Snapshot& seen, const StepInfo& info) {
     recorder(seen, info);
-    limits.look(seen, info.step);
+    limits.check(seen, info.step);
     if (watch) (*watch)(seen, info);
   }};
   const Outcome outcome = simulate(system, run_state, scene.plan, observers);
   findings.count(system.evaluations());
   RunResult run{group, name, {}, 0};
-  const MemoryItems end = saved(run_state);
+  const ArchiveItems end = saved(run_state);
   run.parts["end"] = end;
   run.parts["end"]["outcome"] = std::vector{static_cast<double>(outcome.kind), outcome.time};
   run.parts["history"] = saved(recorder);
@@ -117,14 +117,14 @@ void run_bodies(const std::string& group, const std::string& name, const SceneFi
   if (watch) run.parts["fence"] = saved(*watch);
   if (outcome) {
     run.parts["linear"] = linear_parts(dynamics, synchronized(run_state, system, scene.plan));
-    Watch other_limits{scene, dynamics, first};
+    RunMonitor other_limits{scene, dynamics, first};
     run.not_restored += differs_restored(run.parts["limits"], other_limits);
     RunState other = initial_run_state(scene.integrator, scene.initial);
     run.not_restored += differs_restored(end, other);
     Recorder again{dynamics, first, scene.plan.ledger};
     run.not_restored += differs_restored(run.parts["history"], again);
     if (watch) {
-      scenes::FenceWatch other_watch{file.fence->fence, file.fence->made, dynamics};
+      scenes::FenceMonitor other_watch{file.fence->fence, file.fence->made, dynamics};
       run.not_restored += differs_restored(run.parts["fence"], other_watch);
     }
   }
@@ -260,7 +260,7 @@ void run_cells(Findings& findings, const Take& take) {
       CellPlan plan{.step = step, .every = 400.0 * step, .end = 1900.0 * step};
       for (const std::string& method : disc_method_names()) {
         plan.integrator = method;
-        if (objections(cell, plan).empty()) run_cell(cell, plan, name + ", " + method, findings, take);
+        if (validation_errors(cell, plan).empty()) run_cell(cell, plan, name + ", " + method, findings, take);
       }
       plan.integrator = "velocity_verlet", plan.images = Images::virtual_discs;
       run_cell(cell, plan, name + ", virtual discs", findings, take);
@@ -274,7 +274,7 @@ void run_cells(Findings& findings, const Take& take) {
 
 std::vector<double> numbers(const Virial& sums) { return {sums.xx, sums.xy, sums.yx, sums.yy}; }
 
-MemoryItems items_of(const Packing& packing) {
+ArchiveItems items_of(const Packing& packing) {
   return {{"radius", packing.shapes.radius},
           {"inverse_mass", packing.shapes.inverse_mass},
           {"x", packing.discs.x},

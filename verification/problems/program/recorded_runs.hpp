@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 #include "verification/check/case.hpp"
 
 /// Runs whose results are recorded bit by bit, for the case `recorded_bits`.
@@ -12,10 +12,10 @@ namespace talus::verification::problems {
 
 /// What a run leaves.
 struct RunResult {
-  std::string group;                         ///< of the case's checks
-  std::string name;                          ///< unlike those of the group's other runs
-  std::map<std::string, MemoryItems> parts;  ///< numbers by name
-  int not_restored{};                        ///< objects that differ once they are put back from what was saved
+  std::string group;                          ///< of the case's checks
+  std::string name;                           ///< unlike those of the group's other runs
+  std::map<std::string, ArchiveItems> parts;  ///< numbers by name
+  int not_restored{};                         ///< objects that differ once they are put back from what was saved
 };
 
 /// Bodies: scenes and fences as users write them, and scenes with every mechanism of loss by every integrator; with

@@ -359,7 +359,7 @@ Case definition() {
                       "fence of Table 3: error of the advised run over the accuracy",
                       "fence of Table 3: evaluations over the fewest by brute force",
                       "gas: refused because its differences grow"},
-      .source = "This program's own rules; closed forms as in cases caught_fall, friction, hertz and latching_spring",
+      .source = "This program's own rules; closed forms as in cases damped_bungee, friction, hertz and latching_spring",
       .faults = {{"lucky_runs", "one run at the whole accuracy is taken for enough",
                   "caught bob, fixed steps: largest error of twelve runs beside it over the accuracy"},
                  {"judged_between_steps", "pilots are judged by extremes between the steps, which no run prints",

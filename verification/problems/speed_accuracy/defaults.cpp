@@ -127,7 +127,7 @@ FenceFound run_fence(const SceneFile& file, Findings& findings) {
   const Scene& scene = file.scene;
   const Dynamics dynamics{scene.model};
   const Layout layout{scene.model};
-  scenes::FenceWatch fence_watch{file.fence->fence, file.fence->made, dynamics};
+  scenes::FenceMonitor fence_watch{file.fence->fence, file.fence->made, dynamics};
   std::optional<RunLedger> ledger;
   if (scene.plan.ledger) ledger.emplace(scene.model, first_state(scene));
   const BodyId rock = *file.fence->made.members[1].body;

@@ -11,7 +11,7 @@
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
-#include "solver/stability/watch.hpp"
+#include "solver/stability/run_monitor.hpp"
 #include "verification/check/convergence.hpp"
 #include "verification/problems/speed_accuracy/failure_rows.hpp"
 #include "verification/study/curves.hpp"
@@ -21,16 +21,18 @@ namespace talus::verification::problems {
 namespace {
 
 constexpr double radius = 1.0;
-constexpr WatchRules told{.instability = Breach::off, .tunnelling = Breach::error, .accuracy = Breach::off};
-constexpr WatchRules not_told{.instability = Breach::off, .tunnelling = Breach::off, .accuracy = Breach::off};
+constexpr MonitorRules told{
+    .instability = CheckAction::off, .tunnelling = CheckAction::error, .accuracy = CheckAction::off};
+constexpr MonitorRules not_told{
+    .instability = CheckAction::off, .tunnelling = CheckAction::off, .accuracy = CheckAction::off};
 
 /// A run as `talus run` makes it: looked at before its first step and after each.
 struct WatchedRun {
   State end;
-  std::string breach;  ///< empty: it went to its end
+  std::string violation;  ///< empty: it went to its end
 };
 
-WatchedRun watched_run(Scene scene, double step, double end, const WatchRules& rules, Findings& findings) {
+WatchedRun watched_run(Scene scene, double step, double end, const MonitorRules& rules, Findings& findings) {
   scene.integrator = VelocityVerlet{};
   scene.plan = {step, end, end, false, rules};
   record_use(scene.model);
@@ -39,17 +41,17 @@ WatchedRun watched_run(Scene scene, double step, double end, const WatchRules& r
   RigidBodySystem system{dynamics, false};
   WatchedRun run{scene.initial, {}};
   system.begin(run.end);
-  Watch watch{scene, dynamics, run.end};
-  watch.look(Snapshot{dynamics, run.end}, 0);
+  RunMonitor watch{scene, dynamics, run.end};
+  watch.check(Snapshot{dynamics, run.end}, 0);
   long n = 0;
-  if (watch.breach().empty()) {
+  if (watch.violation().empty()) {
     (void)simulate(system, scene.integrator, run.end, scene.plan, {}, [&](const Snapshot& seen) {
-      watch.look(seen, ++n);
-      return !watch.breach().empty();
+      watch.check(seen, ++n);
+      return !watch.violation().empty();
     });
   }
   findings.count(system.evaluations());
-  run.breach = watch.breach();
+  run.violation = watch.violation();
   return run;
 }
 
@@ -160,18 +162,19 @@ Figure pass_figure(Findings& findings) {
 }  // namespace
 
 FailureFound check_long_step(Findings& findings, const Setup& setup) {
-  const WatchRules rules = setup.has("not_watched") ? not_told : told;
+  const MonitorRules rules = setup.has("not_watched") ? not_told : told;
   const WatchedRun beyond = watched_run(flight(20.0, 0.5), 1.1 * radius, 18.0, rules, findings);
   const WatchedRun within = watched_run(flight(20.0, 0.5), 0.9 * radius, 18.0, told, findings);
   findings.expect_true("long step: refused before the run at v h = 1.1 r, 20 r before the touch",
-                       !beyond.breach.empty() && beyond.end.t == 0.0,
+                       !beyond.violation.empty() && beyond.end.t == 0.0,
                        "a step may take the disc past the other's middle");
-  findings.expect_true("long step: not refused at v h = .9 r", within.breach.empty(), "it is looked at on either side");
+  findings.expect_true("long step: not refused at v h = .9 r", within.violation.empty(),
+                       "it is looked at on either side");
   // A pull adds g h^2/2 to the way of the first step.
   constexpr double step = 0.8 * radius;
   const auto pulled = [&](double share) {
     const double pull = (share * radius - step) * 2.0 / (step * step);
-    return watched_run(flight(20.0, 0.5, pull), step, step, rules, findings).breach;
+    return watched_run(flight(20.0, 0.5, pull), step, step, rules, findings).violation;
   };
   findings.expect_true("long step: refused where v h + g h^2/2 = 1.05 r, with v h = .8 r", !pulled(1.05).empty(),
                        "bodies that fall pass each other sooner");
@@ -180,8 +183,9 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
                   spinning_error(), 0.0, Tolerance::round_off(1e-15, "half a dozen operations"));
   // Fewer than ten steps in a contact are too few.
   const auto contact_of = [&](double steps) {
-    const WatchRules by{.instability = Breach::off, .tunnelling = Breach::off, .accuracy = Breach::error};
-    return watched_run(flight(0.05, 2.0 * std::numbers::pi), 0.5 / steps, 1.0, by, findings).breach;
+    const MonitorRules by{
+        .instability = CheckAction::off, .tunnelling = CheckAction::off, .accuracy = CheckAction::error};
+    return watched_run(flight(0.05, 2.0 * std::numbers::pi), 0.5 / steps, 1.0, by, findings).violation;
   };
   findings.expect_true("long step: a contact of 9.9 steps is refused, one of 10.1 is not",
                        !contact_of(9.9).empty() && contact_of(10.1).empty(),
@@ -201,17 +205,17 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
 }
 
 FailureFound check_deep_overlap(Findings& findings, const Setup& setup) {
-  const WatchRules rules = setup.has("not_watched_either") ? not_told : told;
-  const auto fall = [&](double share, const WatchRules& by) {
+  const MonitorRules rules = setup.has("not_watched_either") ? not_told : told;
+  const auto fall = [&](double share, const MonitorRules& by) {
     const double w = 1.0 / (share * 0.5 * radius);
     return watched_run(
         scenes::bouncing_disc(
             {.radius = radius, .gap = 0.1, .speed = 1.0, .contact = LinearSpringDashpot{w * w, 0.0, EndRule::clamped}}),
         0.005, 3.0, by, findings);
   };
-  findings.expect_true("deep overlap: ended on the way at v/w = 1.1 of r/2", !fall(1.1, rules).breach.empty(),
+  findings.expect_true("deep overlap: ended on the way at v/w = 1.1 of r/2", !fall(1.1, rules).violation.empty(),
                        "the largest overlap is v/w");
-  findings.expect_true("deep overlap: runs at v/w = .9 of r/2", fall(0.9, told).breach.empty(), "as before");
+  findings.expect_true("deep overlap: runs at v/w = .9 of r/2", fall(0.9, told).violation.empty(), "as before");
   const auto speed = [&](double share) {
     return watched_run(flight(0.1, 1.0 / (share * 2.0 * radius)), 0.005, 20.0, not_told, findings).end.v[0];
   };
@@ -243,9 +247,10 @@ FailureFound check_crossed_bars(Findings& findings, const Setup& setup) {
                   silent.end.v[0] - 0.0625, 0.0,
                   Tolerance::exact("no node is inside, no force acts: this is the failure"));
   findings.expect("crossed bars: force of the plus by nodes", force(plus), 0.0, Tolerance::exact("as before"));
-  findings.expect_true("crossed bars: said before the run",
-                       said.breach.find("no node of either is in the other") != std::string::npos && said.end.t == 0.0,
-                       "an overlap of 9 half widths that no node sees");
+  findings.expect_true(
+      "crossed bars: said before the run",
+      said.violation.find("no node of either is in the other") != std::string::npos && said.end.t == 0.0,
+      "an overlap of 9 half widths that no node sees");
   findings.expect("crossed bars: overlap of the plus by all directions, over the sum of the half sides",
                   overlap / 1.125, 1.0, Tolerance::exact("both are sums of powers of two"));
   findings.expect("crossed bars: force of the plus by one resultant", force(crossed(0.0, ContactMethod::resultant)),
@@ -253,7 +258,7 @@ FailureFound check_crossed_bars(Findings& findings, const Setup& setup) {
   findings.expect("crossed bars: force of two corners inside, by nodes", force(corner), 0.125,
                   Tolerance::exact("two nodes, each 1/16 deep"));
   findings.expect_true("crossed bars: nothing said of corners inside",
-                       watched_run(corner, 0.125, 0.125, told, findings).breach.empty(), "the nodes see them");
+                       watched_run(corner, 0.125, 0.125, told, findings).violation.empty(), "the nodes see them");
   return {fmt::format("a plus, by nodes: F = {:g} k L at an overlap of {:g}; said at t = 0", force(plus), overlap),
           fmt::format("corners inside: {:g} k L; one resultant: {:g}", force(corner),
                       force(crossed(0.0, ContactMethod::resultant)))};

@@ -45,9 +45,9 @@ Scene started(std::string title, Model model, Vec2 velocity) {
 }
 
 /// Watches a run for its Passage.
-class Watch {
+class Monitor {
  public:
-  explicit Watch(const Scene& scene) : model_{&scene.model}, probe_{scene.model} {
+  explicit Monitor(const Scene& scene) : model_{&scene.model}, probe_{scene.model} {
     rock_ = Layout{scene.model}.first[index(*find_body(scene.model, "rock"))];
     way_ = std::copysign(1.0, scene.initial.v[rock_]);
     for (std::size_t c = 0; c < model_->contacts.size(); ++c) {
@@ -58,7 +58,7 @@ class Watch {
     if (model_->cables.empty()) found.pull = std::numeric_limits<double>::quiet_NaN();
   }
 
-  void look(const State& state) {
+  void check(const State& state) {
     probe_.evaluate(state);
     const double push = probe_.forces().contacts[struck_];
     found.exit = way_ * state.v[rock_];
@@ -180,12 +180,12 @@ Scene moving_columns(const scenes::Fence& fence, int beside) {
 }
 
 Passage passage(const Scene& scene, double tolerance, Findings& findings) {
-  Watch watch{scene};
+  Monitor watch{scene};
   // Peaks are read every 2e-5 s; the contact's, of a radian of .9 ms, are then cut by at most 6e-5.
   constexpr double interval = 2e-5;
   const RunEnd end =
       run_scene(scene, make_integrator("stormer_cowell", tolerance), {interval, passage_end, interval, false}, findings,
-                [&](const State& state, const StepInfo&) { watch.look(state); });
+                [&](const State& state, const StepInfo&) { watch.check(state); });
   Passage found = std::move(watch.found);
   found.evaluations = end.evaluations;
   found.coordinates = end.state.q.size();

@@ -14,7 +14,7 @@
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems::changes_of_view {
+namespace talus::verification::problems::frame_invariance {
 namespace {
 
 constexpr double step = 2.5e-4;
@@ -271,7 +271,7 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "changes_of_view",
+  return {.id = "frame_invariance",
           .title = "A motion does not depend on who looks at it",
           .requirements = {{"A6", {"numbers_that_differ", "differences"}},
                            {"law.linear_spring_dashpot", {"group", "yard"}},
@@ -298,4 +298,4 @@ Case definition() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems::changes_of_view
+}  // namespace talus::verification::problems::frame_invariance

@@ -12,7 +12,7 @@
 #include "verification/study/phases.hpp"
 #include "verification/study/predicted_errors.hpp"
 
-namespace talus::verification::problems::snatched_cable {
+namespace talus::verification::problems::slack_taut_slack {
 namespace {
 
 reference::ImpactEvents exact_snatch(double xi) {
@@ -32,7 +32,7 @@ Snatch snatched(double xi, double step, double phase, const Setup& setup, Findin
   State state = scene.initial;
   state.q[0] -= phase * step;
   const Integrator method = make_integrator(setup.has("rk4") ? "rk4" : "velocity_verlet");
-  const CableRun run = run_cables(scene, state, method, {step, 20.0, true, true}, findings);
+  const CableSpan run = run_cables(scene, state, method, {step, 20.0, true, true}, findings);
   return {*std::max_element(run.tension.begin(), run.tension.end()), run.tension.back() == 0.0 && run.end.v[0] < 0.0};
 }
 
@@ -142,7 +142,7 @@ void run(Findings& findings, const Setup& setup) {
 Case definition() {
   const std::string phases = "largest tension undamped, error of each phase from its prediction, over (w h)^2";
   const std::string damped = "largest tension, rms error at the smallest step over its prediction, xi = 0.3";
-  return {.id = "snatched_cable",
+  return {.id = "slack_taut_slack",
           .title = "Slack, taut, slack",
           .requirements = {{"D8",
                             {"largest tension undamped, error of each phase from its prediction, over (w h)^2",
@@ -164,4 +164,4 @@ Case definition() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems::snatched_cable
+}  // namespace talus::verification::problems::slack_taut_slack

@@ -14,7 +14,7 @@
 #include "verification/reference/latching_chain.hpp"
 #include "verification/study/expectations.hpp"
 
-namespace talus::verification::problems::restruck_discs {
+namespace talus::verification::problems::recontact_history {
 namespace {
 
 /// Forgets the largest overlap where the force falls to zero, not where the discs part: the soft line restarts in
@@ -32,7 +32,7 @@ struct ForgettingLatch : LatchingSpring {
 struct ClearedLatch : LatchingSpring {
   explicit ClearedLatch(const LatchingSpring& law) : LatchingSpring{law} {}
   constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
-    if (mode == slack && x.extent > 0.0) return {slack, 0.0};
+    if (mode == slack && x.deformation > 0.0) return {slack, 0.0};
     return LatchingSpring::reset(x, memory, mode);
   }
 };
@@ -42,7 +42,7 @@ struct RetentiveLatch : LatchingSpring {
   explicit RetentiveLatch(const LatchingSpring& law) : LatchingSpring{law} {}
   constexpr Reset reset(Kinematics x, std::span<double> memory, Mode mode) const {
     const double left_off = memory[0] * (1.0 - stiffness / unloading_stiffness);
-    if (mode == slack && x.extent <= left_off) return {slack, 0.0};
+    if (mode == slack && x.deformation <= left_off) return {slack, 0.0};
     return LatchingSpring::reset(x, memory, mode);
   }
 };
@@ -183,17 +183,17 @@ std::array<double, 3> restarted(double gap, double step, long every, bool droppe
   for (long n = 1; n <= most && !over(system, row.discs); ++n) {
     method.step(system, row.discs, step);
     if (n % every != 0) continue;
-    Memory saved;
-    const auto name_all = [](Memory& memory, Discs& discs, auto& of, Method& by) {
-      memory.part("discs", [&] { remember(memory, discs); });
-      memory.part("system", [&] { of.remember(memory, discs); });
-      memory.part("method", [&] { by.remember(memory, discs); });
+    Archive saved;
+    const auto name_all = [](Archive& archive, Discs& discs, auto& of, Method& by) {
+      archive.scope("discs", [&] { serialize(archive, discs); });
+      archive.scope("system", [&] { of.serialize(archive, discs); });
+      archive.scope("method", [&] { by.serialize(archive, discs); });
     };
     name_all(saved, row.discs, system, method);
     FilledRow next = row_of(gap, 0.0);
     DiscSystem other{row.shapes, {}, law, row_skin};
     Method again;
-    Memory put_back{saved.items()};
+    Archive put_back{saved.items()};
     name_all(put_back, next.discs, other, again);
     if (dropped) other.begin(next.discs), again.start(other, next.discs, step);
     row.discs = next.discs, system = other, method = again;
@@ -290,7 +290,7 @@ void run(Findings& findings, const Setup& setup) {
 }  // namespace
 
 Case definition() {
-  return {.id = "restruck_discs",
+  return {.id = "recontact_history",
           .title = "Discs struck again",
           .family = "the shear cell",
           .requirements = {{"B16", {"speeds", "speeds that differ after restarts every 1, 7, 20 steps, of 27"}},
@@ -320,4 +320,4 @@ Case definition() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems::restruck_discs
+}  // namespace talus::verification::problems::recontact_history

@@ -16,7 +16,7 @@
 #include "verification/study/moved_scene.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems::left_out {
+namespace talus::verification::problems::sleeping_and_culling {
 namespace {
 
 /// A system that computes every gap of every pair, however far apart, at each evaluation.
@@ -38,20 +38,20 @@ class EveryPair {
     dynamics_->update_all(state, work_);
     dynamics_->begin(state, work_);
   }
-  void settle(State& state) {
+  void update_modes(State& state) {
     dynamics_->update_all(state, work_);
-    dynamics_->settle(state, work_);
+    dynamics_->update_modes(state, work_);
   }
-  void settle(State& state, const State& before) {
+  void update_modes(State& state, const State& before) {
     dynamics_->update_all(state, work_);
-    dynamics_->settle(state, work_, &before);
+    dynamics_->update_modes(state, work_, &before);
   }
   void derivative(const State& state, Rates& out) {
     dynamics_->update_all(state, work_);
     dynamics_->rates(state, work_, out, true, true);
   }
   void evaluate(State& state, Rates& out) {
-    settle(state);
+    update_modes(state);
     dynamics_->rates(state, work_, out, true);
   }
 
@@ -208,9 +208,9 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
     dynamics.rates(state, work, rates, false);
     asked.update_all(state, laws);
     asked.forces(state, laws, forces);
-    for (const auto& runs : work.waking.cables) {
-      for (const talus::CableRun& run : runs) {
-        if (!run.quiet) by_law += static_cast<double>(run.count) / count;
+    for (const auto& runs : work.active.cables) {
+      for (const talus::CableSpan& run : runs) {
+        if (!run.on_linear_branch) by_law += static_cast<double>(run.count) / count;
         for (std::size_t c = run.cable; c < run.cable + run.count; ++c)
           largest = std::max(largest, std::abs(work.paths.tension[c] - forces.tensions[c]));
       }
@@ -348,7 +348,7 @@ void check_guards(Findings& findings, const Setup& setup) {
     if (model.bodies[body].name.find("column") == std::string::npos) continue;
     State state = rest_state(model);
     set_velocity(model, state, static_cast<BodyId>(body), {0.0, setup.has("columns_at_rest") ? 0.0 : 100.0}, 0.0);
-    system.settle(state), system.settle(state);  // by the lines of the modes that the first one sets
+    system.update_modes(state), system.update_modes(state);  // by the lines of the modes that the first one sets
     (void)system.guards(state, true, 0.1, guards);
     (void)all.guards(state, true, 0.1, every);
     for (std::size_t c = 0; c < model.cables.size(); ++c) {
@@ -377,7 +377,7 @@ void check_guards(Findings& findings, const Setup& setup) {
   State state = rest_state(pair);
   set_velocity(pair, state, b, {-1.0, 0.0}, 0.0);
   RigidBodySystem approach{discs, true};
-  approach.settle(state);
+  approach.update_modes(state);
   (void)approach.guards(state, true, 1.0, guards);
   findings.expect("guards ahead: of the normal law of rough discs that come nearer",
                   guards[discs.layout().contact_slots[0].mode], 0.25, Tolerance::exact("the gap"));
@@ -405,7 +405,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   return {
-      .id = "left_out",
+      .id = "sleeping_and_culling",
       .title = "What is left out changes nothing",
       .family = "speed and accuracy",
       .requirements = {{"E10", {"state_at_end"}}},
@@ -440,4 +440,4 @@ Case definition() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems::left_out
+}  // namespace talus::verification::problems::sleeping_and_culling

@@ -1,4 +1,4 @@
-#include "solver/stability/watch.hpp"
+#include "solver/stability/run_monitor.hpp"
 
 #include <fmt/format.h>
 
@@ -45,7 +45,7 @@ Rectangle box_around(const Bounds& bounds) { return {bounds.half_width, bounds.h
 
 }  // namespace
 
-Watch::Watch(const Scene& scene, const Dynamics& dynamics, const State& start)
+RunMonitor::RunMonitor(const Scene& scene, const Dynamics& dynamics, const State& start)
     : scene_{&scene}, dynamics_{&dynamics}, ledger_{dynamics, start}, modes_{start.mode} {
   fixed_step_ = !chooses_steps(scene.integrator);
   const std::vector<Contact>& contacts = scene.model.contacts;
@@ -63,8 +63,8 @@ Watch::Watch(const Scene& scene, const Dynamics& dynamics, const State& start)
 }
 
 template <class Words>
-void Watch::take(Watched which, double value, double limit, Breach breach, const State& seen, ContactId contact,
-                 const Words& words) {
+void RunMonitor::take(Watched which, double value, double limit, CheckAction violation, const State& seen,
+                      ContactId contact, const Words& words) {
   const auto place = static_cast<std::size_t>(which);
   Extreme& extreme = extremes_[place];
   // Of steps in a contact the fewest count; what is not a number counts most.
@@ -75,39 +75,40 @@ void Watch::take(Watched which, double value, double limit, Breach breach, const
   if (!beyond || reported_[place] >= limit) return;
   reported_[place] = limit;
   const std::string said = fmt::format("at t = {:.6g} {}", seen.t, words());
-  if (breach == Breach::error) {
+  if (violation == CheckAction::error) {
     breach_ = said;
   } else {
     warnings_.push_back(said);
   }
 }
 
-void Watch::look(const Snapshot& snapshot, long step, const std::optional<Balance>& balance) {
+void RunMonitor::check(const Snapshot& snapshot, long step, const std::optional<Balance>& balance) {
   const State& seen = snapshot.state();
-  const WatchRules& rules = scene_->plan.watch;
+  const MonitorRules& rules = scene_->plan.watch;
   const bool turn = step % every_ == 0;
   const bool changed = seen.mode != modes_;
-  if (fixed_step_ && rules.instability != Breach::off && seen.q.size() <= most_watched_coordinates &&
+  if (fixed_step_ && rules.instability != CheckAction::off && seen.q.size() <= most_watched_coordinates &&
       (turn || (changed && step - looked_ >= apart_))) {
     looked_ = step;
-    look_at_frequency(snapshot);
+    check_frequency(snapshot);
   }
-  if (changed && fixed_step_ && rules.accuracy != Breach::off) look_at_contacts(seen);
+  if (changed && fixed_step_ && rules.accuracy != CheckAction::off) look_at_contacts(seen);
   if (step == 0 || changed) follow_contacts(seen);
   if (last_.touching) last_.time = seen.t;
   if (changed) modes_ = seen.mode;
-  if ((rules.tunnelling != Breach::off || rules.accuracy != Breach::off) && (step % 8 == 0 || touches(seen))) {
+  if ((rules.tunnelling != CheckAction::off || rules.accuracy != CheckAction::off) &&
+      (step % 8 == 0 || touches(seen))) {
     look_at_pairs(snapshot);
     if (step % 8 == 0) look_at_unseen(snapshot);
   }
-  if ((turn || balance) && scene_->plan.ledger && rules.accuracy != Breach::off) look_at_drift(snapshot, balance);
+  if ((turn || balance) && scene_->plan.ledger && rules.accuracy != CheckAction::off) look_at_drift(snapshot, balance);
 }
 
 /// Whether some contact acts.
-bool Watch::touches(const State& seen) const { return any_set(seen.mode.data(), dynamics_->contacts().size()); }
+bool RunMonitor::touches(const State& seen) const { return any_set(seen.mode.data(), dynamics_->contacts().size()); }
 
 /// Before modes_ are those of the state.
-void Watch::follow_contacts(const State& seen) {
+void RunMonitor::follow_contacts(const State& seen) {
   const std::size_t count = dynamics_->contacts().size();
   std::optional<std::size_t> acts, ended;
   for (std::size_t i = 0; i < count; ++i) {
@@ -122,12 +123,12 @@ void Watch::follow_contacts(const State& seen) {
   last_ = {contact_of(*dynamics_, acts ? *acts : *ended), seen.t, acts.has_value()};
 }
 
-std::optional<Watch::LastContact> Watch::last_contact() const {
+std::optional<RunMonitor::LastContact> RunMonitor::last_contact() const {
   if (!touched_) return std::nullopt;
   return last_;
 }
 
-void Watch::look_at_frequency(const Snapshot& snapshot) {
+void RunMonitor::check_frequency(const Snapshot& snapshot) {
   const State& seen = snapshot.state();
   const std::vector<Spring> acting = acting_springs(*dynamics_, seen, snapshot.geometry());
   const auto limit = step_limit(natural_modes(*dynamics_, acting), name(scene_->integrator));
@@ -142,22 +143,21 @@ void Watch::look_at_frequency(const Snapshot& snapshot) {
   });
 }
 
-void Watch::look_at_pairs(const Snapshot& snapshot) {
+void RunMonitor::look_at_pairs(const Snapshot& snapshot) {
   if (dynamics_->contacts().candidates() == 0) return;
-  const WatchRules& rules = scene_->plan.watch;
+  const MonitorRules& rules = scene_->plan.watch;
   const auto contact_name = [this](ContactId contact) { return dynamics_->model().contacts[index(contact)].name; };
   const State& seen = snapshot.state();
   const Workspace& work = snapshot.geometry();
-  if (fixed_step_ && rules.tunnelling != Breach::off) {
-    const auto passing = dynamics_->contacts().passing(work, norm(dynamics_->model().gravity));
-    if (std::isfinite(passing.longest_step)) {
-      take(Watched::passing, scene_->plan.step / passing.longest_step, 1.0, rules.tunnelling, seen, passing.contact,
-           [&] {
-             return fmt::format(
-                 "the bodies of contact '{}' may pass each other unseen: a step is {:.3g} times the longest in "
-                 "which they cannot; it must be below {:.4g}",
-                 contact_name(passing.contact), scene_->plan.step / passing.longest_step, passing.longest_step);
-           });
+  if (fixed_step_ && rules.tunnelling != CheckAction::off) {
+    const auto limit = dynamics_->contacts().tunnelling_limit(work, norm(dynamics_->model().gravity));
+    if (std::isfinite(limit.longest_step)) {
+      take(Watched::passing, scene_->plan.step / limit.longest_step, 1.0, rules.tunnelling, seen, limit.contact, [&] {
+        return fmt::format(
+            "the bodies of contact '{}' may pass each other unseen: a step is {:.3g} times the longest in "
+            "which they cannot; it must be below {:.4g}",
+            contact_name(limit.contact), scene_->plan.step / limit.longest_step, limit.longest_step);
+      });
     }
   }
   const auto overlap = dynamics_->contacts().deepest_overlap(work);
@@ -170,7 +170,7 @@ void Watch::look_at_pairs(const Snapshot& snapshot) {
 }
 
 /// Outlines may cross where no node of either is in the other: sides of two bars laid across, a peak of the ground.
-void Watch::look_at_unseen(const Snapshot& snapshot) {
+void RunMonitor::look_at_unseen(const Snapshot& snapshot) {
   const Workspace& work = snapshot.geometry();
   for (const ContactId contact : by_nodes_) {
     const std::size_t c = index(contact);
@@ -184,7 +184,7 @@ void Watch::look_at_unseen(const Snapshot& snapshot) {
     const Pose A = work.poses[index(pair.a)], B = work.poses[index(pair.b)];
     const double size = smaller_size(pair);
     // Boxes around the outlines cost little and overlap at least as far.
-    if (!endless(pair.bounds_a) && !endless(pair.bounds_b) &&
+    if (!is_unbounded(pair.bounds_a) && !is_unbounded(pair.bounds_b) &&
         !(gap(box_around(pair.bounds_a), A, box_around(pair.bounds_b), B).depth > deep_share * size))
       continue;
     const std::vector<Body>& bodies = dynamics_->model().bodies;
@@ -198,11 +198,11 @@ void Watch::look_at_unseen(const Snapshot& snapshot) {
 }
 
 template <class Words>
-void Watch::take_overlap(Watched which, double share, const State& seen, ContactId contact, const Words& words) {
+void RunMonitor::take_overlap(Watched which, double share, const State& seen, ContactId contact, const Words& words) {
   if (!(share > 0.0)) return;
-  const WatchRules& rules = scene_->plan.watch;
-  const bool through = share > deepest_share && rules.tunnelling != Breach::off;
-  if (!through && rules.accuracy == Breach::off) return;
+  const MonitorRules& rules = scene_->plan.watch;
+  const bool through = share > deepest_share && rules.tunnelling != CheckAction::off;
+  if (!through && rules.accuracy == CheckAction::off) return;
   const double limit = through ? deepest_share : deep_share;
   take(which, share, limit, through ? rules.tunnelling : rules.accuracy, seen, contact, [&] {
     return fmt::format(
@@ -211,7 +211,7 @@ void Watch::take_overlap(Watched which, double share, const State& seen, Contact
   });
 }
 
-void Watch::look_at_contacts(const State& seen) {
+void RunMonitor::look_at_contacts(const State& seen) {
   for (std::size_t i = 0; i < contact_times_.size(); ++i) {
     if (modes_[i] != 0 || seen.mode[i] == 0 || !std::isfinite(contact_times_[i])) continue;
     const double steps = contact_times_[i] / scene_->plan.step;
@@ -225,7 +225,7 @@ void Watch::look_at_contacts(const State& seen) {
   }
 }
 
-void Watch::look_at_drift(const Snapshot& snapshot, const std::optional<Balance>& balance) {
+void RunMonitor::look_at_drift(const Snapshot& snapshot, const std::optional<Balance>& balance) {
   Balance now;
   if (balance) {
     now = *balance;
@@ -237,33 +237,33 @@ void Watch::look_at_drift(const Snapshot& snapshot, const std::optional<Balance>
   const double error = std::abs(now.error);
   if (!(error <= balance_.error)) balance_.error = error, drift_time_ = snapshot.state().t;
   balance_.scale = std::max(balance_.scale, now.scale);
-  if (scene_->plan.watch.accuracy == Breach::error && !(drift() <= largest_balance_error)) breach_ = drift_words();
+  if (scene_->plan.watch.accuracy == CheckAction::error && !(drift() <= largest_balance_error)) breach_ = drift_words();
 }
 
-std::string Watch::drift_words() const {
+std::string RunMonitor::drift_words() const {
   return fmt::format("at t = {:.6g} the energy balance is off by {:.3g} % of the largest energy, more than {:g} %",
                      drift_time_, 100.0 * drift(), 100.0 * largest_balance_error);
 }
 
-std::vector<std::string> Watch::warnings() const {
+std::vector<std::string> RunMonitor::warnings() const {
   std::vector<std::string> all = warnings_;
-  const bool judged = scene_->plan.ledger && scene_->plan.watch.accuracy == Breach::warning;
+  const bool judged = scene_->plan.ledger && scene_->plan.watch.accuracy == CheckAction::warning;
   if (judged && !(drift() <= largest_balance_error)) all.push_back(drift_words());
   return all;
 }
 
-void Watch::remember(Memory& memory) {
-  memory.numbers("modes", modes_);
-  memory.count("looked", looked_);
-  memory.part("ledger", [&] { ledger_.remember(memory); });
-  memory.number("balance_error", balance_.error);
-  memory.number("balance_scale", balance_.scale);
-  memory.number("drift_time", drift_time_);
-  memory.flag("touched", touched_);
-  memory.flag("touching", last_.touching);
-  memory.number("last_contact_time", last_.time);
+void RunMonitor::serialize(Archive& archive) {
+  archive.numbers("modes", modes_);
+  archive.count("looked", looked_);
+  archive.scope("ledger", [&] { ledger_.serialize(archive); });
+  archive.number("balance_error", balance_.error);
+  archive.number("balance_scale", balance_.scale);
+  archive.number("drift_time", drift_time_);
+  archive.flag("touched", touched_);
+  archive.flag("touching", last_.touching);
+  archive.number("last_contact_time", last_.time);
   long contact = static_cast<long>(index(last_.contact));
-  memory.count("last_contact", contact);
+  archive.count("last_contact", contact);
   if (contact != 0 && contact >= static_cast<long>(dynamics_->model().contacts.size()))
     throw InputError{fmt::format("last_contact: found {}; there are {}", contact, dynamics_->model().contacts.size())};
   last_.contact = static_cast<ContactId>(contact);
@@ -273,10 +273,10 @@ void Watch::remember(Memory& memory) {
     numbers.insert(numbers.end(),
                    {e.value, e.time, static_cast<double>(index(e.contact)), e.seen ? 1.0 : 0.0, reported_[i]});
   }
-  memory.numbers("extremes", numbers);
+  archive.numbers("extremes", numbers);
   std::string said = fmt::format("{}", fmt::join(warnings_, "\n"));
-  memory.text("warnings", said);
-  if (!memory.puts_back()) return;
+  archive.text("warnings", said);
+  if (!archive.is_loading()) return;
   for (std::size_t i = 0; i < watched_count; ++i) {
     const double* at = &numbers[5 * i];
     const std::size_t contacts = dynamics_->model().contacts.size();
@@ -294,10 +294,10 @@ void Watch::remember(Memory& memory) {
   }
 }
 
-std::vector<std::string> watch_lines(const Watch& watch, const Scene& scene) {
+std::vector<std::string> watch_lines(const RunMonitor& watch, const Scene& scene) {
   std::vector<std::string> lines;
   const auto line = [&](Watched which, std::string_view what, double scale, std::string_view unit, bool at_contact) {
-    const Watch::Extreme& extreme = watch.extreme(which);
+    const RunMonitor::Extreme& extreme = watch.extreme(which);
     if (!extreme.seen) return;
     lines.push_back(
         fmt::format("{:<34}{:>10.4g}{} at t = {:.6g}{}", what, scale * extreme.value, unit, extreme.time,

@@ -32,7 +32,7 @@ inline constexpr double largest_balance_error = 0.01;
 /// - contact where one is touched, for methods of fixed step and scenes of as many coordinates;
 /// - the energy balance after every step where it is given, else 64 times, with the ledger on. Where it is to warn, the
 ///   whole run is judged at its end: early errors are small beside the energies to come.
-class Watch {
+class RunMonitor {
  public:
   /// The extreme of one number so far.
   struct Extreme {
@@ -43,7 +43,7 @@ class Watch {
   };
 
   /// Scene and Dynamics must outlive it. `start`: the first state of the run.
-  Watch(const Scene& scene, const Dynamics& dynamics, const State& start);
+  RunMonitor(const Scene& scene, const Dynamics& dynamics, const State& start);
 
   /// The energy balance of a run so far, as its ledger has it.
   struct Balance {
@@ -51,7 +51,7 @@ class Watch {
     double scale{};  ///< largest energy so far [F L]
   };
   /// Looks at the state after a step (0: before the first). Without a balance the watch draws its own, 64 times a run.
-  void look(const Snapshot& seen, long step, const std::optional<Balance>& balance = {});
+  void check(const Snapshot& seen, long step, const std::optional<Balance>& balance = {});
 
   /// Largest error of the energy balance over the largest energy, and when it was.
   double drift() const { return balance_.scale > 0.0 ? balance_.error / balance_.scale : 0.0; }
@@ -72,18 +72,18 @@ class Watch {
   bool step_is_beyond() const { return step_is_beyond_; }
 
   /// Why the run must end; empty while it may go on.
-  const std::string& breach() const { return breach_; }
+  const std::string& violation() const { return breach_; }
   /// What was found and does not end the run, once for each number.
   std::vector<std::string> warnings() const;
   const Extreme& extreme(Watched which) const { return extremes_[static_cast<std::size_t>(which)]; }
 
   /// Names what it carries from one step to the next.
-  void remember(Memory& memory);
+  void serialize(Archive& archive);
 
  private:
   bool touches(const State& seen) const;
   void follow_contacts(const State& seen);
-  void look_at_frequency(const Snapshot& snapshot);
+  void check_frequency(const Snapshot& snapshot);
   void look_at_pairs(const Snapshot& snapshot);
   void look_at_unseen(const Snapshot& snapshot);
   /// Takes an overlap as a share of the size, with both its limits.
@@ -95,7 +95,7 @@ class Watch {
   /// Takes a number into its extreme; a limit that it is beyond for the first time is a breach, with the words. A
   /// number may have two, the larger of which is the graver.
   template <class Words>
-  void take(Watched which, double value, double limit, Breach breach, const State& seen, ContactId contact,
+  void take(Watched which, double value, double limit, CheckAction violation, const State& seen, ContactId contact,
             const Words& words);
 
   const Scene* scene_;
@@ -121,6 +121,6 @@ class Watch {
 };
 
 /// The watch's numbers in words, a line each.
-[[nodiscard]] std::vector<std::string> watch_lines(const Watch& watch, const Scene& scene);
+[[nodiscard]] std::vector<std::string> watch_lines(const RunMonitor& watch, const Scene& scene);
 
 }  // namespace talus

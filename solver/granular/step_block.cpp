@@ -1,4 +1,4 @@
-#include "solver/granular/disc_sweep.hpp"
+#include "solver/granular/step_block.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 namespace talus {
 namespace stages {
 
-TALUS_CLONES void move(const DiscSweep& w, std::size_t from, std::size_t to, Sizes& fastest) {
+TALUS_CLONES void move(const StepBlock& w, std::size_t from, std::size_t to, Sizes& fastest) {
   const NeighbourList::Flow flow = w.flow;
   const double h = w.drift;
   double *const places = w.places, *const velocities = w.velocities;
@@ -46,7 +46,7 @@ TALUS_CLONES void move(const DiscSweep& w, std::size_t from, std::size_t to, Siz
 
 }  // namespace stages
 
-TALUS_CLONES void stretch_contacts(const DiscSweep& w) {
+TALUS_CLONES void stretch_contacts(const StepBlock& w) {
   SweptContacts& contacts = *w.contacts;
   const double later = 0.5 * w.drift;
   for (std::size_t t = 0; t < contacts.now.count; t += pack_size) {
@@ -82,7 +82,7 @@ TALUS_CLONES void stretch_contacts(const DiscSweep& w) {
   }
 }
 
-double move_discs(const DiscSweep& sweep) {
+double move_discs(const StepBlock& sweep) {
   Sizes fastest{};
   stages::move(sweep, sweep.begin, sweep.end, fastest);
   return largest(fastest);

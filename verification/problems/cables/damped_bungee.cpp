@@ -11,7 +11,7 @@
 #include "verification/study/phases.hpp"
 #include "verification/study/predicted_errors.hpp"
 
-namespace talus::verification::problems::caught_fall {
+namespace talus::verification::problems::damped_bungee {
 namespace {
 
 constexpr double damping_ratio = 0.2, production_steps = 50.0;
@@ -51,7 +51,7 @@ Catch caught(double gravity, double step, double phase, const Setup& setup, Find
   const Scene scene = thrown_mass(TensionOnly{1.0, 2.0 * xi}, 1.0, 1.0 - used * phase * step, used);
   State state = scene.initial;
   state.q[0] -= phase * step * (1.0 - 0.5 * used * phase * step);
-  const CableRun run = run_cables(scene, state, VelocityVerlet{}, {step, 50.0, true, true}, findings);
+  const CableSpan run = run_cables(scene, state, VelocityVerlet{}, {step, 50.0, true, true}, findings);
   const double back = setup.has("read_where_seen_slack") ? 0.0 : run.end.q[0] - cable_length;
   return {std::sqrt(run.end.v[0] * run.end.v[0] - 2.0 * used * back),
           *std::min_element(run.tension.begin(), run.tension.end())};
@@ -147,7 +147,7 @@ void run(Findings& findings, const Setup& setup) {
 
 Case definition() {
   const std::string speeds = "e of a caught fall, rms error over its prediction, G = ";
-  return {.id = "caught_fall",
+  return {.id = "damped_bungee",
           .title = "Fall into a cable with a dashpot",
           .requirements = {{"D2", {"restitution", "least tension of all runs", "order of e of a caught fall"}},
                            {"Eq. 14", {"least tension of all runs"}},
@@ -162,4 +162,4 @@ Case definition() {
           .run = run};
 }
 
-}  // namespace talus::verification::problems::caught_fall
+}  // namespace talus::verification::problems::damped_bungee

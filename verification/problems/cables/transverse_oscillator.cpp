@@ -11,7 +11,7 @@
 #include "verification/study/predicted_errors.hpp"
 #include "verification/study/scene_run.hpp"
 
-namespace talus::verification::problems::cubic_swing {
+namespace talus::verification::problems::transverse_oscillator {
 namespace {
 
 constexpr reference::MidSpan span{1.0, 1.0, 1.0};
@@ -139,7 +139,7 @@ Case definition() {
   const std::string limit = "period at A = .02 L from the cubic oscillator's";
   const std::string loads = "loads P(w) at rest at w, largest relative way over that of a rounded length";
   return {
-      .id = "cubic_swing",
+      .id = "transverse_oscillator",
       .title = "Mass between two straight cables without tension",
       .requirements = {{"D5",
                         {"order of the period in the step", "period, error of the smallest step over its prediction",
@@ -164,4 +164,4 @@ Case definition() {
       .run = run};
 }
 
-}  // namespace talus::verification::problems::cubic_swing
+}  // namespace talus::verification::problems::transverse_oscillator

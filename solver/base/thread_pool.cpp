@@ -1,4 +1,4 @@
-#include "solver/base/team.hpp"
+#include "solver/base/thread_pool.hpp"
 
 #include <atomic>
 #include <exception>
@@ -34,7 +34,7 @@ std::size_t await_other(const std::atomic<std::size_t>& number, std::size_t than
 
 }  // namespace
 
-struct Team::Shared {
+struct ThreadPool::Shared {
   /// What `calls` becomes at the end.
   static constexpr std::size_t no_more = std::numeric_limits<std::size_t>::max();
 
@@ -85,12 +85,12 @@ struct Team::Shared {
   std::vector<std::thread> others;  ///< last: they use all that stands above
 };
 
-Team::Team(std::size_t size) : shared_{std::make_unique<Shared>(size)} {}
-Team::~Team() = default;
+ThreadPool::ThreadPool(std::size_t size) : shared_{std::make_unique<Shared>(size)} {}
+ThreadPool::~ThreadPool() = default;
 
-std::size_t Team::size() const { return shared_->failures.size(); }
+std::size_t ThreadPool::size() const { return shared_->failures.size(); }
 
-void Team::each(const std::function<void(std::size_t)>& work) {
+void ThreadPool::each(const std::function<void(std::size_t)>& work) {
   Shared& shared = *shared_;
   shared.work = &work;
   shared.left.store(size(), std::memory_order_relaxed);

@@ -1,7 +1,7 @@
 #include <cstddef>
 
 #include "solver/dynamics/lane_masks.hpp"
-#include "solver/dynamics/runs.hpp"
+#include "solver/dynamics/spans.hpp"
 
 namespace talus {
 namespace {
@@ -15,7 +15,7 @@ struct PackOfJoints {
 
 /// Those of a row from its joint `first` on; those that are on no body stay where they are.
 template <bool recorded, class Joints>
-[[gnu::always_inline]] inline void place_joints(PackOfJoints& at, const CableRun& run, std::size_t first,
+[[gnu::always_inline]] inline void place_joints(PackOfJoints& at, const CableSpan& run, std::size_t first,
                                                 const CableConstants& constants, const Poses& poses, Joints& joints) {
   const auto from = static_cast<std::ptrdiff_t>(run.from), to = static_cast<std::ptrdiff_t>(run.to);
   const auto begin = static_cast<std::ptrdiff_t>(first);
@@ -47,9 +47,9 @@ template <bool recorded, class Joints>
 /// The tension of a cable of a fence [F]: k (e - p), on the straight line of its mode, which its law's linear_piece()
 /// gives: UnilateralSpring, of TensionOnly too, where it acts; ElasticPlastic where it loads or unloads. A slack cable
 /// has k = 0. (What leaves its line takes CableForces::sum_pulls(), which calls the law itself.)
-[[gnu::always_inline]] inline void line_tension(Pack& tension, const Pack& stiffness, const Pack& extent,
+[[gnu::always_inline]] inline void line_tension(Pack& tension, const Pack& stiffness, const Pack& deformation,
                                                 const Pack& natural) {
-  tension = stiffness * (extent - natural);
+  tension = stiffness * (deformation - natural);
 }
 
 /// Each lane's next; of the last, the first of the pack after.
@@ -60,8 +60,9 @@ template <bool recorded, class Joints>
 /// All in one pass, in registers from the poses to the pulls: written and read again between one stage and the next,
 /// each stage would wait for the one before. `recorded`: what follows for joints and cables is kept, too.
 template <bool recorded, class Joints>
-[[gnu::always_inline]] inline bool pull(const CableRun& run, const CableConstants& constants, const CableLines& lines,
-                                        const Poses& poses, Joints& joints, Paths* paths, Wrenches& pulls) {
+[[gnu::always_inline]] inline bool pull(const CableSpan& run, const CableConstants& constants,
+                                        const CableLinearization& lines, const Poses& poses, Joints& joints,
+                                        Paths* paths, Wrenches& pulls) {
   const auto count = static_cast<std::ptrdiff_t>(run.count);
   Sizes left{};
   Pack before_x{}, before_y{};  // what the cables before pull at their ends B
@@ -95,11 +96,11 @@ template <bool recorded, class Joints>
     load(stiffness, lines.stiffness.at(cable)), load(natural, lines.natural.at(cable));
     load(low, lines.low.at(cable)), load(high, lines.high.at(cable));
     length.get(lengths), pull_x.get(pulls_x), pull_y.get(pulls_y);
-    const Pack extent = lengths - rest;
+    const Pack deformation = lengths - rest;
     Pack tension;
-    line_tension(tension, stiffness, extent, natural);
+    line_tension(tension, stiffness, deformation, natural);
     Lanes extents, lows, highs;
-    extents.set(extent), lows.set(low), highs.set(high);
+    extents.set(deformation), lows.set(low), highs.set(high);
     Sizes off;
     ask_lanes(off, [&](std::size_t i) { return !(extents[i] > lows[i] && extents[i] < highs[i]); });
     left |= off & is;
@@ -112,12 +113,13 @@ template <bool recorded, class Joints>
     // Joint i takes the pull of cable i and of the one before it.
     Pack force_x{}, force_y{};
     choose(force_x, is, tension * pulls_x), choose(force_y, is, tension * pulls_y);
-    Pack share_a, share_b;
-    load(share_a, constants.share_a.at(cable)), load(share_b, constants.share_b.at(cable));
-    const Pack end_x = share_b * force_x, end_y = share_b * force_y;
+    Pack symmetry_weight_a, symmetry_weight_b;
+    load(symmetry_weight_a, constants.symmetry_weight_a.at(cable)),
+        load(symmetry_weight_b, constants.symmetry_weight_b.at(cable));
+    const Pack end_x = symmetry_weight_b * force_x, end_y = symmetry_weight_b * force_y;
     const Pack x_B = __builtin_shufflevector(before_x, end_x, 3, 4, 5, 6);
     const Pack y_B = __builtin_shufflevector(before_y, end_y, 3, 4, 5, 6);
-    const Pack joint_x = share_a * force_x - x_B, joint_y = share_a * force_y - y_B;
+    const Pack joint_x = symmetry_weight_a * force_x - x_B, joint_y = symmetry_weight_a * force_y - y_B;
     if constexpr (recorded) {
       between(is, 0, count + 1 - block);
       put(joints.force_x.at(joint), is, joint_x), put(joints.force_y.at(joint), is, joint_y);
@@ -152,7 +154,7 @@ TALUS_CLONES void copy(const Wrenches& from, std::size_t count, Wrenches& to) {
   }
 }
 
-void place_joints(const JointRun& run, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints) {
+void place_joints(const JointSpan& run, const Row& p_x, const Row& p_y, const Poses& poses, JointPoints& joints) {
   for (std::size_t i = 0; i < run.count; ++i) {
     const std::size_t body = run.body + i, joint = run.joint + i;
     const double cosine = poses.cosine[body], sine = poses.sine[body], w = poses.w[body];
@@ -164,18 +166,18 @@ void place_joints(const JointRun& run, const Row& p_x, const Row& p_y, const Pos
   }
 }
 
-TALUS_CLONES bool lay_row(const CableRun& run, const CableConstants& constants, const CableLines& lines,
-                          const Poses& poses, JointPoints& joints, Paths& paths, Wrenches& pulls) {
+TALUS_CLONES bool evaluate_chain(const CableSpan& run, const CableConstants& constants, const CableLinearization& lines,
+                                 const Poses& poses, JointPoints& joints, Paths& paths, Wrenches& pulls) {
   return pull<true>(run, constants, lines, poses, joints, &paths, pulls);
 }
 
-TALUS_CLONES bool pull_row(const CableRun& run, const CableConstants& constants, const CableLines& lines,
-                           const Poses& poses, const JointPoints& joints, Wrenches& pulls) {
+TALUS_CLONES bool chain_wrenches(const CableSpan& run, const CableConstants& constants, const CableLinearization& lines,
+                                 const Poses& poses, const JointPoints& joints, Wrenches& pulls) {
   return pull<false>(run, constants, lines, poses, joints, nullptr, pulls);
 }
 
-TALUS_CLONES bool stay_straight(std::size_t first, std::size_t count, const Row& rest_length, const CableLines& lines,
-                                const Paths& paths, double ahead) {
+TALUS_CLONES bool remains_linear(std::size_t first, std::size_t count, const Row& rest_length,
+                                 const CableLinearization& lines, const Paths& paths, double ahead) {
   Sizes left{};
   for (std::size_t i = 0; i < count; i += pack_size) {
     const std::size_t cable = first + i;
@@ -184,8 +186,8 @@ TALUS_CLONES bool stay_straight(std::size_t first, std::size_t count, const Row&
     const double *const low = lines.low.at(cable), *const high = lines.high.at(cable);
     Sizes off, is;
     ask_lanes(off, [&](std::size_t l) {
-      const double extent = length[l] - rest[l], way = ahead * std::abs(rate[l]);
-      return !((extent - low[l] > way) & (high[l] - extent > way));
+      const double deformation = length[l] - rest[l], way = ahead * std::abs(rate[l]);
+      return !((deformation - low[l] > way) & (high[l] - deformation > way));
     });
     between(is, 0, static_cast<std::ptrdiff_t>(count - i));
     left |= off & is;
@@ -193,7 +195,7 @@ TALUS_CLONES bool stay_straight(std::size_t first, std::size_t count, const Row&
   return !any_bit(left);
 }
 
-TALUS_CLONES void load_bodies(const JointRun& run, const JointPoints& joints, Wrenches& wrenches) {
+TALUS_CLONES void load_bodies(const JointSpan& run, const JointPoints& joints, Wrenches& wrenches) {
   for (std::size_t i = 0; i < run.count; i += pack_size) {
     const std::size_t joint = run.joint + i, body = run.body + i;
     Pack force_x, force_y, arm_x, arm_y, x, y, moment;

@@ -1,4 +1,4 @@
-#include "verification/driver/flaw.hpp"
+#include "verification/driver/case_error.hpp"
 
 #include <fmt/format.h>
 
@@ -76,7 +76,7 @@ std::string flaw_of_faults(const Case& verification_case) {
 
 }  // namespace
 
-std::string flaw_of(const Case& verification_case, const std::vector<Case>& all, const Catalogue& catalogue) {
+std::string case_error(const Case& verification_case, const std::vector<Case>& all, const Catalogue& catalogue) {
   const Case& c = verification_case;
   if (!is_snake_case(c.id)) return fmt::format("its id '{}' is not snake_case", c.id);
   if (std::count_if(all.begin(), all.end(), [&](const Case& other) { return other.id == c.id; }) > 1) {

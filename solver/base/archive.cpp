@@ -1,4 +1,4 @@
-#include "solver/base/memory.hpp"
+#include "solver/base/archive.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 namespace talus {
 
-std::vector<std::string> Memory::left_over() const {
+std::vector<std::string> Archive::left_over() const {
   std::vector<std::string> names;
   if (!saved_) return names;
   for (const auto& [name, value] : *saved_) {
@@ -21,7 +21,7 @@ std::vector<std::string> Memory::left_over() const {
 }
 
 template <class Kind>
-const Kind& Memory::saved(std::string_view name, std::string_view kind) {
+const Kind& Archive::saved(std::string_view name, std::string_view kind) {
   const std::string full = full_name(name);
   const auto found = saved_->find(full);
   if (found == saved_->end()) throw InputError{fmt::format("{}: it is missing; it must be {}", full, kind)};
@@ -34,7 +34,7 @@ const Kind& Memory::saved(std::string_view name, std::string_view kind) {
   return *value;
 }
 
-void Memory::numbers(std::string_view name, std::span<double> values) {
+void Archive::numbers(std::string_view name, std::span<double> values) {
   if (!saved_) {
     items_.insert_or_assign(full_name(name), std::vector<double>(values.begin(), values.end()));
     return;
@@ -47,19 +47,19 @@ void Memory::numbers(std::string_view name, std::span<double> values) {
   std::copy(found.begin(), found.end(), values.begin());
 }
 
-void Memory::vector(std::string_view name, Vec2& value) {
+void Archive::vector(std::string_view name, Vec2& value) {
   std::array kept{value.x, value.y};
   numbers(name, kept);
   value = {kept[0], kept[1]};
 }
 
-void Memory::vector(std::string_view name, Vec3& value) {
+void Archive::vector(std::string_view name, Vec3& value) {
   std::array kept{value.x, value.y, value.z};
   numbers(name, kept);
   value = {kept[0], kept[1], kept[2]};
 }
 
-void Memory::list(std::string_view name, std::vector<double>& values) {
+void Archive::list(std::string_view name, std::vector<double>& values) {
   if (saved_) {
     values = saved<std::vector<double>>(name, "a list of numbers");
   } else {
@@ -67,7 +67,7 @@ void Memory::list(std::string_view name, std::vector<double>& values) {
   }
 }
 
-void Memory::text(std::string_view name, std::string& value) {
+void Archive::text(std::string_view name, std::string& value) {
   if (saved_) {
     value = saved<std::string>(name, "a text");
   } else {
@@ -75,27 +75,27 @@ void Memory::text(std::string_view name, std::string& value) {
   }
 }
 
-void Memory::demand_whole(std::string_view name, double value, double largest) const {
+void Archive::demand_whole(std::string_view name, double value, double largest) const {
   if (value >= 0.0 && value <= largest && value == std::floor(value)) return;
   throw InputError{
       fmt::format("{}: found {}; it must be a whole number from 0 to {}", full_name(name), value, largest)};
 }
 
-void Memory::count(std::string_view name, long& value) {
+void Archive::count(std::string_view name, long& value) {
   auto kept = static_cast<double>(value);
   number(name, kept);
   demand_whole(name, kept, 0x1p53);
   value = static_cast<long>(kept);
 }
 
-void Memory::flag(std::string_view name, bool& value) {
+void Archive::flag(std::string_view name, bool& value) {
   double kept = value ? 1.0 : 0.0;
   number(name, kept);
   demand_whole(name, kept, 1.0);
   value = kept == 1.0;
 }
 
-void Memory::numbers(std::string_view name, std::span<std::uint16_t> values) {
+void Archive::numbers(std::string_view name, std::span<std::uint16_t> values) {
   std::vector<double> kept(values.begin(), values.end());
   numbers(name, kept);
   for (std::size_t i = 0; i < kept.size(); ++i) {

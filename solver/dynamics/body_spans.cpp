@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "solver/dynamics/lane_masks.hpp"
-#include "solver/dynamics/runs.hpp"
+#include "solver/dynamics/spans.hpp"
 
 namespace talus {
 namespace {
@@ -81,7 +81,7 @@ namespace {
 /// Calls visit(threes, body, are) for each pack of neighbouring bodies, with their three numbers each, and which of its
 /// lanes there are. Some bodies may be visited twice.
 template <class Visit>
-[[gnu::always_inline]] inline void for_body_packs(const BodyRun& run, const double* threes, Visit&& visit) {
+[[gnu::always_inline]] inline void for_body_packs(const BodySpan& run, const double* threes, Visit&& visit) {
   if (run.count < pack_size) {
     // Behind the last body nothing may be read.
     std::array<double, 3 * pack_size> few{};
@@ -101,14 +101,14 @@ template <class Visit>
 
 }  // namespace
 
-TALUS_CLONES void place_bodies(const BodyRun& run, const double* q, Poses& poses) {
+TALUS_CLONES void place_bodies(const BodySpan& run, const double* q, Poses& poses) {
   for_body_packs(
       run, q, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
         place_pack(threes, body, are, poses);
       });
 }
 
-TALUS_CLONES void place_velocities(const BodyRun& run, const double* v, Poses& poses) {
+TALUS_CLONES void place_velocities(const BodySpan& run, const double* v, Poses& poses) {
   for_body_packs(
       run, v, [&](const double* threes, std::size_t body, const Sizes& are) __attribute__((always_inline)) {
         Pack vx, vy, w;
@@ -117,7 +117,7 @@ TALUS_CLONES void place_velocities(const BodyRun& run, const double* v, Poses& p
       });
 }
 
-TALUS_CLONES bool have_moved(const Poses& poses, const Places& places, const Leeways& leeways) {
+TALUS_CLONES bool any_exceeded_skin(const Poses& poses, const Places& places, const SkinLimits& limits) {
   const auto change = [](Pack& size, const Row& now, const Row& then, std::size_t i) {
     Pack there;
     load(size, now.at(i)), load(there, then.at(i));
@@ -129,20 +129,20 @@ TALUS_CLONES bool have_moved(const Poses& poses, const Places& places, const Lee
   // Sizes are ordered as their bits are, as whole numbers, in which what is not a number is above all others: of the
   // greater less the smaller the sign is set.
   Sizes moved{};
-  for (std::size_t i = leeways.first; i < leeways.last; i += pack_size) {
+  for (std::size_t i = limits.first; i < limits.last; i += pack_size) {
     Pack x, y, cosine, sine, radius;
     change(x, poses.x, places.x, i), change(y, poses.y, places.y, i);
     change(cosine, poses.cosine, places.cosine, i), change(sine, poses.sine, places.sine, i);
-    load(radius, leeways.radius.at(i));
+    load(radius, limits.radius.at(i));
     Sizes most, way{};
-    std::memcpy(&most, leeways.way.at(i), sizeof most);
+    std::memcpy(&most, limits.way.at(i), sizeof most);
     raise(way, x + y + radius * (cosine + sine));
     moved |= most - way;
   }
   return any_bit(moved & std::numeric_limits<std::int64_t>::min());
 }
 
-TALUS_CLONES void accelerate_bodies(const BodyRun& run, const BodyConstants& constants, const Wrenches& wrenches,
+TALUS_CLONES void accelerate_bodies(const BodySpan& run, const BodyConstants& constants, const Wrenches& wrenches,
                                     double* a) {
   if (run.count < pack_size) {
     std::array<double, 3 * pack_size> few;

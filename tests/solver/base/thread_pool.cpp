@@ -1,5 +1,5 @@
-#define BOOST_TEST_MODULE team
-#include "solver/base/team.hpp"
+#define BOOST_TEST_MODULE pool
+#include "solver/base/thread_pool.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-using talus::Team;
+using talus::ThreadPool;
 
 namespace {
 
@@ -44,11 +44,11 @@ BOOST_AUTO_TEST_CASE(threads_that_cannot_be_started_are_done_without) {
   std::vector<int> done(4);
   const auto made = [] {
     const NoRoom no_room;
-    return std::make_unique<Team>(4);
+    return std::make_unique<ThreadPool>(4);
   };
-  const std::unique_ptr<Team> team = made();
+  const std::unique_ptr<ThreadPool> pool = made();
   for (int call = 0; call < 100; ++call) {
-    team->each([&](std::size_t k) {
+    pool->each([&](std::size_t k) {
       ++done[k];
       ids.insert(std::this_thread::get_id());  // by this thread alone
     });
@@ -59,11 +59,11 @@ BOOST_AUTO_TEST_CASE(threads_that_cannot_be_started_are_done_without) {
 
 BOOST_AUTO_TEST_CASE(each_part_is_done_once_and_before_the_next_work_begins) {
   for (const std::size_t size : {1U, 2U, 3U, 7U}) {
-    Team team{size};
+    ThreadPool pool{size};
     std::vector<long> done(size);
     bool together = true;
     for (long call = 1; call <= 2000; ++call) {
-      team.each([&](std::size_t k) { ++done[k]; });
+      pool.each([&](std::size_t k) { ++done[k]; });
       together = together && std::accumulate(done.begin(), done.end(), 0L) == call * static_cast<long>(size);
     }
     BOOST_TEST(together);
@@ -72,11 +72,11 @@ BOOST_AUTO_TEST_CASE(each_part_is_done_once_and_before_the_next_work_begins) {
 }
 
 BOOST_AUTO_TEST_CASE(what_a_part_throws_reaches_the_caller_and_the_team_goes_on) {
-  Team team{3};
+  ThreadPool pool{3};
   for (const std::size_t thrower : {0U, 2U}) {
     std::string caught;
     try {
-      team.each([&](std::size_t k) {
+      pool.each([&](std::size_t k) {
         if (k >= thrower) throw std::runtime_error{"part " + std::to_string(k)};
       });
     } catch (const std::runtime_error& error) {
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(what_a_part_throws_reaches_the_caller_and_the_team_goes_on)
     }
     BOOST_TEST(caught == "part " + std::to_string(thrower));
     int done = 0;
-    team.each([&](std::size_t k) {
+    pool.each([&](std::size_t k) {
       if (k == 1) ++done;
     });
     BOOST_TEST(done == 1);

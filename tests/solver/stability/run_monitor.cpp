@@ -1,4 +1,4 @@
-/// The watch over a run (solver/stability/watch.hpp), on both sides of each of its limits.
+/// The watch over a run (solver/stability/run_monitor.hpp), on both sides of each of its limits.
 #define BOOST_TEST_MODULE watch
 #include <array>
 #include <boost/test/unit_test.hpp>
@@ -13,7 +13,7 @@
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
-#include "solver/stability/watch.hpp"
+#include "solver/stability/run_monitor.hpp"
 
 using namespace talus;
 
@@ -21,31 +21,31 @@ namespace {
 
 /// A run under watch to its end or to a breach.
 struct WatchedRun {
-  std::string breach;
+  std::string violation;
   std::vector<std::string> warnings;
   double time{};
   double share{};  ///< largest overlap
 };
 
 WatchedRun run(Scene scene, double step, double end, const char* method = "velocity_verlet",
-               const WatchRules& rules = {}) {
+               const MonitorRules& rules = {}) {
   scene.integrator = make_integrator(method, needs_tolerance(method) ? 1e-9 : 0.0);
   scene.plan = {step, end, end, true, rules};
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics, true};
   State state = scene.initial;
   system.begin(state);
-  Watch watch{scene, dynamics, state};
-  watch.look(Snapshot{dynamics, state}, 0);
-  if (watch.breach().empty()) {
+  RunMonitor watch{scene, dynamics, state};
+  watch.check(Snapshot{dynamics, state}, 0);
+  if (watch.violation().empty()) {
     long n = 0;
     const Outcome outcome = simulate(system, scene.integrator, state, scene.plan, {}, [&](const Snapshot& seen) {
-      watch.look(seen, ++n);
-      return !watch.breach().empty();
+      watch.check(seen, ++n);
+      return !watch.violation().empty();
     });
     BOOST_TEST(static_cast<bool>(outcome));
   }
-  return {watch.breach(), watch.warnings(), state.t, watch.extreme(Watched::overlap).value};
+  return {watch.violation(), watch.warnings(), state.t, watch.extreme(Watched::overlap).value};
 }
 
 bool says(const std::string& text, const char* words) { return text.find(words) != std::string::npos; }
@@ -113,69 +113,69 @@ Scene impact(double overlap) {
 
 BOOST_AUTO_TEST_CASE(instability_ends_a_run_before_its_first_step) {
   // Both springs act: the limit is h w = 2 with w = 100.
-  BOOST_TEST(run(squeezed(), 0.01999, 0.2).breach.empty());
+  BOOST_TEST(run(squeezed(), 0.01999, 0.2).violation.empty());
   const WatchedRun beyond = run(squeezed(), 0.02001, 0.2);
   BOOST_TEST(beyond.time == 0.0);
-  BOOST_TEST(says(beyond.breach, "h omega = 2.001 > 2, the linear limit of velocity_verlet"));
-  const WatchedRun warned =
-      run(squeezed(), 0.02001, 0.2, "velocity_verlet", {.instability = Breach::warning, .accuracy = Breach::off});
-  BOOST_TEST(warned.breach.empty());
+  BOOST_TEST(says(beyond.violation, "h omega = 2.001 > 2, the linear limit of velocity_verlet"));
+  const WatchedRun warned = run(squeezed(), 0.02001, 0.2, "velocity_verlet",
+                                {.instability = CheckAction::warning, .accuracy = CheckAction::off});
+  BOOST_TEST(warned.violation.empty());
   BOOST_TEST(warned.warnings.size() == 1U);
   const WatchedRun off =
-      run(squeezed(), 0.02001, 0.2, "velocity_verlet", {.instability = Breach::off, .accuracy = Breach::off});
+      run(squeezed(), 0.02001, 0.2, "velocity_verlet", {.instability = CheckAction::off, .accuracy = CheckAction::off});
   BOOST_TEST(off.warnings.empty());
   // Springs that do not act set no limit.
   Scene apart = squeezed();
   apart.model.bodies[1].p_WB.y = -3.0, apart.model.bodies[2].p_WB.y = 3.0;
-  BOOST_TEST(run(apart, 0.1, 1.0, "velocity_verlet", {.accuracy = Breach::off}).breach.empty());
+  BOOST_TEST(run(apart, 0.1, 1.0, "velocity_verlet", {.accuracy = CheckAction::off}).violation.empty());
 }
 
 BOOST_AUTO_TEST_CASE(bodies_that_could_pass_unseen_are_refused) {
   // Half of .1 and .1 together are .1 of way: at a step of 1e-3 a speed of 100.
-  const WatchRules rules{.instability = Breach::off, .accuracy = Breach::off};
-  BOOST_TEST(run(shot(99.0), 1e-3, 0.1, "velocity_verlet", rules).breach.empty());
+  const MonitorRules rules{.instability = CheckAction::off, .accuracy = CheckAction::off};
+  BOOST_TEST(run(shot(99.0), 1e-3, 0.1, "velocity_verlet", rules).violation.empty());
   const WatchedRun beyond = run(shot(101.0), 1e-3, 0.1, "velocity_verlet", rules);
   BOOST_TEST(beyond.time == 0.0);
-  BOOST_TEST(says(beyond.breach, "the bodies of contact 'hit' may pass each other unseen"));
+  BOOST_TEST(says(beyond.violation, "the bodies of contact 'hit' may pass each other unseen"));
   // Located steps see to that themselves.
-  BOOST_TEST(run(shot(101.0), 0.1, 0.1, "stormer_cowell", rules).breach.empty());
+  BOOST_TEST(run(shot(101.0), 0.1, 0.1, "stormer_cowell", rules).violation.empty());
 }
 
 BOOST_AUTO_TEST_CASE(overlaps_are_measured_against_the_smaller_body) {
-  const WatchRules rules{.accuracy = Breach::error};
+  const MonitorRules rules{.accuracy = CheckAction::error};
   BOOST_TEST(run(impact(0.249), 1e-4, 2.0).warnings.empty());
   const WatchedRun deep = run(impact(0.251), 1e-4, 2.0);
-  BOOST_TEST(deep.breach.empty());
+  BOOST_TEST(deep.violation.empty());
   BOOST_TEST(deep.warnings.size() == 1U);
   BOOST_TEST(deep.share == 0.251, boost::test_tools::tolerance(1e-4));
-  BOOST_TEST(!run(impact(0.251), 1e-4, 2.0, "velocity_verlet", rules).breach.empty());
-  BOOST_TEST(run(impact(0.499), 1e-4, 3.0).breach.empty());
+  BOOST_TEST(!run(impact(0.251), 1e-4, 2.0, "velocity_verlet", rules).violation.empty());
+  BOOST_TEST(run(impact(0.499), 1e-4, 3.0).violation.empty());
   const WatchedRun through = run(impact(0.501), 1e-4, 3.0);
-  BOOST_TEST(says(through.breach, "the bodies may slip through each other"));
+  BOOST_TEST(says(through.violation, "the bodies may slip through each other"));
   BOOST_TEST(through.time < 1.4);
   // Where both sides of the second limit only warn, each is said once, at whatever many steps.
-  const WatchedRun warned =
-      run(impact(0.501), 1e-4, 3.0, "velocity_verlet", {.tunnelling = Breach::warning, .accuracy = Breach::warning});
-  BOOST_TEST(warned.breach.empty());
+  const WatchedRun warned = run(impact(0.501), 1e-4, 3.0, "velocity_verlet",
+                                {.tunnelling = CheckAction::warning, .accuracy = CheckAction::warning});
+  BOOST_TEST(warned.violation.empty());
   BOOST_TEST(warned.warnings.size() == 2U);
 }
 
 BOOST_AUTO_TEST_CASE(outlines_that_cross_where_no_node_is_in_the_other) {
-  const WatchRules rules{.accuracy = Breach::off};
+  const MonitorRules rules{.accuracy = CheckAction::off};
   const WatchedRun across = run(crossed(0.0, ContactMethod::nodes), 1e-3, 0.1, "velocity_verlet", rules);
   BOOST_TEST(across.time == 0.0);
-  BOOST_TEST(says(across.breach, "no node of either is in the other"));
-  BOOST_TEST(says(across.breach, "'across' overlaps by 11 of half the least width"));
+  BOOST_TEST(says(across.violation, "no node of either is in the other"));
+  BOOST_TEST(says(across.violation, "'across' overlaps by 11 of half the least width"));
   // With corners in the other bar, and by the one resultant, a force acts.
   const WatchedRun corners = run(crossed(1.08, ContactMethod::nodes), 1e-3, 0.1);
-  BOOST_TEST(corners.breach.empty());
+  BOOST_TEST(corners.violation.empty());
   BOOST_TEST(corners.share == 0.2, boost::test_tools::tolerance(1e-12));
   const WatchedRun resultant = run(crossed(0.0, ContactMethod::resultant), 1e-3, 0.1, "velocity_verlet", rules);
-  BOOST_TEST(says(resultant.breach, "the bodies may slip through each other"));
+  BOOST_TEST(says(resultant.violation, "the bodies may slip through each other"));
   // Apart, or told not to look, it says nothing.
-  BOOST_TEST(run(crossed(1.2, ContactMethod::nodes), 1e-3, 0.1, "velocity_verlet", rules).breach.empty());
-  const WatchRules off{.tunnelling = Breach::off, .accuracy = Breach::off};
-  BOOST_TEST(run(crossed(0.0, ContactMethod::nodes), 1e-3, 0.1, "velocity_verlet", off).breach.empty());
+  BOOST_TEST(run(crossed(1.2, ContactMethod::nodes), 1e-3, 0.1, "velocity_verlet", rules).violation.empty());
+  const MonitorRules off{.tunnelling = CheckAction::off, .accuracy = CheckAction::off};
+  BOOST_TEST(run(crossed(0.0, ContactMethod::nodes), 1e-3, 0.1, "velocity_verlet", off).violation.empty());
 }
 
 BOOST_AUTO_TEST_CASE(contacts_of_few_steps_are_warned_of_where_they_touch) {
@@ -193,8 +193,8 @@ BOOST_AUTO_TEST_CASE(a_ledger_that_does_not_close_is_warned_of) {
   // Euler-Cromer's energy of a swing is off by h w/2 at first order, back and forth.
   Scene swings = squeezed();
   set_velocity(swings.model, swings.initial, static_cast<BodyId>(0), {0.0, 0.1}, 0.0);
-  WatchRules rules;
-  rules.tunnelling = Breach::off;
+  MonitorRules rules;
+  rules.tunnelling = CheckAction::off;
   const auto coarse = run(swings, 0.003, 0.3, "euler_cromer", rules).warnings;
   BOOST_TEST(coarse.size() == 1U);
   if (!coarse.empty()) BOOST_TEST(says(coarse.front(), "the energy balance is off by"));
@@ -208,17 +208,17 @@ BOOST_AUTO_TEST_CASE(a_watch_put_back_goes_on) {
   const Dynamics dynamics{scene.model};
   RigidBodySystem system{dynamics, true};
   State state = scene.initial;
-  Watch watch{scene, dynamics, state}, other{scene, dynamics, state};
+  RunMonitor watch{scene, dynamics, state}, other{scene, dynamics, state};
   long n = 0;
   static_cast<void>(simulate(system, scene.integrator, state, scene.plan, {}, [&](const Snapshot& seen) {
-    watch.look(seen, ++n);
+    watch.check(seen, ++n);
     return false;
   }));
   BOOST_TEST(watch.warnings().size() == 1U);
-  Memory saving;
-  watch.remember(saving);
-  Memory putting_back{saving.items()};
-  other.remember(putting_back);
+  Archive saving;
+  watch.serialize(saving);
+  Archive putting_back{saving.items()};
+  other.serialize(putting_back);
   BOOST_TEST((other.warnings() == watch.warnings()));
   BOOST_TEST(other.extreme(Watched::overlap).value == watch.extreme(Watched::overlap).value);
   BOOST_TEST(other.extreme(Watched::overlap).time == watch.extreme(Watched::overlap).time);
@@ -236,26 +236,26 @@ BOOST_AUTO_TEST_CASE(an_extreme_of_a_contact_that_is_not_there_is_refused) {
     const Dynamics dynamics{scene.model};
     const State start = scene.initial;
     for (const auto which : {Watched::frequency, Watched::overlap, Watched::contact}) {
-      Watch watch{scene, dynamics, start};
-      Memory saving;
-      watch.remember(saving);
-      MemoryItems kept = saving.items();
+      RunMonitor watch{scene, dynamics, start};
+      Archive saving;
+      watch.serialize(saving);
+      ArchiveItems kept = saving.items();
       const std::size_t first = 5 * static_cast<std::size_t>(which);
       auto& numbers = std::get<std::vector<double>>(kept.at("extremes"));
       numbers[first + 3] = 1.0;  // seen
-      const auto puts_back = [&](double contact) {
+      const auto is_loading = [&](double contact) {
         numbers[first + 2] = contact;
-        Memory putting_back{kept};
+        Archive putting_back{kept};
         try {
-          Watch{scene, dynamics, start}.remember(putting_back);
+          RunMonitor{scene, dynamics, start}.serialize(putting_back);
         } catch (const InputError&) {
           return false;
         }
         return true;
       };
-      BOOST_TEST(puts_back(0.0) == (!scene.model.contacts.empty() || which == Watched::frequency));
-      BOOST_TEST(!puts_back(1.0));
-      BOOST_TEST(!puts_back(-1.0));
+      BOOST_TEST(is_loading(0.0) == (!scene.model.contacts.empty() || which == Watched::frequency));
+      BOOST_TEST(!is_loading(1.0));
+      BOOST_TEST(!is_loading(-1.0));
     }
   }
 }

@@ -13,25 +13,25 @@
 namespace talus {
 
 /// Numbers and texts by name: what a checkpoint holds.
-using MemoryItems = std::map<std::string, std::variant<std::vector<double>, std::string>, std::less<>>;
+using ArchiveItems = std::map<std::string, std::variant<std::vector<double>, std::string>, std::less<>>;
 
 /// One pass over what an object carries from one step of a run to the next. The object names each part once, in a
-/// function `remember(Memory&, ...)`, and the pass either saves the parts or puts saved ones back:
+/// function `remember(Archive&, ...)`, and the pass either saves the parts or puts saved ones back:
 ///
-///   void remember(Memory& memory) { memory.number("internal_step", step_); memory.list("rates", rates_); }
+///   void remember(Archive& archive) { archive.number("internal_step", step_); archive.list("rates", rates_); }
 ///
 /// What is put back is bit for bit what was saved. Errors when putting back: InputError naming the part, what was
 /// found and what is allowed.
-class Memory {
+class Archive {
  public:
   /// A pass that saves.
-  Memory() = default;
+  Archive() = default;
   /// A pass that puts back. The items must outlive it.
-  explicit Memory(const MemoryItems& saved) : saved_{&saved} {}
+  explicit Archive(const ArchiveItems& saved) : saved_{&saved} {}
 
-  bool puts_back() const { return saved_ != nullptr; }
+  bool is_loading() const { return saved_ != nullptr; }
   /// What a pass that saves has collected.
-  const MemoryItems& items() const { return items_; }
+  const ArchiveItems& items() const { return items_; }
   /// Items that a pass that puts back was not asked for.
   std::vector<std::string> left_over() const;
 
@@ -49,9 +49,9 @@ class Memory {
   void vector(std::string_view name, Vec3& value);
   void text(std::string_view name, std::string& value);
 
-  /// The parts of a part: `visit` names them, and "name." goes in front.
+  /// A scope: `visit` names its parts, and "name." goes in front.
   template <class Visit>
-  void part(std::string_view name, Visit&& visit) {
+  void scope(std::string_view name, Visit&& visit) {
     const std::size_t length = prefix_.size();
     prefix_.append(name).append(".");
     visit();
@@ -64,8 +64,8 @@ class Memory {
   const Kind& saved(std::string_view name, std::string_view kind);
   void demand_whole(std::string_view name, double value, double largest) const;
 
-  const MemoryItems* saved_{nullptr};
-  MemoryItems items_;  ///< saved, or put back so far
+  const ArchiveItems* saved_{nullptr};
+  ArchiveItems items_;  ///< saved, or put back so far
   std::string prefix_;
 };
 
