@@ -37,7 +37,7 @@ class ContactLanes {
     SweptContacts& contacts = *w_.contacts;
     Pack x, y, v_x{}, v_y{}, distance, rate{}, largest{}, force, radii = Pack{} + w_.equal_radii;
     if (radii_ != nullptr) collect(radii, radii_, pairs);
-    if constexpr (remembers) collect(largest, contacts.before.largest.data(), from);
+    if constexpr (has_history) collect(largest, contacts.before.largest.data(), from);
     differences(x, y, w_.places, first_, second_, pairs);
     distance = x * x + y * y;
     square_root(distance);
@@ -51,7 +51,7 @@ class ContactLanes {
     Sizes overlaps;
     find_overlaps(overlap, overlaps);
     keep_where(force, overlaps);
-    if constexpr (remembers) {
+    if constexpr (has_history) {
       if (any_bit(~overlaps)) [[unlikely]] {
         for (std::size_t l = 0; l < count; ++l)
           if (overlaps[l] == 0) part(w_, w_.pairs->number_in_list(pairs[l]), largest[l], 0.0);
@@ -59,7 +59,7 @@ class ContactLanes {
       keep_where(largest, overlaps);
       store(largest, &contacts.now.largest[at]);
     }
-    if constexpr (!remembers) {
+    if constexpr (!has_history) {
       if (damps()) damp(overlap, overlaps, rate, force, at, from);
     }
     if constexpr (turns) {
@@ -92,7 +92,7 @@ class ContactLanes {
       is = overlap > Pack{};
   }
   /// Whether the work of the law's dashpot is recorded.
-  bool damps() const { return !remembers && w_.contacts->kinds.power; }
+  bool damps() const { return !has_history && w_.contacts->kinds.power; }
   /// The law's power and what it releases, of contacts that overlap.
   [[gnu::always_inline]] void damp(const Pack& overlap, const Sizes& overlaps, const Pack& rate, const Pack& force,
                                    std::size_t at, const std::uint32_t* from) {

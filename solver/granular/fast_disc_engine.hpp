@@ -106,10 +106,10 @@ class FastDiscEngine {
  protected:
   /// The law of contacts and their friction.
   struct Traits {
-    bool remembers{};   ///< the law has memory: the largest overlap
-    bool turns{};       ///< friction turns the discs
-    bool needs_rate{};  ///< the rate of overlap has a part in the law's force
-    double reach{};     ///< how far apart the surfaces may be where it acts [L]
+    bool has_history{};  ///< the law has memory: the largest overlap
+    bool turns{};        ///< friction turns the discs
+    bool needs_rate{};   ///< the rate of overlap has a part in the law's force
+    double reach{};      ///< how far apart the surfaces may be where it acts [L]
     Mechanism dissipation{}, release{};
   };
 

@@ -35,7 +35,7 @@ class FastDiscSystem : public FastDiscEngine {
   /// some thousand discs on, numbered by rows.
   FastDiscSystem(DiscShapes shapes, PeriodicBox box, const L& law, double skin, const F& friction = {},
                  std::size_t threads = 1)
-      : FastDiscEngine{{.has_history = remembers,
+      : FastDiscEngine{{.has_history = has_history,
                         .turns = turns,
                         .needs_rate = contact_kernel(law).needs_rate(),
                         .reach = reach(law),
@@ -84,7 +84,7 @@ class FastDiscSystem : public FastDiscEngine {
   }
   double kick_and_drift(const StepBlock& sweep) const override { return talus::kick_and_drift(law_, friction_, sweep); }
   double hysteresis_loss([[maybe_unused]] double largest) const override {
-    if constexpr (remembers) return law_.hysteresis_loss(largest);
+    if constexpr (has_history) return law_.hysteresis_loss(largest);
     return 0.0;
   }
   double friction_energy([[maybe_unused]] double stretch) const override {

@@ -163,7 +163,8 @@ BOOST_AUTO_TEST_CASE(any_number_of_threads_gives_the_same_bits) {
         together.t = alone.t;
         BOOST_TEST((together == alone));
         BOOST_TEST(several.builds() > 1);
-        if constexpr (FastDiscSystem<std::decay_t<decltype(law)>>::has_history) BOOST_TEST(several.lost() == one.lost());
+        if constexpr (FastDiscSystem<std::decay_t<decltype(law)>>::has_history)
+          BOOST_TEST(several.lost() == one.lost());
       }
     }
   });

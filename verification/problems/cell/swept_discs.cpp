@@ -78,7 +78,7 @@ void expect_same(Findings& findings, const Setup& setup, const std::string& name
   fast.advance(fast_discs, step, steps);
   findings.count(plain.evaluations() + fast.evaluations());
   constexpr auto lost = static_cast<std::size_t>(Law::dissipation);
-  if constexpr (fast.remembers) fast_discs.work[lost] = plain_discs.work[lost];
+  if constexpr (fast.has_history) fast_discs.work[lost] = plain_discs.work[lost];
   findings.in("engines")->expect("numbers that differ from the plain engine's, " + name,
                                  static_cast<double>(differing(plain_discs, fast_discs)), 0.0,
                                  Tolerance::exact("the same sums in the same order"));
