@@ -25,7 +25,7 @@ nightly:  ## what is too long for every change: other builds, sanitizers, covera
 fuzz:  ## mutated files for every reader, with the sanitizers; an hour (scripts/fuzz 1000 for less)
 	@scripts/fuzz
 
-guide:  ## build/guide/guide.html and guide.pdf from README.md and docs/
+guide:  ## build/guide/index.html and guide.pdf from README.md and docs/
 	@scripts/guide
 
 bench:  ## microseconds per step and work-precision tables

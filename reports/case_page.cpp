@@ -162,10 +162,9 @@ std::string case_page(const Record& record, std::size_t chapter, const Drawn& dr
   values.set("main_checks", record.checks.empty() ? "No check ran.\n" : main_check_table(record));
   const bool panels = !record.figures.empty() && !record.figures.front().panels.empty();
   values.set("figure", figures(record, chapter, drawn, 0, 1, panels ? Place::over_caption : Place::beside_caption));
-  values.set("rest", fmt::format("All {} checks and {} controls, {} tables, {} further figures: [details](#{}).",
+  values.set("rest", fmt::format("All {} checks and {} controls, {} tables, {} further figures: [details](details:{}).",
                                  record.checks.size(), record.controls.size(), record.tables.size(),
-                                 record.figures.empty() ? 0 : record.figures.size() - 1,
-                                 markdown::heading_id(details_heading(record))));
+                                 record.figures.empty() ? 0 : record.figures.size() - 1, record.id));
   values.set("has_message", !record.message.empty());
   return filled(templates / "case.mustache", values);
 }

@@ -254,7 +254,7 @@ std::string coverage(const Results& results, const records::Mutants* mutants) {
       "touches says **none**. The lists of laws, modes, rules, integrators and shapes are the solver's own.";
   if (mutants != nullptr) {
     text += fmt::format(
-        " In parentheses: how many of {} [mutants](#appendix-mutants) at least one of these checks noticed. A **0** is "
+        " In parentheses: how many of {} [mutants](page:mutants) at least one of these checks noticed. A **0** is "
         "a gap: what these checks measure was not shown to fail by any of them.{}",
         mutants->mutants.size(),
         mutants->whole_matrix ? ""

@@ -7,6 +7,8 @@
 
 #include "reports/error.hpp"
 #include "reports/process.hpp"
+#include "solver/threads/parallel_for.hpp"
+#include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
@@ -96,16 +98,48 @@ std::string references_of(const std::string& bibliography, const Document& d) {
       .output;
 }
 
-std::string make_html(const Document& d) {
-  return run_or_throw({"pandoc",
-                       {std::string("--from=") + dialect, "--to=html5", "--standalone", "--self-contained", "--mathml",
-                        "--no-highlight", "--toc", "--toc-depth=1", "--columns=40", "--metadata=pagetitle:" + d.title,
-                        "--metadata=lang:en", "--css=" + (d.resources / "report.css").string(),
-                        "--output=" + d.stem + ".html", d.stem + ".md"},
-                       d.folder,
-                       fixed_time(d)},
-                      d.stem + ".html")
-      .messages;
+std::string make_site(const std::vector<SitePage>& pages, const std::string& navigation, const Document& d,
+                      unsigned jobs) {
+  const auto pandoc = [&](std::vector<std::string> arguments, const std::string& purpose) {
+    arguments.insert(arguments.begin(), {std::string("--from=") + dialect, "--to=html5", "--no-highlight"});
+    return run_or_throw({"pandoc", std::move(arguments), d.folder, fixed_time(d)}, purpose);
+  };
+  for (const char* file : {"site.css", "site.js"})
+    std::filesystem::copy_file(d.resources / file, d.folder / file);
+  records::write_whole(d.folder / "navigation.md", navigation);
+  const std::string list = pandoc({"navigation.md"}, "navigation.md").output;
+  records::write_whole(d.folder / "before.html",
+                       "<header id=\"site\"><button id=\"menu\" type=\"button\">Contents</button>\n<nav "
+                       "id=\"contents\">\n<input id=\"search\" type=\"search\" placeholder=\"Search\" "
+                       "aria-label=\"Search\">\n<ul id=\"found\"></ul>\n" +
+                           list + "</nav></header>\n<main>\n");
+  records::write_whole(d.folder / "after.html",
+                       "</main>\n<script src=\"search.js\"></script>\n<script src=\"site.js\"></script>\n");
+  records::Json index = records::Json::array();
+  for (const SitePage& page : pages)
+    index.push_back({page.name, page.title, page.words});
+  // As a script, because a page opened from a disk may not fetch a file.
+  records::write_whole(
+      d.folder / "search.js",
+      "const talusPages = " + index.dump(-1, ' ', true, records::Json::error_handler_t::replace) + ";\n");
+  std::vector<std::string> warnings(pages.size());
+  parallel_for(pages.size(), jobs, [&](std::size_t i) {
+    const SitePage& page = pages[i];
+    records::write_whole(d.folder / (page.name + ".md"), page.text);
+    warnings[i] =
+        pandoc({"--standalone", "--mathml", "--columns=40", "--metadata=pagetitle:" + page.title + " - " + d.title,
+                "--metadata=lang:en", "--css=site.css", "--include-before-body=before.html",
+                "--include-after-body=after.html", "--output=" + page.name + ".html", page.name + ".md"},
+               page.name + ".html")
+            .messages;
+    std::filesystem::remove(d.folder / (page.name + ".md"));
+  });
+  for (const char* file : {"navigation.md", "before.html", "after.html"})
+    std::filesystem::remove(d.folder / file);
+  std::string all;
+  for (const std::string& each : warnings)
+    all += each;
+  return all;
 }
 
 std::string make_latex(const Document& d) {
@@ -113,17 +147,31 @@ std::string make_latex(const Document& d) {
   const std::string copy = d.stem + ".printable.md";
   records::write_whole(d.folder / copy,
                        printable(records::read_whole(d.folder / (d.stem + ".md")), records::read_whole(header)));
-  return run_or_throw(
-             {"pandoc",
-              {std::string("--from=") + dialect, "--to=latex", "--standalone", "--no-highlight", "--columns=40",
-               "--include-in-header=" + header.string(), "--lua-filter=" + (d.resources / "pdf.lua").string(),
-               "--variable=documentclass:article", "--variable=classoption:a4paper", "--variable=fontsize:10pt",
-               "--variable=geometry:top=16mm,bottom=14mm,left=18mm,right=18mm,headsep=4mm,footskip=7mm",
-               "--variable=colorlinks:true", "--variable=linkcolor:TalusLink", "--variable=urlcolor:TalusLink",
-               "--output=" + d.stem + ".tex", copy},
-              d.folder,
-              fixed_time(d)},
-             d.stem + ".tex")
+  return run_or_throw({"pandoc",
+                       {std::string("--from=") + dialect,
+                        "--to=latex",
+                        "--standalone",
+                        "--no-highlight",
+                        "--columns=40",
+                        "--include-in-header=" + header.string(),
+                        "--lua-filter=" + (d.resources / "pdf.lua").string(),
+                        "--variable=documentclass:article",
+                        "--variable=classoption:a4paper",
+                        "--variable=fontsize:10pt",
+                        "--variable=geometry:top=16mm,bottom=14mm,left=18mm,right=18mm,headsep=4mm,footskip=7mm",
+                        "--variable=title-meta:" + d.title,
+                        "--variable=author-meta:The Talus project",
+                        "--variable=subject:Verification of the discrete-element code Talus",
+                        "--variable=keywords:discrete element method, verification, rockfall fence, sheared cell, time "
+                        "integration",
+                        "--variable=colorlinks:true",
+                        "--variable=linkcolor:TalusLink",
+                        "--variable=urlcolor:TalusLink",
+                        "--output=" + d.stem + ".tex",
+                        copy},
+                       d.folder,
+                       fixed_time(d)},
+                      d.stem + ".tex")
       .messages;
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace talus::reports {
 
@@ -10,7 +11,7 @@ namespace talus::reports {
 struct Document {
   std::filesystem::path folder;     ///< holds the document and its pictures; results go there too
   std::string stem;                 ///< of the Markdown file and of what is made from it
-  std::string title;                ///< of the browser's window
+  std::string title;                ///< in the metadata
   std::filesystem::path resources;  ///< reports/pandoc: header.tex, pdf.lua, references.csl, ...
   long long epoch{};                ///< date of the document, seconds since 1970
   bool has_contents{true};          ///< a table of contents, labels or long tables, which take a pass of their own
@@ -20,8 +21,19 @@ struct Document {
 /// run_or_throw(), also where pandoc warns.
 [[nodiscard]] std::string references_of(const std::string& bibliography, const Document& document);
 
-/// Writes folder/stem.html, one file with all in it; returns pandoc's warnings. Throws OutputError as run_or_throw().
-std::string make_html(const Document& document);
+/// A page of a site.
+struct SitePage {
+  std::string name;   ///< file stem
+  std::string title;  ///< plain text
+  std::string text;   ///< Markdown
+  std::string words;  ///< what the search finds the page by, beside its title
+};
+
+/// Writes folder/NAME.html of each page, with a style sheet, a script and the index of the search; `navigation` is a
+/// Markdown list of links for the side of each page. No file refers to the network. Returns pandoc's warnings. Throws
+/// OutputError as run_or_throw().
+std::string make_site(const std::vector<SitePage>& pages, const std::string& navigation, const Document& site,
+                      unsigned jobs);
 
 /// Writes folder/stem.tex (pictures need not exist yet); returns pandoc's warnings. Letters that pdfLaTeX has no sign
 /// for become their code point, U+hhhh.

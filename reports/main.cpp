@@ -17,20 +17,26 @@ struct Options {
   std::string plot;
   std::string to;
   std::string sheet;
+  std::vector<std::string> site;
+  std::string title;
   std::vector<std::string> formats{"svg", "pdf", "png"};
   unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
 };
 
 void describe(CLI::App& app, Options& options) {
   app.description(
-      "Writes verification.md, verification.html and verification.pdf from the records of a verification run,\n"
-      "or the pictures of one run (--plot). Exit codes: 0 written, 2 wrong usage or record, 4 a file or tool failed\n"
+      "Writes verification.pdf, verification-details.pdf, both as .md, and html/index.html from the records of a "
+      "verification run,\n"
+      "or the pictures of one run (--plot), or a site from Markdown (--site). Exit codes: 0 written, 2 wrong usage or "
+      "record, 4 a file or tool failed\n"
       "or a tool is missing; what can be made without it is there.");
   app.add_option("verify", options.verify, "folder with results.json and the cases' folders (build/verify)");
   app.add_option("report", options.report, "folder to write the report to (build/report)");
   app.add_option("--plot", options.plot, "a run's folder: draw the figures of its plot.json");
-  app.add_option("--to", options.to, "folder for the pictures; default plots/ in that of --plot");
+  app.add_option("--to", options.to, "folder for the pictures or the site; of --plot default its plots/");
   app.add_option("--sheet", options.sheet, "a fence run's folder: make sheet.pdf and sheet.html from its sheet.json");
+  app.add_option("--site", options.site, "Markdown files, the first page first: make a site of linked pages in --to");
+  app.add_option("--title", options.title, "title of the site; default the first page's");
   app.add_option("--format", options.formats, "formats of --plot, from ps, pdf, svg, png; default the last three")
       ->delimiter(',')
       ->check(CLI::IsMember({"ps", "pdf", "svg", "png"}));
@@ -62,6 +68,10 @@ int work(const Options& options) {
     const std::filesystem::path target = options.to.empty() ? run / "plots" : std::filesystem::path{options.to};
     return print(talus::reports::make_plots(run, target, formats, tools));
   }
+  if (!options.site.empty()) {
+    const std::vector<std::filesystem::path> pages(options.site.begin(), options.site.end());
+    return print(talus::reports::make_pages(pages, options.title, options.to, tools));
+  }
   if (!options.sheet.empty()) return print(talus::reports::make_sheet(options.sheet, tools));
   return print(talus::reports::make_report(options.verify, options.report, tools));
 }
@@ -74,11 +84,14 @@ int main(int argc, char** argv) {
   describe(app, options);
   try {
     app.parse(argc, argv);
-    const int jobs =
-        (!options.verify.empty() && !options.report.empty()) + !options.plot.empty() + !options.sheet.empty();
+    const int jobs = (!options.verify.empty() && !options.report.empty()) + !options.plot.empty() +
+                     !options.sheet.empty() + !options.site.empty();
     if (jobs != 1 || options.verify.empty() != options.report.empty()) {
-      throw CLI::ValidationError("give either two folders, VERIFY and REPORT, or --plot DIR, or --sheet DIR");
+      throw CLI::ValidationError(
+          "give either two folders, VERIFY and REPORT, or --plot DIR, --sheet DIR, or --site FILES --to DIR");
     }
+    if (!options.site.empty() && options.to.empty())
+      throw CLI::ValidationError("--site requires --to (the folder that receives the pages)");
   } catch (const CLI::ParseError& wrong) {
     return app.exit(wrong) == 0 ? 0 : 2;
   }

@@ -58,7 +58,7 @@ std::string escaped(const std::string& text, bool in_cell) {
 std::string visible(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text.compare(i, 3, "](#") == 0) {
+    if (text.compare(i, 2, "](") == 0) {
       i = std::min(text.find(')', i), text.size() - 1);
     } else if (text[i] != '\\' && text[i] != '[') {
       result += text[i];

@@ -26,7 +26,7 @@ std::string case_heading(const Record& record) {
 }
 
 std::string case_link(const Record& record) {
-  return fmt::format("[{}](#{})", markdown::words(record.id), markdown::heading_id(case_heading(record)));
+  return fmt::format("[{}](page:{})", markdown::words(record.id), record.id);
 }
 
 std::string link_of(const Results& results, const std::string& id) {

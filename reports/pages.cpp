@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "reports/appendix.hpp"
 #include "reports/comparisons.hpp"
 #include "reports/coverage.hpp"
+#include "reports/error.hpp"
+#include "reports/front_page.hpp"
 #include "reports/markdown.hpp"
 #include "reports/mutants_page.hpp"
 #include "reports/page_cells.hpp"
@@ -23,7 +26,8 @@ std::string run_in_words(const Results& results) {
                      p.dirty ? " with uncommitted changes" : "");
 }
 
-std::string front(const Results& results, const Trials& trials, const std::filesystem::path& templates) {
+/// The values of the first page.
+mustache::data front(const Results& results, const Drawn& drawn) {
   const Counts c = counts_of(results);
   mustache::data values;
   values.set("verdict", holds(results) ? "PASS" : "FAIL");
@@ -33,32 +37,77 @@ std::string front(const Results& results, const Trials& trials, const std::files
                                    c.cases, c.passed, c.failed, c.checks, c.checks_failed, c.slack, c.exempt,
                                    c.controls, c.controls_failed));
   std::string left_out;
+  std::size_t count = 0;
+  constexpr std::size_t named = 12;
   for (const std::string& id : results.registered) {
     if (std::find(results.selected.begin(), results.selected.end(), id) != results.selected.end()) continue;
-    left_out += (left_out.empty() ? "" : ", ") + id;
+    if (++count <= named) left_out += (left_out.empty() ? "" : ", ") + id;
   }
+  if (count > named) left_out += fmt::format(" and {} more", count - named);
   values.set("is_partial", !left_out.empty());
   values.set("left_out", left_out);
   const std::string failed = failures(results);
   values.set("has_failures", !failed.empty());
   values.set("failures", failed);
   values.set("run", run_in_words(results));
+  values.set("verified", verified(results));
+  values.set("not_verified", not_verified(results));
+  values.set("pictures", drawn.no_pictures.empty() ? highlights(results) : "");
+  values.set("findings", findings(results));
   values.set("cases", summary_by_family(results));
+  return values;
+}
+
+/// The heading of a text's first line, as plain text.
+std::string first_heading(const std::string& text) {
+  const std::string line = text.substr(0, text.find('\n'));
+  std::string heading = line.substr(std::min(line.find_first_not_of("# "), line.size()));
+  heading.erase(std::remove(heading.begin(), heading.end(), '\\'), heading.end());
+  return heading;
+}
+
+/// A link `](page:NAME)` or `](details:NAME)` leads to target(is_details, NAME).
+std::string resolved(const std::string& text, const std::function<std::string(bool, const std::string&)>& target) {
+  std::string result;
+  std::size_t at = 0;
+  for (;;) {
+    const std::size_t page = text.find("](page:", at), details = text.find("](details:", at);
+    const std::size_t open = std::min(page, details);
+    if (open == std::string::npos) return result + text.substr(at);
+    const std::size_t from = text.find(':', open) + 1, to = text.find(')', from);
+    result += text.substr(at, open - at) + "](" + target(open == details, text.substr(from, to - from)) + ")";
+    at = to + 1;
+  }
+}
+
+const ReportPage& page_of(const std::vector<ReportPage>& pages, const std::string& name) {
+  const auto found =
+      std::find_if(pages.begin(), pages.end(), [&](const ReportPage& page) { return page.name == name; });
+  if (found == pages.end()) throw OutputError(fmt::format("no page '{}' for a link", name));
+  return *found;
+}
+
+}  // namespace
+
+std::vector<ReportPage> report_pages(const Results& results, const Trials& trials, const Drawn& drawn,
+                                     const std::filesystem::path& templates, const std::string& references,
+                                     const std::string& tools) {
+  std::vector<ReportPage> pages;
+  const auto chapter = [&](const char* name, const mustache::data& values, Volume volume) {
+    const std::string text = filled(templates / "chapters" / fmt::format("{}.mustache", name), values);
+    pages.push_back(
+        {name, first_heading(text), "", volume == Volume::main ? text : "", volume == Volume::details ? text : ""});
+  };
+  const mustache::data first = front(results, drawn);
+  const std::string front_text = filled(templates / "front.mustache", first);
+  pages.push_back(
+      {"index", first_heading(front_text), "", front_text, filled(templates / "details_front.mustache", first)});
+  mustache::data values;
   values.set("coverage", coverage(results, trials.mutants ? &*trials.mutants : nullptr));
   values.set("formulas", common_formulas(results));
   values.set("peers", checks_of_peers(results));
   values.set("errata", errata(results));
-  return filled(templates / "front.mustache", values);
-}
-
-std::string back(const Results& results, const Trials& trials, const Drawn& drawn,
-                 const std::filesystem::path& templates, const std::string& references, const std::string& tools) {
-  mustache::data values;
   values.set("provenance", provenance(results));
-  std::string details;
-  for (std::size_t i = 0; i < results.records.size(); ++i)
-    details += fmt::format("{}\n", case_details(results.records[i], i + 1, drawn, templates));
-  values.set("details", details);
   values.set("rounding",
              trials.rounded.empty()
                  ? "The cases were not run under other roundings in this run: `scripts/nightly rounding` does so.\n"
@@ -71,19 +120,54 @@ std::string back(const Results& results, const Trials& trials, const Drawn& draw
   if (!drawn.no_pictures.empty()) values.set("no_pictures", markdown::words(drawn.no_pictures));
   values.set("tools", tools);
   values.set("date", results.provenance.date);
-  return filled(templates / "back.mustache", values);
+  for (const char* name : {"coverage", "formulas", "peers", "errata"})
+    chapter(name, values, Volume::main);
+  for (std::size_t i = 0; i < results.records.size(); ++i) {
+    const Record& record = results.records[i];
+    pages.push_back({record.id, case_heading(record), record.family.empty() ? "others" : record.family,
+                     case_page(record, i + 1, drawn, templates), case_details(record, i + 1, drawn, templates)});
+  }
+  for (const char* name : {"margins", "mutants", "rounding", "traceability"})
+    chapter(name, values, Volume::details);
+  for (const char* name : {"provenance", "references", "colophon"})
+    chapter(name, values, Volume::main);
+  return pages;
 }
 
-}  // namespace
+std::string stem_of(Volume volume) { return volume == Volume::main ? "verification" : "verification-details"; }
 
-std::string report_markdown(const Results& results, const Trials& trials, const Drawn& drawn,
-                            const std::filesystem::path& templates, const std::string& references,
-                            const std::string& tools) {
-  std::string text = front(results, trials, templates);
-  for (std::size_t i = 0; i < results.records.size(); ++i) {
-    text += fmt::format("\n{}", case_page(results.records[i], i + 1, drawn, templates));
+std::string volume_text(const std::vector<ReportPage>& pages, Volume volume) {
+  const auto part = [](const ReportPage& page, Volume of) -> const std::string& {
+    return of == Volume::main ? page.main : page.details;
+  };
+  std::string text, family;
+  for (const ReportPage& page : pages) {
+    if (part(page, volume).empty()) continue;
+    if (volume == Volume::details && page.family != family && !page.family.empty())
+      text += fmt::format("# {}\n\n", markdown::words(page.family));
+    family = page.family;
+    text += part(page, volume) + "\n";
   }
-  return fmt::format("{}\n{}", text, back(results, trials, drawn, templates, references, tools));
+  return resolved(text, [&](bool is_details, const std::string& name) {
+    const ReportPage& page = page_of(pages, name);
+    const Volume wanted = is_details ? Volume::details : Volume::main;
+    const Volume there = !part(page, wanted).empty() ? wanted : wanted == Volume::main ? Volume::details : Volume::main;
+    return fmt::format("{}#{}", there == volume ? "" : stem_of(there) + ".md",
+                       markdown::heading_id(first_heading(part(page, there))));
+  });
+}
+
+std::string site_text(const std::vector<ReportPage>& pages, const ReportPage& page) {
+  // The first page of the details introduces the second volume, which the site does not have.
+  std::string text = page.main + (page.name == "index" || page.details.empty() ? "" : "\n" + page.details);
+  text = resolved(text, [&](bool is_details, const std::string& name) {
+    const ReportPage& other = page_of(pages, name);
+    return fmt::format("{}.html{}", name, is_details ? "#" + markdown::heading_id(first_heading(other.details)) : "");
+  });
+  const std::string picture = "](figures/";
+  for (std::size_t at = text.find(picture); at != std::string::npos; at = text.find(picture, at + picture.size()))
+    text.replace(at, picture.size(), "](../figures/");
+  return text;
 }
 
 }  // namespace talus::reports

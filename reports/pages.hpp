@@ -1,10 +1,11 @@
-/// The report's text: records in, one Markdown document out.
+/// The report's text: records in, Markdown out.
 #pragma once
 
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "reports/record.hpp"
 #include "reports/rounding.hpp"
@@ -14,6 +15,9 @@ namespace talus::reports {
 
 /// Width of the text on paper [cm].
 inline constexpr double text_wide = 17.4;
+
+/// Width of each of the four figures of the first page [cm].
+inline constexpr double front_figure_wide = 8.4;
 
 /// Width of the figure on a case's page [cm]. Its caption stands beside it.
 inline constexpr double page_figure_wide = 10.4;
@@ -43,11 +47,32 @@ struct Trials {
   RoundedResults rounded{};                   ///< the cases under other roundings
 };
 
-/// The whole report as Markdown, pictures linked as figures/<stem>.svg. `templates` is the folder of the Mustache
-/// templates; `references` is the list of references as Markdown, empty if there are none; `tools` is a line naming the
-/// tools' versions. Throws OutputError when a template is missing or wrong.
-[[nodiscard]] std::string report_markdown(const Results& results, const Trials& trials, const Drawn& drawn,
-                                          const std::filesystem::path& templates, const std::string& references,
-                                          const std::string& tools);
+/// A page of the report: of a case, or of a chapter. On paper its two texts are in two volumes, in the site they follow
+/// each other. Links to other pages are written `](page:NAME)` and `](details:NAME)`; see resolved().
+struct ReportPage {
+  std::string name;       ///< file stem in the site, unique
+  std::string title;      ///< plain text
+  std::string family;     ///< of a case; empty for chapters
+  std::string main{};     ///< Markdown for the main volume; may be empty
+  std::string details{};  ///< Markdown for the volume of details; may be empty
+};
+
+/// All pages in the order of the report, the first page first; pictures are linked as figures/<stem>.svg. `templates` is
+/// the folder of the Mustache templates; `references` is the list of references as Markdown, empty if there are none;
+/// `tools` is a line naming the tools' versions. Throws OutputError when a template is missing or wrong, RecordError when
+/// a finding or highlight names what its case does not have.
+[[nodiscard]] std::vector<ReportPage> report_pages(const Results& results, const Trials& trials, const Drawn& drawn,
+                                                   const std::filesystem::path& templates,
+                                                   const std::string& references, const std::string& tools);
+
+/// The two documents on paper, each a Markdown file and what is made from it.
+enum class Volume { main, details };
+[[nodiscard]] std::string stem_of(Volume volume);
+
+/// The text of a volume, its links resolved: within the volume to headings, else to the Markdown file of the other.
+[[nodiscard]] std::string volume_text(const std::vector<ReportPage>& pages, Volume volume);
+
+/// The text of a page of the site, its links resolved: to NAME.html, and to pictures in ../figures.
+[[nodiscard]] std::string site_text(const std::vector<ReportPage>& pages, const ReportPage& page);
 
 }  // namespace talus::reports

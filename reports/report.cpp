@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <functional>
 
 #include "reports/document.hpp"
 #include "reports/drawing.hpp"
 #include "reports/error.hpp"
 #include "reports/file.hpp"
+#include "reports/front_page.hpp"
 #include "reports/gnuplot_script.hpp"
+#include "reports/markdown.hpp"
 #include "reports/mutants_page.hpp"
 #include "reports/page_script.hpp"
 #include "reports/pages.hpp"
@@ -38,6 +42,19 @@ std::vector<Drawing> drawings_of(const Results& results, const Trials& trials, c
       script += figure_script(plot_of(figure), canvas, "mutants-" + figure.name);
     if (!script.empty()) drawings.push_back({"the mutants", script});
   }
+  Canvas quarter = canvas;
+  quarter.width = front_figure_wide;
+  quarter.height = 5.6;
+  quarter.letters = {0.32, 8.0};
+  std::string highlighted;
+  for (const records::Highlight& highlight : results.highlights) {
+    const Figure* const figure = figure_of(results, highlight);
+    if (figure == nullptr) continue;
+    const fs::path folder = verify / highlight.case_id;
+    highlighted += figure->panels.empty() ? figure_script(plot_of(*figure, folder), quarter, highlight_stem(highlight))
+                                          : page_script(panelled(*figure, folder), quarter, highlight_stem(highlight));
+  }
+  if (!highlighted.empty()) drawings.push_back({"the first page", highlighted});
   Canvas small = canvas;
   small.width = page_figure_wide;
   small.height = 4.8;
@@ -77,6 +94,37 @@ Trials read_trials(const fs::path& verify) {
     if (fs::exists(file)) trials.rounded.emplace(rounding, records::read_results(file));
   }
   return trials;
+}
+
+/// The site's pages: a case is found by the names of its checks, too.
+std::vector<SitePage> site_pages(const std::vector<ReportPage>& pages, const Results& results) {
+  std::vector<SitePage> site;
+  for (const ReportPage& page : pages) {
+    std::string words = page.family;
+    for (const Record& record : results.records) {
+      if (record.id != page.name) continue;
+      for (const Check& check : record.checks)
+        words += " " + check.name;
+    }
+    site.push_back({page.name, page.title, site_text(pages, page), words});
+  }
+  return site;
+}
+
+/// The contents of the site as a list: chapters, and the cases below their families.
+std::string navigation(const std::vector<ReportPage>& pages, const Results& results) {
+  std::string text, family;
+  for (const ReportPage& page : pages) {
+    if (page.family != family && !page.family.empty()) text += fmt::format("- {}\n", markdown::words(page.family));
+    family = page.family;
+    const auto record = std::find_if(results.records.begin(), results.records.end(),
+                                     [&](const Record& each) { return each.id == page.name; });
+    const bool failed = record != results.records.end() && record->status != Status::pass;
+    text += fmt::format("{}- [{}]({}.html){}\n", family.empty() ? "" : "    ",
+                        markdown::words(record == results.records.end() ? page.title : page.name), page.name,
+                        failed ? " **fail**" : "");
+  }
+  return text;
 }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -141,26 +189,41 @@ Made make_report(const fs::path& verify, const fs::path& report, const ToolPaths
   Drawn drawn;
   const std::vector<Drawing> drawings = drawings_of(results, trials, verify, canvas, drawn);
 
-  const Document document{staging.folder(), "verification", "Talus verification report", tools.resources / "pandoc",
-                          records::epoch_seconds(results.provenance.date)};
+  const long long epoch = records::epoch_seconds(results.provenance.date);
+  const auto volume = [&](Volume which, const char* title) {
+    return Document{staging.folder(), stem_of(which), title, tools.resources / "pandoc", epoch};
+  };
+  const std::array volumes{Volume::main, Volume::details};
+  const std::array documents{volume(Volume::main, "Talus verification report"),
+                             volume(Volume::details, "Talus verification: details")};
+  Document site{staging.folder() / "html", "index", "Talus verification", tools.resources / "pandoc", epoch};
+  fs::create_directory(site.folder);
   const std::string versions = tool_versions();
   std::string references;
   if (!results.bibliography.empty() &&
-      !failure_of([&] { references = references_of(results.bibliography, document); }).empty())
+      !failure_of([&] { references = references_of(results.bibliography, documents[0]); }).empty())
     references = fmt::format("```\n{}\n```\n", results.bibliography);
+  std::vector<ReportPage> pages;
   const auto write_markdown = [&] {
-    records::write_whole(staging.folder() / "verification.md",
-                         report_markdown(results, trials, drawn, tools.resources / "templates", references, versions));
+    pages = report_pages(results, trials, drawn, tools.resources / "templates", references, versions);
+    for (const Volume which : volumes)
+      records::write_whole(staging.folder() / (stem_of(which) + ".md"), volume_text(pages, which));
   };
   std::string html_warnings, latex_warnings, picture_warnings, undrawn, no_latex, no_pdf, no_html;
-  const auto write_latex = [&] { no_latex = failure_of([&] { latex_warnings = make_latex(document); }); };
+  const auto write_latex = [&] {
+    latex_warnings.clear();
+    no_latex = failure_of([&] {
+      for (const Document& document : documents)
+        latex_warnings += make_latex(document);
+    });
+  };
   write_markdown();
-  // LaTeX source needs no pictures, HTML and PDF do.
+  // LaTeX source needs no pictures, the PDF does.
   in_parallel({write_latex,
                [&] {
                  undrawn = failure_of([&] {
                    picture_warnings = draw(drawings, staging.folder(), tools.jobs);
-                   date_pictures(figures, document.epoch);
+                   date_pictures(figures, epoch);
                  });
                }},
               tools.jobs);
@@ -170,23 +233,65 @@ Made make_report(const fs::path& verify, const fs::path& report, const ToolPaths
     write_latex();
   }
   const Progress progress("writing HTML and PDF", 0);
-  in_parallel({[&] { no_pdf = no_latex.empty() ? failure_of([&] { make_pdf(document); }) : no_latex; },
-               [&] { no_html = failure_of([&] { html_warnings = make_html(document); }); }},
+  std::array<std::string, 2> without;
+  const auto write_pdf = [&](std::size_t i) {
+    without[i] = no_latex.empty() ? failure_of([&] { make_pdf(documents[i]); }) : no_latex;
+  };
+  in_parallel({[&] { write_pdf(1); }, [&] { write_pdf(0); },
+               [&] {
+                 no_html = failure_of([&] {
+                   html_warnings = make_site(site_pages(pages, results), navigation(pages, results), site, tools.jobs);
+                 });
+               }},
               tools.jobs);
+  no_pdf = !without[0].empty() ? without[0] : without[1];
   Made made{{}, picture_warnings + html_warnings + latex_warnings, undrawn + no_html};
   if (no_pdf != no_html) made.unmade += no_pdf;
-  const auto publish = [&](const std::string& name, bool was_made) {
+  const auto publish = [&](const std::string& name, bool was_made, const std::string& named = {}) {
     if (was_made) {
       staging.publish(name);
-      if (name != "figures") made.files.push_back(report / name);
+      if (name != "figures" && name != "data") made.files.push_back(report / (named.empty() ? name : named));
     } else {
       fs::remove_all(report / name);  // of an earlier report
     }
   };
   publish("figures", undrawn.empty());
-  publish("verification.md", true);
-  publish("verification.html", no_html.empty());
-  publish("verification.pdf", no_pdf.empty());
+  for (const Volume which : volumes)
+    publish(stem_of(which) + ".md", true);
+  publish("html", no_html.empty(), "html/index.html");
+  for (const Volume which : volumes)
+    publish(stem_of(which) + ".pdf", no_pdf.empty());
+  return made;
+}
+
+Made make_pages(const std::vector<fs::path>& files, const std::string& title, const fs::path& target,
+                const ToolPaths& tools) {
+  const StagingFolder staging(target);
+  std::vector<SitePage> pages;
+  std::string contents;
+  for (const fs::path& file : files) {
+    SitePage page{pages.empty() ? "index" : file.stem().string(), "", records::read_whole(file), ""};
+    if (page.text.rfind("# ", 0) != 0)
+      throw RecordError(fmt::format("{}:1: must begin with '# ' and the page's title", file.string()));
+    page.title = first_line(page.text).substr(2);
+    for (std::size_t at = page.text.find("\n#"); at != std::string::npos; at = page.text.find("\n#", at + 1))
+      page.words += page.text.substr(at, page.text.find('\n', at + 1) - at);
+    contents += fmt::format("- [{}]({}.html)\n", markdown::words(page.title), page.name);
+    pages.push_back(std::move(page));
+  }
+  Document site{staging.folder() / "site", "index", title.empty() ? pages.front().title : title,
+                tools.resources / "pandoc"};
+  fs::create_directory(site.folder);
+  Made made;
+  made.warnings = make_site(pages, contents, site, tools.jobs);
+  for (const auto& entry : fs::directory_iterator(site.folder)) {
+    const std::string name = entry.path().filename().string();
+    fs::rename(entry.path(), staging.folder() / name);
+  }
+  fs::remove(site.folder);
+  for (const auto& entry : fs::directory_iterator(staging.folder()))
+    staging.publish(entry.path().filename().string());
+  made.files.push_back(target / "index.html");
   return made;
 }
 

@@ -28,7 +28,8 @@ struct Made {
   std::string unmade;
 };
 
-/// Makes report/verification.md, .html, .pdf and report/figures/ from verify/results.json and the CSV files in
+/// Makes the volumes report/verification and report/verification-details, each as .md and .pdf, the site
+/// report/html/index.html with a page for each case, and report/figures/, from verify/results.json and the CSV files in
 /// verify/<id>/. All appear together at the end, or none. What needs a tool that is missing or fails is left out, and an
 /// earlier one removed: pictures without gnuplot (text and tables then say so), HTML and PDF without pandoc, PDF
 /// without pdflatex. Throws RecordError when a record is wrong, OutputError when a folder is, FileError.
@@ -50,6 +51,12 @@ Made make_plots(const std::filesystem::path& run, const std::filesystem::path& t
 /// Makes run/sheet.pdf and run/sheet.html, one page each, from run/sheet.json; without gnuplot both without pictures,
 /// without pdflatex the HTML alone. Throws as make_report() does.
 Made make_sheet(const std::filesystem::path& run, const ToolPaths& tools);
+
+/// Makes target/NAME.html from each NAME.md, the first as index.html, with contents and search on every page; `title`,
+/// empty for that of the first page, is in the titles of all. Headings are found by the search. Throws RecordError when
+/// a file does not begin with a heading, OutputError when pandoc is missing or fails, FileError.
+Made make_pages(const std::vector<std::filesystem::path>& files, const std::string& title,
+                const std::filesystem::path& target, const ToolPaths& tools);
 
 /// Throws OutputError unless the programs that make_sheet() starts are in PATH.
 void demand_sheet_tools();

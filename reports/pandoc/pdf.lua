@@ -9,6 +9,12 @@ function Image(image)
   return image
 end
 
+-- Links between the volumes lead from PDF to PDF.
+function Link(link)
+  link.target = link.target:gsub('^(verification[%w-]*)%.md#.*$', '%1.pdf')
+  return link
+end
+
 -- A figure beside its caption.
 function Para(paragraph)
   local image = paragraph.content[1]
@@ -38,14 +44,19 @@ end
 
 -- The first chapter is the front page and its title; some share a page with the one before.
 local chapters = 0
+local depth = PANDOC_STATE.output_file:match('details') and 2 or 1  -- of the contents
 function Header(header)
+  local name = pandoc.utils.stringify(header)
+  if header.level == 2 and chapters == 1 and name == 'Findings' then
+    return { latex_block('\\clearpage'), header }
+  end
   if header.level > 1 then return { latex_block('\\TalusRoom'), header } end
   chapters = chapters + 1
   local title = pandoc.utils.stringify(header)
-  local shares = { Errata = true, ['Appendix: provenance'] = true, References = true, Colophon = true }
+  local shares = { Errata = true, Provenance = true, References = true, Colophon = true }
   if chapters == 1 or shares[title] then return nil end
   if chapters == 2 then  -- the contents share its page
-    return { latex_block('\\clearpage\\setcounter{tocdepth}{1}\\begingroup\\small\\tableofcontents\\endgroup\\bigskip'), header }
+    return { latex_block('\\clearpage\\setcounter{tocdepth}{' .. depth .. '}\\begingroup\\small\\tableofcontents\\endgroup\\bigskip'), header }
   end
   return { latex_block('\\clearpage'), header }
 end

@@ -246,7 +246,7 @@ void add_verification_readers(std::vector<Reader>& readers) {
                   "a/x -> a/y\na/y -> a/x\n"},
        .read = only(verification::read_renames)});
   std::vector<std::pair<std::string, std::string>> all;
-  for (const char* const name : {"requirements.toml", "peers.toml", "errata.toml", "references.bib"})
+  for (const char* const name : {"requirements.toml", "peers.toml", "errata.toml", "findings.toml", "references.bib"})
     all.emplace_back(name, read_text(catalogue / name));
   for (const auto& [name, text] : all) {
     readers.push_back(

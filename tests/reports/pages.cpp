@@ -157,6 +157,6 @@ BOOST_AUTO_TEST_CASE(what_peers_check_and_we_do_not_says_none) {
   all.peers = {{"code", "test 1", "falls", "$gt$", {"A1"}, "", {"flight"}},
                {"code", "test 2", "sticks", "glue", {}, "no glue", {}}};
   const std::string text = checks_of_peers(all);
-  BOOST_TEST(contains(text, "| code | test 1 | falls | $gt$ | [flight](#flight-title-of-flight) (A1) |"), text);
+  BOOST_TEST(contains(text, "| code | test 1 | falls | $gt$ | [flight](page:flight) (A1) |"), text);
   BOOST_TEST(contains(text, "**none**: no glue"), text);
 }

@@ -6,11 +6,15 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <regex>
+#include <set>
+#include <sstream>
 #include <thread>
 
 #include "reports/document.hpp"
 #include "reports/error.hpp"
+#include "reports/markdown.hpp"
 #include "reports/process.hpp"
 #include "tests/reports/scratch.hpp"
 #include "verification/record/whole_file.hpp"
@@ -40,7 +44,8 @@ BOOST_AUTO_TEST_CASE(the_same_records_give_the_same_bytes) {
   BOOST_TEST_REQUIRE(program({(data / "pass").string(), first.string()}).status == 0);
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // another second on the clock of PDF dates
   BOOST_TEST_REQUIRE(program({(data / "pass").string(), second.string()}).status == 0);
-  for (const char* name : {"verification.md", "verification.html", "verification.pdf", "figures/margins.svg",
+  for (const char* name : {"verification.md", "verification-details.md", "html/index.html", "html/two_cable.html",
+                           "html/search.js", "verification.pdf", "verification-details.pdf", "figures/margins.svg",
                            "figures/margins.pdf", "figures/two_cable-stiffness.svg", "figures/pendulum-work.pdf"}) {
     BOOST_TEST((read_whole(first / name) == read_whole(second / name)), name);
   }
@@ -49,28 +54,68 @@ BOOST_AUTO_TEST_CASE(the_same_records_give_the_same_bytes) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(links_lead_somewhere_and_the_page_is_self_contained) {
+// Each link of the site leads to a file, and to an id there; each picture is a file; nothing comes from the network.
+BOOST_AUTO_TEST_CASE(the_site_has_a_page_for_each_case_and_no_dead_link) {
   const Scratch scratch("report");
   BOOST_TEST_REQUIRE(program({(data / "pass").string(), scratch.folder.string()}).status == 0);
-  const std::string html = read_whole(scratch.folder / "verification.html");
-  const std::regex link("href=\"#([^\"]+)\"");
-  int links = 0;
-  for (std::sregex_iterator it(html.begin(), html.end(), link), end; it != end; ++it) {
-    ++links;
-    BOOST_TEST(contains(html, "id=\"" + (*it)[1].str() + "\""), (*it)[1].str());
+  const fs::path site = scratch.folder / "html";
+  int links = 0, pictures = 0;
+  for (const auto& entry : fs::directory_iterator(site)) {
+    if (entry.path().extension() != ".html") continue;
+    const std::string html = read_whole(entry.path());
+    const std::regex link("(href|src)=\"([^\"#]*)(#([^\"]+))?\"");
+    for (std::sregex_iterator it(html.begin(), html.end(), link), end; it != end; ++it) {
+      const std::string name = (*it)[2].str(), id = (*it)[4].str();
+      if (name.rfind("https://", 0) == 0 && (*it)[1] == "href") continue;  // of the references
+      const fs::path file = name.empty() ? entry.path() : site / name;
+      BOOST_TEST(fs::exists(file), entry.path() << ": " << name);
+      if (!id.empty())
+        BOOST_TEST(contains(read_whole(file), "id=\"" + id + "\""), entry.path() << ": " << name << "#" << id);
+      ++links;
+      if (name.rfind("../figures/", 0) == 0) ++pictures;
+    }
+    BOOST_TEST(contains(html, "<input id=\"search\""), entry.path());
+    BOOST_TEST(!contains(html, "page:"), entry.path());
   }
-  BOOST_TEST(links > 10);
-  BOOST_TEST(!contains(html, "src=\"figures/"));
-  BOOST_TEST(!contains(html, "http://talus"));
-  const std::string markdown = read_whole(scratch.folder / "verification.md");
-  const std::regex picture(R"(\]\((figures/[^)]+\.svg)\))");
-  int pictures = 0;
-  for (std::sregex_iterator it(markdown.begin(), markdown.end(), picture), end; it != end; ++it) {
-    ++pictures;
-    BOOST_TEST(fs::exists(scratch.folder / (*it)[1].str()), (*it)[1].str());
-  }
+  BOOST_TEST(links > 100);
   BOOST_TEST(pictures == 4);
-  BOOST_TEST(contains(markdown, "**PASS.** 2 cases"));
+  for (const char* name :
+       {"index.html", "two_cable.html", "pendulum.html", "coverage.html", "margins.html", "site.css"})
+    BOOST_TEST(fs::exists(site / name), name);
+  BOOST_TEST(fs::file_size(site / "index.html") < 2000000U);
+  const std::string page = read_whole(site / "two_cable.html");
+  BOOST_TEST(contains(page, "id=\"details-of-two_cable\""));
+  BOOST_TEST(contains(read_whole(site / "search.js"), "two_cable"));
+}
+
+BOOST_AUTO_TEST_CASE(links_of_the_volumes_lead_to_headings_and_pictures) {
+  const Scratch scratch("report");
+  BOOST_TEST_REQUIRE(program({(data / "pass").string(), scratch.folder.string()}).status == 0);
+  std::map<std::string, std::set<std::string>> headings;
+  std::map<std::string, std::string> texts;
+  for (const char* name : {"verification.md", "verification-details.md"}) {
+    texts[name] = read_whole(scratch.folder / name);
+    std::istringstream lines(texts[name]);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.rfind("#", 0) != 0) continue;
+      line.erase(std::remove(line.begin(), line.end(), '\\'), line.end());
+      headings[name].insert(markdown::heading_id(line.substr(line.find_first_not_of("# "))));
+    }
+  }
+  int between = 0, pictures = 0;
+  for (const auto& [name, text] : texts) {
+    const std::regex link(R"(\]\(([^)#]*)#([^)]+)\))"), picture(R"(\]\((figures/[^)]+\.svg)\))");
+    for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+      const std::string there = (*it)[1].length() == 0 ? name : (*it)[1].str();
+      BOOST_TEST(headings[there].count((*it)[2].str()) == 1u, name << ": " << it->str());
+      between += there != name;
+    }
+    for (std::sregex_iterator it(text.begin(), text.end(), picture), end; it != end; ++it, ++pictures)
+      BOOST_TEST(fs::exists(scratch.folder / (*it)[1].str()), (*it)[1].str());
+  }
+  BOOST_TEST(between >= 3);
+  BOOST_TEST(pictures == 4);
+  BOOST_TEST(contains(texts["verification.md"], "**PASS.** 2 cases"));
 }
 
 BOOST_AUTO_TEST_CASE(failures_stand_on_the_first_page) {
@@ -99,25 +144,29 @@ BOOST_AUTO_TEST_CASE(a_missing_column_stops_the_report_and_leaves_nothing) {
   BOOST_TEST(fs::is_empty(scratch.folder / "report"));
 }
 
-BOOST_AUTO_TEST_CASE(the_summary_comes_first_and_the_long_tables_last) {
+BOOST_AUTO_TEST_CASE(the_summary_comes_first_and_the_long_tables_in_a_volume_of_their_own) {
   const Scratch scratch("report");
   BOOST_TEST_REQUIRE(program({(data / "pass").string(), scratch.folder.string()}).status == 0);
-  const std::string text = read_whole(scratch.folder / "verification.md");
-  std::size_t before = 0;
-  for (const char* heading :
-       {"\n## Cases", "\n# Coverage", "\n# Common formulas", "\n# Checks of other codes", "\n# Errata",
-        "\n# two\\_cable", "\n# pendulum", "\n# Appendix: details", "\n# Appendix: margins",
-        "\n# Appendix: traceability", "\n# Appendix: provenance", "\n# References", "\n# Colophon"}) {
-    const std::size_t place = text.find(heading);
-    BOOST_TEST_REQUIRE(place != std::string::npos, heading);
-    BOOST_TEST(before < place, heading);
-    before = place;
-  }
-  BOOST_TEST(contains(text, "exact or round-off ones are exempt"));
+  const auto in_order = [](const std::string& text, const std::vector<const char*>& headings) {
+    std::size_t before = 0;
+    for (const char* heading : headings) {
+      const std::size_t place = text.find(heading, before);
+      BOOST_TEST_REQUIRE(place != std::string::npos, heading);
+      before = place;
+    }
+  };
+  in_order(read_whole(scratch.folder / "verification.md"),
+           {"**Verified.**", "**Not verified.**", "\n## Findings", "\n## Cases", "\n# Coverage", "\n# Common formulas",
+            "\n# Checks of other codes", "\n# Errata", "\n# two\\_cable", "\n# pendulum", "\n# Provenance",
+            "\n# References", "\n# Colophon"});
+  const std::string details = read_whole(scratch.folder / "verification-details.md");
+  in_order(details, {"# Talus verification: details", "\n## Details of two\\_cable", "\n## Details of pendulum",
+                     "\n# Margins", "\n# Mutants", "\n# Rounding", "\n# Traceability"});
   // One round-off check has used up more than half of its bound.
-  BOOST_TEST(contains(text, "| round\\_off | 2 | 1 | 1 |"));
-  BOOST_TEST(contains(text, "| **all** | 13 | 12 | 1 |"));
-  const std::string page = read_whole(scratch.folder / "verification.html");
+  BOOST_TEST(contains(details, "| round\\_off | 2 | 1 | 1 |"));
+  BOOST_TEST(contains(details, "| **all** | 13 | 12 | 1 |"));
+  BOOST_TEST(contains(read_whole(scratch.folder / "verification.md"), "exact or round-off ones are exempt"));
+  const std::string page = read_whole(scratch.folder / "html" / "two_cable.html");
   const std::regex with_maths(R"(alt="[^"]*[$\\])");
   BOOST_TEST(!std::regex_search(page, with_maths));
 }
@@ -130,7 +179,7 @@ BOOST_AUTO_TEST_CASE(the_bibliography_becomes_the_list_of_references) {
                       "**schwager2007**: T. Schwager, T. Pöschel: Coefficient of restitution and linear-dashpot "
                       "model revisited. *Granular Matter* 9 (2007) 465--469.\n"));
   BOOST_TEST(contains(text, "**report1993**: *Rockfall fence report*. 1993.\n"));
-  BOOST_TEST(contains(read_whole(scratch.folder / "verification.html"), "<em>Granular Matter</em>"));
+  BOOST_TEST(contains(read_whole(scratch.folder / "html" / "references.html"), "<em>Granular Matter</em>"));
 }
 
 BOOST_AUTO_TEST_CASE(references_of_all_types_keep_what_is_known_of_them) {
@@ -176,7 +225,8 @@ BOOST_AUTO_TEST_CASE(missing_tools_and_wrong_usage_have_their_exit_codes) {
        {"gnuplot: cannot be started: No such file or directory (is it installed? Debian's packages: gnuplot-nox; ",
         "Debian's packages: pandoc; "})
     BOOST_TEST(contains(bare.messages, words), bare.messages);
-  BOOST_TEST(bare.output == (scratch.folder / "verification.md").string() + "\n");
+  BOOST_TEST(bare.output == (scratch.folder / "verification.md").string() + "\n" +
+                                (scratch.folder / "verification-details.md").string() + "\n");
   BOOST_TEST(program({(data / "pass").string()}).status == 2);
   BOOST_TEST(program({"--format", "gif", "--plot", "x"}).status == 2);
   BOOST_TEST(program({(data / "none").string(), scratch.folder.string()}).status == 4);
@@ -189,9 +239,10 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
   const Scratch scratch("tools");
   const std::vector<std::string> tools{"gnuplot", "pandoc", "pdflatex"};
   for (const auto& [missing, package, made] :
-       {std::tuple{"gnuplot", "gnuplot-nox", std::vector<std::string>{"verification.html", "verification.pdf"}},
+       {std::tuple{"gnuplot", "gnuplot-nox",
+                   std::vector<std::string>{"html", "verification-details.pdf", "verification.pdf"}},
         {"pandoc", "pandoc", {"figures"}},
-        {"pdflatex", "texlive-latex-recommended and lmodern", {"figures", "verification.html"}}}) {
+        {"pdflatex", "texlive-latex-recommended and lmodern", {"figures", "html"}}}) {
     const fs::path bin = scratch.folder / missing / "bin", report = scratch.folder / missing / "report";
     fs::create_directories(bin), fs::create_directories(report);
     for (const std::string& tool : tools) {
@@ -200,7 +251,9 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
       fs::permissions(bin / tool, fs::perms::owner_all);
     }
     fs::create_directory(report / "figures");
-    for (const char* earlier : {"verification.html", "verification.pdf", "figures/earlier.svg"})
+    fs::create_directory(report / "html");
+    for (const char* earlier :
+         {"html/index.html", "verification-details.pdf", "verification.pdf", "figures/earlier.svg"})
       write_whole(report / earlier, "earlier");
     const Finished finished = program({(data / "pass").string(), report.string()}, {{"PATH", bin.string()}});
     BOOST_TEST(finished.status == 4);
@@ -208,7 +261,7 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
                finished.messages);
     BOOST_TEST(contains(finished.messages, std::string("Debian's packages: ") + package + ";"), finished.messages);
     std::vector<std::string> expected = made, found;
-    expected.push_back("verification.md");
+    expected.push_back("verification.md"), expected.push_back("verification-details.md");
     for (const auto& entry : fs::directory_iterator(report))
       found.push_back(entry.path().filename().string());
     std::sort(expected.begin(), expected.end()), std::sort(found.begin(), found.end());
@@ -400,4 +453,25 @@ BOOST_AUTO_TEST_CASE(wrong_figures_of_a_run_are_named) {
     BOOST_TEST(finished.status == 2);
     BOOST_TEST(contains(finished.messages, words), finished.messages);
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_site_is_made_of_markdown_pages) {
+  const Scratch scratch("site");
+  write_whole(scratch.folder / "README.md", "# First\n\nSee [the other](other.html#part-two).\n");
+  write_whole(scratch.folder / "other.md", "# Other\n\n## Part two\n\n$x^2$\n");
+  const auto site = [&](const char* first) {
+    return program({"--title", "Guide", "--to", (scratch.folder / "out").string(), "--site",
+                    (scratch.folder / first).string(), (scratch.folder / "other.md").string()});
+  };
+  const Finished finished = site("README.md");
+  BOOST_TEST_REQUIRE(finished.status == 0, finished.messages);
+  const std::string index = read_whole(scratch.folder / "out" / "index.html");
+  BOOST_TEST(contains(index, "<title>First - Guide</title>"));
+  BOOST_TEST(contains(index, "<a href=\"other.html\">Other</a>"));
+  BOOST_TEST(contains(read_whole(scratch.folder / "out" / "other.html"), "<h2 id=\"part-two\">"));
+  BOOST_TEST(contains(read_whole(scratch.folder / "out" / "search.js"), "Part two"));
+  write_whole(scratch.folder / "bare.md", "No heading.\n");
+  BOOST_TEST(site("bare.md").status == 2);
+  BOOST_TEST(contains(site("bare.md").messages, "bare.md:1: must begin with '# '"));
+  BOOST_TEST(contains(program({"--site", (scratch.folder / "other.md").string()}).messages, "--site requires --to"));
 }

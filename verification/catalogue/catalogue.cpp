@@ -97,6 +97,14 @@ void read_errata(const fs::path& path, Catalogue& catalogue) {
   }
 }
 
+void read_findings(const fs::path& path, Catalogue& catalogue) {
+  const CatalogueTable file{path, {"finding", "highlight"}};
+  for (const CatalogueTable& table : file.tables("finding", "finding", "case", {"case", "text"}))
+    catalogue.findings.push_back({table.text("case"), table.text("text")});
+  for (const CatalogueTable& table : file.tables("highlight", "highlight", "case", {"case", "figure", "caption"}))
+    catalogue.highlights.push_back({table.text("case"), table.text("figure"), table.text("caption")});
+}
+
 }  // namespace
 
 const Requirement* Catalogue::requirement(const std::string& id) const {
@@ -128,6 +136,7 @@ Catalogue read_catalogue(const fs::path& folder) {
   read_requirements(folder / "requirements.toml", catalogue);
   read_peers(folder / "peers.toml", catalogue);
   read_errata(folder / "errata.toml", catalogue);
+  read_findings(folder / "findings.toml", catalogue);
   return catalogue;
 }
 

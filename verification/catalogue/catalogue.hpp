@@ -29,12 +29,29 @@ struct Erratum {
   std::string proved_by;  ///< Id of the case that shows it.
 };
 
-/// What the cases must show, what other codes check, the errors of the 1993 report, and the works that are cited.
+/// A result in one sentence, for the report's summary. `<<NAME>>` in it stands for what the case's check of that name
+/// measures, so that no number is written twice.
+struct CatalogueFinding {
+  std::string case_id;
+  std::string text;
+};
+
+/// A figure of a case that the report's first page shows.
+struct CatalogueHighlight {
+  std::string case_id;
+  std::string figure;   ///< Its name in the case.
+  std::string caption;  ///< One sentence.
+};
+
+/// What the cases must show, what other codes check, the errors of the 1993 report, the main findings, and the
+/// works that are cited.
 struct Catalogue {
-  std::vector<Requirement> requirements;  ///< The 1993 report's equations, problems, the solver's closed lists.
-  std::vector<std::string> families;      ///< Of cases, in the order of the report; also groups of problems.
-  std::vector<PeerCheck> peers;           ///< In the order of the report, the checks of a suite together.
-  std::vector<Erratum> errata;            ///< As they were found.
+  std::vector<Requirement> requirements;       ///< The 1993 report's equations, problems, the solver's closed lists.
+  std::vector<std::string> families;           ///< Of cases, in the order of the report; also groups of problems.
+  std::vector<PeerCheck> peers;                ///< In the order of the report, the checks of a suite together.
+  std::vector<Erratum> errata;                 ///< As they were found.
+  std::vector<CatalogueFinding> findings;      ///< In the order of the report.
+  std::vector<CatalogueHighlight> highlights;  ///< Likewise.
   Bibliography bibliography;
 
   [[nodiscard]] const Requirement* requirement(const std::string& id) const;  ///< None: null.
@@ -44,7 +61,7 @@ struct Catalogue {
   [[nodiscard]] std::string family_of(const std::string& named, const std::vector<std::string>& requirements) const;
 };
 
-/// Reads requirements.toml, peers.toml, errata.toml and references.bib of a folder, whose comments explain them, and
+/// Reads requirements.toml, peers.toml, errata.toml, findings.toml and references.bib of a folder, whose comments explain them, and
 /// adds the requirements of the solver's lists. Ids and keys are unique, and every reference to a work or a requirement
 /// leads to one; cases are not known here. Errors: IoError if a file cannot be read; InputError with file, line, key,
 /// what was found and what is allowed.

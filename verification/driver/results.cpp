@@ -70,6 +70,12 @@ void complete(Results& results, const Catalogue& catalogue) {
   results.requirements = traceability(results.records, catalogue);
   results.families = catalogue.families;
   results.errata = proved_errata(results.registered, catalogue);
+  for (const CatalogueFinding& finding : catalogue.findings)
+    if (listed(results.registered, finding.case_id)) results.findings.push_back({finding.case_id, finding.text});
+  for (const CatalogueHighlight& shown : catalogue.highlights) {
+    if (listed(results.registered, shown.case_id))
+      results.highlights.push_back({shown.case_id, shown.figure, shown.caption});
+  }
   results.peers = checks_of_peers(results.records, catalogue);
   results.bibliography = catalogue.bibliography.text;
 }

@@ -76,6 +76,19 @@ struct Erratum {
   std::string case_id;
 };
 
+/// A sentence of the report's summary. `<<NAME>>` in it stands for what the check of that name measured.
+struct Finding {
+  std::string case_id;
+  std::string text;
+};
+
+/// A figure of a case that the report's first page shows.
+struct Highlight {
+  std::string case_id;
+  std::string figure;   ///< Its name.
+  std::string caption;  ///< One sentence.
+};
+
 /// All that one run of the driver found; `results.json`.
 struct Results {
   Provenance provenance;
@@ -88,7 +101,9 @@ struct Results {
   std::vector<std::string> families;  ///< Of cases, in the order of the report.
   std::vector<Erratum> errata;
   std::vector<Peer> peers;
-  std::string bibliography;  ///< The works that are cited, in BibTeX; may be empty.
+  std::vector<Finding> findings{};      ///< Of registered cases.
+  std::vector<Highlight> highlights{};  ///< Of registered cases.
+  std::string bibliography;             ///< The works that are cited, in BibTeX; may be empty.
 };
 
 [[nodiscard]] Counts counts_of(const Results& results);

@@ -80,6 +80,17 @@ void fields(auto& f, Like<Erratum> auto& erratum) {
   f.value("case", erratum.case_id);
 }
 
+void fields(auto& f, Like<Finding> auto& finding) {
+  f.words("case", finding.case_id);
+  f.words("text", finding.text);
+}
+
+void fields(auto& f, Like<Highlight> auto& highlight) {
+  f.words("case", highlight.case_id);
+  f.words("figure", highlight.figure);
+  f.value("caption", highlight.caption);
+}
+
 void fields(auto& f, Like<Results> auto& results) {
   f.derived("schema", schema);
   f.value("provenance", results.provenance);
@@ -93,6 +104,8 @@ void fields(auto& f, Like<Results> auto& results) {
   f.value("cases", results.records);
   f.value("errata", results.errata);
   f.value("peers", results.peers);
+  f.value_if(!results.findings.empty(), "findings", results.findings);
+  f.value_if(!results.highlights.empty(), "highlights", results.highlights);
   f.value_if(!results.bibliography.empty(), "bibliography", results.bibliography);
   f.value_if(!results.only.empty(), "only", results.only);
   f.derived("counts", counts_of(results), ", which the cases hold");

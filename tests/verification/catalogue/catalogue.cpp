@@ -29,6 +29,9 @@ const std::map<std::string, std::string> sound{
      "[[erratum]]\nid = \"E1\"\nwhere = \"Eq. 1\"\nprinted = '$\\alpha$'\ncorrected = \"\"\"\n  one\n    and two "
      "\"\"\"\n"
      "evidence = \"it is\"\nproved_by = \"a_case\"\n"},
+    {"findings.toml",
+     "[[finding]]\ncase = \"a_case\"\ntext = \"It is <<value>>.\"\n\n"
+     "[[highlight]]\ncase = \"a_case\"\nfigure = \"f\"\ncaption = \"See.\"\n"},
 };
 
 Catalogue read(const std::map<std::string, std::string>& files) {
@@ -76,6 +79,9 @@ BOOST_AUTO_TEST_CASE(a_sound_catalogue_is_read_whole) {
   BOOST_TEST(catalogue.errata[0].printed == "$\\alpha$");
   BOOST_TEST(catalogue.errata[0].corrected == "one and two");
   BOOST_TEST(catalogue.errata[0].proved_by == "a_case");
+  BOOST_TEST_REQUIRE((catalogue.findings.size() == 1u && catalogue.highlights.size() == 1u));
+  BOOST_TEST((catalogue.findings[0].case_id == "a_case" && catalogue.findings[0].text == "It is <<value>>."));
+  BOOST_TEST((catalogue.highlights[0].figure == "f" && catalogue.highlights[0].caption == "See."));
   BOOST_TEST(catalogue.bibliography.works.size() == 2u);
 }
 
@@ -102,6 +108,8 @@ BOOST_AUTO_TEST_CASE(unknown_and_missing_keys_are_refused) {
   BOOST_TEST(complaint("requirements.toml", "title = \"the fence\"", "titel = \"the fence\"")
                  .starts_with("requirements.toml:11: family: key 'titel' is not known; nearest: title; "));
   BOOST_TEST(complaint("peers.toml", "form = \"closed\"\n", "") == "peers.toml:1: check 'DEM01': form: it is missing");
+  BOOST_TEST(complaint("findings.toml", "text = ", "texts = ") ==
+             "findings.toml:3: finding 'a_case': key 'texts' is not known; nearest: text; known: case, text");
   BOOST_TEST(complaint("errata.toml", "id = \"E1\"\n", "") == "errata.toml:1: erratum: id: it is missing");
   BOOST_TEST(complaint("requirements.toml", "[equations]\n\"Eq. 1\" = \"outline\"\n", "") ==
              "requirements.toml:1: equations: it is missing");

@@ -58,6 +58,18 @@ BOOST_AUTO_TEST_CASE(each_erratum_is_proved_by_a_case) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(each_finding_and_highlight_is_of_a_case) {
+  const auto known = [](const std::string& id) {
+    return std::any_of(cases().begin(), cases().end(), [&](const Case& c) { return c.id == id; });
+  };
+  for (const CatalogueFinding& finding : catalogue().findings)
+    BOOST_TEST(known(finding.case_id), finding.case_id);
+  for (const CatalogueHighlight& highlight : catalogue().highlights)
+    BOOST_TEST(known(highlight.case_id), highlight.case_id);
+  BOOST_TEST(!catalogue().findings.empty());
+  BOOST_TEST(catalogue().highlights.size() == 4u);  // the first page has room for two rows of two
+}
+
 BOOST_AUTO_TEST_CASE(each_work_is_cited_or_called_background) {
   const std::set<std::string> cited = cited_works();
   for (const Reference& work : catalogue().bibliography.works) {

@@ -62,6 +62,8 @@ Results full_results() {
   results.families = {"founding problems", "the fence"};
   results.errata = {{"E1", "p. 63", "printed", "corrected", "evidence", "a"}};
   results.peers = {{"lammps", "test", "what", "form", {"Eq. 21"}, "remark", {"a"}}};
+  results.findings = {{"a", "It is <<value>>."}};
+  results.highlights = {{"a", "f", "See."}};
   results.bibliography = "@misc{a,\n}\n";
   return results;
 }
@@ -91,12 +93,15 @@ BOOST_AUTO_TEST_CASE(results_come_back_the_same) {
   const Peer& peer = back.peers.at(0);
   BOOST_TEST((peer.suite == "lammps" && peer.id == "test" && peer.what == "what" && peer.form == "form"));
   BOOST_TEST((peer.problems.at(0) == "Eq. 21" && peer.remark == "remark" && peer.cases.at(0) == "a"));
+  BOOST_TEST((back.findings.at(0).case_id == "a" && back.findings[0].text == "It is <<value>>."));
+  const Highlight& seen = back.highlights.at(0);
+  BOOST_TEST((seen.case_id == "a" && seen.figure == "f" && seen.caption == "See."));
   BOOST_TEST(back.bibliography == "@misc{a,\n}\n");
 }
 
 BOOST_AUTO_TEST_CASE(each_absent_or_wrong_field_is_refused_by_its_path) {
   demand_strict(Json::parse(text_of(full_results())), "results.json: results",
-                {"order", "fmt", "Boost", "message", "bibliography", "only"},
+                {"order", "fmt", "Boost", "message", "bibliography", "only", "findings", "highlights"},
                 [](const Json& json) { (void)read(json); });
 }
 

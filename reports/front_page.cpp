@@ -1,0 +1,143 @@
+#include "reports/front_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/error.hpp"
+#include "reports/markdown.hpp"
+#include "reports/page_cells.hpp"
+
+namespace talus::reports {
+namespace {
+
+/// The record of a case that ran to its end; null if there is none.
+const Record* finished_record(const Results& results, const std::string& id) {
+  const auto found =
+      std::find_if(results.records.begin(), results.records.end(), [&](const Record& r) { return r.id == id; });
+  return found == results.records.end() || !finished(found->status) ? nullptr : &*found;
+}
+
+struct Covered {
+  std::size_t touched{}, all{};
+};
+
+bool touched(const Requirement& requirement) {
+  return std::any_of(requirement.shown_by.begin(), requirement.shown_by.end(),
+                     [](const ShownBy& shown) { return !shown.checks.empty(); });
+}
+
+template <class Belongs>
+Covered covered(const Results& results, Belongs&& belongs) {
+  Covered count;
+  for (const Requirement& requirement : results.requirements) {
+    if (!belongs(requirement.group)) continue;
+    ++count.all;
+    count.touched += touched(requirement) ? 1 : 0;
+  }
+  return count;
+}
+
+/// "<<NAME>>" replaced by what the check of that name measured.
+std::string with_values(const std::string& text, const Record& record) {
+  std::string result;
+  std::size_t at = 0;
+  for (std::size_t open = text.find("<<"); open != std::string::npos; open = text.find("<<", at)) {
+    const std::size_t close = text.find(">>", open);
+    if (close == std::string::npos)
+      throw RecordError(fmt::format("findings: case '{}': '<<' without '>>' in: {}", record.id, text));
+    const std::string name = text.substr(open + 2, close - open - 2);
+    const auto check =
+        std::find_if(record.checks.begin(), record.checks.end(), [&](const Check& each) { return each.name == name; });
+    if (check == record.checks.end())
+      throw RecordError(fmt::format("findings: case '{}' has no check '{}'", record.id, name));
+    result += text.substr(at, open - at) + markdown::number(check->measured, 3);
+    at = close + 2;
+  }
+  return result + text.substr(at);
+}
+
+}  // namespace
+
+std::string verified(const Results& results) {
+  std::string text;
+  const auto add = [&](const Covered& count, const std::string& what) {
+    if (count.all == 0) return;
+    text += fmt::format(
+        "{}{} {}", text.empty() ? "" : ", ",
+        count.touched == count.all ? fmt::format("{}", count.all) : fmt::format("{} of {}", count.touched, count.all),
+        what);
+  };
+  const auto group = [&](const char* name) {
+    return covered(results, [&](const std::string& each) { return each == name; });
+  };
+  add(group("equation"), "equations of the 1993 report");
+  add(group("law"), "force laws");
+  add(group("regime"), "of their regimes");
+  add(group("integrator"), "integrators");
+  add(group("shape"), "shapes");
+  add(group("pair"), "pairs of shapes in contact");
+  add(group("mechanism"), "mechanisms of energy loss");
+  add(covered(results,
+              [&](const std::string& each) {
+                return std::find(results.families.begin(), results.families.end(), each) != results.families.end();
+              }),
+      "problems of the catalogue");
+  return text.empty() ? "nothing: no requirement is listed." : text + " have checks in this run.";
+}
+
+std::string not_verified(const Results& results) {
+  std::string open;
+  std::size_t count = 0;
+  constexpr std::size_t named = 12;
+  for (const Requirement& requirement : results.requirements) {
+    if (touched(requirement)) continue;
+    if (++count <= named) open += (open.empty() ? "" : "; ") + markdown::words(requirement.id);
+  }
+  if (count > named) open += fmt::format("; {} more", count - named);
+  return (open.empty() ? std::string("Every listed requirement has a check. ")
+                       : fmt::format("Without a check in this run: {} ([traceability](page:traceability)). ", open)) +
+         "Verification compares the solver with solutions of the same equations. Whether these equations describe a "
+         "given "
+         "fence or material (validation) is outside this report, as is motion in three dimensions.";
+}
+
+std::string highlight_stem(const records::Highlight& highlight) {
+  return "front-" + highlight.case_id + "-" + highlight.figure;
+}
+
+const Figure* figure_of(const Results& results, const records::Highlight& highlight) {
+  const Record* const record = finished_record(results, highlight.case_id);
+  if (record == nullptr) return nullptr;
+  const auto found = std::find_if(record->figures.begin(), record->figures.end(),
+                                  [&](const Figure& figure) { return figure.name == highlight.figure; });
+  if (found == record->figures.end())
+    throw RecordError(fmt::format("highlights: case '{}' has no figure '{}'", highlight.case_id, highlight.figure));
+  return &*found;
+}
+
+std::string highlights(const Results& results) {
+  std::vector<std::vector<std::string>> rows;
+  for (const records::Highlight& highlight : results.highlights) {
+    if (figure_of(results, highlight) == nullptr) continue;
+    if (rows.empty() || rows.back().size() == 2) rows.resize(rows.size() + 2);
+    rows[rows.size() - 2].push_back(
+        fmt::format("![](figures/{}.svg){{alt=\"{}\" width=48%}}", highlight_stem(highlight), highlight.case_id));
+    rows.back().push_back(fmt::format("{} {}", markdown::cell(highlight.caption), link_of(results, highlight.case_id)));
+  }
+  for (std::vector<std::string>& row : rows)
+    row.resize(2);
+  return rows.empty() ? "" : markdown::table({{" "}, {" "}}, rows, "");
+}
+
+std::string findings(const Results& results) {
+  std::string text;
+  for (const records::Finding& finding : results.findings) {
+    const Record* const record = finished_record(results, finding.case_id);
+    if (record == nullptr) continue;
+    text += fmt::format("1. {} ({})\n", markdown::words(with_values(finding.text, *record)), case_link(*record));
+  }
+  return text.empty() ? "The cases of the findings did not run.\n" : text;
+}
+
+}  // namespace talus::reports
